@@ -1,0 +1,36 @@
+// MIP pyramids of any size: mean (weighted by area), maximum, minimum. [MIP18], figs. 2 and 3; METHODS 4.2.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "images/image.h"
+#include "work.h"
+
+namespace relief {
+
+enum class PyramidKind : std::uint8_t { Mean, Max, Min };
+
+// Level 0 is the picture itself; each further level halves the size, rounded up, down to 1 x 1. A texel of level l
+// stands for the 2^l x 2^l texels of level 0 below it, clipped at the last row and column ("takes what exists"); its
+// mean is weighted by how many those are, so that the 1 x 1 level is the mean of the picture.
+class Pyramid {
+  public:
+    Pyramid() = default;
+    // Built in parallel over rows; equal bits for any thread count.
+    Pyramid(PyramidKind kind, FloatImage base, Work& work);
+
+    PyramidKind kind() const { return kind_; }
+    int levels() const { return static_cast<int>(levels_.size()); }
+    const FloatImage& level(int l) const { return levels_[static_cast<std::size_t>(l)]; }
+    std::size_t bytes() const;
+
+    // Number of levels of a w x h picture: 1 for 1 x 1. w, h >= 1.
+    static int levelCount(int width, int height);
+
+  private:
+    PyramidKind kind_ = PyramidKind::Max;
+    std::vector<FloatImage> levels_;
+};
+
+}  // namespace relief

@@ -1,0 +1,157 @@
+// The grid of cells that a ray crosses, and where it crosses its lines: the only text that turns a cell's border into a
+// lambda. Every traversal and the leaf use it, so that the stays of a ray in its cells partition [0, 1] exactly.
+//
+// Cell coordinates: x = s + shift. Columns: cell = texel. Bilinear: cell i lies between the centres of texels i and
+// i + 1 under repeat; under clamp and border there are W + 1 cells, numbered here from 0 (cell c holds nodes c - 1 and
+// c, clamped) and named -1 to W - 1 in logs (METHODS 4.2).
+// Edges: under repeat cell k + n * cells has the edges of k, moved; under clamp the outermost cells are unbounded;
+// under border they end at the picture's edge.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "relief/height_field.h"
+#include "relief/ray.h"
+
+namespace relief {
+
+// One axis of the grid, the same for all rays.
+struct GridAxis {
+    int cells = 0;
+    int texels = 0;
+    double shift = 0;   // x = s + shift
+    int firstName = 0;  // the name of cell 0 in logs
+    bool wraps = false;
+    double low = 0;  // the lower edge of cell 0 and the upper one of the last, where they do not repeat
+    double high = 0;
+
+    GridAxis() = default;
+    GridAxis(int size, Surface surface, Address address) : texels(size), wraps(address == Address::Repeat) {
+        const bool nodes = surface == Surface::Bilinear;
+        const bool extended = nodes && !wraps;
+        cells = extended ? size + 1 : size;
+        shift = !nodes ? 0.0 : (wraps ? -0.5 : 0.5);
+        firstName = extended ? -1 : 0;
+        if (address == Address::Clamp) {
+            low = -std::numeric_limits<double>::infinity();
+            high = std::numeric_limits<double>::infinity();
+        } else if (address == Address::Border) {
+            low = extended ? 0.5 : 0.0;
+            high = extended ? size + 0.5 : static_cast<double>(size);
+        }
+    }
+
+    // Where the line below cell k (k in [0, cells], counted within a period that begins at cell `base`) lies, in x.
+    double edge(int k, std::int64_t base) const {
+        if (wraps) return static_cast<double>(base + k);
+        if (k <= 0) return low;
+        return k >= cells ? high : static_cast<double>(k);
+    }
+    // The two texels whose heights span cell k of a bilinear surface, within [0, texels).
+    int nodeBefore(int k) const { return wraps ? k : std::max(k - 1, 0); }
+    int nodeAfter(int k) const { return wraps ? (k + 1 == texels ? 0 : k + 1) : std::min(k, texels - 1); }
+};
+
+// A place on one axis: cell `index` in [0, cells) of the period whose first cell is `base` (0 unless the axis wraps).
+struct AxisCell {
+    int index = 0;
+    std::int64_t base = 0;
+};
+
+// One axis of one ray: x(lambda) = start + lambda * run.
+struct RayAxis {
+    double start = 0;
+    double run = 0;
+    double inverse = 0;
+    int side = 0;  // sign of the run; 0: parallel, the line is never left
+
+    RayAxis() = default;
+    RayAxis(const GridAxis& axis, double origin, double runValue) {
+        const double reduced = axis.wraps ? reduce(origin, axis.texels) : origin;
+        start = reduced + axis.shift;
+        // Below this the inverse would overflow; over lambda in [0, 1] such a run moves nothing.
+        constexpr double kSmallestRun = 1e-300;
+        run = std::abs(runValue) < kSmallestRun ? 0.0 : runValue;
+        side = run > 0 ? 1 : (run < 0 ? -1 : 0);
+        inverse = side == 0 ? 0.0 : 1.0 / run;
+    }
+
+    double lambdaAt(double edge) const { return (edge - start) * inverse; }
+
+    // Lambda at which the ray enters and leaves the cells [low, high) of a period.
+    double enter(const GridAxis& axis, int low, int high, std::int64_t base) const {
+        if (side == 0) return -std::numeric_limits<double>::infinity();
+        return lambdaAt(axis.edge(side > 0 ? low : high, base));
+    }
+    double leave(const GridAxis& axis, int low, int high, std::int64_t base) const {
+        if (side == 0) return std::numeric_limits<double>::infinity();
+        return lambdaAt(axis.edge(side > 0 ? high : low, base));
+    }
+
+    // The cell in which the ray stays at and just after lambda = 0. A start on a line belongs to the cell that the ray
+    // moves into; a ray that runs along a line belongs to the cell above it, floor(x).
+    AxisCell startCell(const GridAxis& axis) const {
+        const double whole = std::floor(start);
+        const bool backwards = side < 0 && whole == start;
+        if (!axis.wraps) {
+            return {static_cast<int>(std::clamp(backwards ? whole - 1 : whole, 0.0, axis.cells - 1.0)), 0};
+        }
+        auto index = static_cast<std::int64_t>(whole) - (backwards ? 1 : 0);
+        AxisCell cell;
+        if (index < 0) {
+            index += axis.cells;
+            cell.base = -axis.cells;
+        }
+        cell.index = static_cast<int>(index);
+        return cell;
+    }
+
+  private:
+    static double reduce(double x, double size) {
+        if (x >= 0 && x < size) return x;
+        const double rest = std::fmod(x, size);
+        const double positive = rest < 0 ? rest + size : rest;
+        // -1e-30 + size rounds to size: the same place, one period on.
+        return positive >= size ? 0.0 : positive;
+    }
+};
+
+struct CellGrid {
+    GridAxis x;
+    GridAxis y;
+    bool bounded = false;  // border: what lies outside is empty
+
+    CellGrid() = default;
+    explicit CellGrid(const HeightField& field)
+        : x(field.width(), field.surface(), field.address()),
+          y(field.height(), field.surface(), field.address()),
+          bounded(field.address() == Address::Border) {}
+};
+
+// A ray in cell coordinates.
+struct GridRay {
+    RayAxis x;
+    RayAxis y;
+
+    GridRay(const CellGrid& grid, const ViewRay& ray) : x(grid.x, ray.s0, ray.a), y(grid.y, ray.t0, ray.b) {}
+
+    // Border: a ray that enters outside the closed picture is a miss.
+    bool entersOutside(const CellGrid& grid) const {
+        if (!grid.bounded) return false;
+        return !(x.start >= grid.x.low && x.start <= grid.x.high && y.start >= grid.y.low && y.start <= grid.y.high);
+    }
+    // Cells crossed at most, capped where rays are flatter than the domain (kMaxRun in each axis).
+    double cellBound() const { return std::min(std::abs(x.run) + std::abs(y.run), 2 * kMaxRun) + 4; }
+};
+
+// The part of [0, 1] during which the ray is in a box of cells; it is really inside only if in < out: a stay of no
+// length (a corner touched) does not count, in any tracer.
+struct Stay {
+    double in = 0;
+    double out = 0;
+};
+
+}  // namespace relief

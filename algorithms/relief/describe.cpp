@@ -1,0 +1,81 @@
+#include "relief/describe.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace relief {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kSurfaces{"bilinear", "columns"};
+constexpr std::array<std::string_view, 3> kAddresses{"repeat", "clamp", "border"};
+constexpr std::array<std::string_view, 3> kGuarantees{"exact", "conservative", "approximate"};
+constexpr std::array<std::string_view, 3> kKinds{"tracer", "shading", "any-hit"};
+constexpr std::array<std::string_view, 2> kRayClasses{"view rays", "any rays"};
+
+template <class Enum, std::size_t N>
+Enum parseName(const std::array<std::string_view, N>& names, std::string_view text, const char* what) {
+    std::string known;
+    for (std::size_t i = 0; i < N; ++i) {
+        if (names[i] == text) return static_cast<Enum>(i);
+        known += (known.empty() ? "" : ", ") + std::string(names[i]);
+    }
+    throw InputError(std::string("--") + what,
+                     Message(MessageId::UnknownName, {{"what", what}, {"name", std::string(text)}, {"known", known}}));
+}
+
+}  // namespace
+
+std::string_view surfaceName(Surface surface) {
+    return kSurfaces[static_cast<std::size_t>(surface)];
+}
+std::string_view addressName(Address address) {
+    return kAddresses[static_cast<std::size_t>(address)];
+}
+std::string_view guaranteeName(Guarantee guarantee) {
+    return kGuarantees[static_cast<std::size_t>(guarantee)];
+}
+std::string_view methodKindName(MethodKind kind) {
+    return kKinds[static_cast<std::size_t>(kind)];
+}
+std::string_view rayClassName(RayClass rayClass) {
+    return kRayClasses[static_cast<std::size_t>(rayClass)];
+}
+
+Surface parseSurface(std::string_view text) {
+    return parseName<Surface>(kSurfaces, text, "surface");
+}
+Address parseAddress(std::string_view text) {
+    return parseName<Address>(kAddresses, text, "address");
+}
+
+double parseNumber(std::string_view text, const std::string& subject) {
+    double value = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (result.ec != std::errc() || result.ptr != text.data() + text.size() || !std::isfinite(value)) {
+        throw InputError(subject, Message(MessageId::NotANumber, {{"text", std::string(text)}}));
+    }
+    return value;
+}
+
+void checkOption(const OptionDescription& option, const std::string& text) {
+    if (option.kind == OptionKind::Choice || option.kind == OptionKind::Method) {
+        if (std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end()) return;
+        std::string known;
+        for (const std::string& choice : option.choices) known += (known.empty() ? "" : ", ") + choice;
+        throw InputError("--set",
+                         Message(MessageId::UnknownName, {{"what", option.name}, {"name", text}, {"known", known}}));
+    }
+    const double value = parseNumber(text, option.name);
+    const bool whole = option.kind != OptionKind::Integer || value == std::floor(value);
+    if (value < option.low || value > option.high || !whole) {
+        const std::string range =
+            numberText(option.low) + " to " + numberText(option.high) + (whole ? "" : ", a whole number");
+        throw InputError("--set",
+                         Message(MessageId::OutOfRange, {{"what", option.name}, {"value", text}, {"range", range}}));
+    }
+}
+
+}  // namespace relief

@@ -1,0 +1,128 @@
+// Methods and their options described once: sliders, flags, help texts and tables derive from this.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "errors.h"
+#include "relief/height_field.h"
+
+namespace relief {
+
+enum class OptionKind : std::uint8_t { Integer, Real, Choice, Method };
+
+// One setting: name as in --set NAME=VALUE, unit ("texels", "texture widths", ""), range and step of its slider.
+struct OptionDescription {
+    std::string name;
+    OptionKind kind = OptionKind::Real;
+    std::string unit;
+    double low = 0;
+    double high = 1;
+    double step = 0.01;
+    std::vector<std::string> choices;  // Choice: the names; Method: which may stand here
+    std::string help;
+};
+
+// A described field of a plain struct of options. Its default is what a fresh struct holds.
+template <class Options>
+struct OptionField {
+    OptionDescription description;
+    std::variant<int Options::*, double Options::*, std::string Options::*> member;
+};
+
+// What tracers promise. Exact: the first hit. Conservative: never past the first hit. Approximate: no promise.
+enum class Guarantee : std::uint8_t { Exact, Conservative, Approximate };
+enum class MethodKind : std::uint8_t { Tracer, Shading, AnyHit };
+// Which rays a method (its maps) is valid for.
+enum class RayClass : std::uint8_t { ViewRays, AnyRays };
+
+struct MethodDescription {
+    std::string name;   // as on the command line
+    std::string title;  // a few words
+    std::string help;   // one line
+    std::string source;
+    MethodKind kind = MethodKind::Tracer;
+    Guarantee guarantee = Guarantee::Approximate;
+    RayClass rayClass = RayClass::ViewRays;
+    std::vector<Surface> surfaces{Surface::Bilinear, Surface::Columns};
+    std::vector<std::string> maps;  // names of the maps needed
+    std::vector<OptionDescription> options;
+    std::map<std::string, std::string> defaults;  // of the options, as text
+};
+
+// Options as given: name to text ("layers" to "64"), as on the command line and in scenarios.
+using OptionValues = std::map<std::string, std::string>;
+
+// The method by name, and its options.
+struct MethodChoice {
+    std::string name = "max-pyramid";
+    OptionValues options;
+    bool operator==(const MethodChoice&) const = default;
+};
+
+std::string_view surfaceName(Surface surface);
+std::string_view addressName(Address address);
+std::string_view guaranteeName(Guarantee guarantee);
+std::string_view methodKindName(MethodKind kind);
+std::string_view rayClassName(RayClass rayClass);
+// Throw InputError("--surface", ...) and ("--address", ...) with the known names.
+Surface parseSurface(std::string_view text);
+Address parseAddress(std::string_view text);
+
+// A finite number, the whole text, independent of the locale; InputError naming the subject otherwise.
+double parseNumber(std::string_view text, const std::string& subject);
+// Checks the text against kind, range and choices; throws InputError naming the option.
+void checkOption(const OptionDescription& option, const std::string& text);
+
+// The plain struct from what was given; unknown names and values out of range are errors.
+template <class Options>
+Options parseOptions(const std::string& method, const OptionValues& values) {
+    Options options;
+    const auto fields = Options::fields();
+    for (const auto& [name, text] : values) {
+        const OptionField<Options>* found = nullptr;
+        std::string known;
+        for (const auto& field : fields) {
+            if (field.description.name == name) found = &field;
+            known += (known.empty() ? "" : ", ") + field.description.name;
+        }
+        if (found == nullptr) {
+            throw InputError("--set", Message(MessageId::UnknownName, {{"what", "option of " + method},
+                                                                       {"name", name},
+                                                                       {"known", known.empty() ? "none" : known}}));
+        }
+        checkOption(found->description, text);
+        if (const auto* integer = std::get_if<int Options::*>(&found->member)) {
+            options.*(*integer) = static_cast<int>(parseNumber(text, name));
+        } else if (const auto* real = std::get_if<double Options::*>(&found->member)) {
+            options.*(*real) = parseNumber(text, name);
+        } else {
+            options.*(std::get<std::string Options::*>(found->member)) = text;
+        }
+    }
+    return options;
+}
+
+// Descriptions and defaults of the fields, for the method's own description.
+template <class Options>
+void describeOptions(MethodDescription& method) {
+    const Options defaults;
+    for (const auto& field : Options::fields()) {
+        method.options.push_back(field.description);
+        std::string text;
+        if (const auto* integer = std::get_if<int Options::*>(&field.member)) {
+            text = std::to_string(defaults.*(*integer));
+        } else if (const auto* real = std::get_if<double Options::*>(&field.member)) {
+            text = numberText(defaults.*(*real));
+        } else {
+            text = defaults.*(std::get<std::string Options::*>(field.member));
+        }
+        method.defaults[field.description.name] = text;
+    }
+}
+
+}  // namespace relief

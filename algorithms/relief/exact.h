@@ -1,0 +1,120 @@
+// exact: every cell in order, exact intersection. The ground truth of all tests.
+//
+// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
+// Guarantee: the first hit, to the rounding of the leaf (double). Failure mode: none within the domain; slow.
+// Cost: one leaf a cell crossed, at most |a| + |b| + 2 of them.
+// Source: Amanatides & Woo 1987 for the walk; METHODS 4.1 for the leaf.
+#pragma once
+
+#include "relief/describe.h"
+#include "relief/leaf.h"
+#include "relief/maps/map_cache.h"
+#include "relief/step_log.h"
+
+namespace relief {
+
+class ExactTracer {
+  public:
+    static MethodDescription describe() {
+        MethodDescription method;
+        method.name = "exact";
+        method.title = "every cell";
+        method.guarantee = Guarantee::Exact;
+        method.rayClass = RayClass::ViewRays;
+        method.help = "Tests every cell that the ray crosses, in order: the truth that others are held against.";
+        method.source = "METHODS 4.1; Amanatides & Woo 1987";
+        method.maps = {};
+        return method;
+    }
+    struct Options {
+        static std::vector<OptionField<Options>> fields() { return {}; }
+    };
+    static ExactTracer make(const HeightField& field, const Options&, MapCache&, Work&) { return ExactTracer(field); }
+
+    explicit ExactTracer(HeightField field) : field_(std::move(field)), grid_(field_) {}
+
+    template <class Sink>
+    Hit trace(const ViewRay& ray, Sink& sink) const {
+        return field_.surface() == Surface::Bilinear ? walk<Surface::Bilinear>(ray, sink)
+                                                     : walk<Surface::Columns>(ray, sink);
+    }
+
+    const HeightField& field() const { return field_; }
+    std::size_t bytes() const { return 0; }
+    // Records at most, asserted by stress tests.
+    double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 3; }
+
+  private:
+    template <Surface kSurface, class Sink>
+    Hit walk(const ViewRay& viewRay, Sink& sink) const;
+
+    HeightField field_;
+    CellGrid grid_;
+};
+
+namespace exact_detail {
+
+// To the neighbour in the ray's direction; false: there is none (border).
+inline bool moveOn(const GridAxis& axis, int side, AxisCell& cell) {
+    cell.index += side;
+    if (cell.index >= 0 && cell.index < axis.cells) return true;
+    if (!axis.wraps) return false;
+    cell.base += side * static_cast<std::int64_t>(axis.cells);
+    cell.index = side > 0 ? 0 : axis.cells - 1;
+    return true;
+}
+
+}  // namespace exact_detail
+
+template <Surface kSurface, class Sink>
+Hit ExactTracer::walk(const ViewRay& viewRay, Sink& sink) const {
+    if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+    const GridRay ray(grid_, viewRay);
+    AxisCell cx = ray.x.startCell(grid_.x);
+    AxisCell cy = ray.y.startCell(grid_.y);
+    const auto record = [&](Decision decision, double in, double out, double after) {
+        return [&, decision, in, out, after] {
+            Step step;
+            step.phase = decision == Decision::Start ? Phase::Start : Phase::Search;
+            step.decision = decision;
+            step.i = cx.index + grid_.x.firstName;
+            step.j = cy.index + grid_.y.firstName;
+            step.periodX = cx.base / grid_.x.cells;
+            step.periodY = cy.base / grid_.y.cells;
+            step.lambdaIn = in;
+            step.lambdaOut = out;
+            step.lambdaAfter = after;
+            step.value = cellMaximum<kSurface>(field_.heights(), grid_, cx.index, cy.index);
+            return step;
+        };
+    };
+    sink.step(record(Decision::Start, 0, 0, 0));
+    if (ray.entersOutside(grid_)) {
+        sink.step(record(Decision::Miss, 0, 0, 0));
+        return Hit::none(Outcome::Miss);
+    }
+    double lambda = 0;
+    for (double left = ray.cellBound(); left > 0; --left) {
+        const double outX = ray.x.leave(grid_.x, cx.index, cx.index + 1, cx.base);
+        const double outY = ray.y.leave(grid_.y, cy.index, cy.index + 1, cy.base);
+        const double out = std::min(outX, outY);
+        sink.read(kSurface == Surface::Bilinear ? 4 : 1);
+        if (const auto hit = leafHit<kSurface>(field_.heights(), grid_, ray, cx, cy)) {
+            sink.step(record(Decision::Hit, lambda, std::min(out, 1.0), *hit));
+            return Hit::at(viewRay, *hit);
+        }
+        sink.step(record(Decision::Test, lambda, std::min(out, 1.0), std::min(out, 1.0)));
+        lambda = out;
+        bool inside = out < 1;
+        if (outX <= outY) inside = exact_detail::moveOn(grid_.x, ray.x.side, cx) && inside;
+        if (outY <= outX) inside = exact_detail::moveOn(grid_.y, ray.y.side, cy) && inside;
+        if (!inside) {
+            sink.step(record(Decision::Miss, std::min(out, 1.0), std::min(out, 1.0), std::min(out, 1.0)));
+            return Hit::none(Outcome::Miss);
+        }
+    }
+    sink.step(record(Decision::Limit, lambda, lambda, lambda));
+    return Hit::none(Outcome::Limit);
+}
+
+}  // namespace relief

@@ -1,0 +1,120 @@
+// The one leaf: where a ray meets the surface within one cell. Traversals only exclude cells; this text decides.
+//
+// METHODS 4.1. Along the stay [in, out] the surface minus the ray, f(w) with w from 0 at the entry to 1 at the exit, is
+// quadratic (bilinear patch) or constant minus linear (column):
+//     f(w) = f_in + (f_out - f_in - c) w + c w^2,   c = du dv (h11 - h10 - h01 + h00)
+// - f >= 0 at the entry: the entry is the hit (walls, borders between patches, rounding).
+// - otherwise the root at which f reaches 0 from below, by the form without cancellation.
+// Watertight: f at the exit is compared with >= here and f at the same point with >= in the next cell.
+// Everything in double; the parameter is measured from the cell's entry, so far and flat rays keep their digits.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "relief/cell_grid.h"
+
+namespace relief {
+
+// What an exclusion test must leave to the leaf: the ray's clearance (in heights) within which rounding of the leaf's
+// interpolation (some 2^-50) could still make it a hit.
+inline constexpr double kExclusionMargin = 0x1p-40;
+
+inline Stay cellStay(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
+    const double in = std::max({ray.x.enter(grid.x, cx.index, cx.index + 1, cx.base),
+                                ray.y.enter(grid.y, cy.index, cy.index + 1, cy.base), 0.0});
+    const double out = std::min({ray.x.leave(grid.x, cx.index, cx.index + 1, cx.base),
+                                 ray.y.leave(grid.y, cy.index, cy.index + 1, cy.base), 1.0});
+    return {in, out};
+}
+
+// Largest and smallest stored height that the surface within a cell touches.
+template <Surface kSurface>
+float cellMaximum(const FloatImage& heights, const CellGrid& grid, int cx, int cy) {
+    if constexpr (kSurface == Surface::Columns) {
+        return heights(cx, cy);
+    } else {
+        const auto top = heights.row(grid.y.nodeBefore(cy));
+        const auto bottom = heights.row(grid.y.nodeAfter(cy));
+        const auto i0 = static_cast<std::size_t>(grid.x.nodeBefore(cx));
+        const auto i1 = static_cast<std::size_t>(grid.x.nodeAfter(cx));
+        return std::max(std::max(top[i0], top[i1]), std::max(bottom[i0], bottom[i1]));
+    }
+}
+
+template <Surface kSurface>
+float cellMinimum(const FloatImage& heights, const CellGrid& grid, int cx, int cy) {
+    if constexpr (kSurface == Surface::Columns) {
+        return heights(cx, cy);
+    } else {
+        const auto top = heights.row(grid.y.nodeBefore(cy));
+        const auto bottom = heights.row(grid.y.nodeAfter(cy));
+        const auto i0 = static_cast<std::size_t>(grid.x.nodeBefore(cx));
+        const auto i1 = static_cast<std::size_t>(grid.x.nodeAfter(cx));
+        return std::min(std::min(top[i0], top[i1]), std::min(bottom[i0], bottom[i1]));
+    }
+}
+
+namespace leaf_detail {
+
+// Place within a cell, [0, 1]; exact where the stay begins or ends on one of the cell's own lines.
+inline double within(const RayAxis& axis, AxisCell cell, double lambda) {
+    const double x = axis.start + lambda * axis.run;
+    return std::clamp(x - static_cast<double>(cell.base + cell.index), 0.0, 1.0);
+}
+
+inline double lerpPatch(double h00, double h10, double h01, double h11, double u, double v) {
+    return (1 - v) * ((1 - u) * h00 + u * h10) + v * ((1 - u) * h01 + u * h11);
+}
+
+// The first w in (0, 1] at which f_in + b w + c w^2 (f_in < 0) reaches 0, if any.
+inline std::optional<double> firstRoot(double fIn, double fOut, double c) {
+    const double b = fOut - fIn - c;
+    if (fOut < 0 && !(c < 0 && b > 0 && b < -2 * c)) return std::nullopt;  // no vertex inside: stays below
+    const double discriminant = b * b - 4 * c * fIn;
+    if (discriminant < 0 && fOut < 0) return std::nullopt;
+    const double root = std::sqrt(std::max(discriminant, 0.0));
+    // Both forms give the root with a positive slope; each where its sum does not cancel.
+    const double w = b >= 0 ? -2 * fIn / (b + root) : (root - b) / (2 * c);
+    return w < 1 ? w : 1.0;  // NaN (0/0) as well: then the exit is the hit
+}
+
+}  // namespace leaf_detail
+
+// Lambda of the hit in this cell, or nothing. cx, cy as the traversal names them; the interval is computed here.
+template <Surface kSurface>
+std::optional<double> leafHit(const FloatImage& heights, const CellGrid& grid, const GridRay& ray, AxisCell cx,
+                              AxisCell cy) {
+    const Stay stay = cellStay(grid, ray, cx, cy);
+    if (!(stay.in < stay.out)) return std::nullopt;
+    if constexpr (kSurface == Surface::Columns) {
+        const double h = heights(cx.index, cy.index);
+        if (1 - stay.in <= h) return stay.in;
+        const double top = 1 - h;
+        if (top <= stay.out) return std::max(top, stay.in);
+        return std::nullopt;
+    } else {
+        const int i0 = grid.x.nodeBefore(cx.index);
+        const int i1 = grid.x.nodeAfter(cx.index);
+        const int j0 = grid.y.nodeBefore(cy.index);
+        const int j1 = grid.y.nodeAfter(cy.index);
+        const double h00 = heights(i0, j0);
+        const double h10 = heights(i1, j0);
+        const double h01 = heights(i0, j1);
+        const double h11 = heights(i1, j1);
+        const double uIn = leaf_detail::within(ray.x, cx, stay.in);
+        const double vIn = leaf_detail::within(ray.y, cy, stay.in);
+        const double fIn = leaf_detail::lerpPatch(h00, h10, h01, h11, uIn, vIn) - (1 - stay.in);
+        if (!(fIn < 0)) return stay.in;
+        const double uOut = leaf_detail::within(ray.x, cx, stay.out);
+        const double vOut = leaf_detail::within(ray.y, cy, stay.out);
+        const double fOut = leaf_detail::lerpPatch(h00, h10, h01, h11, uOut, vOut) - (1 - stay.out);
+        const double twist = (h11 - h10) - (h01 - h00);
+        const auto w = leaf_detail::firstRoot(fIn, fOut, (uOut - uIn) * (vOut - vIn) * twist);
+        if (!w) return std::nullopt;
+        const double lambda = stay.in + *w * (stay.out - stay.in);
+        return std::min(lambda, stay.out);
+    }
+}
+
+}  // namespace relief

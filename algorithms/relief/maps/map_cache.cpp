@@ -1,0 +1,73 @@
+#include "relief/maps/map_cache.h"
+
+#include <chrono>
+#include <utility>
+
+namespace relief {
+
+std::shared_ptr<const void> MapCache::find(const MapKey& key, Work& work, const std::function<Built(Work&)>& build) {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        const auto found = entries_.find(key);
+        if (found == entries_.end()) break;
+        if (found->second.map) {
+            found->second.lastUse = ++clock_;
+            return found->second.map;
+        }
+        // Woken also from time to time, so that a waiting request can be cancelled.
+        done_.wait_for(lock, std::chrono::milliseconds(20));
+        work.throwIfStopped();
+    }
+    entries_.emplace(key, Entry{});
+    lock.unlock();
+    Built built;
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+        built = build(work);
+        work.throwIfStopped();
+    } catch (...) {
+        lock.lock();
+        entries_.erase(key);
+        done_.notify_all();
+        throw;
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    work.counters().add("map builds", 1);
+    work.counters().add("map bytes", static_cast<double>(built.bytes));
+    work.counters().add("map build seconds", seconds);
+    lock.lock();
+    Entry& entry = entries_[key];
+    entry = {built.map, built.bytes, ++clock_, seconds};
+    evict();
+    done_.notify_all();
+    return built.map;
+}
+
+void MapCache::evict() {
+    std::size_t total = 0;
+    for (const auto& [key, entry] : entries_) total += entry.bytes;
+    while (total > budget_) {
+        auto oldest = entries_.end();
+        for (auto it = entries_.begin(); it != entries_.end(); ++it) {
+            if (!it->second.map || it->second.lastUse == clock_) continue;
+            if (oldest == entries_.end() || it->second.lastUse < oldest->second.lastUse) oldest = it;
+        }
+        if (oldest == entries_.end()) return;
+        total -= oldest->second.bytes;
+        entries_.erase(oldest);
+    }
+}
+
+std::size_t MapCache::bytes() const {
+    const std::lock_guard lock(mutex_);
+    std::size_t total = 0;
+    for (const auto& [key, entry] : entries_) total += entry.bytes;
+    return total;
+}
+
+void MapCache::clear() {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(entries_, [](const auto& item) { return item.second.map != nullptr; });
+}
+
+}  // namespace relief

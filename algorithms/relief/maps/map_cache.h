@@ -1,0 +1,71 @@
+// Maps that methods precompute: built when first needed, once, however many ask at the same time; kept within a memory
+// budget, the longest unused going first. Keyed by what they depend on, so that changing the relief's depth keeps the
+// max pyramids.
+#pragma once
+
+#include <any>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "images/image.h"
+#include "work.h"
+
+namespace relief {
+
+// kind: "max-pyramid/bilinear/repeat", ...; heights: identity of the height map (kept alive by the entry).
+struct MapKey {
+    std::string kind;
+    std::shared_ptr<const FloatImage> heights;
+
+    bool operator<(const MapKey& other) const {
+        return heights != other.heights ? heights.owner_before(other.heights) : kind < other.kind;
+    }
+};
+
+class MapCache {
+  public:
+    explicit MapCache(std::size_t budgetBytes = std::size_t{4} << 30) : budget_(budgetBytes) {}
+
+    // The map of this key; built by `build` if there is none. Whoever comes while it is being built waits for it; if
+    // the builder is cancelled, one of those who wait builds it instead. T has bytes().
+    // Counts "map builds", "map bytes" and "map build seconds" in the work's counters.
+    template <class T>
+    std::shared_ptr<const T> get(const MapKey& key, Work& work, const std::function<T(Work&)>& build) {
+        auto map = find(key, work, [&](Work& w) -> Built {
+            auto made = std::make_shared<const T>(build(w));
+            return {made, made->bytes()};
+        });
+        return std::static_pointer_cast<const T>(map);
+    }
+
+    std::size_t bytes() const;
+    void clear();
+
+  private:
+    struct Built {
+        std::shared_ptr<const void> map;
+        std::size_t bytes = 0;
+    };
+    struct Entry {
+        std::shared_ptr<const void> map;  // null while it is being built
+        std::size_t bytes = 0;
+        std::uint64_t lastUse = 0;
+        double buildSeconds = 0;
+    };
+
+    std::shared_ptr<const void> find(const MapKey& key, Work& work, const std::function<Built(Work&)>& build);
+    void evict();
+
+    std::size_t budget_;
+    mutable std::mutex mutex_;
+    std::condition_variable done_;
+    std::map<MapKey, Entry> entries_;
+    std::uint64_t clock_ = 0;
+};
+
+}  // namespace relief

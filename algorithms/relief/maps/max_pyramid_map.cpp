@@ -1,0 +1,41 @@
+#include "relief/maps/max_pyramid_map.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "relief/leaf.h"
+
+namespace relief {
+
+namespace {
+
+FloatImage cellMaxima(const HeightField& field, Work& work) {
+    if (field.surface() == Surface::Columns) return field.heights();
+    const CellGrid grid(field);
+    FloatImage maxima(grid.x.cells, grid.y.cells);
+    work.arena().execute([&] {
+        tbb::parallel_for(0, grid.y.cells, [&](int cy) {
+            if (work.stopped()) return;
+            const auto row = maxima.row(cy);
+            for (int cx = 0; cx < grid.x.cells; ++cx) {
+                row[static_cast<std::size_t>(cx)] = cellMaximum<Surface::Bilinear>(field.heights(), grid, cx, cy);
+            }
+        });
+    });
+    work.throwIfStopped();
+    return maxima;
+}
+
+}  // namespace
+
+std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work) {
+    // Clamp and border share their cells; columns do so in every addressing.
+    std::string kind = "max-pyramid/columns";
+    if (field.surface() == Surface::Bilinear) {
+        kind = field.address() == Address::Repeat ? "max-pyramid/bilinear/repeat" : "max-pyramid/bilinear/clamped";
+    }
+    return cache.get<MaxPyramidMap>({kind, field.sharedHeights()}, work, [&](Work& w) {
+        return MaxPyramidMap{Pyramid(PyramidKind::Max, cellMaxima(field, w), w)};
+    });
+}
+
+}  // namespace relief

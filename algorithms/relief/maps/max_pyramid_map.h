@@ -1,0 +1,22 @@
+// The hierarchy of maxima over the cells of a height field. [MIP18] fig. 3; METHODS 4.2.
+// Level 0: the texel heights (columns), the largest of a cell's four corners (bilinear). Valid for any ray.
+#pragma once
+
+#include "images/pyramid.h"
+#include "relief/cell_grid.h"
+#include "relief/maps/map_cache.h"
+
+namespace relief {
+
+struct MaxPyramidMap {
+    Pyramid pyramid;
+
+    std::size_t bytes() const { return pyramid.bytes(); }
+    int top() const { return pyramid.levels() - 1; }
+    float highest() const { return pyramid.level(top())(0, 0); }
+};
+
+// From the cache, or built (O(cells), in parallel).
+std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work);
+
+}  // namespace relief

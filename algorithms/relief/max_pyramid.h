@@ -1,0 +1,101 @@
+// max-pyramid: hierarchical skip on the pyramid of maxima, iterative and stackless. [MIP18]; Tevs 2008; METHODS 4.2.
+//
+// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing; any ray that descends.
+// Model: a node whose maximum is below the ray all along its stay is skipped; otherwise its children are asked; the one
+// leaf decides at level 0. After a step that leaves the parent, the walk goes up one level.
+// Guarantee: exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at grazing angles,
+// where little can be skipped. Cost: O(log) steps a ray on even surfaces, one stored maximum a step.
+// Twin: max_pyramid_paper.h is the text to read; this one is the text to run.
+#pragma once
+
+#include "relief/describe.h"
+#include "relief/pyramid_walk.h"
+
+namespace relief {
+
+class MaxPyramidTracer {
+  public:
+    static MethodDescription describe() {
+        MethodDescription method;
+        method.name = "max-pyramid";
+        method.title = "max pyramid";
+        method.guarantee = Guarantee::Exact;
+        method.rayClass = RayClass::ViewRays;
+        method.help = "Skips what lies below the ray by the pyramid of maxima; iterative, stackless.";
+        method.source = "[MIP18]; Tevs 2008";
+        method.maps = {"max-pyramid"};
+        return method;
+    }
+    struct Options {
+        static std::vector<OptionField<Options>> fields() { return {}; }
+    };
+    static MaxPyramidTracer make(const HeightField& field, const Options&, MapCache& cache, Work& work) {
+        return MaxPyramidTracer(field, maxPyramidMap(field, cache, work));
+    }
+
+    MaxPyramidTracer(HeightField field, std::shared_ptr<const MaxPyramidMap> map)
+        : walk_(std::move(field), std::move(map)) {}
+
+    template <class Sink>
+    Hit trace(const ViewRay& viewRay, Sink& sink) const;
+
+    const HeightField& field() const { return walk_.field(); }
+    std::size_t bytes() const { return walk_.bytes(); }
+    double stepBound(const ViewRay& ray) const { return walk_.stepBound(GridRay(walk_.grid(), ray)); }
+
+  private:
+    PyramidWalk walk_;
+};
+
+template <class Sink>
+Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink) const {
+    if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+    const GridRay ray(walk_.grid(), viewRay);
+    const PyramidStart start = pyramidStart(walk_, ray, sink);
+    if (start.outcome != Outcome::Unset) return Hit::none(start.outcome);
+    if (start.hit) return Hit::at(viewRay, *start.hit);
+
+    const int top = walk_.top();
+    int level = top;
+    PyramidNode node = start.node;
+    double lambda = start.lambda;
+    for (double left = walk_.stepBound(ray); left > 0; --left) {
+        const float maximum = walk_.maximum(level, node);
+        const PyramidWalk::Exit exit = walk_.exit(ray, level, node);
+        const double out = std::min(exit.first(), 1.0);
+        sink.read(1);
+        const bool skip = PyramidWalk::excluded(maximum, out);
+        if (!skip && level > 0) {
+            sink.step([&] { return walk_.record(Decision::Descend, level, node, lambda, out, maximum, lambda); });
+            node = walk_.child(ray, level, node, lambda);
+            --level;
+            continue;
+        }
+        if (!skip) {
+            sink.read(walk_.leafReads());
+            if (const auto hit = walk_.leaf(ray, node)) {
+                sink.step([&] { return walk_.record(Decision::Hit, 0, node, lambda, out, maximum, *hit); });
+                return Hit::at(viewRay, *hit);
+            }
+        }
+        sink.step([&] {
+            return walk_.record(skip ? Decision::Skip : Decision::Test, level, node, lambda, out, maximum, out);
+        });
+        const PyramidNode before = node;
+        const bool inside = walk_.moveOn(ray, level, exit, node) && exit.first() < 1;
+        lambda = out;
+        if (!inside) {
+            sink.step([&] { return walk_.record(Decision::Miss, level, before, lambda, lambda, maximum, lambda); });
+            return Hit::none(Outcome::Miss);
+        }
+        if (level < top && !PyramidWalk::sameParent(before, node)) {
+            PyramidWalk::toParent(node);
+            ++level;
+            sink.step([&] { return walk_.record(Decision::Ascend, level, node, lambda, lambda, maximum, lambda); });
+        }
+    }
+    sink.step([&] { return walk_.record(Decision::Limit, level, node, lambda, lambda, 0, lambda); });
+    return Hit::none(Outcome::Limit);
+}
+
+}  // namespace relief

@@ -1,0 +1,230 @@
+// What both forms of the max pyramid tracer share: nodes of the hierarchy, the ray's stay in them, the way to a
+// neighbour and to a child, the start at the highest point. Only integers are stepped; a position is never floored on
+// the way, so the walk agrees with the leaf's intervals to the last bit.
+#pragma once
+
+#include <array>
+
+#include "relief/leaf.h"
+#include "relief/maps/max_pyramid_map.h"
+#include "relief/step_log.h"
+
+namespace relief {
+
+inline constexpr int kMaxLevels = 32;
+
+// A node of level l on one axis: cells [index << l, min((index + 1) << l, cells)) of the period that begins at `base`.
+struct PyramidNode {
+    AxisCell x;
+    AxisCell y;
+};
+
+class PyramidWalk {
+  public:
+    PyramidWalk(HeightField field, std::shared_ptr<const MaxPyramidMap> map)
+        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {
+        for (int l = 0; l <= map_->top(); ++l) levels_[static_cast<std::size_t>(l)] = &map_->pyramid.level(l);
+    }
+
+    const HeightField& field() const { return field_; }
+    const CellGrid& grid() const { return grid_; }
+    int top() const { return map_->top(); }
+    double highest() const { return map_->highest(); }
+    std::size_t bytes() const { return map_->bytes(); }
+
+    float maximum(int level, const PyramidNode& node) const {
+        return (*levels_[static_cast<std::size_t>(level)])(node.x.index, node.y.index);
+    }
+
+    // Lambda at which the ray leaves the node through its x and y border.
+    struct Exit {
+        double x;
+        double y;
+        double first() const { return std::min(x, y); }
+    };
+    Exit exit(const GridRay& ray, int level, const PyramidNode& node) const {
+        return {leave(grid_.x, ray.x, level, node.x), leave(grid_.y, ray.y, level, node.y)};
+    }
+
+    // To the neighbour on the same level; false: the ray leaves the field (border). A corner leads to the diagonal.
+    bool moveOn(const GridRay& ray, int level, Exit exit, PyramidNode& node) const {
+        bool inside = true;
+        if (exit.x <= exit.y) inside = moveOn(grid_.x, ray.x.side, level, node.x);
+        if (exit.y <= exit.x) inside = moveOn(grid_.y, ray.y.side, level, node.y) && inside;
+        return inside;
+    }
+
+    // The child in which the ray is at and just after lambda, which lies within its stay in the node.
+    PyramidNode child(const GridRay& ray, int level, const PyramidNode& node, double lambda) const {
+        return {child(grid_.x, ray.x, level, node.x, lambda), child(grid_.y, ray.y, level, node.y, lambda)};
+    }
+
+    static bool sameParent(const PyramidNode& p, const PyramidNode& q) {
+        return p.x.base == q.x.base && p.y.base == q.y.base && (p.x.index >> 1) == (q.x.index >> 1) &&
+               (p.y.index >> 1) == (q.y.index >> 1);
+    }
+    static void toParent(PyramidNode& node) {
+        node.x.index >>= 1;
+        node.y.index >>= 1;
+    }
+
+    // The top node (the whole texture, in one of its periods) in which the ray is at and just after lambda.
+    PyramidNode topNode(const GridRay& ray, double lambda) const {
+        return {topNode(grid_.x, ray.x, lambda), topNode(grid_.y, ray.y, lambda)};
+    }
+
+    std::optional<double> leaf(const GridRay& ray, const PyramidNode& cell) const {
+        return field_.surface() == Surface::Bilinear
+                   ? leafHit<Surface::Bilinear>(field_.heights(), grid_, ray, cell.x, cell.y)
+                   : leafHit<Surface::Columns>(field_.heights(), grid_, ray, cell.x, cell.y);
+    }
+    std::uint32_t leafReads() const { return field_.surface() == Surface::Bilinear ? 4 : 1; }
+
+    float minimum(const PyramidNode& cell) const {
+        return field_.surface() == Surface::Bilinear
+                   ? cellMinimum<Surface::Bilinear>(field_.heights(), grid_, cell.x.index, cell.y.index)
+                   : cellMinimum<Surface::Columns>(field_.heights(), grid_, cell.x.index, cell.y.index);
+    }
+
+    // The cell at lambda by its floored position: good enough to look whether the start may be the highest point (the
+    // leaf of the true cell decides).
+    PyramidNode roughCell(const GridRay& ray, double lambda) const {
+        return {{roughCell(grid_.x, ray.x, lambda), 0}, {roughCell(grid_.y, ray.y, lambda), 0}};
+    }
+
+    // Step 3 of the procedure: the maximum is strictly below the ray all along its stay, i.e. below its lowest point,
+    // the exit. The margin leaves what the leaf's rounding could still call a hit to the leaf.
+    static bool excluded(float maximum, double lambdaOut) {
+        return static_cast<double>(maximum) + kExclusionMargin < 1 - lambdaOut;
+    }
+
+    // Records at most: a descent for each ascent, an ascent at most for each step on, a step on at most a cell.
+    double stepBound(const GridRay& ray) const { return 4 * ray.cellBound() + 4.0 * (top() + 2); }
+
+    Step record(Decision decision, int level, const PyramidNode& node, double in, double out, double value,
+                double after) const {
+        Step step;
+        step.phase = decision == Decision::Start || decision == Decision::Advance ? Phase::Start : Phase::Search;
+        step.decision = decision;
+        step.level = level;
+        step.i = node.x.index + (level == 0 ? grid_.x.firstName : 0);
+        step.j = node.y.index + (level == 0 ? grid_.y.firstName : 0);
+        step.periodX = node.x.base / grid_.x.cells;
+        step.periodY = node.y.base / grid_.y.cells;
+        step.lambdaIn = in;
+        step.lambdaOut = out;
+        step.value = value;
+        step.lambdaAfter = after;
+        return step;
+    }
+
+  private:
+    static double leave(const GridAxis& axis, const RayAxis& ray, int level, AxisCell node) {
+        const int low = node.index << level;
+        const int high = std::min(low + (1 << level), axis.cells);
+        return ray.leave(axis, low, high, node.base);
+    }
+
+    static int roughCell(const GridAxis& axis, const RayAxis& ray, double lambda) {
+        double x = ray.start + lambda * ray.run;
+        if (axis.wraps) x -= std::floor(x / axis.cells) * axis.cells;
+        return static_cast<int>(std::clamp(x, 0.0, axis.cells - 1.0));
+    }
+
+    static bool moveOn(const GridAxis& axis, int side, int level, AxisCell& node) {
+        const int last = (axis.cells - 1) >> level;
+        node.index += side;
+        if (node.index >= 0 && node.index <= last) return true;
+        if (!axis.wraps) return false;
+        node.base += side * static_cast<std::int64_t>(axis.cells);
+        node.index = side > 0 ? 0 : last;
+        return true;
+    }
+
+    // Compares lambda with the mid-plane; children that do not exist (odd sizes) are never chosen.
+    static AxisCell child(const GridAxis& axis, const RayAxis& ray, int level, AxisCell node, double lambda) {
+        const int first = node.index << 1;
+        const int middle = (first + 1) << (level - 1);
+        if (middle >= axis.cells) return {first, node.base};
+        bool upper = false;
+        if (ray.side == 0) {
+            upper = ray.start >= static_cast<double>(node.base + middle);
+        } else {
+            const double crossing = ray.lambdaAt(static_cast<double>(node.base + middle));
+            upper = ray.side > 0 ? lambda >= crossing : lambda < crossing;
+        }
+        return {first + (upper ? 1 : 0), node.base};
+    }
+
+    // A guess from the position, set right by the very comparisons of the walk.
+    static AxisCell topNode(const GridAxis& axis, const RayAxis& ray, double lambda) {
+        if (!axis.wraps || ray.side == 0) return {0, axis.wraps ? ray.startCell(axis).base : 0};
+        const std::int64_t startBase = ray.startCell(axis).base;
+        std::int64_t base = startBase;
+        // Beyond the domain of exactness a ray walks from its start: it will end at the step bound.
+        if (std::abs(ray.run) <= 2 * kMaxRun) {
+            const double periods = std::floor((ray.start + lambda * ray.run) / axis.cells);
+            base = static_cast<std::int64_t>(periods) * axis.cells;
+        }
+        while (ray.leave(axis, 0, axis.cells, base) <= lambda && lambda < 1) base += ray.side * axis.cells;
+        while (base != startBase && ray.enter(axis, 0, axis.cells, base) > lambda) base -= ray.side * axis.cells;
+        return {0, base};
+    }
+
+    HeightField field_;
+    std::shared_ptr<const MaxPyramidMap> map_;
+    CellGrid grid_;
+    std::array<const FloatImage*, kMaxLevels> levels_{};
+};
+
+// Step 1 of the procedure, for both forms. The ray is taken to the height of the highest point; `lambda` is where.
+// If the whole cell there is as high, nothing can hide the start: its leaf is asked at once.
+struct PyramidStart {
+    double lambda = 0;
+    PyramidNode node;                  // the top node there
+    std::optional<double> hit;         // lambda, if the start is the highest point
+    PyramidNode cell;                  // its cell
+    Outcome outcome = Outcome::Unset;  // Miss, Limit: decided at once
+};
+
+template <class Sink>
+PyramidStart pyramidStart(const PyramidWalk& walk, const GridRay& ray, Sink& sink) {
+    PyramidStart start;
+    const int top = walk.top();
+    const double highest = walk.highest();
+    start.node = walk.topNode(ray, 0);
+    sink.read(1);
+    sink.step([&] { return walk.record(Decision::Start, top, start.node, 0, 0, highest, 0); });
+    if (ray.entersOutside(walk.grid())) {
+        sink.step([&] { return walk.record(Decision::Miss, top, start.node, 0, 0, highest, 0); });
+        start.outcome = Outcome::Miss;
+        return start;
+    }
+    // Not quite to it: what the leaf's rounding could still call a hit is left to the leaf.
+    start.lambda = std::max(0.0, 1 - highest - kExclusionMargin);
+    if (start.lambda > 0) {
+        if (walk.grid().bounded && walk.exit(ray, top, start.node).first() <= start.lambda) {
+            const double out = walk.exit(ray, top, start.node).first();
+            sink.step([&] { return walk.record(Decision::Miss, top, start.node, 0, out, highest, out); });
+            start.outcome = Outcome::Miss;
+            return start;
+        }
+        const double after = start.lambda;
+        sink.step([&] { return walk.record(Decision::Advance, top, start.node, 0, after, highest, after); });
+        start.node = walk.topNode(ray, start.lambda);
+    }
+    sink.read(walk.leafReads());
+    if (static_cast<double>(walk.minimum(walk.roughCell(ray, start.lambda))) >= highest) {
+        start.cell = start.node;
+        for (int level = top; level > 0; --level) start.cell = walk.child(ray, level, start.cell, start.lambda);
+        start.hit = walk.leaf(ray, start.cell);
+        if (start.hit) {
+            sink.step([&] {
+                return walk.record(Decision::Hit, 0, start.cell, start.lambda, *start.hit, highest, *start.hit);
+            });
+        }
+    }
+    return start;
+}
+
+}  // namespace relief

@@ -1,0 +1,60 @@
+// All tracers behind one face: the list that command line, selector, benchmarks and laws iterate over, and the batch
+// interface. The single ray is the one-lane instance of it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "relief/describe.h"
+#include "relief/maps/map_cache.h"
+#include "relief/ray.h"
+#include "relief/step_log.h"
+
+namespace relief {
+
+// The logs of a block: ray r has the steps [begin[r], begin[r + 1]).
+struct StepLog {
+    std::vector<Step> steps;
+    std::vector<std::size_t> begin{0};
+    std::vector<std::uint32_t> reads;
+
+    std::size_t rays() const { return begin.size() - 1; }
+};
+
+// Counts of a whole block, and of each ray in HitBlock::steps and ::reads.
+struct BlockCounts {
+    std::uint64_t steps = 0;
+    std::uint64_t reads = 0;
+};
+
+// A method made ready for one height field: immutable, shared by threads.
+class Tracer {
+  public:
+    virtual ~Tracer() = default;
+    Tracer() = default;
+    Tracer(const Tracer&) = delete;
+    Tracer& operator=(const Tracer&) = delete;
+
+    virtual const MethodDescription& description() const = 0;
+    virtual const HeightField& field() const = 0;
+    // Memory of the maps it uses, beside the heights.
+    virtual std::size_t bytes() const = 0;
+    // Decision records that this ray takes at most.
+    virtual double stepBound(const ViewRay& ray) const = 0;
+
+    // Traces the block; hits is resized. All three give identical bits in outcome, lambda, s, t, whatever the sink and
+    // the number of threads. Big blocks run in parallel in the work's arena; throws Cancelled.
+    virtual void trace(const RayBlock& rays, HitBlock& hits, NullSink& sink, Work& work) const = 0;
+    virtual void trace(const RayBlock& rays, HitBlock& hits, BlockCounts& sink, Work& work) const = 0;
+    virtual void trace(const RayBlock& rays, HitBlock& hits, StepLog& sink, Work& work) const = 0;
+};
+
+// Every tracer there is, in the order of lists.
+const std::vector<MethodDescription>& tracerList();
+// Throws InputError("--tracer", ...) with the known names.
+const MethodDescription& findTracer(const std::string& name);
+
+// Builds the maps it needs (from the cache if they are there). Throws InputError for unknown names and options.
+std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work);
+
+}  // namespace relief
