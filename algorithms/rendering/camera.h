@@ -1,0 +1,47 @@
+// The camera: a pinhole, placed around the scene (elevation, azimuth, distance) or freely (eye, target).
+//
+// World frame: right-handed, y up, one unit = the width of the picture on its polygon; the scene is centred at the
+// origin. Screen: x to the right, y downwards, pixel (i, j) has its centre at (i + 1/2, j + 1/2).
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+namespace relief {
+
+// Angles in degrees. Orbit: elevation above the horizontal plane through the target, -90 to 90; azimuth turns to the
+// right around the vertical axis, 0 in front (on +z); distance from the target, world units, > 0.
+// Free: eye and target in world units, apart from each other. fov: the vertical field of view, in (0, 180).
+struct Camera {
+    enum class Kind : std::uint8_t { Orbit, Free };
+    Kind kind = Kind::Orbit;
+    double elevation = 35;
+    double azimuth = 20;
+    double distance = 1.5;
+    glm::dvec3 eye{0, 1, 1};
+    glm::dvec3 target{0, 0, 0};
+    double fov = 40;
+    bool operator==(const Camera&) const = default;
+};
+
+// Camera space: right, up, forward orthonormal; focal length and principal point in pixels (square pixels).
+struct CameraFrame {
+    glm::dvec3 eye;
+    glm::dvec3 right;
+    glm::dvec3 up;
+    glm::dvec3 forward;
+    double focal = 1;
+    double centerX = 0;
+    double centerY = 0;
+
+    // Direction (not normalised: one unit along forward) through the screen point (x, y).
+    glm::dvec3 direction(double x, double y) const {
+        return forward + ((x - centerX) / focal) * right - ((y - centerY) / focal) * up;
+    }
+};
+
+// Throws InputError("--camera", ...) where the camera is degenerate (eye at the target, fov out of range, NaN).
+CameraFrame cameraFrame(const Camera& camera, int width, int height);
+
+}  // namespace relief

@@ -1,0 +1,120 @@
+// Frames: what to draw, the buffers of a drawn frame, and the renderer that computes only what changed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filtering/sampler.h"
+#include "images/files.h"
+#include "relief/tracers.h"
+#include "rendering/camera.h"
+#include "rendering/lighting.h"
+#include "rendering/scene.h"
+#include "rendering/stages.h"
+
+namespace relief {
+
+inline constexpr int kMaxPictureSide = 1 << 15;
+
+// Everything a frame depends on, by value; pictures are shared and immutable.
+struct FrameRequest {
+    int width = 800;
+    int height = 600;
+    HeightField field;
+    MethodChoice method;
+    std::shared_ptr<const ColorImage> color;          // null: the heights in grey
+    std::shared_ptr<const Image<glm::vec3>> normals;  // null: the height field's own
+    FilterChoice filter;
+    SceneKind scene = SceneKind::Floor;
+    Camera camera;
+    Light light;
+    Color sky{0.55F, 0.65F, 0.8F};  // linear
+
+    explicit FrameRequest(HeightField heightField) : field(std::move(heightField)) {}
+};
+
+// No polygon covers the pixel.
+inline constexpr std::uint8_t kNoPolygon = 255;
+
+struct RayStage {
+    RayBlock rays;                      // one a pixel, rows top-down
+    std::vector<std::uint8_t> polygon;  // kNoPolygon: sky
+    std::vector<float> inverseDepth;    // 1 / camera depth of the entry, per world unit
+};
+struct HitStage {
+    HitBlock hits;
+};
+struct ColorStage {
+    ColorImage color;  // linear, unlit
+};
+struct LightStage {
+    ColorImage color;  // linear, lit; what the picture shows
+};
+
+// One stage's part in a frame.
+struct StageReport {
+    bool reused = false;  // its inputs had not changed
+    double seconds = 0;   // of all threads together, where computed
+};
+
+struct Frame {
+    int width = 0;
+    int height = 0;
+    std::shared_ptr<const RayStage> rays;
+    std::shared_ptr<const HitStage> hits;
+    std::shared_ptr<const ColorStage> color;
+    std::shared_ptr<const LightStage> light;
+    std::vector<TexturedQuad> polygons;
+    double slabTexels = 0;
+    CameraFrame camera;
+    std::array<StageReport, kStages> stages;
+    std::map<std::string, double> counters;  // polygons, polygons culled, pixels covered, rays traced, steps, ...
+    double seconds = 0;
+
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
+    // The ray of a pixel, the very one that was traced; nothing where no polygon is seen.
+    std::optional<ViewRay> ray(int x, int y) const;
+    // Distance from the eye along the camera's forward direction to the hit, world units; NaN without a hit.
+    double depth(int x, int y) const;
+    // Unit normal of the lit surface in world space; zero without a hit.
+    glm::vec3 normal(int x, int y, const FrameRequest& request) const;
+};
+
+// Keeps the buffers of the last frame and computes only the stages whose inputs changed. One renderer a window pane or
+// command; not shared between threads (the work inside is parallel). Frames stay valid as long as somebody holds them.
+class FrameRenderer {
+  public:
+    explicit FrameRenderer(std::shared_ptr<MapCache> maps) : maps_(std::move(maps)) {}
+
+    // Throws InputError (unknown names, degenerate camera), Cancelled (nothing is published, the buffers of the last
+    // frame stay). Same bits for any number of threads and whatever was reused.
+    std::shared_ptr<const Frame> render(const FrameRequest& request, Work& work);
+
+    // The tracer of the last frame, to replay a pixel with a log.
+    std::shared_ptr<const Tracer> tracer() const { return tracer_; }
+
+  private:
+    std::shared_ptr<MapCache> maps_;
+    std::shared_ptr<const Tracer> tracer_;
+    std::optional<FrameRequest> last_;
+    std::shared_ptr<const Frame> frame_;
+};
+
+// The view rays of single pixels without a frame: what `relief trace --pixel` asks. Throws InputError outside the
+// picture. Same bits as Frame::ray.
+std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y);
+
+// Planes of the named layers: color (R, G, B), depth, uv (u, v), normal (X, Y, Z), steps, outcome
+// (0 none, 1 hit, 2 miss, 3 limit). Throws InputError("--layers", ...) for unknown names.
+std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
+                                    const std::vector<std::string>& layers);
+const std::vector<std::string>& layerNames();
+
+}  // namespace relief

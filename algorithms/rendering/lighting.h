@@ -1,0 +1,33 @@
+// Lambert light from one direction, and the normal of the relief.
+#pragma once
+
+#include <utility>
+
+#include <glm/vec3.hpp>
+
+#include "images/image.h"
+#include "rendering/scene.h"
+
+namespace relief {
+
+// Direction towards the light: azimuth and elevation in degrees, as of the camera. ambient in [0, 1]: what reaches a
+// surface that is turned away; intensity scales all.
+struct Light {
+    double azimuth = -50;
+    double elevation = 40;
+    double ambient = 0.25;
+    double intensity = 1.15;
+    bool operator==(const Light&) const = default;
+};
+
+glm::dvec3 lightDirection(const Light& light);
+
+// World normal of the relief: slope (dh/ds, dh/dt) per texel, slab thickness in texels, on a polygon's axes.
+glm::dvec3 reliefNormal(const TexturedQuad& quad, std::pair<double, double> slope, double slabTexels);
+// World normal from a normal map's vector (OpenGL: x along s, y against t, z out).
+glm::dvec3 mappedNormal(const TexturedQuad& quad, glm::vec3 tangent);
+
+// albedo * intensity * (ambient + (1 - ambient) * max(0, n . l)).
+Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light);
+
+}  // namespace relief

@@ -1,0 +1,74 @@
+// A frame is stages, each a buffer keyed by its inputs. This one table serves caching, light-only redraws, the layers
+// of the result view and the ledger of what was not computed again.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace relief {
+
+// What a frame depends on.
+enum class Input : std::uint8_t {
+    Size,           // of the picture
+    Camera,         //
+    Scene,          //
+    HeightSize,     // of the height map (the polygon's aspect, texel units)
+    Heights,        //
+    Surface,        // bilinear or columns
+    Address,        //
+    Depth,          // relief_depth
+    Method,         // and its options
+    ColorPicture,   //
+    Filter,         //
+    NormalPicture,  //
+    Light,          //
+    Sky,            //
+    Count
+};
+inline constexpr std::size_t kInputs = static_cast<std::size_t>(Input::Count);
+inline constexpr std::array<std::string_view, kInputs> kInputNames{
+    "size",  "camera", "scene",         "height size", "heights",        "surface", "address",
+    "depth", "method", "color picture", "filter",      "normal picture", "light",   "sky"};
+
+// Rays: which polygon covers the pixel, where the view ray enters its slab. Hits: where it meets the relief.
+// Footprints: what part of the texture the pixel sees (filled by the anisotropic filters). Color: filtered colour at
+// the hit. Light: the picture.
+enum class Stage : std::uint8_t { Rays, Hits, Footprints, Color, Light, Count };
+inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Count);
+inline constexpr std::array<std::string_view, kStages> kStageNames{"rays", "hits", "footprints", "color", "light"};
+
+struct StageRow {
+    std::uint32_t inputs;  // bits of Input, read by this stage itself
+    std::uint32_t stages;  // bits of Stage, whose buffers it reads
+};
+
+constexpr std::uint32_t bit(Input input) {
+    return 1u << static_cast<unsigned>(input);
+}
+constexpr std::uint32_t bit(Stage stage) {
+    return 1u << static_cast<unsigned>(stage);
+}
+
+inline constexpr std::array<StageRow, kStages> kStageTable{{
+    {bit(Input::Size) | bit(Input::Camera) | bit(Input::Scene) | bit(Input::HeightSize) | bit(Input::Depth), 0},
+    {bit(Input::Heights) | bit(Input::Surface) | bit(Input::Address) | bit(Input::Method), bit(Stage::Rays)},
+    {bit(Input::Camera) | bit(Input::Filter), bit(Stage::Rays) | bit(Stage::Hits)},
+    {bit(Input::ColorPicture) | bit(Input::Filter) | bit(Input::Address), bit(Stage::Hits) | bit(Stage::Footprints)},
+    {bit(Input::Light) | bit(Input::Sky) | bit(Input::NormalPicture) | bit(Input::Heights) | bit(Input::Depth),
+     bit(Stage::Rays) | bit(Stage::Hits) | bit(Stage::Color)},
+}};
+
+// All inputs on which a stage depends, through the stages before it, too.
+constexpr std::uint32_t allInputs(Stage stage) {
+    std::uint32_t inputs = 0;
+    std::uint32_t stages = bit(stage);
+    for (std::size_t s = kStages; s-- > 0;) {
+        if ((stages & (1u << s)) == 0) continue;
+        inputs |= kStageTable[s].inputs;
+        stages |= kStageTable[s].stages;
+    }
+    return inputs;
+}
+
+}  // namespace relief
