@@ -219,6 +219,7 @@ PyramidStart pyramidStart(const PyramidWalk& walk, const GridRay& ray, Sink& sin
         for (int level = top; level > 0; --level) start.cell = walk.child(ray, level, start.cell, start.lambda);
         start.hit = walk.leaf(ray, start.cell);
         if (start.hit) {
+            sink.startIsHighest();
             sink.step([&] {
                 return walk.record(Decision::Hit, 0, start.cell, start.lambda, *start.hit, highest, *start.hit);
             });

@@ -50,6 +50,7 @@ struct NullSink {
     template <class Make>
     void step(const Make&) {}
     void read(std::uint32_t) {}
+    void startIsHighest() {}
     bool operator==(const NullSink&) const = default;
 };
 
@@ -57,12 +58,14 @@ struct NullSink {
 struct CountSink {
     std::uint32_t steps = 0;
     std::uint32_t reads = 0;
+    bool highest = false;
 
     template <class Make>
     void step(const Make&) {
         ++steps;
     }
     void read(std::uint32_t values) { reads += values; }
+    void startIsHighest() { highest = true; }
 };
 
 // Keeps everything, for the teaching views and step files.
@@ -75,6 +78,7 @@ struct LogSink {
         steps.push_back(make());
     }
     void read(std::uint32_t values) { reads += values; }
+    void startIsHighest() {}
 };
 
 }  // namespace relief

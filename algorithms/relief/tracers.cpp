@@ -1,5 +1,6 @@
 #include "relief/tracers.h"
 
+#include <atomic>
 #include <tuple>
 
 #include <oneapi/tbb/blocked_range.h>
@@ -66,14 +67,19 @@ class TracerOf final : public Tracer {
 
     void trace(const RayBlock& rays, HitBlock& hits, BlockCounts& counts, Work& work) const override {
         hits.resize(rays.size());
+        std::atomic<std::uint64_t> highest{0};
         overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
+            std::uint64_t here = 0;
             for (std::size_t i = first; i < last; ++i) {
                 CountSink sink;
                 hits.set(i, tracer_.trace(rays[i], sink));
                 hits.steps[i] = sink.steps;
                 hits.reads[i] = sink.reads;
+                here += sink.highest ? 1 : 0;
             }
+            highest += here;
         });
+        counts.startHighest += highest;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             counts.steps += hits.steps[i];
             counts.reads += hits.reads[i];

@@ -25,6 +25,7 @@ struct StepLog {
 struct BlockCounts {
     std::uint64_t steps = 0;
     std::uint64_t reads = 0;
+    std::uint64_t startHighest = 0;  // rays whose start was the highest point: no tracing was needed
 };
 
 // A method made ready for one height field: immutable, shared by threads.

@@ -8,6 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "mapping/homography.h"
+
 namespace relief {
 
 // Angles in degrees. Orbit: elevation above the horizontal plane through the target, -90 to 90; azimuth turns to the
@@ -25,23 +27,8 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-// Camera space: right, up, forward orthonormal; focal length and principal point in pixels (square pixels).
-struct CameraFrame {
-    glm::dvec3 eye;
-    glm::dvec3 right;
-    glm::dvec3 up;
-    glm::dvec3 forward;
-    double focal = 1;
-    double centerX = 0;
-    double centerY = 0;
-
-    // Direction (not normalised: one unit along forward) through the screen point (x, y).
-    glm::dvec3 direction(double x, double y) const {
-        return forward + ((x - centerX) / focal) * right - ((y - centerY) / focal) * up;
-    }
-};
-
+// The camera in pixels of a width x height screen, its principal point in the middle.
 // Throws InputError("--camera", ...) where the camera is degenerate (eye at the target, fov out of range, NaN).
-CameraFrame cameraFrame(const Camera& camera, int width, int height);
+PinholeCamera pinholeCamera(const Camera& camera, int width, int height);
 
 }  // namespace relief

@@ -71,7 +71,7 @@ struct Frame {
     std::shared_ptr<const LightStage> light;
     std::vector<TexturedQuad> polygons;
     double slabTexels = 0;
-    CameraFrame camera;
+    PinholeCamera camera;
     std::array<StageReport, kStages> stages;
     std::map<std::string, double> counters;  // polygons, polygons culled, pixels covered, rays traced, steps, ...
     double seconds = 0;

@@ -7,6 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "mapping/homography.h"
+
 namespace relief {
 
 // Floor: one polygon, face up. Wall: one, upright, facing +z. Cube: six, facing out. Each shows the picture once, with
@@ -16,13 +18,13 @@ enum class SceneKind : std::uint8_t { Floor, Wall, Cube };
 std::string_view sceneName(SceneKind kind);
 SceneKind parseScene(std::string_view text);  // throws InputError("--scene", ...)
 
-// A parallelogram in world units: origin is the texture's corner (0, 0), alongS and alongT its edges, s growing along
-// alongS and t along alongT, the whole texture on it. The front is where alongT x alongS... points: see `normal`.
+// A parallelogram in world units that shows the texels [0, width] x [0, height] of its plane. normal: unit, towards the
+// front; the relief lies behind it, under the polygon.
 struct TexturedQuad {
-    glm::dvec3 origin;
-    glm::dvec3 alongS;
-    glm::dvec3 alongT;
-    glm::dvec3 normal;  // unit, towards the front: the relief lies behind, under the polygon
+    TexturedPlane plane;
+    int width = 1;
+    int height = 1;
+    glm::dvec3 normal{0, 0, 1};
 };
 
 // width, height: of the height map, texels.

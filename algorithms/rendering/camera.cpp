@@ -1,0 +1,73 @@
+#include "rendering/camera.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "errors.h"
+
+namespace relief {
+
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180.0;
+
+[[noreturn]] void refuse(const char* what, double value, const char* range) {
+    throw InputError("--camera", Message(MessageId::OutOfRange, {{"what", what}, {"value", value}, {"range", range}}));
+}
+
+bool finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// Right and forward are known without a division by the horizontal part of the view, so straight down is no special
+// case: up follows from them.
+void placeInOrbit(const Camera& camera, PinholeCamera& pinhole) {
+    if (!(camera.elevation >= -90 && camera.elevation <= 90)) {
+        refuse("elevation", camera.elevation, "-90 to 90 degrees");
+    }
+    if (!std::isfinite(camera.azimuth)) refuse("azimuth", camera.azimuth, "a finite number of degrees");
+    if (!(camera.distance > 0 && camera.distance < 1e6)) refuse("distance", camera.distance, "above 0 and below 1e6");
+    if (!finite(camera.target)) refuse("target", camera.target.x, "finite");
+    const double elevation = camera.elevation * kRadians;
+    const double azimuth = camera.azimuth * kRadians;
+    const glm::dvec3 outward{std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                             std::cos(elevation) * std::cos(azimuth)};
+    pinhole.eye = camera.target + camera.distance * outward;
+    pinhole.forward = -outward;
+    pinhole.right = {std::cos(azimuth), 0, -std::sin(azimuth)};
+    pinhole.up = glm::cross(pinhole.right, pinhole.forward);
+}
+
+void placeFreely(const Camera& camera, PinholeCamera& pinhole) {
+    const glm::dvec3 view = camera.target - camera.eye;
+    const double length = glm::length(view);
+    if (!finite(camera.eye) || !finite(camera.target) || !std::isfinite(length) || length < 1e-9) {
+        refuse("distance from eye to target", length, "finite and above 1e-9");
+    }
+    pinhole.eye = camera.eye;
+    pinhole.forward = view / length;
+    const glm::dvec3 side = glm::cross(pinhole.forward, glm::dvec3{0, 1, 0});
+    // Straight up or down: as an orbit of azimuth 0 looks.
+    pinhole.right = glm::length(side) < 1e-12 ? glm::dvec3{1, 0, 0} : glm::normalize(side);
+    pinhole.up = glm::cross(pinhole.right, pinhole.forward);
+}
+
+}  // namespace
+
+PinholeCamera pinholeCamera(const Camera& camera, int width, int height) {
+    if (!(camera.fov > 0 && camera.fov < 180)) refuse("fov", camera.fov, "above 0 and below 180 degrees");
+    PinholeCamera pinhole;
+    if (camera.kind == Camera::Kind::Orbit) {
+        placeInOrbit(camera, pinhole);
+    } else {
+        placeFreely(camera, pinhole);
+    }
+    const double focal = 0.5 * height / std::tan(0.5 * camera.fov * kRadians);
+    pinhole.focal = {focal, focal};
+    pinhole.principal = {0.5 * width, 0.5 * height};
+    return pinhole;
+}
+
+}  // namespace relief

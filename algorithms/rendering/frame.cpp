@@ -1,0 +1,135 @@
+#include "rendering/frame.h"
+
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "rendering/visible_polygons.h"
+
+namespace relief {
+
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+struct Layer {
+    const char* name;
+    std::vector<const char*> planes;
+};
+
+const std::vector<Layer>& layerTable() {
+    static const std::vector<Layer> table{{"color", {"R", "G", "B"}}, {"depth", {"depth.Z"}},
+                                          {"uv", {"uv.u", "uv.v"}},   {"normal", {"normal.X", "normal.Y", "normal.Z"}},
+                                          {"steps", {"steps.Y"}},     {"outcome", {"outcome.Y"}}};
+    return table;
+}
+
+// The values of one pixel in the planes of a layer.
+std::array<float, 3> layerValues(const std::string& name, const Frame& frame, const FrameRequest& request, int x,
+                                 int y) {
+    const std::size_t i = frame.index(x, y);
+    const HitBlock& hits = frame.hits->hits;
+    if (name == "color") {
+        const Color c = frame.light->color(x, y);
+        return {c.r, c.g, c.b};
+    }
+    if (name == "depth") return {static_cast<float>(frame.depth(x, y)), 0, 0};
+    if (name == "uv") {
+        if (hits.outcome[i] != Outcome::Hit) return {kNaN, kNaN, 0};
+        return {static_cast<float>(hits.s[i] / request.field.width()),
+                static_cast<float>(hits.t[i] / request.field.height()), 0};
+    }
+    if (name == "normal") {
+        const glm::vec3 n = frame.normal(x, y, request);
+        return {n.x, n.y, n.z};
+    }
+    if (name == "steps") return {static_cast<float>(hits.steps[i]), 0, 0};
+    return {static_cast<float>(hits.outcome[i]), 0, 0};
+}
+
+}  // namespace
+
+std::optional<ViewRay> Frame::ray(int x, int y) const {
+    const std::size_t i = index(x, y);
+    if (rays->polygon[i] == kNoPolygon) return std::nullopt;
+    return rays->rays[i];
+}
+
+double Frame::depth(int x, int y) const {
+    const std::size_t i = index(x, y);
+    const HitBlock& block = hits->hits;
+    if (block.outcome[i] != Outcome::Hit) return std::numeric_limits<double>::quiet_NaN();
+    // The hit lies lambda of the slab's thickness under the entry, along the view ray, whose depth grows with it.
+    const TexturedQuad& quad = polygons[rays->polygon[i]];
+    const double texel = glm::length(quad.plane.perS);
+    const glm::dvec3 direction = camera.rayThrough(x + 0.5, y + 0.5);
+    const double descent = -glm::dot(direction, quad.normal);
+    return 1.0 / static_cast<double>(rays->inverseDepth[i]) + block.lambda[i] * slabTexels * texel / descent;
+}
+
+glm::vec3 Frame::normal(int x, int y, const FrameRequest& request) const {
+    const std::size_t i = index(x, y);
+    const HitBlock& block = hits->hits;
+    if (block.outcome[i] != Outcome::Hit) return glm::vec3(0);
+    const TexturedQuad& quad = polygons[rays->polygon[i]];
+    if (!request.normals) return glm::vec3(reliefNormal(quad, request.field.slope(block.s[i], block.t[i]), slabTexels));
+    const auto& map = *request.normals;
+    const glm::vec3 mapped =
+        sampleBilinear(map, block.s[i] * map.width() / request.field.width(),
+                       block.t[i] * map.height() / request.field.height(), request.field.address());
+    // Opposed vectors can cancel between texels.
+    return glm::length(mapped) > 0 ? glm::vec3(mappedNormal(quad, mapped)) : glm::vec3(quad.normal);
+}
+
+std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y) {
+    if (x < 0 || y < 0 || x >= request.width || y >= request.height) {
+        throw InputError("--pixel",
+                         Message(MessageId::PixelOutside,
+                                 {{"x", x}, {"y", y}, {"width", request.width}, {"height", request.height}}));
+    }
+    const VisiblePolygons visible =
+        visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()),
+                        pinholeCamera(request.camera, request.width, request.height), request.width, request.height,
+                        request.field.reliefDepth());
+    const VisiblePolygon* polygon = visible.at(x, y, request.width);
+    if (polygon == nullptr) return std::nullopt;
+    return polygon->entry(x, y).ray;
+}
+
+const std::vector<std::string>& layerNames() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const Layer& layer : layerTable()) all.emplace_back(layer.name);
+        return all;
+    }();
+    return names;
+}
+
+std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
+                                    const std::vector<std::string>& layers) {
+    std::vector<NamedPlane> planes;
+    for (const std::string& name : layers) {
+        const Layer* layer = nullptr;
+        std::string known;
+        for (const Layer& candidate : layerTable()) {
+            if (candidate.name == name) layer = &candidate;
+            known += (known.empty() ? "" : ", ") + std::string(candidate.name);
+        }
+        if (layer == nullptr) {
+            throw InputError("--layers",
+                             Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", known}}));
+        }
+        const std::size_t first = planes.size();
+        for (const char* plane : layer->planes) planes.push_back({plane, FloatImage(frame.width, frame.height)});
+        for (int y = 0; y < frame.height; ++y) {
+            for (int x = 0; x < frame.width; ++x) {
+                const std::array<float, 3> values = layerValues(name, frame, request, x, y);
+                for (std::size_t k = 0; k < layer->planes.size(); ++k) planes[first + k].plane(x, y) = values[k];
+            }
+        }
+    }
+    return planes;
+}
+
+}  // namespace relief

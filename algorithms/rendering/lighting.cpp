@@ -1,0 +1,34 @@
+#include "rendering/lighting.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace relief {
+
+glm::dvec3 lightDirection(const Light& light) {
+    const double azimuth = light.azimuth * std::numbers::pi / 180;
+    const double elevation = light.elevation * std::numbers::pi / 180;
+    return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
+}
+
+glm::dvec3 reliefNormal(const TexturedQuad& quad, std::pair<double, double> slope, double slabTexels) {
+    const glm::dvec3 alongS = glm::normalize(quad.plane.perS);
+    const glm::dvec3 alongT = glm::normalize(quad.plane.perT);
+    return glm::normalize(quad.normal - slabTexels * slope.first * alongS - slabTexels * slope.second * alongT);
+}
+
+glm::dvec3 mappedNormal(const TexturedQuad& quad, glm::vec3 tangent) {
+    const glm::dvec3 n(tangent);
+    return glm::normalize(n.x * glm::normalize(quad.plane.perS) - n.y * glm::normalize(quad.plane.perT) +
+                          n.z * quad.normal);
+}
+
+Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light) {
+    const double facing = std::max(0.0, glm::dot(normal, toLight));
+    const double amount = light.intensity * (light.ambient + (1 - light.ambient) * facing);
+    return albedo * static_cast<float>(amount);
+}
+
+}  // namespace relief

@@ -1,0 +1,101 @@
+#include "rendering/visible_polygons.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace relief {
+
+namespace {
+
+// World units: nearer than this to the eye nothing is drawn.
+constexpr double kNear = 1e-4;
+
+void placeEye(VisiblePolygon& polygon, const PinholeCamera& camera, double reliefDepth) {
+    const TexturedPlane& plane = polygon.quad.plane;
+    const glm::dvec3 eye = camera.eye - plane.origin;
+    const double height = glm::dot(eye, polygon.quad.normal);
+    polygon.sEye = glm::dot(eye, plane.perS) / glm::dot(plane.perS, plane.perS);
+    polygon.tEye = glm::dot(eye, plane.perT) / glm::dot(plane.perT, plane.perT);
+    const double thickness = reliefDepth * glm::length(plane.perS) * polygon.quad.width;
+    polygon.runPerTexel = thickness / height;
+}
+
+// 1 / depth is linear on the screen, as q is, and both vanish on the horizon: they differ by a factor.
+double inverseDepthPerQ(const VisiblePolygon& polygon, const ClipPolygon& clipped) {
+    double best = 0;
+    double factor = 0;
+    for (const ClipVertex& vertex : clipped) {
+        const glm::dvec2 p = vertex.screen();
+        const double q = polygon.texelFromScreen.denominator(p.x, p.y);
+        if (q <= best) continue;
+        best = q;
+        factor = 1 / (vertex.projected.z * q);
+    }
+    return factor;
+}
+
+}  // namespace
+
+VisiblePolygon::Entry VisiblePolygon::entry(int x, int y) const {
+    const TexelPoint texel = texelFromScreen.at(x + 0.5, y + 0.5);
+    // A centre on the very edge may be rounded out of the picture, where under border nothing is.
+    const double s0 = std::clamp(texel.s, 0.0, static_cast<double>(quad.width));
+    const double t0 = std::clamp(texel.t, 0.0, static_cast<double>(quad.height));
+    return {rayAt(s0, t0), static_cast<float>(texel.q * inverseDepthPerQ)};
+}
+
+PixelSpan VisiblePolygon::span(int y, int width) const {
+    return clipRowToHorizon(texelFromScreen, y, rowSpan(screen, y, width));
+}
+
+const VisiblePolygon* VisiblePolygons::at(int x, int y, int width) const {
+    const VisiblePolygon* nearest = nullptr;
+    float best = 0;
+    for (const VisiblePolygon& polygon : polygons) {
+        const PixelSpan span = polygon.span(y, width);
+        if (x < span.begin || x >= span.end) continue;
+        const float inverseDepth = polygon.entry(x, y).inverseDepth;
+        if (inverseDepth <= best) continue;
+        best = inverseDepth;
+        nearest = &polygon;
+    }
+    return nearest;
+}
+
+VisiblePolygons visiblePolygons(const std::vector<TexturedQuad>& scene, const PinholeCamera& camera, int width,
+                                int height, double reliefDepth) {
+    VisiblePolygons visible;
+    visible.total = static_cast<int>(scene.size());
+    for (std::size_t n = 0; n < scene.size(); ++n) {
+        VisiblePolygon polygon;
+        polygon.quad = scene[n];
+        polygon.number = static_cast<std::uint8_t>(n);
+        const TexturedPlane& plane = polygon.quad.plane;
+        // A view in the plane itself would see a line: nothing to draw.
+        const double above = glm::dot(camera.eye - plane.origin, polygon.quad.normal);
+        if (isBackFacing(plane, camera.eye) || above <= kNear) {
+            ++visible.backFacing;
+            continue;
+        }
+        const double w = polygon.quad.width;
+        const double h = polygon.quad.height;
+        const std::array<glm::dvec2, 4> corners{{{0, 0}, {w, 0}, {w, h}, {0, h}}};
+        const ClipPolygon clipped =
+            clipToScreen(clipToNear(projectPolygon(camera, plane, corners), kNear), width, height);
+        if (clipped.size() < 3) {
+            ++visible.offScreen;
+            continue;
+        }
+        polygon.screen = screenPoints(clipped);
+        polygon.texelFromScreen = fromCameraAndPlane(camera, plane);
+        polygon.inverseDepthPerQ = inverseDepthPerQ(polygon, clipped);
+        placeEye(polygon, camera, reliefDepth);
+        visible.polygons.push_back(std::move(polygon));
+    }
+    return visible;
+}
+
+}  // namespace relief

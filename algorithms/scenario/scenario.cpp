@@ -1,0 +1,140 @@
+#include "scenario/scenario.h"
+
+#include <cmath>
+
+namespace relief {
+
+namespace {
+
+OptionDescription number(const char* name, const char* unit, double low, double high, double step, const char* help) {
+    OptionDescription option;
+    option.name = name;
+    option.kind = OptionKind::Real;
+    option.unit = unit;
+    option.low = low;
+    option.high = high;
+    option.step = step;
+    option.help = help;
+    return option;
+}
+
+OptionDescription whole(const char* name, const char* unit, double low, double high, const char* help) {
+    OptionDescription option = number(name, unit, low, high, 1, help);
+    option.kind = OptionKind::Integer;
+    return option;
+}
+
+// Reference to the member, as the table's two functions.
+#define RELIEF_MEMBER(type, expression)                               \
+    [](const Scenario& s) -> double { return double(s.expression); }, \
+        [](Scenario& s, double value) { s.expression = static_cast<type>(value); }
+
+std::vector<ScenarioNumber> makeNumbers() {
+    return {
+        {number("relief-depth", "texture widths", 0, 4, 0.005, "thickness of the relief slab"),
+         RELIEF_MEMBER(double, reliefDepth)},
+        {number("elevation", "degrees", -90, 90, 1, "how high the camera stands above the horizontal"),
+         RELIEF_MEMBER(double, camera.elevation)},
+        {number("azimuth", "degrees", -36000, 36000, 1, "how far the camera has turned to the right, 0 in front"),
+         RELIEF_MEMBER(double, camera.azimuth)},
+        {number("distance", "texture widths", 0.01, 1000, 0.05, "from the camera to what it looks at"),
+         RELIEF_MEMBER(double, camera.distance)},
+        {number("fov", "degrees", 1, 170, 1, "vertical field of view"), RELIEF_MEMBER(double, camera.fov)},
+        {number("light-azimuth", "degrees", -36000, 36000, 1, "where the light comes from, 0 in front"),
+         RELIEF_MEMBER(double, light.azimuth)},
+        {number("light-elevation", "degrees", -90, 90, 1, "how high the light stands"),
+         RELIEF_MEMBER(double, light.elevation)},
+        {number("ambient", "", 0, 1, 0.01, "share of the light that comes from everywhere"),
+         RELIEF_MEMBER(double, light.ambient)},
+        {number("intensity", "", 0, 100, 0.05, "strength of the light"), RELIEF_MEMBER(double, light.intensity)},
+        {whole("width", "pixels", 1, kMaxPictureSide, "of the picture"), RELIEF_MEMBER(int, width)},
+        {whole("height", "pixels", 1, kMaxPictureSide, "of the picture"), RELIEF_MEMBER(int, height)},
+    };
+}
+
+#undef RELIEF_MEMBER
+
+void checkNumber(const ScenarioNumber& entry, double value, const std::string& subject) {
+    const OptionDescription& d = entry.description;
+    const bool isWhole = d.kind != OptionKind::Integer || value == std::floor(value);
+    if (value >= d.low && value <= d.high && isWhole) return;
+    std::string range = numberText(d.low) + " to " + numberText(d.high);
+    if (!d.unit.empty()) range += " " + d.unit;
+    throw InputError(subject, Message(MessageId::OutOfRange, {{"what", d.name}, {"value", value}, {"range", range}}));
+}
+
+}  // namespace
+
+const std::vector<ScenarioNumber>& scenarioNumbers() {
+    static const std::vector<ScenarioNumber> numbers = makeNumbers();
+    return numbers;
+}
+
+const ScenarioNumber& scenarioNumber(std::string_view name) {
+    std::string known;
+    for (const ScenarioNumber& entry : scenarioNumbers()) {
+        if (entry.description.name == name) return entry;
+        known += (known.empty() ? "" : ", ") + entry.description.name;
+    }
+    throw InputError(
+        "", Message(MessageId::UnknownName, {{"what", "setting"}, {"name", std::string(name)}, {"known", known}}));
+}
+
+void setScenarioNumber(Scenario& scenario, std::string_view name, double value, const std::string& subject) {
+    const ScenarioNumber& entry = scenarioNumber(name);
+    checkNumber(entry, value, subject);
+    entry.set(scenario, value);
+}
+
+void checkScenario(const Scenario& scenario, const std::string& subject) {
+    const bool orbit = scenario.camera.kind == Camera::Kind::Orbit;
+    for (const ScenarioNumber& entry : scenarioNumbers()) {
+        const std::string& name = entry.description.name;
+        if (!orbit && (name == "elevation" || name == "azimuth" || name == "distance")) continue;
+        checkNumber(entry, entry.get(scenario), subject);
+    }
+    for (const double channel : scenario.sky) {
+        if (channel >= 0 && channel <= 1000) continue;
+        throw InputError(subject,
+                         Message(MessageId::OutOfRange, {{"what", "sky"}, {"value", channel}, {"range", "0 to 1000"}}));
+    }
+    const MethodDescription& method = findTracer(scenario.method.name);
+    for (const auto& [name, text] : scenario.method.options) {
+        bool known = false;
+        for (const OptionDescription& option : method.options) {
+            if (option.name != name) continue;
+            checkOption(option, text);
+            known = true;
+        }
+        if (known) continue;
+        throw InputError(subject,
+                         Message(MessageId::UnknownName,
+                                 {{"what", "option of " + method.name}, {"name", name}, {"known", "see relief list"}}));
+    }
+    findFilter(scenario.filter.name);
+    pinholeCamera(scenario.camera, scenario.width, scenario.height);
+    if (scenario.pixel && (scenario.pixel->x < 0 || scenario.pixel->y < 0 || scenario.pixel->x >= scenario.width ||
+                           scenario.pixel->y >= scenario.height)) {
+        throw InputError(subject, Message(MessageId::PixelOutside, {{"x", scenario.pixel->x},
+                                                                    {"y", scenario.pixel->y},
+                                                                    {"width", scenario.width},
+                                                                    {"height", scenario.height}}));
+    }
+}
+
+FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {
+    FrameRequest request(HeightField(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth));
+    request.width = scenario.width;
+    request.height = scenario.height;
+    request.method = scenario.method;
+    request.color = assets.color;
+    request.normals = assets.normals;
+    request.filter = scenario.filter;
+    request.scene = scenario.scene;
+    request.camera = scenario.camera;
+    request.light = scenario.light;
+    request.sky = Color(scenario.sky[0], scenario.sky[1], scenario.sky[2]);
+    return request;
+}
+
+}  // namespace relief

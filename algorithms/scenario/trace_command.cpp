@@ -1,0 +1,61 @@
+#include "scenario/scenario.h"
+
+namespace relief {
+
+namespace {
+
+// Quoted for a POSIX shell where it needs to be.
+std::string quoted(const std::string& text) {
+    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:@%+";
+    if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
+
+std::string triple(const glm::dvec3& v) {
+    return numberText(v.x) + "," + numberText(v.y) + "," + numberText(v.z);
+}
+
+}  // namespace
+
+std::string traceCommand(const Scenario& scenario) {
+    const Scenario defaults;
+    std::string line = "relief trace";
+    const auto add = [&](const std::string& flag, const std::string& value) {
+        line += " " + flag + " " + quoted(value);
+    };
+    const Pictures& pictures = scenario.pictures;
+    if (!pictures.height.empty()) {
+        add("--height", pictures.height);
+    } else {
+        add("--relief", pictures.recipe + ":" + std::to_string(pictures.recipeWidth) + "x" +
+                            std::to_string(pictures.recipeHeight) + ":" + std::to_string(pictures.seed));
+    }
+    if (!pictures.reading.channel.empty()) add("--channel", pictures.reading.channel);
+    if (pictures.reading.invert) line += " --invert";
+    if (!(pictures.reading.range == HeightRange{})) add("--range", heightRangeText(pictures.reading.range));
+    add("--tracer", scenario.method.name);
+    for (const auto& [name, text] : scenario.method.options) add("--set", name + "=" + text);
+    if (scenario.reliefDepth != defaults.reliefDepth) add("--relief-depth", numberText(scenario.reliefDepth));
+    if (scenario.address != defaults.address) add("--address", std::string(addressName(scenario.address)));
+    if (scenario.surface != defaults.surface) add("--surface", std::string(surfaceName(scenario.surface)));
+    add("--scene", std::string(sceneName(scenario.scene)));
+    const Camera& camera = scenario.camera;
+    if (camera.kind == Camera::Kind::Orbit && camera.target == glm::dvec3(0)) {
+        add("--camera", "elevation=" + numberText(camera.elevation) + ",azimuth=" + numberText(camera.azimuth) +
+                            ",distance=" + numberText(camera.distance) + ",fov=" + numberText(camera.fov));
+    } else {
+        const bool orbit = camera.kind == Camera::Kind::Orbit;
+        const glm::dvec3 eye = orbit ? pinholeCamera(camera, scenario.width, scenario.height).eye : camera.eye;
+        add("--eye", triple(eye));
+        add("--target", triple(camera.target));
+        add("--fov", numberText(camera.fov));
+    }
+    add("--size", std::to_string(scenario.width) + "x" + std::to_string(scenario.height));
+    const PixelChoice pixel = scenario.pixel.value_or(PixelChoice{});
+    add("--pixel", std::to_string(pixel.x) + "," + std::to_string(pixel.y));
+    return line;
+}
+
+}  // namespace relief
