@@ -1,0 +1,220 @@
+#include "scenario/ray_files.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include <oneapi/tbb/parallel_for.h>
+
+namespace relief {
+
+namespace {
+
+constexpr int kDigits = 17;
+constexpr std::size_t kHitsAPiece = 8192;
+constexpr std::size_t kQuotedLength = 60;
+
+// What stood in the file, fit for one line of a message.
+std::string quoted(std::string_view text) {
+    std::string out(text.substr(0, kQuotedLength));
+    // Cut between UTF-8 characters, not inside one.
+    while (text.size() > kQuotedLength && !out.empty() && (static_cast<unsigned char>(out.back()) & 0xC0U) == 0x80U) {
+        out.pop_back();
+    }
+    if (text.size() > kQuotedLength) {
+        if (!out.empty() && static_cast<unsigned char>(out.back()) >= 0x80U) out.pop_back();
+        out += "...";
+    }
+    for (char& c : out) {
+        if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) c = '?';
+    }
+    return out;
+}
+
+// Takes the next line, without its end.
+std::string_view takeLine(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+}
+
+double rayNumber(std::string_view text, const std::string& fileName, std::size_t line) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = end == text.data() + text.size() && !text.empty();
+    if (error == std::errc::invalid_argument || !whole) {
+        throw InputError(fileName, Message(MessageId::RayNumber, {{"line", line}, {"text", quoted(text)}}));
+    }
+    if (error == std::errc::result_out_of_range) {
+        // Too small for a double is nothing; too large is not finite.
+        const bool tiny = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
+        value = tiny ? 0 : HUGE_VAL;
+    }
+    if (!std::isfinite(value)) {
+        throw InputError(fileName, Message(MessageId::RayNotFinite, {{"line", line}, {"text", quoted(text)}}));
+    }
+    return value;
+}
+
+ViewRay parseRay(std::string_view text, const std::string& fileName, std::size_t line) {
+    std::array<double, 4> numbers{};
+    if (std::count(text.begin(), text.end(), ',') != 3) {
+        throw InputError(fileName, Message(MessageId::RayColumns, {{"line", line}, {"text", quoted(text)}}));
+    }
+    std::string_view rest = text;
+    for (double& number : numbers) {
+        const std::size_t comma = rest.find(',');
+        number = rayNumber(rest.substr(0, comma), fileName, line);
+        rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+    }
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+void appendNumber(std::string& out, double value) {
+    std::array<char, 32> buffer{};
+    const auto result =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, kDigits);
+    out.append(buffer.data(), result.ptr);
+}
+
+void appendNumber(std::string& out, std::int64_t value) {
+    std::array<char, 24> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    out.append(buffer.data(), result.ptr);
+}
+
+// Calls number(name, value) and name(name, text) for each column of a step, in the order of kStepsHeader.
+template <class Number, class Name>
+void forEachColumn(const Step& step, std::size_t ray, std::size_t number, const Number& put, const Name& putName) {
+    put("ray", static_cast<std::int64_t>(ray));
+    put("number", static_cast<std::int64_t>(number));
+    putName("phase", phaseName(step.phase));
+    put("level", static_cast<std::int64_t>(step.level));
+    put("i", step.i);
+    put("j", step.j);
+    put("k", step.k);
+    put("lambda_in", step.lambdaIn);
+    put("lambda_out", step.lambdaOut);
+    put("z_in", step.zIn());
+    put("z_out", step.zOut());
+    put("value", step.value);
+    putName("decision", decisionName(step.decision));
+    put("lambda_after", step.lambdaAfter);
+}
+
+}  // namespace
+
+RayBlock parseRays(std::string_view text, const std::string& fileName) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+    const std::string_view header = takeLine(text);
+    if (header != kRaysHeader) {
+        throw InputError(
+            fileName, Message(MessageId::RaysHeader, {{"header", std::string(kRaysHeader)}, {"text", quoted(header)}}));
+    }
+    RayBlock rays(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);
+    std::size_t count = 0;
+    for (std::size_t line = 2; !text.empty(); ++line) {
+        const std::string_view row = takeLine(text);
+        if (row.empty() && text.find_first_not_of("\r\n") == std::string_view::npos) break;
+        rays.set(count++, parseRay(row, fileName, line));
+    }
+    rays.resize(count);
+    return rays;
+}
+
+std::string_view outcomeName(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::Hit:
+            return "hit";
+        case Outcome::Limit:
+            return "limit";
+        case Outcome::Miss:
+        case Outcome::Unset:
+            break;
+    }
+    return "miss";
+}
+
+void appendHitLines(std::string& out, const HitBlock& hits, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        out += outcomeName(hits.outcome[i]);
+        const bool hit = hits.outcome[i] == Outcome::Hit;
+        for (const double value : {hits.lambda[i], hits.s[i], hits.t[i]}) {
+            out += ',';
+            if (hit) appendNumber(out, value);
+        }
+        out += ',';
+        appendNumber(out, static_cast<std::int64_t>(hits.steps[i]));
+        out += '\n';
+    }
+}
+
+std::string hitLines(const HitBlock& hits, Work& work) {
+    std::vector<std::string> pieces((hits.size() + kHitsAPiece - 1) / kHitsAPiece);
+    work.arena().execute([&] {
+        tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
+            const std::size_t first = p * kHitsAPiece;
+            appendHitLines(pieces[p], hits, first, std::min(first + kHitsAPiece, hits.size()));
+        });
+    });
+    std::size_t bytes = 0;
+    for (const std::string& piece : pieces) bytes += piece.size();
+    std::string out;
+    out.reserve(bytes);
+    for (const std::string& piece : pieces) out += piece;
+    return out;
+}
+
+void appendStepLines(std::string& out, const StepLog& log, std::size_t inLog, std::size_t ray) {
+    for (std::size_t s = log.begin[inLog]; s < log.begin[inLog + 1]; ++s) {
+        const std::size_t before = out.size();
+        const auto comma = [&] {
+            if (out.size() > before) out += ',';
+        };
+        forEachColumn(
+            log.steps[s], ray, s - log.begin[inLog] + 1,
+            [&](std::string_view, auto value) {
+                comma();
+                appendNumber(out, value);
+            },
+            [&](std::string_view, std::string_view name) {
+                comma();
+                out += name;
+            });
+        out += '\n';
+    }
+}
+
+void appendStepObjects(std::string& out, const StepLog& log, std::size_t inLog, std::size_t ray, bool& empty) {
+    for (std::size_t s = log.begin[inLog]; s < log.begin[inLog + 1]; ++s) {
+        out += empty ? "\n  {" : ",\n  {";
+        empty = false;
+        const std::size_t before = out.size();
+        const auto key = [&](std::string_view name) {
+            out.append(out.size() > before ? ", \"" : "\"").append(name).append("\": ");
+        };
+        forEachColumn(
+            log.steps[s], ray, s - log.begin[inLog] + 1,
+            [&](std::string_view name, auto value) {
+                key(name);
+                // JSON has no NaN or infinity.
+                if (!std::isfinite(static_cast<double>(value))) {
+                    out += "null";
+                } else {
+                    appendNumber(out, value);
+                }
+            },
+            [&](std::string_view name, std::string_view text) {
+                key(name);
+                out.append("\"").append(text).append("\"");
+            });
+        out += '}';
+    }
+}
+
+}  // namespace relief

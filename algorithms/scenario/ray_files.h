@@ -1,0 +1,36 @@
+// Rays, hits and step logs as text files. Numbers without the locale, 17 significant digits, so that they read back as
+// the same doubles. Lines end in "\n"; "\r\n" and a byte order mark are accepted when reading.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "relief/ray.h"
+#include "relief/tracers.h"
+
+namespace relief {
+
+inline constexpr std::string_view kRaysHeader = "s0,t0,a,b";
+inline constexpr std::string_view kHitsHeader = "outcome,lambda,s,t,steps";
+inline constexpr std::string_view kStepsHeader =
+    "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after";
+
+// Header first, then one ray a line. fileName: for messages. Throws InputError with the line's number: another header,
+// not four numbers, a number that is not finite. Blank lines are accepted at the end only.
+RayBlock parseRays(std::string_view text, const std::string& fileName);
+
+// "hit", "miss", "limit"; a ray that was never asked for (a pixel without polygon) is a miss.
+std::string_view outcomeName(Outcome outcome);
+
+// The lines of hits [first, last), without the header. Miss and limit leave lambda, s, t empty.
+void appendHitLines(std::string& out, const HitBlock& hits, std::size_t first, std::size_t last);
+// All of it, formatted in parallel, the same text for any number of threads.
+std::string hitLines(const HitBlock& hits, Work& work);
+
+// The steps of ray `inLog` of the log, as ray number `ray`, steps counted from 1; without the header.
+void appendStepLines(std::string& out, const StepLog& log, std::size_t inLog, std::size_t ray);
+// The same as JSON objects, each followed by what stands between two of them. `empty`: nothing was written before.
+void appendStepObjects(std::string& out, const StepLog& log, std::size_t inLog, std::size_t ray, bool& empty);
+
+}  // namespace relief

@@ -1,0 +1,69 @@
+#include "help_formatter.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr std::size_t kPageColumns = 80;
+constexpr std::size_t kNameColumns = 28;
+
+}  // namespace
+
+HelpFormatter::HelpFormatter() {
+    column_width(kNameColumns);
+    label("Positionals", "Arguments");
+}
+
+// A command's description is its summary, a line break, its paragraph.
+std::string HelpFormatter::make_subcommand(const CLI::App* parser) const {
+    const std::string description = parser->get_description();
+    std::string line = "  " + parser->get_name();
+    line.resize(std::max(line.size() + 1, std::size_t{12}), ' ');
+    return line + description.substr(0, description.find('\n')) + "\n";
+}
+
+std::string HelpFormatter::make_description(const CLI::App* parser) const {
+    const std::string description = parser->get_description();
+    const std::size_t end = description.find('\n');
+    std::string out = description.substr(0, end) + "\n";
+    if (end != std::string::npos) out += "\n" + wrapped(description.substr(end + 1), kPageColumns) + "\n";
+    return out + "\n";
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+    return wrapped(option->get_description(), kPageColumns - kNameColumns);
+}
+
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+    return option->get_type_name().empty() ? "" : " " + option->get_type_name();
+}
+
+std::string wrapped(const std::string& text, std::size_t columns) {
+    std::string out;
+    std::string line;
+    std::string word;
+    const auto flush = [&] {
+        if (!line.empty() && line.size() + 1 + word.size() > columns) {
+            out += line + "\n";
+            line.clear();
+        }
+        if (!line.empty() && !word.empty()) line += ' ';
+        line += word;
+        word.clear();
+    };
+    for (const char c : text) {
+        if (c != ' ' && c != '\n') {
+            word += c;
+            continue;
+        }
+        flush();
+        if (c == '\n') {
+            out += line + "\n";
+            line.clear();
+        }
+    }
+    flush();
+    return out + line;
+}
+
+}  // namespace relief::app

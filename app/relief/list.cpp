@@ -1,0 +1,169 @@
+// relief list [--json]
+#include <nlohmann/json.hpp>
+
+#include "filtering/sampler.h"
+#include "help_formatter.h"
+#include "images/reliefs.h"
+#include "options_common.h"
+#include "output.h"
+#include "relief/tracers.h"
+
+namespace relief::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kColumns = 80;
+
+std::string_view optionKindName(OptionKind kind) {
+    switch (kind) {
+        case OptionKind::Integer:
+            return "integer";
+        case OptionKind::Real:
+            return "real";
+        case OptionKind::Choice:
+            return "choice";
+        case OptionKind::Method:
+            break;
+    }
+    return "method";
+}
+
+bool isNumber(const OptionDescription& option) {
+    return option.kind == OptionKind::Integer || option.kind == OptionKind::Real;
+}
+
+Json optionJson(const OptionDescription& option, const Json& defaultValue) {
+    Json json{{"name", option.name}, {"kind", optionKindName(option.kind)}, {"unit", option.unit}};
+    if (isNumber(option)) {
+        json["low"] = option.low;
+        json["high"] = option.high;
+        json["step"] = option.step;
+    } else {
+        json["choices"] = option.choices;
+    }
+    json["default"] = defaultValue;
+    json["help"] = option.help;
+    return json;
+}
+
+Json methodJson(const MethodDescription& method) {
+    Json json{{"name", method.name},
+              {"title", method.title},
+              {"help", method.help},
+              {"source", method.source},
+              {"kind", methodKindName(method.kind)},
+              {"guarantee", guaranteeName(method.guarantee)},
+              {"rays", rayClassName(method.rayClass)},
+              {"surfaces", Json::array()},
+              {"maps", method.maps},
+              {"options", Json::array()}};
+    for (const Surface surface : method.surfaces) json["surfaces"].push_back(surfaceName(surface));
+    for (const OptionDescription& option : method.options) {
+        json["options"].push_back(optionJson(option, method.defaults.at(option.name)));
+    }
+    return json;
+}
+
+std::string listJson() {
+    Json json{{"version", RELIEF_VERSION}};
+    for (const MethodDescription& method : tracerList()) json["tracers"].push_back(methodJson(method));
+    for (const FilterDescription& filter : filterList()) {
+        json["filters"].push_back({{"name", filter.name}, {"help", filter.help}});
+    }
+    for (const ReliefRecipe& recipe : reliefRecipes()) {
+        json["reliefs"].push_back({{"name", recipe.name},
+                                   {"help", recipe.help},
+                                   {"default_size", recipe.defaultSize},
+                                   {"any_size", recipe.anySize}});
+    }
+    for (const ScenarioNumber& number : scenarioNumbers()) {
+        json["numbers"].push_back(optionJson(number.description, number.get(Scenario{})));
+    }
+    json["layers"] = layerNames();
+    return json.dump(2) + "\n";
+}
+
+// "name          text", the text wrapped beside the name.
+std::string entry(const std::string& name, const std::string& text, std::size_t indent, std::size_t width) {
+    std::string out = std::string(indent, ' ') + name;
+    out.resize(std::max(out.size() + 2, indent + width), ' ');
+    const std::string lines = wrapped(text, kColumns - indent - width);
+    for (const char c : lines) {
+        out += c;
+        if (c == '\n') out += std::string(indent + width, ' ');
+    }
+    return out + "\n";
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string out;
+    for (const std::string& part : parts) out += (out.empty() ? "" : ", ") + part;
+    return out;
+}
+
+std::string optionText(const OptionDescription& option, const std::string& defaultValue) {
+    std::string text = option.help;
+    if (!option.unit.empty()) text += ", " + option.unit;
+    text += isNumber(option) ? ", " + numberText(option.low) + " to " + numberText(option.high)
+                             : ": " + joined(option.choices);
+    return text + ", default " + defaultValue;
+}
+
+std::string methodText(const MethodDescription& method) {
+    std::vector<std::string> surfaces;
+    for (const Surface surface : method.surfaces) surfaces.emplace_back(surfaceName(surface));
+    std::string out = "  " + method.name + "\n";
+    out += entry("", method.title + ". " + method.help, 6, 0);
+    out += entry("guarantee", std::string(guaranteeName(method.guarantee)), 6, 12);
+    out += entry("surfaces", joined(surfaces), 6, 12);
+    out += entry("rays", std::string(rayClassName(method.rayClass)), 6, 12);
+    if (!method.maps.empty()) out += entry("maps", joined(method.maps), 6, 12);
+    if (!method.source.empty()) out += entry("source", method.source, 6, 12);
+    for (const OptionDescription& option : method.options) {
+        out += entry("--set " + option.name + "=..", optionText(option, method.defaults.at(option.name)), 6, 22);
+    }
+    return out;
+}
+
+std::string listText() {
+    std::string out = "Tracers: how rays meet the relief (--tracer NAME)\n";
+    for (const MethodDescription& method : tracerList()) out += methodText(method);
+    out += "\nFilters: how colours are sampled (--filter NAME)\n";
+    for (const FilterDescription& filter : filterList()) out += entry(filter.name, filter.help, 2, 14);
+    out += "\nReliefs: procedural height maps (relief make NAME, --relief NAME)\n";
+    for (const ReliefRecipe& recipe : reliefRecipes()) {
+        const std::string size = std::to_string(recipe.defaultSize) + " x " + std::to_string(recipe.defaultSize);
+        const std::string sizes = recipe.anySize ? "any size, " + size + " by itself" : size + " only";
+        out += entry(std::string(recipe.name), std::string(recipe.help) + " (" + sizes + ")", 2, 14);
+    }
+    out += "\nNumbers of a view: unit, range, default\n";
+    for (const ScenarioNumber& number : scenarioNumbers()) {
+        out +=
+            entry(number.description.name, optionText(number.description, numberText(number.get(Scenario{}))), 2, 18);
+    }
+    return out + "\nLayers of relief render --layers: " + joined(layerNames()) + "\n";
+}
+
+}  // namespace
+
+void addListCommand(CLI::App& program, Commands& commands) {
+    struct ListOptions {
+        bool json = false;
+    };
+    auto options = std::make_shared<ListOptions>();
+    CLI::App* parser = addCommand(
+        program, "list", "tracers, filters, reliefs: guarantees, options, units",
+        "Lists every tracer with what it promises, the surfaces and rays it is valid for, the maps it needs and its "
+        "options with unit, range and default; then filters, procedural reliefs, the numbers of a view and the layers.",
+        "  relief list --json | less");
+    addFlag(*parser, "--json", options->json, "the same for programs", "Output");
+    addLanguage(*parser);
+    commands.push_back({parser, [options](Session& session) {
+                            writeStandardOutput(options->json ? listJson() : listText(), session.stop());
+                            return 0;
+                        }});
+}
+
+}  // namespace relief::app

@@ -1,0 +1,152 @@
+#include "options_common.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "relief/describe.h"
+
+namespace relief::app {
+
+CLI::App* addCommand(CLI::App& program, const std::string& name, const std::string& summary,
+                     const std::string& paragraph, const std::string& examples) {
+    CLI::App* parser = program.add_subcommand(name, summary + "\n" + paragraph);
+    parser->group("Commands");
+    parser->footer("Example:\n" + examples);
+    return parser;
+}
+
+CLI::Option* addText(CLI::App& parser, const std::string& names, OptionText& target, const std::string& kind,
+                     const std::string& help, const std::string& group) {
+    // Not bound as std::optional: CLI11 would take an empty text for "not given".
+    CLI::Option* option = parser.add_option_function<std::string>(
+        names, [&target](const std::string& text) { target = text; }, help);
+    return option->type_name(kind)->group(group);
+}
+
+CLI::Option* addTexts(CLI::App& parser, const std::string& names, std::vector<std::string>& target,
+                      const std::string& kind, const std::string& help, const std::string& group) {
+    return parser.add_option(names, target, help)->allow_extra_args(false)->type_name(kind)->group(group);
+}
+
+CLI::Option* addFlag(CLI::App& parser, const std::string& names, bool& target, const std::string& help,
+                     const std::string& group) {
+    return parser.add_flag(names, target, help)->group(group);
+}
+
+void addOutput(CLI::App& parser, OptionText& target, const std::string& help) {
+    addText(parser, "-o,--output", target, "FILE", help, "Output");
+}
+
+const std::string& needed(const OptionText& value, const std::string& option, const std::string& command) {
+    if (!value || value->empty()) {
+        throw InputError(option, Message(MessageId::ArgumentMissing, {{"help", "relief " + command + " --help"}}));
+    }
+    return *value;
+}
+
+std::int64_t parseWhole(const std::string& text, const std::string& option, std::int64_t low, std::int64_t high) {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
+        throw InputError(option, Message(MessageId::NotAWholeNumber, {{"text", text}}));
+    }
+    if (error != std::errc() || value < low || value > high) {
+        const std::string range = std::to_string(low) + " to " + std::to_string(high);
+        throw InputError(option, Message(MessageId::NumberOutOfRange, {{"value", text}, {"range", range}}));
+    }
+    return value;
+}
+
+std::uint64_t parseSeed(const std::string& text, const std::string& option) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) {
+        throw InputError(option, Message(MessageId::NotASeed, {{"text", text}}));
+    }
+    return value;
+}
+
+SizeText parseSize(const std::string& text, const std::string& option, int largest) {
+    const std::vector<std::string> parts = splitText(text, 'x');
+    if (parts.size() != 2) throw InputError(option, Message(MessageId::NotASize, {{"text", text}}));
+    for (const std::string& part : parts) {
+        if (part.empty() || part.find_first_not_of("0123456789") != std::string::npos) {
+            throw InputError(option, Message(MessageId::NotASize, {{"text", text}}));
+        }
+    }
+    return {static_cast<int>(parseWhole(parts[0], option, 1, largest)),
+            static_cast<int>(parseWhole(parts[1], option, 1, largest))};
+}
+
+PixelChoice parsePixel(const std::string& text, const std::string& option) {
+    const std::vector<std::string> parts = splitText(text, ',');
+    if (parts.size() != 2) throw InputError(option, Message(MessageId::NotAPixel, {{"text", text}}));
+    constexpr int kLargest = kMaxPictureSide - 1;
+    return {static_cast<int>(parseWhole(parts[0], option, 0, kLargest)),
+            static_cast<int>(parseWhole(parts[1], option, 0, kLargest))};
+}
+
+std::vector<std::string> splitText(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    std::size_t at = 0;
+    while (true) {
+        const std::size_t end = text.find(separator, at);
+        parts.push_back(text.substr(at, end == std::string::npos ? end : end - at));
+        if (end == std::string::npos) return parts;
+        at = end + 1;
+    }
+}
+
+void RunOptions::add(CLI::App& parser, bool withThreads) {
+    if (withThreads) {
+        addText(parser, "--threads", threads_, "N",
+                "threads to work on, 0 to 1024; 0 (default): as many as there are. The result does not depend on it",
+                "General");
+    }
+    addFlag(parser, "-q,--quiet", quiet_, "no messages and no progress bar (errors are still said)", "General");
+    addLanguage(parser);
+}
+
+void RunOptions::apply(Session& session) const {
+    session.setQuiet(quiet_);
+    if (threads_) session.setThreads(static_cast<int>(parseWhole(*threads_, "--threads", 0, 1024)));
+}
+
+void addLanguage(CLI::App& parser) {
+    // main() has read it already: a fault in these very options must be said in that language, too.
+    parser
+        .add_option_function<std::string>(
+            "--language", [](const std::string&) {}, "language of messages: en (default) or uk")
+        ->type_name("en|uk")
+        ->group("General");
+}
+
+void ReadingOptions::add(CLI::App& parser) {
+    const char* group = "Reading the height map";
+    addText(parser, "--channel", channel_, "N|NAME",
+            "which channel holds the heights: a number from 0, or a name (R, G, B, A, Y); default: grey, else the "
+            "first. Alpha is taken as it stands, nothing is multiplied by it",
+            group);
+    addFlag(parser, "--invert", invert_, "for maps that store depths: 1 - h after scaling", group);
+    addText(parser, "--range", range_, "auto|full|LO,HI",
+            "how numbers become heights in [0, 1]. auto (default): integers by their full range, floats in [0, 1] as "
+            "they are, others stretched, with a message; full: never stretched; LO,HI: LO becomes 0, HI becomes 1, "
+            "clamped",
+            group);
+    addText(parser, "--max-pixels", maxPixels_, "N",
+            "refuse larger pictures before memory is taken; default " + std::to_string(kDefaultMaxPixels), group);
+}
+
+void ReadingOptions::apply(HeightReadOptions& reading) const {
+    if (channel_) reading.channel = *channel_;
+    if (invert_) reading.invert = true;
+    if (range_) reading.range = parseHeightRange(*range_);
+    if (maxPixels_) reading.maxPixels = parseWhole(*maxPixels_, "--max-pixels", 1, std::int64_t{1} << 40);
+}
+
+void noteHeights(Session& session, const Assets& assets, const Scenario& scenario) {
+    const std::string& name = scenario.pictures.height.empty() ? scenario.pictures.recipe : scenario.pictures.height;
+    for (const Message& message : assets.height->notes) session.note(name, message);
+}
+
+}  // namespace relief::app

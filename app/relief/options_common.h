@@ -1,0 +1,106 @@
+// Options that several commands share. They are kept as text and turned into numbers without the locale, by the same
+// descriptions that the window's sliders use.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenario/scenario.h"
+#include "session.h"
+
+namespace relief::app {
+
+using OptionText = std::optional<std::string>;
+
+// --- declaring
+
+// A command with its paragraph and an example line.
+CLI::App* addCommand(CLI::App& program, const std::string& name, const std::string& summary,
+                     const std::string& paragraph, const std::string& examples);
+
+// An option that takes one value; nothing where it was not given.
+CLI::Option* addText(CLI::App& parser, const std::string& names, OptionText& target, const std::string& kind,
+                     const std::string& help, const std::string& group);
+// One that may be repeated.
+CLI::Option* addTexts(CLI::App& parser, const std::string& names, std::vector<std::string>& target,
+                      const std::string& kind, const std::string& help, const std::string& group);
+CLI::Option* addFlag(CLI::App& parser, const std::string& names, bool& target, const std::string& help,
+                     const std::string& group);
+
+// "--language": accepted everywhere, read by main().
+void addLanguage(CLI::App& parser);
+
+// "-o, --output": where the result goes.
+void addOutput(CLI::App& parser, OptionText& target, const std::string& help);
+
+// --- reading
+
+// The value, or InputError naming the option.
+const std::string& needed(const OptionText& value, const std::string& option, const std::string& command);
+// "800x600".
+struct SizeText {
+    int width;
+    int height;
+};
+SizeText parseSize(const std::string& text, const std::string& option, int largest);
+// "X,Y", whole numbers from 0.
+PixelChoice parsePixel(const std::string& text, const std::string& option);
+std::int64_t parseWhole(const std::string& text, const std::string& option, std::int64_t low, std::int64_t high);
+std::uint64_t parseSeed(const std::string& text, const std::string& option);
+std::vector<std::string> splitText(const std::string& text, char separator);
+
+// --threads, --quiet
+class RunOptions {
+  public:
+    void add(CLI::App& parser, bool withThreads = true);
+    void apply(Session& session) const;
+
+  private:
+    OptionText threads_;
+    bool quiet_ = false;
+};
+
+// How a height file is read: --channel, --invert, --range, --max-pixels.
+class ReadingOptions {
+  public:
+    void add(CLI::App& parser);
+    void apply(HeightReadOptions& reading) const;
+
+  private:
+    OptionText channel_, range_, maxPixels_;
+    bool invert_ = false;
+};
+
+// A scenario and everything that overrides it.
+class ScenarioOptions {
+  public:
+    // Which groups a command takes beside scenario, height map and method.
+    enum class Look { No, Yes };  // --color, --normal, --filter, --light
+    void add(CLI::App& parser, Look look);
+    // The scenario (the file's, or the default one) with the options laid over it; checked. Throws InputError.
+    Scenario scenario() const;
+
+  private:
+    void addPictures(CLI::App& parser, Look look);
+    void addMethod(CLI::App& parser, Look look);
+    void addView(CLI::App& parser, Look look);
+    void applyPictures(Scenario& scenario) const;
+    void applyMethod(Scenario& scenario) const;
+    void applyView(Scenario& scenario) const;
+    void applyCamera(Scenario& scenario) const;
+
+    OptionText file_;
+    OptionText height_, recipe_, color_, normal_;
+    ReadingOptions reading_;
+    OptionText reliefDepth_, address_, surface_;
+    OptionText tracer_, filter_;
+    std::vector<std::string> settings_;
+    OptionText scene_, camera_, eye_, target_, fov_, size_, light_;
+};
+
+// Says what was done to the heights on reading (once a file).
+void noteHeights(Session& session, const Assets& assets, const Scenario& scenario);
+
+}  // namespace relief::app

@@ -1,0 +1,249 @@
+#include <algorithm>
+
+#include "filtering/sampler.h"
+#include "images/reliefs.h"
+#include "options_common.h"
+#include "output.h"
+#include "relief/tracers.h"
+
+namespace relief::app {
+
+namespace {
+
+// "elevation, degrees, -90 to 90, default 35": from the one description of the number.
+std::string numberHelp(std::string_view name) {
+    const ScenarioNumber& number = scenarioNumber(name);
+    const OptionDescription& d = number.description;
+    const std::string unit = d.unit.empty() ? "" : ", " + d.unit;
+    return d.help + unit + ", " + numberText(d.low) + " to " + numberText(d.high) + ", default " +
+           numberText(number.get(Scenario{}));
+}
+
+// "elevation=30,azimuth=45": each name with `prefix` (where there is such a number) set in the scenario.
+// Returns the names.
+std::vector<std::string> applySettings(Scenario& scenario, const std::string& text, const std::string& option,
+                                       const std::vector<std::pair<std::string, std::string>>& names) {
+    std::vector<std::string> given;
+    for (const std::string& part : splitText(text, ',')) {
+        const std::size_t equals = part.find('=');
+        if (equals == std::string::npos) {
+            const std::string example = names.front().first + "=30," + names[1].first + "=45";
+            throw InputError(option, Message(MessageId::NotASetting, {{"text", part}, {"example", example}}));
+        }
+        const std::string key = part.substr(0, equals);
+        const auto entry = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == key; });
+        if (entry == names.end()) {
+            std::string known;
+            for (const auto& [name, number] : names) known += (known.empty() ? "" : ", ") + name;
+            throw InputError(option,
+                             Message(MessageId::UnknownName, {{"what", "setting"}, {"name", key}, {"known", known}}));
+        }
+        setScenarioNumber(scenario, entry->second, parseNumber(part.substr(equals + 1), option), option);
+        given.push_back(key);
+    }
+    return given;
+}
+
+glm::dvec3 parsePoint(const std::string& text, const std::string& option) {
+    const std::vector<std::string> parts = splitText(text, ',');
+    if (parts.size() != 3) throw InputError(option, Message(MessageId::NotAPoint, {{"text", text}}));
+    return {parseNumber(parts[0], option), parseNumber(parts[1], option), parseNumber(parts[2], option)};
+}
+
+// "bricks", "bricks:512x256", "bricks:512x256:7".
+void applyRecipe(Pictures& pictures, const std::string& text) {
+    const std::vector<std::string> parts = splitText(text, ':');
+    std::string known;
+    const ReliefRecipe* found = nullptr;
+    for (const ReliefRecipe& recipe : reliefRecipes()) {
+        if (recipe.name == parts[0]) found = &recipe;
+        known.append(known.empty() ? "" : ", ").append(recipe.name);
+    }
+    if (found == nullptr || parts.size() > 3) {
+        throw InputError("--relief",
+                         Message(MessageId::UnknownName, {{"what", "relief"}, {"name", text}, {"known", known}}));
+    }
+    pictures.height.clear();
+    pictures.recipe = parts[0];
+    pictures.recipeWidth = pictures.recipeHeight = found->defaultSize;
+    if (parts.size() > 1) {
+        const SizeText size = parseSize(parts[1], "--relief", kMaxPictureSide);
+        pictures.recipeWidth = size.width;
+        pictures.recipeHeight = size.height;
+    }
+    if (parts.size() > 2) pictures.seed = parseSeed(parts[2], "--relief");
+}
+
+std::string tracerNames() {
+    std::string names;
+    for (const MethodDescription& method : tracerList()) names += (names.empty() ? "" : ", ") + method.name;
+    return names;
+}
+
+std::string filterNames() {
+    std::string names;
+    for (const FilterDescription& filter : filterList()) names += (names.empty() ? "" : ", ") + filter.name;
+    return names;
+}
+
+// Name and value are checked here, where the option that carried them is known.
+void applyMethodOption(MethodChoice& method, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw InputError("--set", Message(MessageId::NotASetting, {{"text", text}, {"example", "layers=64"}}));
+    }
+    const std::string name = text.substr(0, equals);
+    std::string known;
+    for (const OptionDescription& option : findTracer(method.name).options) {
+        known += (known.empty() ? "" : ", ") + option.name;
+        if (option.name != name) continue;
+        checkOption(option, text.substr(equals + 1));
+        method.options[name] = text.substr(equals + 1);
+        return;
+    }
+    throw InputError("--set", Message(MessageId::UnknownName, {{"what", "option of " + method.name},
+                                                               {"name", name},
+                                                               {"known", known.empty() ? "-" : known}}));
+}
+
+}  // namespace
+
+void ScenarioOptions::add(CLI::App& parser, Look look) {
+    addText(parser, "SCENARIO", file_, "",
+            "a scenario (.json) as the window saves it or --report holds it: pictures, method, camera, light. "
+            "Every option below overrides what it says",
+            "Arguments");
+    addPictures(parser, look);
+    reading_.add(parser);
+    addMethod(parser, look);
+    addView(parser, look);
+}
+
+void ScenarioOptions::addPictures(CLI::App& parser, Look look) {
+    const char* group = "Pictures";
+    addText(parser, "--height", height_, "FILE", "height map: PNG, JPEG, TIFF, EXR, HDR, ...", group);
+    addText(parser, "--relief", recipe_, "NAME[:WxH[:SEED]]",
+            "instead of a file, a procedural relief (relief list names them), such as bricks:512x512:7", group);
+    if (look == Look::No) return;
+    addText(parser, "--color", color_, "FILE", "colour picture; default: the heights in grey", group);
+    addText(parser, "--normal", normal_, "FILE",
+            "normal map (OpenGL: y up) for the light; default: the relief's own slopes", group);
+}
+
+void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
+    const char* group = "Method";
+    addText(parser, "--tracer", tracer_, "NAME",
+            "how rays meet the relief: " + tracerNames() + "; default " + Scenario{}.method.name, group);
+    addTexts(parser, "--set", settings_, "NAME=VALUE",
+             "an option of the method, such as layers=64; may be repeated (relief list shows what there is)", group);
+    addText(parser, "--relief-depth", reliefDepth_, "D", numberHelp("relief-depth"), group);
+    addText(parser, "--address", address_, "repeat|clamp|border",
+            "what lies outside the picture: itself again (default), its rim, nothing", group);
+    addText(parser, "--surface", surface_, "bilinear|columns",
+            "between texels: a smooth surface (default), or each texel a box", group);
+    if (look == Look::Yes) {
+        addText(parser, "--filter", filter_, "NAME",
+                "how colours are sampled: " + filterNames() + "; default " + Scenario{}.filter.name, group);
+    }
+}
+
+void ScenarioOptions::addView(CLI::App& parser, Look look) {
+    const char* group = "View";
+    addText(parser, "--size", size_, "WxH", "size of the picture, pixels, default 800x600", group);
+    addText(parser, "--scene", scene_, "floor|wall|cube", "what carries the relief; default floor", group);
+    addText(parser, "--camera", camera_, "elevation=..,...",
+            "a camera that looks at the middle of the scene. elevation: " + numberHelp("elevation") + "; azimuth: " +
+                numberHelp("azimuth") + "; distance: " + numberHelp("distance") + "; fov: " + numberHelp("fov"),
+            group);
+    addText(parser, "--eye", eye_, "X,Y,Z", "a free camera: where it is, texture widths, y up; with --target", group);
+    addText(parser, "--target", target_, "X,Y,Z", "what the free camera looks at", group);
+    addText(parser, "--fov", fov_, "DEGREES", numberHelp("fov"), group);
+    if (look == Look::No) return;
+    addText(parser, "--light", light_, "azimuth=..,...",
+            "azimuth: " + numberHelp("light-azimuth") + "; elevation: " + numberHelp("light-elevation") +
+                "; ambient: " + numberHelp("ambient") + "; intensity: " + numberHelp("intensity"),
+            group);
+}
+
+Scenario ScenarioOptions::scenario() const {
+    Scenario scenario = file_ ? loadScenario(*file_) : Scenario{};
+    applyPictures(scenario);
+    applyMethod(scenario);
+    applyView(scenario);
+    checkScenario(scenario, file_.value_or(""));
+    return scenario;
+}
+
+void ScenarioOptions::applyPictures(Scenario& scenario) const {
+    if (height_ && recipe_) {
+        throw InputError("--height", Message(MessageId::ArgumentsExclude, {{"other", "--relief"}}));
+    }
+    if (recipe_) applyRecipe(scenario.pictures, *recipe_);
+    if (height_) {
+        if (height_->empty()) throw InputError("--height", Message(MessageId::FileMissing));
+        scenario.pictures.height = *height_;
+        scenario.pictures.recipe.clear();
+    }
+    if (color_) scenario.pictures.color = *color_;
+    if (normal_) scenario.pictures.normal = *normal_;
+    reading_.apply(scenario.pictures.reading);
+}
+
+void ScenarioOptions::applyMethod(Scenario& scenario) const {
+    // Options belong to their method: another method does not inherit them.
+    if (tracer_ && *tracer_ != scenario.method.name) scenario.method = {findTracer(*tracer_).name, {}};
+    for (const std::string& setting : settings_) applyMethodOption(scenario.method, setting);
+    if (reliefDepth_) {
+        const std::string option = "--relief-depth";
+        setScenarioNumber(scenario, "relief-depth", parseNumber(*reliefDepth_, option), option);
+    }
+    if (address_) scenario.address = parseAddress(*address_);
+    if (surface_) scenario.surface = parseSurface(*surface_);
+    if (filter_) scenario.filter.name = findFilter(*filter_).name;
+}
+
+void ScenarioOptions::applyView(Scenario& scenario) const {
+    if (size_) {
+        const SizeText size = parseSize(*size_, "--size", kMaxPictureSide);
+        scenario.width = size.width;
+        scenario.height = size.height;
+        // The scenario's chosen pixel was one of another picture.
+        if (scenario.pixel && (scenario.pixel->x >= size.width || scenario.pixel->y >= size.height)) {
+            scenario.pixel.reset();
+        }
+    }
+    if (scene_) scenario.scene = parseScene(*scene_);
+    applyCamera(scenario);
+    if (light_) {
+        applySettings(scenario, *light_, "--light",
+                      {{"azimuth", "light-azimuth"},
+                       {"elevation", "light-elevation"},
+                       {"ambient", "ambient"},
+                       {"intensity", "intensity"}});
+    }
+}
+
+void ScenarioOptions::applyCamera(Scenario& scenario) const {
+    Camera& camera = scenario.camera;
+    if (camera_ && (eye_ || target_)) {
+        throw InputError("--camera", Message(MessageId::ArgumentsExclude, {{"other", eye_ ? "--eye" : "--target"}}));
+    }
+    if (camera_) {
+        const auto given = applySettings(
+            scenario, *camera_, "--camera",
+            {{"elevation", "elevation"}, {"azimuth", "azimuth"}, {"distance", "distance"}, {"fov", "fov"}});
+        // The field of view alone leaves a free camera free.
+        if (given != std::vector<std::string>{"fov"}) camera.kind = Camera::Kind::Orbit;
+    }
+    if (eye_ || target_) {
+        if (camera.kind == Camera::Kind::Orbit && !(eye_ && target_)) {
+            throw InputError(eye_ ? "--eye" : "--target", Message(MessageId::EyeAndTarget));
+        }
+        camera.kind = Camera::Kind::Free;
+        if (eye_) camera.eye = parsePoint(*eye_, "--eye");
+        if (target_) camera.target = parsePoint(*target_, "--target");
+    }
+    if (fov_) setScenarioNumber(scenario, "fov", parseNumber(*fov_, "--fov"), "--fov");
+}
+
+}  // namespace relief::app

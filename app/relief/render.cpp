@@ -1,0 +1,145 @@
+// relief render [SCENARIO.json] [options] -o FILE [--layers NAME,...] [--report FILE.json]
+#include <chrono>
+
+#include <nlohmann/json.hpp>
+
+#include "options_common.h"
+#include "output.h"
+#include "rendering/frame.h"
+
+namespace relief::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+struct RenderOptions {
+    ScenarioOptions scenario;
+    OptionText output, layers, report;
+    RunOptions run;
+};
+
+// Wall-clock time of the command's parts.
+struct Seconds {
+    double load = 0;
+    double render = 0;
+    double write = 0;
+};
+
+template <class Body>
+auto timed(double& seconds, const Body& body) {
+    struct Stop {
+        double& seconds;
+        Clock::time_point begin = Clock::now();
+        ~Stop() { seconds += std::chrono::duration<double>(Clock::now() - begin).count(); }
+    };
+    const Stop stop{seconds};
+    return body();
+}
+
+// Empty where no layers were asked for.
+std::vector<std::string> checkedLayers(const RenderOptions& options, const std::string& output) {
+    if (!options.layers) return {};
+    if (fileEnding(output) != "exr") throw InputError(output, Message(MessageId::LayersNeedExr));
+    std::vector<std::string> layers = splitText(*options.layers, ',');
+    std::string known;
+    for (const std::string& name : layerNames()) known += (known.empty() ? "" : ", ") + name;
+    for (const std::string& layer : layers) {
+        const auto& names = layerNames();
+        if (std::find(names.begin(), names.end(), layer) != names.end()) continue;
+        throw InputError("--layers",
+                         Message(MessageId::UnknownName, {{"what", "layer"}, {"name", layer}, {"known", known}}));
+    }
+    return layers;
+}
+
+Json stagesJson(const Frame& frame) {
+    Json stages = Json::array();
+    for (std::size_t s = 0; s < kStages; ++s) {
+        // Filled by filters that need it; a stage that has not run says nothing.
+        if (static_cast<Stage>(s) == Stage::Footprints) continue;
+        stages.push_back(
+            {{"name", kStageNames[s]}, {"seconds", frame.stages[s].seconds}, {"reused", frame.stages[s].reused}});
+    }
+    return stages;
+}
+
+std::string reportText(const Scenario& scenario, const Frame& frame, Session& session, const Seconds& seconds) {
+    std::map<std::string, double> counters = session.work().counters().values();
+    for (const auto& [name, value] : frame.counters) counters[name] = value;
+    const auto taken = [&](const char* name) {
+        const auto found = counters.find(name);
+        const double value = found == counters.end() ? 0 : found->second;
+        if (found != counters.end()) counters.erase(found);
+        return value;
+    };
+    Json report{{"tool", "relief"}, {"version", RELIEF_VERSION}, {"scenario", Json::parse(scenarioText(scenario))}};
+    report["threads"] = session.work().arena().max_concurrency();
+    report["maps"] = {
+        {"builds", taken("map builds")}, {"bytes", taken("map bytes")}, {"build_seconds", taken("map build seconds")}};
+    report["counters"] = counters;
+    report["stages"] = stagesJson(frame);
+    report["seconds"] = {{"load", seconds.load},
+                         {"render", seconds.render},
+                         {"write", seconds.write},
+                         {"total", seconds.load + seconds.render + seconds.write}};
+    return report.dump(2) + "\n";
+}
+
+int runRender(const RenderOptions& options, Session& session) {
+    options.run.apply(session);
+    const std::string& output = needed(options.output, "--output", "render");
+    checkOutput(output, {"png", "jpg", "jpeg", "tif", "tiff", "bmp", "exr", "hdr"});
+    const std::vector<std::string> layers = checkedLayers(options, output);
+    if (options.report && *options.report != "-") checkOutput(*options.report, {"json"});
+    const Scenario scenario = options.scenario.scenario();
+
+    Seconds seconds;
+    AssetStore store;
+    const Assets assets = timed(seconds.load, [&] { return store.load(scenario.pictures, session.work()); });
+    noteHeights(session, assets, scenario);
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    const FrameRequest request = frameRequest(scenario, assets);
+    const auto frame = timed(seconds.render, [&] { return renderer.render(request, session.work()); });
+    timed(seconds.write, [&] {
+        if (layers.empty()) {
+            writeColor(output, frame->light->color);
+        } else {
+            writePlanes(output, layerPlanes(*frame, request, layers));
+        }
+    });
+    if (options.report) {
+        TextOutput report(*options.report, session.stop());
+        report.write(reportText(scenario, *frame, session, seconds));
+        report.commit();
+    }
+    return 0;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, Commands& commands) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* parser = addCommand(
+        program, "render", "render a picture of a relief",
+        "Renders what a camera sees of a floor, a wall or a cube that carries the relief. What is looked at comes from "
+        "a scenario, from the options, or from both (the options override). The same input gives the same bytes on any "
+        "number of threads.",
+        "  relief render --height heights.png --color color.jpg --scene wall \\\n"
+        "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
+    options->scenario.add(*parser, ScenarioOptions::Look::Yes);
+    addOutput(*parser, options->output, "the picture: .png, .jpg, .tif, .bmp (sRGB), .exr, .hdr (linear)");
+    std::string layers;
+    for (const std::string& name : layerNames()) layers += (layers.empty() ? "" : ", ") + name;
+    addText(*parser, "--layers", options->layers, "NAME,...",
+            "write these planes into the .exr instead of the picture alone: " + layers, "Output");
+    addText(*parser, "--report", options->report, "FILE.json",
+            "what was done and what was skipped: the scenario, counters, maps built, seconds of every stage; - for "
+            "standard output",
+            "Output");
+    options->run.add(*parser);
+    commands.push_back({parser, [options](Session& session) { return runRender(*options, session); }});
+}
+
+}  // namespace relief::app

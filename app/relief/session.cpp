@@ -1,0 +1,31 @@
+#include "session.h"
+
+#include <unistd.h>
+
+namespace relief::app {
+
+Work& Session::work() {
+    if (!work_) {
+        bar_ = std::make_unique<ProgressBar>(!quiet_, language_);
+        work_ = std::make_unique<Work>(threads_, stop_, bar_->listener());
+    }
+    return *work_;
+}
+
+void Session::note(const std::string& subject, const Message& message) {
+    if (quiet_) return;
+    eraseBar();
+    sayLine(subject + ": " + sentence(message, language_));
+}
+
+void sayLine(const std::string& text) {
+    std::string line = "relief: " + text;
+    for (char& c : line) {
+        if (c == '\n' || c == '\r') c = ' ';
+    }
+    line += '\n';
+    // Where standard error is gone there is nobody left to tell.
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
+}
+
+}  // namespace relief::app

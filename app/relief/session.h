@@ -1,0 +1,66 @@
+// What every command is given: language, threads, stop token, and a way to talk that does not fight with the bar.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "messages.h"
+#include "progress_bar.h"
+#include "work.h"
+
+namespace relief::app {
+
+class Session {
+  public:
+    Session(Language language, std::stop_token stop) : language_(language), stop_(std::move(stop)) {}
+
+    Language language() const { return language_; }
+    const std::stop_token& stop() const { return stop_; }
+    // Before work(): how it is to be done.
+    void setQuiet(bool quiet) { quiet_ = quiet; }
+    void setThreads(int threads) { threads_ = threads; }
+    int threads() const { return threads_; }
+
+    // Made when first asked for.
+    Work& work();
+    // A message to standard error, "relief: SUBJECT: ...", unless --quiet.
+    void note(const std::string& subject, const Message& message);
+    void eraseBar() {
+        if (bar_) bar_->erase();
+    }
+
+  private:
+    Language language_;
+    std::stop_token stop_;
+    bool quiet_ = false;
+    int threads_ = 0;
+    std::unique_ptr<ProgressBar> bar_;
+    std::unique_ptr<Work> work_;
+};
+
+// "relief: ..." on standard error, always one line.
+void sayLine(const std::string& text);
+
+// One command of the program: its parser and what it does. The result is the exit status.
+struct Command {
+    CLI::App* parser = nullptr;
+    std::function<int(Session&)> run;
+};
+using Commands = std::vector<Command>;
+
+void addInfoCommand(CLI::App& program, Commands& commands);
+void addMakeCommand(CLI::App& program, Commands& commands);
+void addListCommand(CLI::App& program, Commands& commands);
+void addRenderCommand(CLI::App& program, Commands& commands);
+void addTraceCommand(CLI::App& program, Commands& commands);
+void addCompareCommand(CLI::App& program, Commands& commands);
+
+}  // namespace relief::app

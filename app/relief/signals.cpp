@@ -1,0 +1,50 @@
+#include "signals.h"
+
+#include <pthread.h>
+#include <unistd.h>
+
+namespace relief::app {
+
+namespace {
+
+constexpr long kWakeNanoseconds = 50'000'000;
+
+}  // namespace
+
+SignalWatch::SignalWatch() {
+    // A closed pipe is an error of write(), said in a line, not a silent end.
+    signal(SIGPIPE, SIG_IGN);
+    sigemptyset(&signals_);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        // What the caller has told us to ignore (nohup, a job in the background) stays ignored.
+        struct sigaction action {};
+        if (sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+        sigaddset(&signals_, number);
+        watching_ = true;
+    }
+    if (!watching_) return;
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    thread_ = std::jthread([this](const std::stop_token& end) { watch(end); });
+}
+
+SignalWatch::~SignalWatch() {
+    if (thread_.joinable()) {
+        thread_.request_stop();
+        // Wakes sigtimedwait at once.
+        pthread_kill(thread_.native_handle(), SIGTERM);
+        thread_.join();
+    }
+}
+
+void SignalWatch::watch(const std::stop_token& end) {
+    const timespec wait{0, kWakeNanoseconds};
+    while (!end.stop_requested()) {
+        const int number = sigtimedwait(&signals_, nullptr, &wait);
+        if (number <= 0 || end.stop_requested()) continue;
+        if (status_ != 0) _exit(status_);
+        status_ = 128 + number;
+        source_.request_stop();
+    }
+}
+
+}  // namespace relief::app

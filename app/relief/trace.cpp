@@ -1,0 +1,167 @@
+// relief trace --height FILE --tracer NAME (--rays FILE.csv | --pixel X,Y ...) [-o HITS.csv] [--steps FILE.csv|json]
+#include <algorithm>
+
+#include "options_common.h"
+#include "output.h"
+#include "rendering/frame.h"
+#include "scenario/ray_files.h"
+
+namespace relief::app {
+
+namespace {
+
+// Rays whose steps are held in memory at a time.
+constexpr std::size_t kLoggedBlock = 4096;
+
+struct TraceOptions {
+    ScenarioOptions scenario;
+    OptionText rays, output, steps;
+    std::vector<std::string> pixels;
+    RunOptions run;
+};
+
+// Rays to trace, and which of the answers asked for each belongs to: a pixel that sees no polygon has an answer, but
+// no ray.
+struct Asked {
+    RayBlock rays;
+    std::vector<std::size_t> answer;  // empty: the same numbers
+    std::size_t answers = 0;
+
+    std::size_t answerOf(std::size_t ray) const { return answer.empty() ? ray : answer[ray]; }
+};
+
+Asked raysOfFile(const std::string& path, Session& session) {
+    Asked asked;
+    const bool standardInput = path == "-";
+    const std::string text = standardInput ? readStandardInput(session.stop()) : readTextFile(path);
+    asked.rays = parseRays(text, standardInput ? "standard input" : path);
+    asked.answers = asked.rays.size();
+    return asked;
+}
+
+Asked raysOfPixels(const std::vector<PixelChoice>& pixels, const FrameRequest& request) {
+    Asked asked;
+    asked.answers = pixels.size();
+    for (std::size_t p = 0; p < pixels.size(); ++p) {
+        const auto ray = pixelRay(request, pixels[p].x, pixels[p].y);
+        if (!ray) continue;
+        asked.rays.push(*ray);
+        asked.answer.push_back(p);
+    }
+    return asked;
+}
+
+std::vector<PixelChoice> chosenPixels(const TraceOptions& options, const Scenario& scenario) {
+    std::vector<PixelChoice> pixels;
+    for (const std::string& text : options.pixels) pixels.push_back(parsePixel(text, "--pixel"));
+    if (pixels.empty() && scenario.pixel) pixels.push_back(*scenario.pixel);
+    if (pixels.empty()) throw InputError("", Message(MessageId::RaysNotGiven));
+    return pixels;
+}
+
+HitBlock answers(const Asked& asked, const HitBlock& traced) {
+    if (asked.answer.empty() && asked.answers == traced.size()) return traced;
+    HitBlock all(asked.answers);
+    for (std::size_t r = 0; r < traced.size(); ++r) {
+        const std::size_t a = asked.answerOf(r);
+        all.set(a, traced[r]);
+        all.steps[a] = traced.steps[r];
+        all.reads[a] = traced.reads[r];
+    }
+    return all;
+}
+
+// Traces again with the log, a block at a time: a million rays have more steps than memory should hold.
+void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bool json, Session& session) {
+    Work& work = session.work();
+    std::string text = json ? "[" : std::string(kStepsHeader) + "\n";
+    bool empty = true;
+    work.progress().begin("steps", static_cast<std::int64_t>(asked.rays.size()));
+    for (std::size_t first = 0; first < asked.rays.size(); first += kLoggedBlock) {
+        const std::size_t count = std::min(kLoggedBlock, asked.rays.size() - first);
+        RayBlock block(count);
+        for (std::size_t r = 0; r < count; ++r) block.set(r, asked.rays[first + r]);
+        HitBlock hits;
+        StepLog log;
+        tracer.trace(block, hits, log, work);
+        for (std::size_t r = 0; r < count; ++r) {
+            const std::size_t ray = asked.answerOf(first + r);
+            if (json) {
+                appendStepObjects(text, log, r, ray, empty);
+            } else {
+                appendStepLines(text, log, r, ray);
+            }
+        }
+        output.write(text);
+        text.clear();
+        work.progress().advance(static_cast<std::int64_t>(count));
+    }
+    if (json) text += "\n]\n";
+    output.write(text);
+}
+
+int runTrace(const TraceOptions& options, Session& session) {
+    options.run.apply(session);
+    const std::string output = options.output.value_or("-");
+    if (output != "-") checkOutputFolder(output);
+    if (options.steps) checkOutput(*options.steps, {"csv", "json"});
+    if (options.rays && !options.pixels.empty()) {
+        throw InputError("--rays", Message(MessageId::ArgumentsExclude, {{"other", "--pixel"}}));
+    }
+    Scenario scenario = options.scenario.scenario();
+    // Only the heights matter to a ray.
+    scenario.pictures.color.clear();
+    scenario.pictures.normal.clear();
+    const std::vector<PixelChoice> pixels = options.rays ? std::vector<PixelChoice>{} : chosenPixels(options, scenario);
+
+    Work& work = session.work();
+    AssetStore store;
+    const Assets assets = store.load(scenario.pictures, work);
+    noteHeights(session, assets, scenario);
+    const FrameRequest request = frameRequest(scenario, assets);
+    const Asked asked = options.rays ? raysOfFile(*options.rays, session) : raysOfPixels(pixels, request);
+
+    MapCache maps;
+    const auto tracer = makeTracer(scenario.method, request.field, maps, work);
+    HitBlock traced;
+    BlockCounts counts;
+    tracer->trace(asked.rays, traced, counts, work);
+    std::unique_ptr<TextOutput> steps;
+    if (options.steps) {
+        steps = std::make_unique<TextOutput>(*options.steps, session.stop());
+        writeSteps(asked, *tracer, *steps, fileEnding(*options.steps) == "json", session);
+    }
+    TextOutput hits(output, session.stop());
+    hits.write(std::string(kHitsHeader) + "\n" + hitLines(answers(asked, traced), work));
+    session.eraseBar();
+    hits.commit();
+    if (steps) steps->commit();
+    return 0;
+}
+
+}  // namespace
+
+void addTraceCommand(CLI::App& program, Commands& commands) {
+    auto options = std::make_shared<TraceOptions>();
+    CLI::App* parser = addCommand(
+        program, "trace", "trace single rays, with every step",
+        "Answers where rays meet the relief: one line a ray, in the order given, with the header "
+        "outcome,lambda,s,t,steps. The outcome is hit, miss or limit; lambda is the descent (0 the top plane, 1 the "
+        "bottom), s and t are texels. Rays come from a file with the header s0,t0,a,b (where the ray enters the top "
+        "plane, its run a unit of descent, texels), or are those of pixels of a view.",
+        "  relief trace --height heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv");
+    options->scenario.add(*parser, ScenarioOptions::Look::No);
+    addText(*parser, "--rays", options->rays, "FILE.csv", "rays, header s0,t0,a,b; - for standard input", "Rays");
+    addTexts(*parser, "--pixel", options->pixels, "X,Y",
+             "the ray of this pixel of the view, 0,0 at the top left; may be repeated. A pixel that sees no polygon is "
+             "a miss",
+             "Rays");
+    addOutput(*parser, options->output, "the hits; default -: standard output");
+    addText(*parser, "--steps", options->steps, "FILE.csv|json",
+            "every decision of every ray: the ray's number from 0, the step's from 1, texel, heights, decision",
+            "Output");
+    options->run.add(*parser);
+    commands.push_back({parser, [options](Session& session) { return runTrace(*options, session); }});
+}
+
+}  // namespace relief::app
