@@ -2,6 +2,7 @@
 // where to count. A value of references: two workspaces with two configurations run side by side.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -11,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include "errors.h"
@@ -81,11 +83,11 @@ class Progress {
 class Work {
   public:
     Work() : Work(0) {}
-    // threads: 0 for all there are.
+    // threads: 0 for all there are; more than that are not taken.
     explicit Work(int threads, std::stop_token stop = {}, Progress::Listener listener = {})
         : stop_(std::move(stop)),
           progress_(std::move(listener)),
-          arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+          arena_(threads > 0 ? std::min(threads, tbb::info::default_concurrency()) : tbb::task_arena::automatic) {}
 
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;

@@ -105,10 +105,14 @@ Hit ExactTracer::walk(const ViewRay& viewRay, Sink& sink) const {
         }
         sink.step(record(Decision::Test, lambda, std::min(out, 1.0), std::min(out, 1.0)));
         lambda = out;
+        const AxisCell lastX = cx;
+        const AxisCell lastY = cy;
         bool inside = out < 1;
         if (outX <= outY) inside = exact_detail::moveOn(grid_.x, ray.x.side, cx) && inside;
         if (outY <= outX) inside = exact_detail::moveOn(grid_.y, ray.y.side, cy) && inside;
         if (!inside) {
+            cx = lastX;
+            cy = lastY;
             sink.step(record(Decision::Miss, std::min(out, 1.0), std::min(out, 1.0), std::min(out, 1.0)));
             return Hit::none(Outcome::Miss);
         }

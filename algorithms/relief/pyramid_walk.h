@@ -68,7 +68,13 @@ class PyramidWalk {
         node.y.index >>= 1;
     }
 
-    // The top node (the whole texture, in one of its periods) in which the ray is at and just after lambda.
+    // Beyond the domain of exactness a ray walks from its very start, and ends at the step bound at the latest.
+    static bool inDomain(const GridRay& ray) {
+        return std::abs(ray.x.run) <= 2 * kMaxRun && std::abs(ray.y.run) <= 2 * kMaxRun;
+    }
+
+    // The top node (the whole texture, in one of its periods) in which the ray is at and just after lambda; lambda is 0
+    // or the ray in the domain.
     PyramidNode topNode(const GridRay& ray, double lambda) const {
         return {topNode(grid_.x, ray.x, lambda), topNode(grid_.y, ray.y, lambda)};
     }
@@ -158,14 +164,10 @@ class PyramidWalk {
 
     // A guess from the position, set right by the very comparisons of the walk.
     static AxisCell topNode(const GridAxis& axis, const RayAxis& ray, double lambda) {
-        if (!axis.wraps || ray.side == 0) return {0, axis.wraps ? ray.startCell(axis).base : 0};
-        const std::int64_t startBase = ray.startCell(axis).base;
-        std::int64_t base = startBase;
-        // Beyond the domain of exactness a ray walks from its start: it will end at the step bound.
-        if (std::abs(ray.run) <= 2 * kMaxRun) {
-            const double periods = std::floor((ray.start + lambda * ray.run) / axis.cells);
-            base = static_cast<std::int64_t>(periods) * axis.cells;
-        }
+        const std::int64_t startBase = axis.wraps ? ray.startCell(axis).base : 0;
+        if (!axis.wraps || ray.side == 0 || lambda <= 0) return {0, startBase};
+        const double periods = std::floor((ray.start + lambda * ray.run) / axis.cells);
+        std::int64_t base = static_cast<std::int64_t>(periods) * axis.cells;
         while (ray.leave(axis, 0, axis.cells, base) <= lambda && lambda < 1) base += ray.side * axis.cells;
         while (base != startBase && ray.enter(axis, 0, axis.cells, base) > lambda) base -= ray.side * axis.cells;
         return {0, base};
@@ -201,7 +203,7 @@ PyramidStart pyramidStart(const PyramidWalk& walk, const GridRay& ray, Sink& sin
         return start;
     }
     // Not quite to it: what the leaf's rounding could still call a hit is left to the leaf.
-    start.lambda = std::max(0.0, 1 - highest - kExclusionMargin);
+    if (PyramidWalk::inDomain(ray)) start.lambda = std::max(0.0, 1 - highest - kExclusionMargin);
     if (start.lambda > 0) {
         if (walk.grid().bounded && walk.exit(ray, top, start.node).first() <= start.lambda) {
             const double out = walk.exit(ray, top, start.node).first();

@@ -1,0 +1,248 @@
+// The exact methods against each other, bit for bit, and against an independent truth in long double.
+#include <cstdlib>
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "fields.h"
+#include "images/files.h"
+#include "reference.h"
+
+namespace relief::test {
+namespace {
+
+// |lambda - truth| x max(1, hypot(a, b)), texels. The leaf works in double with the parameter measured from the cell's
+// entry: 2^-53 times positions of some thousand texels times the slope of patches; tangent patches, where the error is
+// the square root of that, are those with a small clearance, and are listed.
+constexpr double kTexelBound = 1e-9;
+// Heights within which a ray that passes or touches is beyond the rounding of double: such rays may differ.
+constexpr long double kTangent = 1e-13L;
+
+struct Compared {
+    std::size_t rays = 0;
+    std::size_t different = 0;
+    std::size_t tangent = 0;
+    double worst = 0;
+};
+
+void compare(const HeightField& field, const ViewRay& ray, const Hit& hit, Compared& compared) {
+    const reference::Answer truth = reference::trace(field, ray);
+    ++compared.rays;
+    const bool same = truth.hit == (hit.outcome == Outcome::Hit);
+    double error = 0;
+    if (same && truth.hit) {
+        error = static_cast<double>(std::abs(truth.lambda - static_cast<long double>(hit.lambda))) *
+                std::max(1.0, std::hypot(ray.a, ray.b));
+    }
+    if (same && error <= kTexelBound) {
+        compared.worst = std::max(compared.worst, error);
+        return;
+    }
+    if (truth.clearance < kTangent) {
+        ++compared.tangent;
+        std::cout << "  within rounding of a tangent: ray " << describe(ray) << " clearance "
+                  << static_cast<double>(truth.clearance) << " error " << error << "\n";
+        return;
+    }
+    ++compared.different;
+    ADD_FAILURE() << describe(field) << "\nray " << describe(ray) << "\ntruth "
+                  << (truth.hit ? numberText(static_cast<double>(truth.lambda)) : "miss") << ", got "
+                  << numberText(hit.lambda) << " outcome " << static_cast<int>(hit.outcome) << " clearance "
+                  << static_cast<double>(truth.clearance);
+}
+
+std::vector<std::pair<std::string, Heights>> proceduralMaps() {
+    std::vector<std::pair<std::string, Heights>> maps;
+    for (const char* name : {"bricks", "pits", "city", "columns", "fractal", "hills"}) {
+        maps.emplace_back(name, share(makeRelief(name, 256, 256, 1)));
+    }
+    return maps;
+}
+
+std::vector<std::pair<std::string, Heights>> realMaps() {
+    Work work;
+    std::vector<std::pair<std::string, Heights>> maps;
+    for (const char* name :
+         {"stone_wall_bricks102/height.jpg", "gray_rocks/height.png", "terrain_srtm_east_africa/height.png"}) {
+        maps.emplace_back(name, share(readHeight(std::string(RELIEF_DATASETS "/") + name, {}, work).heights));
+    }
+    return maps;
+}
+
+// 10^6 rays over six procedural and three real maps, both surfaces, three addressings (10^7 with RELIEF_LONG).
+TEST(Exactness, millionRaysGiveIdenticalBitsInEveryExactTracer) {
+    const bool longRun = std::getenv("RELIEF_LONG") != nullptr;
+    const std::size_t wanted = longRun ? 10'000'000 : 1'000'000;
+    auto maps = proceduralMaps();
+    for (auto& real : realMaps()) maps.push_back(real);
+    const std::size_t perField = wanted / (maps.size() * 6) + 1;
+    MapCache cache;
+    Work work;
+    std::size_t total = 0;
+    for (const auto& [name, heights] : maps) {
+        for (const Surface surface : allSurfaces()) {
+            for (const Address address : allAddresses()) {
+                const HeightField field(heights, surface, address, 0.1 + 0.1 * static_cast<double>(total % 3));
+                SCOPED_TRACE(name + " " + describe(field));
+                const RayBlock rays = randomRays(1000 + total, field, perField, 1);
+                HitBlock truth;
+                BlockCounts counts;
+                makeTracer({"exact", {}}, field, cache, work)->trace(rays, truth, counts, work);
+                for (const MethodDescription& method : tracerList()) {
+                    if (method.guarantee != Guarantee::Exact || method.name == "exact") continue;
+                    HitBlock hits;
+                    makeTracer({method.name, {}}, field, cache, work)->trace(rays, hits, counts, work);
+                    for (std::size_t i = 0; i < rays.size(); ++i) {
+                        ASSERT_TRUE(sameBits(truth[i], hits[i]))
+                            << method.name << " ray " << describe(rays[i]) << ": " << numberText(truth[i].lambda)
+                            << " against " << numberText(hits[i].lambda);
+                        ASSERT_NE(hits[i].outcome, Outcome::Limit);
+                    }
+                }
+                if (address != Address::Border) {
+                    for (std::size_t i = 0; i < rays.size(); ++i) ASSERT_EQ(truth.outcome[i], Outcome::Hit);
+                }
+                total += rays.size();
+            }
+        }
+    }
+    std::cout << total << " rays, seeds from 1000: identical bits\n";
+}
+
+TEST(Exactness, agreesWithLongDouble) {
+    auto maps = proceduralMaps();
+    for (auto& real : realMaps()) maps.push_back(real);
+    maps.emplace_back("noise 31 x 17", randomHeights(31, 17, 71));
+    maps.emplace_back("noise 1 x 1", randomHeights(1, 1, 72));
+    maps.emplace_back("noise 1 x 7", randomHeights(1, 7, 73));
+    maps.emplace_back("noise 5 x 3", randomHeights(5, 3, 74));
+    maps.emplace_back("noise 1023 x 511", randomHeights(1023, 511, 75));
+    MapCache cache;
+    Work work;
+    Compared compared;
+    for (const auto& [name, heights] : maps) {
+        for (const Surface surface : allSurfaces()) {
+            for (const Address address : allAddresses()) {
+                const HeightField field(heights, surface, address, 0.2);
+                SCOPED_TRACE(name);
+                const RayBlock rays = randomRays(99, field, 400, 1);
+                HitBlock hits;
+                BlockCounts counts;
+                makeTracer({"max-pyramid", {}}, field, cache, work)->trace(rays, hits, counts, work);
+                for (std::size_t i = 0; i < rays.size(); ++i) compare(field, rays[i], hits[i], compared);
+            }
+        }
+    }
+    std::cout << compared.rays << " rays, largest difference " << compared.worst << " texel, " << compared.tangent
+              << " tangent within rounding\n";
+    EXPECT_EQ(compared.different, 0U);
+    EXPECT_LE(compared.tangent, compared.rays / 10000);
+}
+
+// Axis-parallel, vertical, along cell borders, through corners, far-off origins, both zeros.
+std::vector<ViewRay> awkwardRays(int width, int height) {
+    std::vector<ViewRay> rays;
+    const std::vector<double> runs{0.0, -0.0, 0.25, -0.25, 1, -1, 3.5, -3.5, 40, -40, 1e-12, -1e-12, 1e-310};
+    const std::vector<double> places{0.0, 0.5, 1.0, 0.25, 0.999999999};
+    for (const double a : runs) {
+        for (const double b : runs) {
+            for (const double s : places) {
+                for (const double t : places) {
+                    rays.push_back({s * width, t * height, a, b});
+                    rays.push_back({std::floor(s * width) + 0.5, std::floor(t * height), a, b});
+                    rays.push_back({s * width + 1e6, t * height - 1e6, a, b});
+                }
+            }
+        }
+    }
+    return rays;
+}
+
+TEST(Exactness, awkwardRaysAgreeInEveryTracer) {
+    MapCache cache;
+    Work work;
+    for (const auto& [w, h] :
+         std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {7, 1}, {5, 3}, {8, 8}, {33, 17}, {1023, 511}}) {
+        for (const Heights& heights : {randomHeights(w, h, 81), constantHeights(w, h, 0), constantHeights(w, h, 1),
+                                       share(makeRelief("checker", w, h, 1))}) {
+            for (const Surface surface : allSurfaces()) {
+                for (const Address address : allAddresses()) {
+                    const HeightField field(heights, surface, address);
+                    SCOPED_TRACE(describe(field));
+                    RayBlock rays;
+                    for (const ViewRay& ray : awkwardRays(w, h)) rays.push(ray);
+                    HitBlock truth;
+                    NullSink sink;
+                    makeTracer({"exact", {}}, field, cache, work)->trace(rays, truth, sink, work);
+                    for (const MethodDescription& method : tracerList()) {
+                        if (method.guarantee != Guarantee::Exact) continue;
+                        HitBlock hits;
+                        makeTracer({method.name, {}}, field, cache, work)->trace(rays, hits, sink, work);
+                        for (std::size_t i = 0; i < rays.size(); ++i) {
+                            ASSERT_TRUE(sameBits(truth[i], hits[i])) << method.name << " ray " << describe(rays[i]);
+                            if (address != Address::Border) {
+                                ASSERT_EQ(hits.outcome[i], Outcome::Hit);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+// A bilinear surface has no borders on which the truth could choose a side: the awkward rays must agree with it, too.
+TEST(Exactness, awkwardRaysAgreeWithLongDouble) {
+    MapCache cache;
+    Work work;
+    Compared compared;
+    for (const auto& [w, h] : std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {8, 8}}) {
+        for (const Address address : {Address::Repeat, Address::Clamp}) {
+            const HeightField field(randomHeights(w, h, 83), Surface::Bilinear, address);
+            const auto tracer = makeTracer({"max-pyramid", {}}, field, cache, work);
+            for (const ViewRay& ray : awkwardRays(w, h)) {
+                if (std::abs(ray.s0) > 1e5) continue;  // the truth's own sorting of crossings is slow there
+                compare(field, ray, traceLogged(*tracer, ray).hit, compared);
+            }
+        }
+    }
+    EXPECT_EQ(compared.different, 0U);
+    std::cout << compared.rays << " rays, largest difference " << compared.worst << " texel\n";
+}
+
+// The domain's limit: 2^20 texels of run. Exact there; flatter rays end, without NaN, within the bound.
+TEST(Exactness, flatRays) {
+    MapCache cache;
+    Work work;
+    FloatImage low(64, 64, 0.0F);
+    low(5, 9) = 1e-4F;
+    const HeightField field(share(std::move(low)));
+    for (const MethodDescription& method : tracerList()) {
+        if (method.guarantee != Guarantee::Exact) continue;
+        const auto tracer = makeTracer({method.name, {}}, field, cache, work);
+        const auto exact = makeTracer({"exact", {}}, field, cache, work);
+        RayBlock rays;
+        rays.push({0.3, 0.7, kMaxRun, 0.01});
+        rays.push({0.3, 0.7, -kMaxRun * 0.7, kMaxRun * 0.7});
+        rays.push({0.3, 9.5, 1e9, 0});
+        rays.push({0.3, 3.5, 1e300, -1e300});
+        HitBlock hits;
+        HitBlock truth;
+        NullSink sink;
+        tracer->trace(rays, hits, sink, work);
+        exact->trace(rays, truth, sink, work);
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_EQ(hits.outcome[i], Outcome::Hit) << method.name;
+            EXPECT_TRUE(sameBits(hits[i], truth[i])) << method.name;
+        }
+        for (std::size_t i = 2; i < rays.size(); ++i) {
+            EXPECT_NE(hits.outcome[i], Outcome::Unset);
+            if (hits.outcome[i] == Outcome::Hit) {
+                EXPECT_TRUE(std::isfinite(hits.lambda[i]));
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief::test
