@@ -288,6 +288,9 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
             1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
                            '\n');
         throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", line}}));
+    } catch (const Json::exception&) {
+        // A number beyond double ("1e999"): the library does not say where.
+        throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", 1}}));
     }
     const std::filesystem::path folder = std::filesystem::path(fileName).parent_path();
     Scenario scenario;

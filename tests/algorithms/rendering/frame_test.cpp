@@ -1,0 +1,224 @@
+// Frames: same bits for any thread count and whatever was reused; light-only redraws trace nothing; single pixels get
+// the frame's own rays.
+#include <gtest/gtest.h>
+
+#include "../relief/fields.h"
+#include "rendering/display.h"
+#include "rendering/frame.h"
+
+namespace relief::test {
+namespace {
+
+FrameRequest brickRequest(SceneKind scene = SceneKind::Floor) {
+    FrameRequest request(HeightField(share(makeRelief("bricks", 64, 48, 1))));
+    request.width = 160;
+    request.height = 120;
+    request.scene = scene;
+    return request;
+}
+
+std::shared_ptr<const Frame> renderFresh(const FrameRequest& request, int threads) {
+    Work work(threads);
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    return renderer.render(request, work);
+}
+
+bool samePicture(const Frame& a, const Frame& b) {
+    if (!(a.light->color == b.light->color)) return false;
+    for (std::size_t i = 0; i < a.hits->hits.size(); ++i) {
+        if (!sameBits(a.hits->hits[i], b.hits->hits[i])) return false;
+    }
+    return true;
+}
+
+TEST(Frame, sameBitsForAnyThreadCount) {
+    for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
+        const FrameRequest request = brickRequest(scene);
+        EXPECT_TRUE(samePicture(*renderFresh(request, 1), *renderFresh(request, 2)));
+    }
+}
+
+TEST(Frame, movingTheLightTracesNoRayAgain) {
+    Work work;
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    FrameRequest request = brickRequest();
+    const auto first = renderer.render(request, work);
+    EXPECT_GT(first->counters.at("rays traced"), 1000);
+    request.light.azimuth += 30;
+    const auto lit = renderer.render(request, work);
+    EXPECT_EQ(lit->counters.at("rays traced"), 0);
+    EXPECT_EQ(lit->hits, first->hits);
+    EXPECT_EQ(lit->color, first->color);
+    EXPECT_NE(lit->light, first->light);
+    EXPECT_TRUE(samePicture(*lit, *renderFresh(request, 1)));
+    EXPECT_FALSE(lit->light->color == first->light->color);
+}
+
+// After each change of one input, what was reused gives the bits of a fresh frame.
+TEST(Frame, reuseNeverChangesThePicture) {
+    Work work;
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    FrameRequest request = brickRequest();
+    ColorImage red(8, 8, Color(1, 0.2F, 0.1F));
+    red(3, 3) = Color(0, 1, 0);
+    Image<glm::vec3> flat(4, 4, glm::vec3(0, 0, 1));
+    const std::vector<std::function<void(FrameRequest&)>> changes{
+        [](FrameRequest& r) { r.light.elevation = 70; },
+        [&](FrameRequest& r) { r.color = std::make_shared<ColorImage>(red); },
+        [](FrameRequest& r) { r.filter.name = "nearest"; },
+        [&](FrameRequest& r) { r.normals = std::make_shared<Image<glm::vec3>>(flat); },
+        [](FrameRequest& r) { r.sky = Color(1, 0, 1); },
+        [](FrameRequest& r) { r.camera.azimuth = 50; },
+        [](FrameRequest& r) { r.field = HeightField(r.field.sharedHeights(), Surface::Columns); },
+        [](FrameRequest& r) { r.field = HeightField(r.field.sharedHeights(), Surface::Columns, Address::Border, 0.3); },
+        [](FrameRequest& r) { r.method.name = "exact"; },
+        [](FrameRequest& r) { r.scene = SceneKind::Cube; },
+        [](FrameRequest& r) { r.width = 100; },
+        [](FrameRequest& r) { r.field = HeightField(share(makeRelief("hills", 40, 30, 2))); },
+    };
+    renderer.render(request, work);
+    for (std::size_t n = 0; n < changes.size(); ++n) {
+        SCOPED_TRACE(n);
+        changes[n](request);
+        EXPECT_TRUE(samePicture(*renderer.render(request, work), *renderFresh(request, 1)));
+    }
+}
+
+TEST(Frame, changingTheDepthKeepsTheMaxPyramid) {
+    Work work;
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    FrameRequest request = brickRequest();
+    renderer.render(request, work);
+    EXPECT_EQ(work.counters().values()["map builds"], 1);
+    request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat, 0.3);
+    renderer.render(request, work);
+    EXPECT_EQ(work.counters().values()["map builds"], 1);
+}
+
+TEST(Frame, aPixelAskedAloneGetsTheFramesRay) {
+    for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
+        const FrameRequest request = brickRequest(scene);
+        const auto frame = renderFresh(request, 1);
+        int covered = 0;
+        for (int y = 0; y < request.height; y += 3) {
+            for (int x = 0; x < request.width; x += 3) {
+                const auto alone = pixelRay(request, x, y);
+                ASSERT_EQ(alone, frame->ray(x, y)) << x << "," << y;
+                covered += alone ? 1 : 0;
+            }
+        }
+        EXPECT_GT(covered, 100);
+    }
+    EXPECT_THROW(pixelRay(brickRequest(), 160, 0), InputError);
+}
+
+// A flat relief at the top of the slab is the polygon itself: texture coordinates and depth in closed form.
+TEST(Frame, aFlatFieldIsThePlane) {
+    FrameRequest request(HeightField(constantHeights(32, 32, 1.0F)));
+    request.width = 64;
+    request.height = 48;
+    const auto frame = renderFresh(request, 1);
+    int seen = 0;
+    for (int y = 0; y < request.height; ++y) {
+        for (int x = 0; x < request.width; ++x) {
+            const Hit hit = frame->hits->hits[frame->index(x, y)];
+            if (hit.outcome != Outcome::Hit) continue;
+            ++seen;
+            // The floor is y = 0 and one texel 1/32: intersect the pixel's direction with it.
+            const glm::dvec3 d = frame->camera.rayThrough(x + 0.5, y + 0.5);
+            const double distance = -frame->camera.eye.y / d.y;
+            const glm::dvec3 p = frame->camera.eye + distance * d;
+            EXPECT_NEAR(hit.s, (p.x + 0.5) * 32, 1e-9);
+            EXPECT_NEAR(hit.t, (p.z + 0.5) * 32, 1e-9);
+            EXPECT_NEAR(frame->depth(x, y), distance, 1e-5 * distance);
+        }
+    }
+    EXPECT_GT(seen, 500);
+}
+
+// A floor of depth D whose relief is flat at h looks like the plane D (1 - h) lower: the hit must lie on it.
+TEST(Frame, aSunkenFloorIsLower) {
+    const double reliefDepth = 0.2;
+    FrameRequest request(HeightField(constantHeights(32, 32, 0.25F), Surface::Bilinear, Address::Repeat, reliefDepth));
+    request.width = 64;
+    request.height = 48;
+    const auto frame = renderFresh(request, 1);
+    for (int y = 0; y < request.height; y += 5) {
+        for (int x = 0; x < request.width; x += 5) {
+            const Hit hit = frame->hits->hits[frame->index(x, y)];
+            if (hit.outcome != Outcome::Hit) continue;
+            const glm::dvec3 d = frame->camera.rayThrough(x + 0.5, y + 0.5);
+            const double distance = (-0.75 * reliefDepth - frame->camera.eye.y) / d.y;
+            const glm::dvec3 p = frame->camera.eye + distance * d;
+            EXPECT_NEAR(hit.s, (p.x + 0.5) * 32, 1e-9);
+            EXPECT_NEAR(hit.t, (p.z + 0.5) * 32, 1e-9);
+            EXPECT_NEAR(frame->depth(x, y), distance, 1e-5 * distance);
+        }
+    }
+}
+
+TEST(Frame, cullsWhatIsNotSeen) {
+    FrameRequest request = brickRequest(SceneKind::Cube);
+    request.camera.azimuth = 45;
+    auto frame = renderFresh(request, 1);
+    EXPECT_EQ(frame->counters.at("polygons"), 6);
+    EXPECT_EQ(frame->counters.at("polygons culled: facing away"), 3);
+    request = brickRequest(SceneKind::Floor);
+    request.camera.elevation = -30;
+    frame = renderFresh(request, 1);
+    EXPECT_EQ(frame->counters.at("polygons culled: facing away"), 1);
+    EXPECT_EQ(frame->counters.at("rays traced"), 0);
+    request.camera.elevation = 30;
+    request.camera.target = {50, 0, 0};
+    frame = renderFresh(request, 1);
+    EXPECT_EQ(frame->counters.at("polygons culled: off screen"), 1);
+}
+
+TEST(Frame, aPlateauNeedsNoTracing) {
+    FrameRequest request(HeightField(constantHeights(16, 16, 0.5F)));
+    request.width = 40;
+    request.height = 30;
+    const auto frame = renderFresh(request, 1);
+    EXPECT_EQ(frame->counters.at("rays not needed: the start is the highest point"), frame->counters.at("rays traced"));
+}
+
+TEST(Frame, aCancelledFrameIsNotPublished) {
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    Work work;
+    FrameRequest request = brickRequest();
+    const auto first = renderer.render(request, work);
+    std::stop_source stop;
+    stop.request_stop();
+    Work cancelled(1, stop.get_token());
+    request.camera.azimuth = 77;
+    EXPECT_THROW(renderer.render(request, cancelled), Cancelled);
+    request.camera = brickRequest().camera;
+    EXPECT_EQ(renderer.render(request, work)->hits, first->hits);
+}
+
+TEST(Frame, layersHaveTheirPlanes) {
+    const FrameRequest request = brickRequest();
+    const auto frame = renderFresh(request, 1);
+    const auto planes = layerPlanes(*frame, request, layerNames());
+    std::vector<std::string> names;
+    for (const NamedPlane& plane : planes) names.push_back(plane.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"R", "G", "B", "depth.Z", "uv.u", "uv.v", "normal.X", "normal.Y",
+                                               "normal.Z", "steps.Y", "outcome.Y"}));
+    EXPECT_EQ(planes[0].plane(80, 60), frame->light->color(80, 60).r);
+    EXPECT_EQ(planes[10].plane(80, 60), 1.0F);
+    EXPECT_THROW(layerPlanes(*frame, request, {"taste"}), InputError);
+}
+
+TEST(Display, theTableIsWithinOneCode) {
+    std::vector<Color> colors;
+    for (int i = 0; i <= 100000; ++i) colors.emplace_back(static_cast<float>(i) / 100000.0F);
+    std::vector<std::uint32_t> codes(colors.size());
+    toSrgb32(colors, codes);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const double exact = 255.0 * static_cast<double>(srgbFromLinear(colors[i].r));
+        EXPECT_NEAR(static_cast<double>(codes[i] & 255U), exact, 1.0);
+    }
+}
+
+}  // namespace
+}  // namespace relief::test

@@ -1,0 +1,101 @@
+// Scenarios survive the round trip through JSON, and broken ones are refused with the line.
+#include <clocale>
+
+#include <gtest/gtest.h>
+
+#include "scenario/scenario.h"
+
+namespace relief::test {
+namespace {
+
+Scenario unusual() {
+    Scenario s;
+    s.pictures.height = "тека з пробілами/висоти.png";
+    s.pictures.color = "a'b.jpg";
+    s.pictures.reading.channel = "A";
+    s.pictures.reading.invert = true;
+    s.pictures.reading.range = parseHeightRange("0.125,3.5");
+    s.reliefDepth = 0.1 + 0.2;  // not 0.3: every bit must survive
+    s.address = Address::Border;
+    s.surface = Surface::Columns;
+    s.method.name = "exact";
+    s.filter.name = "nearest";
+    s.scene = SceneKind::Cube;
+    s.camera.elevation = 1.0 / 3;
+    s.light.ambient = 0.1;
+    s.sky = {0.1, 0.2, 0.3};
+    s.width = 321;
+    s.height = 123;
+    s.pixel = PixelChoice{320, 7};
+    s.step = 5;
+    return s;
+}
+
+TEST(Scenario, survivesTheRoundTrip) {
+    EXPECT_EQ(parseScenario(scenarioText(unusual()), "s.json"), unusual());
+    Scenario other = unusual();
+    other.pictures = {};
+    other.pictures.recipe = "bricks";
+    other.pictures.seed = 18446744073709551615ULL;
+    other.camera.kind = Camera::Kind::Free;
+    other.camera.elevation = Camera().elevation;  // not stored: the free camera has none
+    other.pixel.reset();
+    EXPECT_EQ(parseScenario(scenarioText(other), "s.json"), other);
+}
+
+TEST(Scenario, pathsAreRelativeToTheFile) {
+    const Scenario read =
+        parseScenario(R"({"reliefscope": 1, "pictures": {"height": "a/b.png"}})", "/some/where/s.json");
+    EXPECT_EQ(read.pictures.height, "/some/where/a/b.png");
+    EXPECT_NE(scenarioText(read, "/some/where").find("\"a/b.png\""), std::string::npos);
+}
+
+TEST(Scenario, numbersDoNotFollowTheLocale) {
+    if (std::setlocale(LC_ALL, "uk_UA.UTF-8") == nullptr) GTEST_SKIP() << "locale uk_UA.UTF-8 is not installed";
+    const std::string text = scenarioText(unusual());
+    const Scenario back = parseScenario(text, "s.json");
+    std::setlocale(LC_ALL, "C");
+    EXPECT_EQ(text, scenarioText(unusual()));
+    EXPECT_EQ(back, unusual());
+}
+
+void expectRefused(const std::string& text, const std::string& fragment) {
+    try {
+        parseScenario(text, "s.json");
+        ADD_FAILURE() << "accepted: " << text;
+    } catch (const InputError& error) {
+        const std::string what = error.what();
+        EXPECT_NE(what.find(fragment), std::string::npos) << what;
+        EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    }
+}
+
+TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
+    expectRefused("", "s.json: line 1: this is not JSON");
+    expectRefused("{\n\"reliefscope\": 1,\n oops}", "line 3: this is not JSON");
+    expectRefused("[]", "must be an object");
+    expectRefused("{}", "not a scenario of version 1");
+    expectRefused("{\"reliefscope\": 2}", "not a scenario of version 1");
+    expectRefused("{\"reliefscope\": 1,\n\"colour\": 3}", "line 2: nothing is called \"colour\"");
+    expectRefused("{\"reliefscope\": 1,\n\"relief\": {\n\"depth\": \"deep\"}}", "line 3: \"depth\" must be a number");
+    expectRefused("{\"reliefscope\": 1, \"relief\": {\"depth\": -1}}", "relief-depth is -1");
+    expectRefused("{\"reliefscope\": 1, \"relief\": {\"address\": \"mirror\"}}", "no address \"mirror\"");
+    expectRefused("{\"reliefscope\": 1, \"method\": {\"name\": \"magic\"}}", "no tracer \"magic\"");
+    expectRefused("{\"reliefscope\": 1, \"size\": [0, 5]}", "width is 0");
+    expectRefused("{\"reliefscope\": 1, \"size\": [99999999999, 5]}", "a smaller number");
+    expectRefused("{\"reliefscope\": 1, \"size\": [1.5, 5]}", "a whole number");
+    expectRefused("{\"reliefscope\": 1, \"pixel\": [800, 0]}", "pixel 800,0 is outside");
+    expectRefused("{\"reliefscope\": 1, \"sky\": [1, 2]}", "an array of 3 numbers");
+    expectRefused("{\"reliefscope\": 1, \"camera\": {\"fov\": 1e999}}", "s.json");
+    expectRefused("{\"reliefscope\": 1, \"camera\": {\"eye\": [0,0,0], \"target\": [0,0,0]}}", "distance from eye");
+}
+
+TEST(Scenario, theTraceCommandQuotesForTheShell) {
+    const std::string line = traceCommand(unusual());
+    EXPECT_NE(line.find("--height 'тека з пробілами/висоти.png'"), std::string::npos) << line;
+    EXPECT_NE(line.find("--pixel 320,7"), std::string::npos) << line;
+    EXPECT_NE(line.find("--relief-depth 0.30000000000000004"), std::string::npos) << line;
+}
+
+}  // namespace
+}  // namespace relief::test
