@@ -65,7 +65,8 @@ bool isBackFacing(const TexturedPlane& plane, const glm::dvec3& eye);
 bool isBackFacing(const Homography& map);
 bool isBackFacing(std::span<const glm::dvec2> screen);
 
-// The rows [begin, end) in [0, height) whose centre line y = row + 1/2 meets the convex polygon (top included, bottom not).
+// The rows [begin, end) in [0, height) whose centre line y = row + 1/2 meets the convex polygon (top included, bottom
+// not).
 PixelSpan rowRange(std::span<const glm::dvec2> screen, std::int64_t height);
 
 // The pixels of that row in [0, width) whose centres lie in the convex polygon; a centre on a left edge or a top vertex

@@ -15,7 +15,8 @@
 // coordinates below 1e9 the numerators, the minors and the determinant all stay far from overflow in float.
 //
 // Failure mode: corners or planes that define no map throw InputError with one sentence (below); nothing here makes NaN
-// from input it accepts. Rows that reach the horizon are cut by clipRowToHorizon (clipping.h) before they are evaluated.
+// from input it accepts. Rows that reach the horizon are cut by clipRowToHorizon (clipping.h) before they are
+// evaluated.
 #pragma once
 
 #include <array>
@@ -73,7 +74,8 @@ struct Homography {
 
     // The map from texels to pixels, as a Homography whose at(s, t) gives {x, y} in the members s, t; its q > 0 where
     // ours is, and is normalised in texels. Throws InputError (MappingSingular) where the determinant is zero or lost
-    // in the rounding of the coefficients.
+    // in the rounding of the coefficients. Each of the two distances of a polygon from the origins, in polygon sizes,
+    // costs its square in relative error; for a small polygon far off, fromCorners(texture, screen) is exact enough.
     Homography inverse() const;
 
     // The same map with the scale described above; the sign is kept. Throws InputError (MappingSingular) if a
