@@ -47,6 +47,10 @@ std::optional<mode_t> fileMode(const std::string& path) {
 
 // A device, pipe or socket must be written into, never replaced by a renamed file.
 bool writtenDirectly(const std::string& path) {
+    // What the shell has opened already, whatever it is (/dev/shm holds ordinary files).
+    for (const char* opened : {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"}) {
+        if (path.starts_with(opened)) return true;
+    }
     const auto mode = fileMode(path);
     return mode && !S_ISREG(*mode) && !S_ISDIR(*mode);
 }
@@ -61,7 +65,7 @@ TextOutput::TextOutput(std::string path, std::stop_token stop) : name_(std::move
         const bool direct = writtenDirectly(name_);
         if (!direct) file_ = std::make_unique<AtomicFile>(name_);
         const std::string& target = direct ? name_ : file_->temporaryPath();
-        const int create = direct ? 0 : O_CREAT | O_TRUNC;
+        const int create = direct ? O_APPEND : O_CREAT | O_TRUNC;
         descriptor_ = ::open(target.c_str(), O_WRONLY | O_CLOEXEC | create, 0666);
         if (descriptor_ < 0) failWriting(name_, errno);
         owned_ = true;

@@ -53,7 +53,9 @@ void ProgressBar::update(std::string_view what, double fraction) {
     drawn_ = now;
     visible_ = true;
     const double left = spent * (1 - fraction) / fraction;
-    writeTerminal("\r" + progressLine(what, fraction, left, terminalColumns() - 1, language_) + "\033[K");
+    std::string text = "\r";
+    text += progressLine(what, fraction, left, terminalColumns() - 1, language_);
+    writeTerminal(text += "\033[K");
 }
 
 void ProgressBar::erase() {

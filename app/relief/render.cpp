@@ -1,4 +1,5 @@
 // relief render [SCENARIO.json] [options] -o FILE [--layers NAME,...] [--report FILE.json]
+#include <algorithm>
 #include <chrono>
 
 #include <nlohmann/json.hpp>
@@ -47,6 +48,9 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
     for (const std::string& name : layerNames()) known += (known.empty() ? "" : ", ") + name;
     for (const std::string& layer : layers) {
         const auto& names = layerNames();
+        if (std::count(layers.begin(), layers.end(), layer) > 1) {
+            throw InputError("--layers", Message(MessageId::LayerRepeated, {{"layer", layer}}));
+        }
         if (std::find(names.begin(), names.end(), layer) != names.end()) continue;
         throw InputError("--layers",
                          Message(MessageId::UnknownName, {{"what", "layer"}, {"name", layer}, {"known", known}}));

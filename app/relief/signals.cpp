@@ -12,8 +12,9 @@ constexpr long kWakeNanoseconds = 50'000'000;
 }  // namespace
 
 SignalWatch::SignalWatch() {
-    // A closed pipe is an error of write(), said in a line, not a silent end.
+    // A closed pipe or a file that may not grow is an error of write(), said in a line, not a silent end.
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
     sigemptyset(&signals_);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         // What the caller has told us to ignore (nohup, a job in the background) stays ignored.

@@ -1,0 +1,134 @@
+// Pictures that cannot be height maps: each is refused with one line that names the file, and exit status 2.
+#include <cmath>
+#include <limits>
+
+#include "command_test.h"
+
+namespace relief::test {
+
+class RefusalTest : public CommandTest {
+  protected:
+    // Whatever reads a height map refuses it, and leaves nothing behind.
+    void expectUnreadable(const std::string& picture, const std::vector<std::string>& parts) const {
+        std::vector<std::string> all = parts;
+        all.push_back("relief: " + picture + ": ");
+        const auto before = files();
+        expectRefusal({"info", picture}, 2, all);
+        expectRefusal({"render", "--height", picture, "-o", path("out.png")}, 2, all);
+        expectRefusal({"trace", "--height", picture, "--pixel", "1,1", "-o", path("hits.csv")}, 2, all);
+        EXPECT_EQ(files(), before);
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Places, RefusalTest, testing::ValuesIn(places()), placeName);
+
+TEST_P(RefusalTest, Missing) {
+    expectUnreadable(path("немає.png"), {"no such file"});
+}
+
+TEST_P(RefusalTest, Directory) {
+    std::filesystem::create_directory(path("folder.png"));
+    expectUnreadable(path("folder.png"), {"directory"});
+}
+
+TEST_P(RefusalTest, Empty) {
+    expectUnreadable(write("empty.png", ""), {"empty"});
+}
+
+TEST_P(RefusalTest, NotAnImage) {
+    expectUnreadable(write("letter.png", "Dear picture, you are a letter.\n"), {});
+    expectUnreadable(write("letter.txt", "Dear picture, you are a letter.\n"), {});
+    expectUnreadable(write("letter", "no ending at all\n"), {});
+    expectUnreadable(write("noise.exr", std::string("\x76\x2f\x31\x01 and then nothing that makes sense")), {});
+}
+
+TEST_P(RefusalTest, TruncatedPng) {
+    makeRelief("fractal", "whole.png");
+    const std::string bytes = read("whole.png");
+    for (const std::size_t kept : {std::size_t{7}, std::size_t{20}, std::size_t{40}, bytes.size() / 2}) {
+        expectUnreadable(write("cut.png", bytes.substr(0, kept)), {});
+    }
+}
+
+TEST_P(RefusalTest, TruncatedJpeg) {
+    const std::string height = makeRelief("bricks", "bricks.png");
+    runFine({"render", "--height", height, "--size", "160x120", "-o", path("whole.jpg")});
+    const std::string bytes = read("whole.jpg");
+    for (const std::size_t kept : {std::size_t{3}, std::size_t{100}, bytes.size() / 2}) {
+        expectUnreadable(write("cut.jpg", bytes.substr(0, kept)), {});
+    }
+}
+
+TEST_P(RefusalTest, NotFinite) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float inf = std::numeric_limits<float>::infinity();
+    expectUnreadable(write("nan.exr", exrBytes(3, 2, {0, 0.5F, 1, 0, 0.25F, nan})), {"2", "1"});
+    expectUnreadable(write("inf.exr", exrBytes(3, 2, {0, inf, 1, 0, -inf, nan})), {"1", "0"});
+}
+
+TEST_P(RefusalTest, FloatsAreTakenOrStretchedWithAMessage) {
+    runFine({"info", write("unit.exr", exrBytes(2, 1, {0.25F, 0.75F}))});
+    const Result stretched = run(
+        {"render", "--height", write("metres.exr", exrBytes(2, 1, {100, 300})), "--size", "8x8", "-o", path("x.png")});
+    EXPECT_EQ(stretched.status, 0);
+    EXPECT_EQ(lines(stretched.err).size(), 1U) << stretched.err;
+    EXPECT_NE(stretched.err.find("300"), std::string::npos) << stretched.err;
+    runFine({"render", "--height", path("metres.exr"), "--size", "8x8", "-o", path("x.png"), "--quiet"});
+    expectRefusal({"info", path("metres.exr"), "--range", "full"}, 2, {"metres.exr"});
+    runFine({"info", path("metres.exr"), "--range", "0,1000"});
+}
+
+TEST_P(RefusalTest, TooManyPixels) {
+    const std::string height = makeRelief("hills", "hills.png", {"--size", "20x30"});
+    expectRefusal({"info", height, "--max-pixels", "599"}, 2, {height, "599"});
+    runFine({"info", height, "--max-pixels", "600"});
+    // A header that promises 3.6 thousand million pixels must not be believed.
+    expectUnreadable(write("bomb.png", pngHeaderBytes(60000, 60000)), {});
+    expectUnreadable(write("none.png", pngHeaderBytes(0, 5)), {});
+}
+
+TEST_P(RefusalTest, UnknownChannel) {
+    const std::string height = makeRelief("hills", "hills.png", {"--size", "16"});
+    expectRefusal({"info", height, "--channel", "Z"}, 2, {height, "Z"});
+    expectRefusal({"info", height, "--channel", "7"}, 2, {height, "7"});
+    runFine({"info", height, "--channel", "0"});
+}
+
+TEST_P(RefusalTest, WrongValues) {
+    const std::string height = makeRelief("hills", "hills.png", {"--size", "16"});
+    const auto refuse = [&](const std::vector<std::string>& more, const std::vector<std::string>& parts) {
+        std::vector<std::string> arguments{"render", "--height", height, "-o", path("x.png")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        expectRefusal(arguments, 2, parts);
+    };
+    refuse({"--tracer", "magic"}, {"magic", "max-pyramid"});
+    refuse({"--filter", "magic"}, {"magic", "bilinear"});
+    refuse({"--scene", "sea"}, {"sea", "floor"});
+    refuse({"--address", "mirror"}, {"mirror", "repeat"});
+    refuse({"--surface", "spline"}, {"spline", "columns"});
+    refuse({"--set", "layers=64"}, {"--set", "layers"});
+    refuse({"--set", "nonsense"}, {"--set", "nonsense"});
+    refuse({"--relief-depth", "-1"}, {"--relief-depth"});
+    refuse({"--relief-depth", "0,5"}, {"--relief-depth", "0,5"});
+    refuse({"--relief-depth", "nan"}, {"--relief-depth"});
+    refuse({"--size", "800"}, {"--size", "800x600"});
+    refuse({"--size", "0x600"}, {"--size"});
+    refuse({"--size", "99999999999x600"}, {"--size"});
+    refuse({"--camera", "elevation=91"}, {"--camera", "91"});
+    refuse({"--camera", "height=3"}, {"--camera", "height"});
+    refuse({"--camera", "elevation"}, {"--camera"});
+    refuse({"--camera", "elevation=20", "--eye", "0,1,2"}, {"--camera", "--eye"});
+    refuse({"--eye", "0,1,2"}, {"--target"});
+    refuse({"--eye", "0,1,2", "--target", "0,1,2"}, {"--camera"});
+    refuse({"--light", "ambient=2"}, {"--light", "2"});
+    refuse({"--range", "5"}, {"--range"});
+    refuse({"--threads", "-1"}, {"--threads"});
+    refuse({"--max-pixels", "many"}, {"--max-pixels", "many"});
+    refuse({"--layers", "color"}, {".exr"});
+    refuse({"--relief", "bricks"}, {"--height", "--relief"});
+    expectRefusal({"render", "-o", path("x.png")}, 2, {"--height"});
+    expectRefusal({"make", "moon", "-o", path("x.png")}, 2, {"moon", "bricks"});
+    expectRefusal({"make", "bricks", "--size", "0", "-o", path("x.png")}, 2, {"--size"});
+    expectRefusal({"make", "bricks", "--seed", "-1", "-o", path("x.png")}, 2, {"--seed"});
+}
+
+}  // namespace relief::test

@@ -1,0 +1,207 @@
+// relief make, render, list, compare, info: the journeys of README, and what they leave on disk.
+#include <nlohmann/json.hpp>
+
+#include "command_test.h"
+
+namespace relief::test {
+
+using Json = nlohmann::json;
+
+namespace {
+
+// OpenEXR files carry the second they were written in.
+std::string withoutDate(std::string exr) {
+    const std::string name = "capDate";
+    const std::size_t at = exr.find(name);
+    if (at != std::string::npos) exr.erase(at, name.size() + 1 + 7 + 4 + 19);
+    return exr;
+}
+
+}  // namespace
+
+class RenderTest : public CommandTest {};
+INSTANTIATE_TEST_SUITE_P(Places, RenderTest, testing::ValuesIn(places()), placeName);
+
+TEST_P(RenderTest, FromNothingToAWall) {
+    const std::string height = makeRelief("bricks", "x.png");
+    EXPECT_EQ(runFine({"render", "--height", height, "--scene", "wall", "-o", path("y.png")}), "");
+    EXPECT_EQ(read("y.png").substr(1, 3), "PNG");
+    const std::string info = runFine({"info", path("y.png")});
+    EXPECT_NE(info.find("800 x 600"), std::string::npos) << info;
+    EXPECT_EQ(files(), (std::vector<std::string>{"x.png", "y.png"}));
+}
+
+TEST_P(RenderTest, EveryReliefIsMadeTheSameTwice) {
+    const Json list = Json::parse(runFine({"list", "--json"}));
+    ASSERT_EQ(list["reliefs"].size(), 10U);
+    for (const Json& relief : list["reliefs"]) {
+        const std::string name = relief["name"];
+        const std::vector<std::string> size =
+            relief["any_size"] ? std::vector<std::string>{"--size", "33x17"} : std::vector<std::string>{};
+        makeRelief(name, "a.png", size);
+        makeRelief(name, "b.png", size);
+        EXPECT_EQ(read("a.png"), read("b.png")) << name;
+    }
+    makeRelief("fractal", "a.exr", {"--seed", "18446744073709551615"});
+    makeRelief("fractal", "b.exr", {"--seed", "2"});
+    EXPECT_NE(read("a.exr"), read("b.exr"));
+    const std::string info = runFine({"info", path("a.exr")});
+    EXPECT_NE(info.find("float"), std::string::npos) << info;
+    EXPECT_NE(runFine({"info", path("a.png")}).find("uint16"), std::string::npos);
+    expectRefusal({"make", "bricks", "-o", path("a.jpg")}, 2, {path("a.jpg"), ".png"});
+    expectRefusal({"make", "bricks", "-o", path("no/a.png")}, 1, {path("no/a.png")});
+}
+
+TEST_P(RenderTest, SameBytesForAnyNumberOfThreads) {
+    const std::string height = makeRelief("city", "h.png", {"--size", "96"});
+    for (const std::string scene : {"floor", "wall", "cube"}) {
+        runFine({"render", "--height", height, "--scene", scene, "--size", "200x150", "--threads", "1", "-o",
+                 path("one.exr")});
+        runFine({"render", "--height", height, "--scene", scene, "--size", "200x150", "--threads", "2", "-o",
+                 path("two.exr")});
+        EXPECT_TRUE(withoutDate(read("one.exr")) == withoutDate(read("two.exr"))) << scene;
+    }
+}
+
+TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
+    const std::string height = makeRelief("columns", "h.png", {"--size", "64"});
+    runFine({"render", "--height", height, "--scene", "cube", "--size", "120x90", "-o", path("p.png"), "--report",
+             path("r.json")});
+    const Json report = Json::parse(read("r.json"));
+    EXPECT_EQ(report["tool"], "relief");
+    EXPECT_EQ(report["scenario"]["scene"], "cube");
+    EXPECT_EQ(report["counters"]["polygons"], 6);
+    EXPECT_GE(report["counters"]["polygons culled: facing away"].get<double>(), 3);
+    EXPECT_EQ(report["counters"]["polygons culled: off screen"], 0);
+    EXPECT_GT(report["counters"]["rays traced"].get<double>(), 0);
+    EXPECT_GT(report["counters"]["steps"].get<double>(), 0);
+    EXPECT_TRUE(report["counters"].contains("rays not needed: the start is the highest point"));
+    EXPECT_EQ(report["maps"]["builds"], 1);
+    EXPECT_GE(report["maps"]["build_seconds"].get<double>(), 0);
+    EXPECT_GT(report["seconds"]["total"].get<double>(), 0);
+    EXPECT_EQ(report["stages"].size(), 4U);
+    for (const Json& stage : report["stages"]) EXPECT_EQ(stage["reused"], false);
+    const Json again =
+        Json::parse(runFine({"render", "--height", height, "--size", "40x30", "-o", path("p.png"), "--report", "-"}));
+    EXPECT_EQ(again["scenario"]["size"], (Json{40, 30}));
+}
+
+TEST_P(RenderTest, AScenarioComesBack) {
+    const std::string height = makeRelief("hills", "h.png", {"--size", "64"});
+    runFine({"render",
+             "--height",
+             height,
+             "--scene",
+             "wall",
+             "--camera",
+             "elevation=12.5,azimuth=-30,distance=1.25",
+             "--light",
+             "azimuth=10,ambient=0.5",
+             "--relief-depth",
+             "0.2",
+             "--address",
+             "clamp",
+             "--surface",
+             "columns",
+             "--size",
+             "100x80",
+             "-o",
+             path("first.png"),
+             "--report",
+             path("r.json")});
+    const std::string scenario = write("вид.json", Json::parse(read("r.json"))["scenario"].dump());
+    runFine({"render", scenario, "-o", path("second.png")});
+    EXPECT_EQ(read("first.png"), read("second.png"));
+    // An option lies over the scenario, the rest of it stays.
+    const Json report =
+        Json::parse(runFine({"render", scenario, "--scene", "floor", "-o", path("third.png"), "--report", "-"}));
+    EXPECT_EQ(report["scenario"]["scene"], "floor");
+    EXPECT_EQ(report["scenario"]["relief"]["depth"], 0.2);
+    EXPECT_NE(read("first.png"), read("third.png"));
+    const std::string info = runFine({"info", scenario});
+    EXPECT_NE(info.find("max-pyramid"), std::string::npos) << info;
+    EXPECT_NE(info.find("100 x 80"), std::string::npos) << info;
+    expectRefusal({"render", path("none.json"), "-o", path("p.png")}, 2, {path("none.json"), "no such file"});
+    expectRefusal({"render", write("bad.json", "{\n\"reliefscope\": 1,\n"), "-o", path("p.png")}, 2,
+                  {path("bad.json"), "line"});
+    expectRefusal({"render", write("odd.json", "{\"reliefscope\": 1,\n\"sceen\": \"wall\"}"), "-o", path("p.png")}, 2,
+                  {path("odd.json"), "line 2", "sceen"});
+}
+
+TEST_P(RenderTest, TheTraceOfAPixelIsWhatTheLayersHold) {
+    const std::string height = makeRelief("bricks", "h.png", {"--size", "64"});
+    runFine({"render", "--height", height, "--size", "60x40", "-o", path("layers.exr"), "--layers",
+             "color,depth,uv,normal,steps,outcome"});
+    const std::string info = runFine({"info", path("layers.exr"), "--channel", "steps.Y", "--range", "0,999"});
+    for (const std::string name : {"R, G, B", "depth.Z", "uv.u", "normal.X", "steps.Y", "outcome.Y"}) {
+        EXPECT_NE(info.find(name), std::string::npos) << info;
+    }
+    expectRefusal({"render", "--height", height, "-o", path("x.exr"), "--layers", "colour"}, 2, {"colour", "color"});
+    expectRefusal({"render", "--height", height, "-o", path("x.png"), "--layers", "color"}, 2, {path("x.png"), ".exr"});
+}
+
+TEST_P(RenderTest, AProceduralReliefNeedsNoFile) {
+    const std::string height = makeRelief("pits", "h.exr", {"--size", "48x32", "--seed", "5"});
+    runFine({"render", "--height", height, "--size", "60x40", "-o", path("a.png")});
+    runFine({"render", "--relief", "pits:48x32:5", "--size", "60x40", "-o", path("b.png")});
+    EXPECT_EQ(read("a.png"), read("b.png"));
+    expectRefusal({"render", "--relief", "pits:48", "-o", path("b.png")}, 2, {"--relief"});
+    expectRefusal({"render", "--relief", "moon", "-o", path("b.png")}, 2, {"--relief", "moon"});
+}
+
+TEST_P(RenderTest, OldOutputsSurviveFailures) {
+    const std::string height = makeRelief("fractal", "h.png");
+    for (const std::string name : {"p.png", "p.jpg", "p.tif", "p.exr", "p.hdr"}) {
+        write(name, "old");
+        const auto before = files();
+        RunSetup small;
+        small.largestFile = 2048;
+        expectRefusal({"render", "--height", height, "-o", path(name)}, 1, {path(name)}, small);
+        EXPECT_EQ(read(name), "old");
+        EXPECT_EQ(files(), before);
+    }
+    expectRefusal({"render", "--height", height, "-o", path("no/p.png")}, 1, {path("no/p.png")});
+    expectRefusal({"render", "--height", height, "-o", path("p.gif7")}, 2, {path("p.gif7"), ".png"});
+    expectRefusal({"render", "--height", height, "-o", path("p")}, 2, {".png"});
+    std::filesystem::create_directory(path("d.png"));
+    expectRefusal({"render", "--height", height, "-o", path("d.png")}, 1, {path("d.png"), "directory"});
+}
+
+TEST_P(RenderTest, ComparedPictures) {
+    const std::string height = makeRelief("bricks", "h.png", {"--size", "64"});
+    runFine({"render", "--height", height, "--size", "80x60", "-o", path("a.png")});
+    runFine({"render", "--height", height, "--size", "80x60", "--tracer", "exact", "-o", path("b.png")});
+    runFine({"render", "--height", height, "--size", "80x60", "--relief-depth", "0.3", "-o", path("c.png")});
+    EXPECT_EQ(runFine({"compare", path("a.png"), path("a.png")}), "RMSE 0\nPSNR inf\nFLIP 0\n");
+    EXPECT_EQ(runFine({"compare", path("a.png"), path("b.png")}), "RMSE 0\nPSNR inf\nFLIP 0\n");
+    const auto out = lines(runFine({"compare", path("a.png"), path("c.png"), "-o", path("e.png")}));
+    ASSERT_EQ(out.size(), 3U);
+    EXPECT_EQ(out[0].substr(0, 7), "RMSE 0.");
+    EXPECT_EQ(out[2].substr(0, 7), "FLIP 0.");
+    EXPECT_EQ(read("e.png").substr(1, 3), "PNG");
+    runFine({"render", "--height", height, "--size", "81x60", "-o", path("d.png")});
+    expectRefusal({"compare", path("a.png"), path("d.png")}, 2, {path("d.png"), "81 x 60", "80 x 60"});
+    expectRefusal({"compare", path("a.png"), path("none.png")}, 2, {path("none.png")});
+    expectRefusal({"compare", path("a.png"), path("c.png"), "-o", path("no/e.png")}, 1, {path("no/e.png")});
+}
+
+TEST_P(RenderTest, TheListIsComplete) {
+    const Json list = Json::parse(runFine({"list", "--json"}));
+    std::vector<std::string> tracers;
+    for (const Json& tracer : list["tracers"]) {
+        tracers.push_back(tracer["name"]);
+        for (const char* key : {"help", "guarantee", "surfaces", "rays", "maps", "options"}) {
+            EXPECT_TRUE(tracer.contains(key)) << key;
+        }
+    }
+    const std::string text = runFine({"list"});
+    for (const std::string name : {"exact", "max-pyramid", "max-pyramid-paper"}) {
+        EXPECT_NE(std::find(tracers.begin(), tracers.end(), name), tracers.end()) << name;
+        EXPECT_NE(text.find("\n  " + name + "\n"), std::string::npos) << name;
+    }
+    EXPECT_NE(text.find("paper8x8"), std::string::npos);
+    EXPECT_NE(text.find("relief-depth"), std::string::npos);
+    EXPECT_FALSE(list["numbers"].empty());
+}
+
+}  // namespace relief::test

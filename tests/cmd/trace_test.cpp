@@ -1,0 +1,227 @@
+// relief trace: files in, files out, exactly as scripts rely on it.
+#include <charconv>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "command_test.h"
+
+namespace relief::test {
+
+namespace {
+
+double number(const std::string& text) {
+    double value = std::nan("");
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    EXPECT_TRUE(error == std::errc() && end == text.data() + text.size()) << text;
+    return value;
+}
+
+std::string seventeen(double value) {
+    char buffer[64];
+    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 17);
+    EXPECT_TRUE(error == std::errc());
+    return {buffer, end};
+}
+
+}  // namespace
+
+class TraceTest : public CommandTest {
+  protected:
+    std::string height() const { return makeRelief("bricks", "height.png", {"--size", "64x48"}); }
+};
+INSTANTIATE_TEST_SUITE_P(Places, TraceTest, testing::ValuesIn(places()), placeName);
+
+TEST_P(TraceTest, HitsAreAsPromised) {
+    const std::string rays = write("rays.csv", "s0,t0,a,b\n3.25,4.5,0,0\n1,2,10.5,-7\n-1000.5,1e3,1e5,3e-1\n");
+    const std::string field = height();
+    for (const std::string tracer : {"exact", "max-pyramid", "max-pyramid-paper"}) {
+        const auto out = lines(runFine({"trace", "--height", field, "--tracer", tracer, "--rays", rays}));
+        ASSERT_EQ(out.size(), 4U);
+        EXPECT_EQ(out[0], "outcome,lambda,s,t,steps");
+        const double given[3][4] = {{3.25, 4.5, 0, 0}, {1, 2, 10.5, -7}, {-1000.5, 1e3, 1e5, 3e-1}};
+        for (std::size_t r = 0; r < 3; ++r) {
+            const auto f = fields(out[r + 1]);
+            ASSERT_EQ(f.size(), 5U) << out[r + 1];
+            EXPECT_EQ(f[0], "hit");
+            const double lambda = number(f[1]);
+            EXPECT_GE(lambda, 0);
+            EXPECT_LE(lambda, 1);
+            // Unwrapped, and the very doubles: 17 digits read back and print the same.
+            EXPECT_DOUBLE_EQ(number(f[2]), given[r][0] + lambda * given[r][2]);
+            EXPECT_DOUBLE_EQ(number(f[3]), given[r][1] + lambda * given[r][3]);
+            for (int c = 1; c <= 3; ++c) {
+                EXPECT_EQ(f[static_cast<std::size_t>(c)], seventeen(number(f[static_cast<std::size_t>(c)])));
+            }
+            EXPECT_GE(number(f[4]), 1);
+        }
+    }
+}
+
+TEST_P(TraceTest, MissesLeaveTheirFieldsEmpty) {
+    const std::string rays = write("rays.csv", "s0,t0,a,b\n-5,4,1,1\n32,24,0,0\n");
+    const auto out = lines(runFine({"trace", "--height", height(), "--address", "border", "--rays", rays}));
+    ASSERT_EQ(out.size(), 3U);
+    EXPECT_EQ(out[1].substr(0, 8), "miss,,,,");
+    EXPECT_EQ(out[2].substr(0, 4), "hit,");
+}
+
+TEST_P(TraceTest, LineEndsMarksAndStandardInput) {
+    const std::string field = height();
+    const std::string plain = "s0,t0,a,b\n1,2,3,4\n5,6,-7,8e0\n";
+    const std::string expected = runFine({"trace", "--height", field, "--rays", write("a.csv", plain)});
+    for (const std::string text :
+         {"s0,t0,a,b\r\n1,2,3,4\r\n5,6,-7,8e0\r\n", "s0,t0,a,b\n1,2,3,4\n5,6,-7,8e0",
+          "s0,t0,a,b\n1,2,3,4\n5,6,-7,8e0\n\n", "\xEF\xBB\xBFs0,t0,a,b\n1,2,3,4\n5,6,-7,8e0\n"}) {
+        EXPECT_EQ(runFine({"trace", "--height", field, "--rays", write("b.csv", text)}), expected) << text;
+        RunSetup setup;
+        setup.input = text;
+        EXPECT_EQ(runFine({"trace", "--height", field, "--rays", "-"}, setup), expected) << text;
+    }
+    EXPECT_EQ(runFine({"trace", "--height", field, "--rays", write("c.csv", "s0,t0,a,b\n")}),
+              "outcome,lambda,s,t,steps\n");
+    EXPECT_EQ(runFine({"trace", "--height", field, "--rays", path("a.csv"), "-o", path("hits.csv")}), "");
+    EXPECT_EQ(read("hits.csv"), expected);
+}
+
+TEST_P(TraceTest, BadRaysAreNamedByLine) {
+    const std::string field = height();
+    write("hits.csv", "old\n");
+    const auto refuse = [&](const std::string& text, const std::vector<std::string>& parts) {
+        std::vector<std::string> all = parts;
+        const std::string rays = write("rays.csv", text);
+        all.push_back(rays);
+        expectRefusal({"trace", "--height", field, "--rays", rays, "-o", path("hits.csv")}, 2, all);
+        EXPECT_EQ(read("hits.csv"), "old\n");
+    };
+    refuse("", {});
+    refuse("1,2,3,4\n", {"line 1", "s0,t0,a,b"});
+    refuse("s0;t0;a;b\n1;2;3;4\n", {"line 1"});
+    refuse("s0,t0,a,b\n1,2,3,4\n1,2,3\n", {"line 3"});
+    refuse("s0,t0,a,b\n1,2,3,4,5\n", {"line 2"});
+    refuse("s0,t0,a,b\n1,2,3,4\n\n1,2,3,4\n", {"line 3"});
+    refuse("s0,t0,a,b\r\n1,2,three,4\r\n", {"line 2", "three"});
+    refuse("s0,t0,a,b\n1,2,3,nan\n", {"line 2", "nan"});
+    refuse("s0,t0,a,b\n1,2,3,4\n1,2,inf,4\n", {"line 3", "inf"});
+    refuse("s0,t0,a,b\n1,2,3,1e999\n", {"line 2", "1e999"});
+    refuse("s0,t0,a,b\n1,5,2,5,3,5,4,5\n", {"line 2"});
+    refuse("s0,t0,a,b\n,,,\n", {"line 2"});
+    expectRefusal({"trace", "--height", field, "--rays", path("none.csv")}, 2, {path("none.csv")});
+    expectRefusal({"trace", "--height", field}, 2, {"--rays"});
+    expectRefusal({"trace", "--height", field, "--rays", "-", "--pixel", "1,1"}, 2, {"--rays", "--pixel"});
+    expectRefusal({"trace", "--height", field, "--pixel", "1"}, 2, {"--pixel"});
+    expectRefusal({"trace", "--height", field, "--pixel", "800,0"}, 2, {"800,0"});
+    expectRefusal({"trace", "--height", field, "--pixel", "1,1", "--steps", path("s.txt")}, 2, {".csv"});
+}
+
+TEST_P(TraceTest, FlatRaysGiveAnAnswer) {
+    const std::string rays =
+        write("rays.csv", "s0,t0,a,b\n0,0,1e7,1e7\n1e300,-1e300,1e300,0\n5,5,1e-320,4e-400\n0,0,-1048576,1048576\n");
+    const auto out = lines(runFine({"trace", "--height", height(), "--rays", rays}));
+    ASSERT_EQ(out.size(), 5U);
+    for (std::size_t r = 1; r < out.size(); ++r) {
+        EXPECT_EQ(fields(out[r]).size(), 5U) << out[r];
+        EXPECT_EQ(out[r].find("nan"), std::string::npos) << out[r];
+    }
+    EXPECT_EQ(fields(out[4])[0], "hit");
+}
+
+TEST_P(TraceTest, ThreadsDoNotMatter) {
+    std::string rays = "s0,t0,a,b\n";
+    for (int i = 0; i < 20000; ++i) {
+        rays += std::to_string(i % 97) + "," + std::to_string(i % 89) + "," + std::to_string(i % 301 - 150) + ".5," +
+                std::to_string(i % 211 - 105) + ".25\n";
+    }
+    write("rays.csv", rays);
+    const std::string field = height();
+    const std::string one = runFine({"trace", "--height", field, "--rays", path("rays.csv"), "--threads", "1"});
+    EXPECT_EQ(lines(one).size(), 20001U);
+    EXPECT_EQ(runFine({"trace", "--height", field, "--rays", path("rays.csv"), "--threads", "2"}), one);
+    EXPECT_EQ(runFine({"trace", "--height", field, "--rays", path("rays.csv")}), one);
+}
+
+TEST_P(TraceTest, StepsTellEveryDecision) {
+    const std::string field = height();
+    write("rays.csv", "s0,t0,a,b\n1,2,10,-7\n3,4,0,0\n");
+    const auto hits =
+        lines(runFine({"trace", "--height", field, "--rays", path("rays.csv"), "--steps", path("steps.csv")}));
+    const auto steps = lines(read("steps.csv"));
+    ASSERT_FALSE(steps.empty());
+    EXPECT_EQ(steps[0], "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after");
+    std::size_t line = 1;
+    for (std::size_t ray = 0; ray < 2; ++ray) {
+        const auto count = static_cast<std::size_t>(number(fields(hits[ray + 1])[4]));
+        for (std::size_t step = 1; step <= count; ++step, ++line) {
+            ASSERT_LT(line, steps.size());
+            const auto f = fields(steps[line]);
+            ASSERT_EQ(f.size(), 14U);
+            EXPECT_EQ(f[0], std::to_string(ray));
+            EXPECT_EQ(f[1], std::to_string(step));
+            EXPECT_DOUBLE_EQ(number(f[9]), 1 - number(f[7]));
+            if (step == count) {
+                EXPECT_EQ(f[12], "hit");
+                EXPECT_EQ(f[13], fields(hits[ray + 1])[1]);
+            }
+        }
+    }
+    EXPECT_EQ(line, steps.size());
+
+    runFine({"trace", "--height", field, "--rays", path("rays.csv"), "--steps", path("steps.json")});
+    const auto json = nlohmann::json::parse(read("steps.json"));
+    ASSERT_EQ(json.size(), steps.size() - 1);
+    for (std::size_t s = 0; s < json.size(); ++s) {
+        const auto f = fields(steps[s + 1]);
+        EXPECT_EQ(json[s]["ray"].get<int>(), static_cast<int>(number(f[0])));
+        EXPECT_EQ(json[s]["decision"].get<std::string>(), f[12]);
+        EXPECT_EQ(json[s]["lambda_after"].get<double>(), number(f[13]));
+    }
+    runFine({"trace", "--height", field, "--rays", write("none.csv", "s0,t0,a,b\n"), "--steps", path("none.json")});
+    EXPECT_TRUE(nlohmann::json::parse(read("none.json")).empty());
+}
+
+TEST_P(TraceTest, PixelsOfAView) {
+    const std::string field = height();
+    const std::vector<std::string> view{
+        "trace", "--height", field, "--scene", "floor", "--camera", "elevation=20,azimuth=10", "--size", "80x60"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = view;
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    };
+    const auto out =
+        lines(runFine(with({"--pixel", "40,30", "--pixel", "0,0", "--pixel", "41,30", "--steps", path("s.csv")})));
+    ASSERT_EQ(out.size(), 4U);
+    EXPECT_EQ(fields(out[1])[0], "hit");
+    EXPECT_EQ(out[2], "miss,,,,0") << "the sky";
+    EXPECT_EQ(fields(out[3])[0], "hit");
+    EXPECT_EQ(lines(runFine(with({"--pixel", "41,30"})))[1], out[3]);
+    for (const std::string& step : lines(read("s.csv"))) EXPECT_NE(step.substr(0, 2), "1,") << "a pixel without ray";
+}
+
+TEST_P(TraceTest, OutputsThatCannotBeWritten) {
+    const std::string field = height();
+    const std::string rays = write("rays.csv", "s0,t0,a,b\n1,2,10,-7\n");
+    expectRefusal({"trace", "--height", field, "--rays", rays, "-o", path("no/hits.csv")}, 1, {path("no/hits.csv")});
+    expectRefusal({"trace", "--height", field, "--rays", rays, "--steps", path("no/s.csv")}, 1, {path("no/s.csv")});
+    expectRefusal({"trace", "--height", field, "--rays", rays, "-o", path("")}, 1, {});
+    RunSetup full;
+    full.output = "/dev/full";
+    expectRefusal({"trace", "--height", field, "--rays", rays}, 1, {"standard output"}, full);
+    expectRefusal({"trace", "--help"}, 1, {"standard output"}, full);
+    expectRefusal({"list"}, 1, {"standard output"}, full);
+}
+
+TEST_P(TraceTest, InterruptedWorkLeavesNothingBehind) {
+    const std::string field = height();
+    write("hits.csv", "old\n");
+    const auto before = files();
+    RunSetup setup;
+    setup.interruptAfterMilliseconds = 300;
+    const Result result = run({"trace", "--height", field, "--rays", "-", "-o", path("hits.csv")}, setup);
+    EXPECT_EQ(result.status, 130);
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(files(), before);
+    EXPECT_EQ(read("hits.csv"), "old\n");
+}
+
+}  // namespace relief::test
