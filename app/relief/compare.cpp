@@ -85,8 +85,8 @@ void addCompareCommand(CLI::App& program, Commands& commands) {
         "RMSE is 0 to 1; PSNR is in decibel, inf where the pictures are equal; FLIP (Andersson et al. 2020) is 0 to 1, "
         "the mean of what a viewer notices who flips between the two.",
         "  relief compare exact.png pyramid.png -o error.png");
-    addText(*parser, "A", options->reference, "", "the reference", "Arguments");
-    addText(*parser, "B", options->test, "", "the other picture", "Arguments");
+    addArgument(*parser, "A", options->reference, "the reference");
+    addArgument(*parser, "B", options->test, "the other picture");
     addOutput(*parser, options->output,
               "picture of FLIP's error, grey, black 0, white 1: .png, .tif, .bmp, or .exr with the plain values");
     addText(*parser, "--pixels-per-degree", options->pixelsPerDegree, "N",

@@ -12,6 +12,7 @@ constexpr std::size_t kNameColumns = 28;
 HelpFormatter::HelpFormatter() {
     column_width(kNameColumns);
     label("Positionals", "Arguments");
+    label("SUBCOMMAND", "COMMAND");
 }
 
 // A command's description is its summary, a line break, its paragraph.
@@ -28,6 +29,16 @@ std::string HelpFormatter::make_description(const CLI::App* parser) const {
     std::string out = description.substr(0, end) + "\n";
     if (end != std::string::npos) out += "\n" + wrapped(description.substr(end + 1), kPageColumns) + "\n";
     return out + "\n";
+}
+
+// CLI11 parts groups by two empty lines.
+std::string HelpFormatter::make_help(const CLI::App* parser, std::string name, CLI::AppFormatMode mode) const {
+    return CLI::detail::find_and_replace(CLI::Formatter::make_help(parser, std::move(name), mode), "\n\n\n", "\n\n");
+}
+
+std::string HelpFormatter::make_option_usage(const CLI::Option* option) const {
+    const std::string name = make_option_name(option, true);
+    return option->get_option_text() == kNeeded ? name : "[" + name + "]";
 }
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {

@@ -7,11 +7,17 @@
 
 namespace relief::app {
 
+// The option text of arguments that cannot be left out: CLI11's own mark would complain about them before it looks for
+// misspelt options.
+inline constexpr const char* kNeeded = "needed";
+
 class HelpFormatter : public CLI::Formatter {
   public:
     HelpFormatter();
     std::string make_subcommand(const CLI::App* parser) const override;
     std::string make_description(const CLI::App* parser) const override;
+    std::string make_help(const CLI::App* parser, std::string name, CLI::AppFormatMode mode) const override;
+    std::string make_option_usage(const CLI::Option* option) const override;
     std::string make_option_desc(const CLI::Option* option) const override;
     std::string make_option_opts(const CLI::Option* option) const override;
 };

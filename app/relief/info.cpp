@@ -134,7 +134,7 @@ void addInfoCommand(CLI::App& program, Commands& commands) {
         "become heights in [0, 1]; of a scenario (.json), what it looks at and how. The reading options show what they "
         "would change.",
         "  relief info heights.png --channel R --range 0,200");
-    addText(*parser, "FILE", options->file, "", "a picture, or a scenario (.json)", "Arguments");
+    addArgument(*parser, "FILE", options->file, "a picture, or a scenario (.json)");
     options->reading.add(*parser);
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runInfo(*options, session); }});

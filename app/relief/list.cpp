@@ -89,6 +89,8 @@ std::string listJson() {
 std::string entry(const std::string& name, const std::string& text, std::size_t indent, std::size_t width) {
     std::string out = std::string(indent, ' ') + name;
     out.resize(std::max(out.size() + 2, indent + width), ' ');
+    // A name too long for its column has the text below it.
+    if (name.size() + 2 > width) out = std::string(indent, ' ') + name + "\n" + std::string(indent + width, ' ');
     const std::string lines = wrapped(text, kColumns - indent - width);
     for (const char c : lines) {
         out += c;
@@ -114,8 +116,7 @@ std::string optionText(const OptionDescription& option, const std::string& defau
 std::string methodText(const MethodDescription& method) {
     std::vector<std::string> surfaces;
     for (const Surface surface : method.surfaces) surfaces.emplace_back(surfaceName(surface));
-    std::string out = "  " + method.name + "\n";
-    out += entry("", method.title + ". " + method.help, 6, 0);
+    std::string out = entry(method.name, method.title + ". " + method.help, 2, 4);
     out += entry("guarantee", std::string(guaranteeName(method.guarantee)), 6, 12);
     out += entry("surfaces", joined(surfaces), 6, 12);
     out += entry("rays", std::string(rayClassName(method.rayClass)), 6, 12);

@@ -43,7 +43,7 @@ InputError usageError(const CLI::App& program, const Commands& commands, const C
     const MessageValue help("help", helpCommand(program));
     const std::string text = error.what();
     const std::string option = text.substr(0, text.find(':'));
-    if (error.get_name() == "ExtrasError") {
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
         const auto left = program.remaining(true);
         const std::string argument = left.empty() ? text : left.front();
         if (program.get_subcommands().empty() && !argument.starts_with("-")) {
@@ -54,8 +54,8 @@ InputError usageError(const CLI::App& program, const Commands& commands, const C
         }
         return InputError(argument, Message(MessageId::ArgumentUnknown, {help}));
     }
-    if (error.get_name() == "ArgumentMismatch") {
-        const bool missing = text.find("required") != std::string::npos;
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        const bool missing = text.find("missing") != std::string::npos;
         return InputError(option,
                           missing ? Message(MessageId::ValueMissing, {help}) : Message(MessageId::ArgumentRepeated));
     }
@@ -67,7 +67,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     program.set_help_flag("-h,--help", "this page")->group("General");
     // Once a command is chosen, the names of the others are ordinary words (a file may be called "list").
     program.require_subcommand(0, 1);
-    program.set_version_flag("--version", "relief " RELIEF_VERSION)->group("General");
+    program.set_version_flag("--version", "relief " RELIEF_VERSION, "name and version")->group("General");
     addLanguage(program);
     program.footer(
         "Examples:\n  relief make bricks -o bricks.png\n  relief render --height bricks.png --scene wall -o wall.png\n"

@@ -55,7 +55,7 @@ void addMakeCommand(CLI::App& program, Commands& commands) {
         "16-bit integers, .exr 32-bit floats. The recipes: " +
             names + "; relief list tells what each is.",
         "  relief make bricks --size 512 --seed 7 -o bricks.png");
-    addText(*parser, "RELIEF", options->relief, "", "name of the recipe", "Arguments");
+    addArgument(*parser, "RELIEF", options->relief, "name of the recipe");
     addOutput(*parser, options->output, "the height map: .png, .tif or .exr");
     addText(*parser, "--size", options->size, "N|WxH",
             "texels, 1 to " + std::to_string(kMaxPictureSide) + " a side; default: the recipe's own (256 mostly)",

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "help_formatter.h"
 #include "relief/describe.h"
 
 namespace relief::app {
@@ -11,6 +12,7 @@ CLI::App* addCommand(CLI::App& program, const std::string& name, const std::stri
                      const std::string& paragraph, const std::string& examples) {
     CLI::App* parser = program.add_subcommand(name, summary + "\n" + paragraph);
     parser->group("Commands");
+    parser->set_help_flag("-h,--help", "this page")->group("General");
     parser->footer("Example:\n" + examples);
     return parser;
 }
@@ -21,6 +23,10 @@ CLI::Option* addText(CLI::App& parser, const std::string& names, OptionText& tar
     CLI::Option* option = parser.add_option_function<std::string>(
         names, [&target](const std::string& text) { target = text; }, help);
     return option->type_name(kind)->group(group);
+}
+
+void addArgument(CLI::App& parser, const std::string& name, OptionText& target, const std::string& help) {
+    addText(parser, name, target, "", help, "Arguments")->option_text(kNeeded);
 }
 
 CLI::Option* addTexts(CLI::App& parser, const std::string& names, std::vector<std::string>& target,

@@ -23,6 +23,8 @@ CLI::App* addCommand(CLI::App& program, const std::string& name, const std::stri
 // An option that takes one value; nothing where it was not given.
 CLI::Option* addText(CLI::App& parser, const std::string& names, OptionText& target, const std::string& kind,
                      const std::string& help, const std::string& group);
+// One that is known by its place and cannot be left out.
+void addArgument(CLI::App& parser, const std::string& name, OptionText& target, const std::string& help);
 // One that may be repeated.
 CLI::Option* addTexts(CLI::App& parser, const std::string& names, std::vector<std::string>& target,
                       const std::string& kind, const std::string& help, const std::string& group);
