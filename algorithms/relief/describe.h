@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -78,6 +79,19 @@ double parseNumber(std::string_view text, const std::string& subject);
 // Checks the text against kind, range and choices; throws InputError naming the option.
 void checkOption(const OptionDescription& option, const std::string& text);
 
+// Checks the text and puts its value into the member.
+template <class Options>
+void assignOption(const OptionField<Options>& field, const std::string& text, Options& options) {
+    checkOption(field.description, text);
+    if (const auto* integer = std::get_if<int Options::*>(&field.member)) {
+        options.*(*integer) = static_cast<int>(parseNumber(text, field.description.name));
+    } else if (const auto* real = std::get_if<double Options::*>(&field.member)) {
+        options.*(*real) = parseNumber(text, field.description.name);
+    } else {
+        options.*(std::get<std::string Options::*>(field.member)) = text;
+    }
+}
+
 // The plain struct from what was given; unknown names and values out of range are errors.
 template <class Options>
 Options parseOptions(const std::string& method, const OptionValues& values) {
@@ -95,14 +109,7 @@ Options parseOptions(const std::string& method, const OptionValues& values) {
                                                                        {"name", name},
                                                                        {"known", known.empty() ? "none" : known}}));
         }
-        checkOption(found->description, text);
-        if (const auto* integer = std::get_if<int Options::*>(&found->member)) {
-            options.*(*integer) = static_cast<int>(parseNumber(text, name));
-        } else if (const auto* real = std::get_if<double Options::*>(&found->member)) {
-            options.*(*real) = parseNumber(text, name);
-        } else {
-            options.*(std::get<std::string Options::*>(found->member)) = text;
-        }
+        if constexpr (!std::is_empty_v<Options>) assignOption(*found, text, options);
     }
     return options;
 }
@@ -110,18 +117,19 @@ Options parseOptions(const std::string& method, const OptionValues& values) {
 // Descriptions and defaults of the fields, for the method's own description.
 template <class Options>
 void describeOptions(MethodDescription& method) {
+    if constexpr (std::is_empty_v<Options>) return;
     const Options defaults;
     for (const auto& field : Options::fields()) {
         method.options.push_back(field.description);
-        std::string text;
-        if (const auto* integer = std::get_if<int Options::*>(&field.member)) {
-            text = std::to_string(defaults.*(*integer));
-        } else if (const auto* real = std::get_if<double Options::*>(&field.member)) {
-            text = numberText(defaults.*(*real));
-        } else {
-            text = defaults.*(std::get<std::string Options::*>(field.member));
-        }
-        method.defaults[field.description.name] = text;
+        method.defaults[field.description.name] = std::visit(
+            [&](auto member) -> std::string {
+                const auto& value = defaults.*member;
+                if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+                    return value;
+                else
+                    return MessageValue("", value).text;
+            },
+            field.member);
     }
 }
 
