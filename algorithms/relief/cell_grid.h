@@ -131,6 +131,9 @@ struct CellGrid {
           bounded(field.address() == Address::Border) {}
 };
 
+// Cells that a ray flatter than the domain is followed through before it is given up as Limit.
+inline constexpr double kFlatCells = 65536;
+
 // A ray in cell coordinates.
 struct GridRay {
     RayAxis x;
@@ -143,8 +146,10 @@ struct GridRay {
         if (!grid.bounded) return false;
         return !(x.start >= grid.x.low && x.start <= grid.x.high && y.start >= grid.y.low && y.start <= grid.y.high);
     }
-    // Cells crossed at most, capped where rays are flatter than the domain (kMaxRun in each axis).
-    double cellBound() const { return std::min(std::abs(x.run) + std::abs(y.run), 2 * kMaxRun) + 4; }
+    // Whether the ray is no flatter than the domain of exactness.
+    bool inDomain() const { return x.run * x.run + y.run * y.run <= kMaxRun * kMaxRun; }
+    // Cells crossed at most; flatter rays are given up after kFlatCells, or a million of them would take days.
+    double cellBound() const { return inDomain() ? std::abs(x.run) + std::abs(y.run) + 4 : kFlatCells; }
 };
 
 // The part of [0, 1] during which the ray is in a box of cells; it is really inside only if in < out: a stay of no

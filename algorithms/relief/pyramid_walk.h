@@ -68,11 +68,6 @@ class PyramidWalk {
         node.y.index >>= 1;
     }
 
-    // Beyond the domain of exactness a ray walks from its very start, and ends at the step bound at the latest.
-    static bool inDomain(const GridRay& ray) {
-        return std::abs(ray.x.run) <= 2 * kMaxRun && std::abs(ray.y.run) <= 2 * kMaxRun;
-    }
-
     // The top node (the whole texture, in one of its periods) in which the ray is at and just after lambda; lambda is 0
     // or the ray in the domain.
     PyramidNode topNode(const GridRay& ray, double lambda) const {
@@ -203,7 +198,8 @@ PyramidStart pyramidStart(const PyramidWalk& walk, const GridRay& ray, Sink& sin
         return start;
     }
     // Not quite to it: what the leaf's rounding could still call a hit is left to the leaf.
-    if (PyramidWalk::inDomain(ray)) start.lambda = std::max(0.0, 1 - highest - kExclusionMargin);
+    // Beyond the domain of exactness a ray walks from its very start, to the step bound at the latest.
+    if (ray.inDomain()) start.lambda = std::max(0.0, 1 - highest - kExclusionMargin);
     if (start.lambda > 0) {
         if (walk.grid().bounded && walk.exit(ray, top, start.node).first() <= start.lambda) {
             const double out = walk.exit(ray, top, start.node).first();

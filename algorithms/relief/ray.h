@@ -12,7 +12,8 @@
 
 namespace relief {
 
-// Horizontal run (texels) up to which tracers are exact; flatter rays keep the step bound and may answer Limit.
+// Horizontal run, hypot(a, b) in texels, up to which tracers are exact; flatter rays keep the step bound and may answer
+// Limit.
 inline constexpr double kMaxRun = 1048576.0;
 
 // A ray that descends: enters the top plane at (s0, t0), runs (a, b) texels a unit of descent; vertical: a = b = 0.
