@@ -2,57 +2,36 @@
 // the render worker. Views look at it and ask it for changes; they never talk to each other.
 //
 // Everything that computes runs on the worker's thread; the latest request wins. Results carry the version of the
-// scenario they were made from, and arrive together, so that panes never mix two states.
+// scenario they were made from, and arrive together, so that panes never mix two states. Pictures are loaded before
+// they become part of the scenario; whatever turns out impossible later takes the scenario back to the last state that
+// was shown: window and scenario never disagree.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
-#include <QImage>
 #include <QObject>
 #include <QString>
 
-#include "images/pyramid.h"
-#include "relief/maps/max_pyramid_map.h"
-#include "relief/tracers.h"
-#include "rendering/frame.h"
-#include "scenario/scenario.h"
+#include "drawings/style.h"
+#include "workspace/history.h"
+#include "workspace/snapshot.h"
 
 namespace reliefui {
 
-// The chosen pixel's ray as the production tracer logged it.
-struct PixelTrace {
-    relief::PixelChoice pixel;
-    bool onRelief = false;  // false: no polygon covers the pixel; the rest is empty then
-    relief::ViewRay ray;
-    relief::Hit hit;
-    std::vector<relief::Step> steps;
-    std::uint32_t reads = 0;
-};
-
-// One state of everything on screen. Immutable, shared.
-struct Snapshot {
-    std::uint64_t version = 0;  // of the scenario
-    relief::Scenario scenario;
-    relief::Assets assets;
-    std::shared_ptr<const relief::FrameRequest> request;
-    bool coarse = false;                          // drawn at a fraction of the size while something is dragged
-    std::shared_ptr<const relief::Frame> frame;   // of the coarse size, if coarse
-    QImage picture;                               // the frame as shown; its size is the frame's
-    PixelTrace trace;                             // in full-size pixels, also when coarse
-    std::shared_ptr<const relief::MaxPyramidMap> maxima;   // over the cells of the field
-    std::shared_ptr<const relief::Pyramid> means;          // over the texels
-};
-
 class RenderWorker;
+struct LoadResult;
+struct RenderFailure;
 
 class Workspace : public QObject {
     Q_OBJECT
   public:
     explicit Workspace(QObject* parent = nullptr);
     ~Workspace() override;
+
+    // The first scenario. `store`: pictures that are loaded already.
+    void start(const relief::Scenario& scenario, relief::AssetStore store = {});
 
     const relief::Scenario& scenario() const { return scenario_; }
     std::uint64_t version() const { return version_; }
@@ -61,18 +40,25 @@ class Workspace : public QObject {
 
     // A new scenario value. Changes with the same non-empty mergeKey in a row (a drag) become one step of undo. While
     // `live`, a coarse picture is drawn first. An impossible value is refused with problem() and changes nothing.
-    void change(const relief::Scenario& scenario, const QString& what, const QString& mergeKey = {},
-                bool live = false);
+    void change(const relief::Scenario& scenario, const QString& what, const QString& mergeKey = {}, bool live = false);
     // Ends a run of merged changes (mouse released): the full picture is drawn.
     void settle();
-    // Chooses a pixel (clamped to the picture) or a step of its ray. Part of the undo history as well.
+    // Chooses a pixel (clamped to the picture; its last step becomes the chosen one) or a step of its ray. Part of the
+    // undo history as well.
     void choosePixel(int x, int y);
     void chooseStep(int step);
 
-    bool canUndo() const;
-    bool canRedo() const;
-    QString undoText() const;
-    QString redoText() const;
+    // What the result view shows of the frame; not part of the scenario.
+    Layer layer() const { return layer_; }
+    void setLayer(Layer layer);
+    // How panes are drawn (theme, projector, language); not part of the scenario.
+    const Style& style() const { return style_; }
+    void setStyle(const Style& style);
+
+    bool canUndo() const { return past_.canUndo(); }
+    bool canRedo() const { return past_.canRedo(); }
+    QString undoText() const { return canUndo() ? past_.current().what : QString(); }
+    QString redoText() const { return canRedo() ? past_.redone().what : QString(); }
 
     // Opens a picture (height map) or a scenario file (.json). On an error: problem(), everything as it was.
     void open(const QString& path);
@@ -86,18 +72,53 @@ class Workspace : public QObject {
     void cancel();
 
   signals:
-    void scenarioChanged();                                  // at once, before anything is computed
-    void snapshotChanged();                                  // a new state is on screen
-    void stepChanged(int step);                              // only the chosen step changed
-    void progress(const QString& what, double fraction);     // fraction < 0: done
-    void problem(const QString& oneLine);                    // to be shown; nothing changed
+    void scenarioChanged();                               // at once, before anything is computed
+    void snapshotChanged();                               // a new state is on screen
+    void stepChanged(int step);                           // only the chosen step changed
+    void styleChanged();                                  // repaint
+    void progress(const QString& what, double fraction);  // fraction < 0: done
+    void problem(const QString& oneLine);                 // to be shown; nothing changed
+    void notice(const QString& oneLine);                  // to be shown; what was done to the pictures
+    void opened(const QString& path);                     // a file was opened
+    void busyChanged(bool busy);
 
   private:
-    struct Past;
+    enum class Action : std::uint8_t { Start, Open, Change, Undo, Redo };
+    // What happens when the pictures that it needs are loaded.
+    struct Pending {
+        std::uint64_t id = 0;
+        Action action = Action::Change;
+        relief::Scenario scenario;
+        QString what;
+        QString mergeKey;
+        QString path;
+    };
+
+    void load(Pending pending);
+    void finishLoad(const LoadResult& result);
+    void accept(const Pending& pending);
+    void apply(const relief::Scenario& scenario, bool live);
+    void travel(Action action);
+    void takeSnapshot(std::shared_ptr<const Snapshot> snapshot);
+    void fail(const RenderFailure& failure);
+    void goBack();
+    void requestRender(bool live);
+    void tellBusy();
+
     relief::Scenario scenario_;
     std::uint64_t version_ = 0;
+    std::uint64_t lastVersion_ = 0;  // versions that turned out impossible are not given again
+    bool toLastStep_ = false;        // the ray's last step becomes the chosen one when it is known
     std::shared_ptr<const Snapshot> snapshot_;
-    std::unique_ptr<Past> past_;
+    Layer layer_ = Layer::Color;
+    Style style_;
+    History past_;
+    History good_;  // as it was when window and scenario last agreed
+    std::uint64_t goodVersion_ = 0;
+    std::optional<Pending> pending_;
+    std::uint64_t lastLoad_ = 0;
+    bool waiting_ = false;  // for a full picture of the current version
+    bool toldBusy_ = false;
     std::unique_ptr<RenderWorker> worker_;
 };
 

@@ -1,0 +1,84 @@
+#include "arguments.h"
+
+#include <charconv>
+#include <string_view>
+
+#include "errors.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr const char* kHelp = "reliefscope --help";
+constexpr int kLargestSide = 16384;
+
+// "WxH"
+bool parseSize(std::string_view text, int& width, int& height) {
+    const std::size_t x = text.find('x');
+    if (x == std::string_view::npos) return false;
+    const auto whole = [](std::string_view part, int& value) {
+        const auto result = std::from_chars(part.data(), part.data() + part.size(), value);
+        return result.ec == std::errc() && result.ptr == part.data() + part.size() && value > 0 &&
+               value <= kLargestSide;
+    };
+    return whole(text.substr(0, x), width) && whole(text.substr(x + 1), height);
+}
+
+}  // namespace
+
+Arguments parseArguments(int count, char** arguments) {
+    Arguments parsed;
+    bool onlyFiles = false;
+    for (int i = 1; i < count; ++i) {
+        const std::string argument = arguments[i];
+        const auto value = [&] {
+            if (i + 1 >= count) throw InputError(argument, Message(MessageId::ValueMissing, {{"help", kHelp}}));
+            return std::string(arguments[++i]);
+        };
+        if (onlyFiles || argument.empty() || argument.front() != '-') {
+            if (!parsed.file.empty())
+                throw InputError(argument, Message(MessageId::ArgumentUnknown, {{"help", kHelp}}));
+            parsed.file = argument;
+            if (argument.empty()) throw InputError("", Message(MessageId::FileMissing));
+        } else if (argument == "--") {
+            onlyFiles = true;
+        } else if (argument == "-h" || argument == "--help") {
+            parsed.help = true;
+        } else if (argument == "--version") {
+            parsed.version = true;
+        } else if (argument == "--check-display") {
+            parsed.checkDisplay = true;
+        } else if (argument == "--screenshot") {
+            parsed.screenshot = value();
+        } else if (argument == "--size") {
+            const std::string size = value();
+            if (!parseSize(size, parsed.width, parsed.height)) {
+                throw InputError("--size", Message(MessageId::NotASize, {{"text", size}}));
+            }
+        } else {
+            throw InputError(argument, Message(MessageId::ArgumentUnknown, {{"help", kHelp}}));
+        }
+    }
+    return parsed;
+}
+
+std::string helpText() {
+    return R"(reliefscope: a window that explains why a pixel of a relief-textured picture looks as it does.
+
+Usage: reliefscope [SCENARIO.json | PICTURE] [options]
+
+  SCENARIO.json         what is looked at and how, as saved by the window
+  PICTURE               a height map: PNG, JPEG, TIFF, EXR, HDR, ...
+                        (none: the stone wall that comes with the program)
+
+  --size WxH            size of the window, pixels
+  --screenshot FILE     open the window, save it as a PNG, and end
+  --check-display       only say whether a window can be opened: exit status 0, or 2
+  --version, --help
+
+Exit status: 0 done, 1 the work failed, 2 bad usage or input, or no display.
+Example: reliefscope datasets/gray_rocks/height.png
+)";
+}
+
+}  // namespace relief::app

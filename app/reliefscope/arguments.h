@@ -1,0 +1,23 @@
+// What `reliefscope` is asked for.
+#pragma once
+
+#include <string>
+
+namespace relief::app {
+
+struct Arguments {
+    bool help = false;
+    bool version = false;
+    bool checkDisplay = false;
+    std::string file;        // scenario or picture; empty: the start
+    std::string screenshot;  // where to; empty: none
+    int width = 0;           // of the window; 0: as it likes
+    int height = 0;
+};
+
+// Throws InputError for what is not understood.
+Arguments parseArguments(int count, char** arguments);
+
+std::string helpText();
+
+}  // namespace relief::app

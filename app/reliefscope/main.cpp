@@ -1,0 +1,105 @@
+// The program `reliefscope`: the window. Everything that can be wrong with its arguments or its display is said in one
+// line before a window opens.
+#include <cstdio>
+#include <filesystem>
+
+#include <QApplication>
+
+#include "arguments.h"
+#include "errors.h"
+#include "windows/display_check.h"
+#include "windows/main_window.h"
+#include "windows/program.h"
+#include "workspace/language.h"
+#include "workspace/start_scenario.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr int kBadUsage = 2;
+
+struct Start {
+    Scenario scenario;
+    AssetStore pictures;  // loaded already where they were named by the user
+};
+
+bool endsInJson(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".json";
+}
+
+Start chosenStart(const std::string& file, const std::string& datasets) {
+    Start start;
+    start.scenario = reliefui::startScenario(datasets);
+    if (file.empty()) return start;
+    const std::string path = std::filesystem::absolute(file).lexically_normal().string();
+    try {
+        if (endsInJson(path)) {
+            start.scenario = loadScenario(path);
+        } else {
+            start.scenario.pictures = {};
+            start.scenario.pictures.height = path;
+        }
+        Work work;
+        start.pictures.load(start.scenario.pictures, work);
+    } catch (const InputError& error) {
+        // As it was typed.
+        if (error.subject() == path) throw InputError(file, error.message());
+        throw;
+    }
+    return start;
+}
+
+int run(int count, char** values, const Arguments& arguments) {
+    const std::string problem = reliefui::displayProblem();
+    if (!problem.empty()) {
+        std::fprintf(stderr, "relief: no window can be opened: %s\n", problem.c_str());
+        return kBadUsage;
+    }
+    if (arguments.checkDisplay) return 0;
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::string datasets = reliefui::datasetsFolder(program.parent_path().string());
+    Start start = chosenStart(arguments.file, datasets);
+
+    reliefui::prepareWindows();
+    QApplication application(count, values);
+    reliefui::dressApplication(application);
+    QApplication::setApplicationVersion(QStringLiteral(RELIEF_VERSION));
+    reliefui::Workspace workspace;
+    // Reads and draws while the window is being made.
+    workspace.start(start.scenario, std::move(start.pictures));
+    reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
+    if (arguments.width > 0) window.resize(arguments.width, arguments.height);
+    if (!arguments.screenshot.empty()) {
+        reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
+    }
+    window.show();
+    return QApplication::exec();
+}
+
+}  // namespace
+
+}  // namespace relief::app
+
+int main(int count, char** values) {
+    using namespace relief::app;
+    try {
+        const Arguments arguments = parseArguments(count, values);
+        if (arguments.help) {
+            std::fputs(helpText().c_str(), stdout);
+            return 0;
+        }
+        if (arguments.version) {
+            std::puts("reliefscope " RELIEF_VERSION);
+            return 0;
+        }
+        return run(count, values, arguments);
+    } catch (const relief::InputError& error) {
+        std::fprintf(stderr, "relief: %s\n", error.text(reliefui::uiLanguage()).c_str());
+        return kBadUsage;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "relief: %s\n", error.what());
+        return 1;
+    }
+}

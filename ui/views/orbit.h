@@ -1,0 +1,15 @@
+// Turning a camera around its target.
+#pragma once
+
+#include "rendering/camera.h"
+
+namespace reliefui {
+
+// The same view as an orbit around its target; free cameras become one.
+relief::Camera asOrbit(const relief::Camera& camera);
+// Turned by so many degrees; azimuth kept in (-180, 180], elevation short of the poles.
+relief::Camera turned(const relief::Camera& camera, double azimuth, double elevation);
+// Nearer (factor < 1) or further away.
+relief::Camera moved(const relief::Camera& camera, double factor);
+
+}  // namespace reliefui

@@ -1,0 +1,77 @@
+#include "windows/core_texts.h"
+
+#include <QCoreApplication>
+
+namespace reliefui {
+
+namespace {
+
+// Known to lupdate; looked up by their English text.
+[[maybe_unused]] const char* const kKnown[] = {
+    QT_TRANSLATE_NOOP("core", "Relief depth"),
+    QT_TRANSLATE_NOOP("core", "Elevation"),
+    QT_TRANSLATE_NOOP("core", "Azimuth"),
+    QT_TRANSLATE_NOOP("core", "Distance"),
+    QT_TRANSLATE_NOOP("core", "Fov"),
+    QT_TRANSLATE_NOOP("core", "Light azimuth"),
+    QT_TRANSLATE_NOOP("core", "Light elevation"),
+    QT_TRANSLATE_NOOP("core", "Ambient"),
+    QT_TRANSLATE_NOOP("core", "Intensity"),
+    QT_TRANSLATE_NOOP("core", "Width"),
+    QT_TRANSLATE_NOOP("core", "Height"),
+    QT_TRANSLATE_NOOP("core", "thickness of the relief slab"),
+    QT_TRANSLATE_NOOP("core", "how high the camera stands above the horizontal"),
+    QT_TRANSLATE_NOOP("core", "how far the camera has turned to the right, 0 in front"),
+    QT_TRANSLATE_NOOP("core", "from the camera to what it looks at"),
+    QT_TRANSLATE_NOOP("core", "vertical field of view"),
+    QT_TRANSLATE_NOOP("core", "where the light comes from, 0 in front"),
+    QT_TRANSLATE_NOOP("core", "how high the light stands"),
+    QT_TRANSLATE_NOOP("core", "share of the light that comes from everywhere"),
+    QT_TRANSLATE_NOOP("core", "strength of the light"),
+    QT_TRANSLATE_NOOP("core", "of the picture"),
+    QT_TRANSLATE_NOOP("core", "degrees"),
+    QT_TRANSLATE_NOOP("core", "texture widths"),
+    QT_TRANSLATE_NOOP("core", "texels"),
+    QT_TRANSLATE_NOOP("core", "pixels"),
+    QT_TRANSLATE_NOOP("core", "exact"),
+    QT_TRANSLATE_NOOP("core", "conservative"),
+    QT_TRANSLATE_NOOP("core", "approximate"),
+    QT_TRANSLATE_NOOP("core", "max-pyramid"),
+    QT_TRANSLATE_NOOP("core", "the texel that holds the point"),
+    QT_TRANSLATE_NOOP("core", "the four texels around the point, weighted by closeness"),
+    QT_TRANSLATE_NOOP("core", "Skips what lies below the ray by the pyramid of maxima; iterative, stackless."),
+    QT_TRANSLATE_NOOP("core", "Visits every cell under the ray; the reference."),
+    QT_TRANSLATE_NOOP("core", "Bilinear"),
+    QT_TRANSLATE_NOOP("core", "Columns"),
+    QT_TRANSLATE_NOOP("core", "Repeat"),
+    QT_TRANSLATE_NOOP("core", "Clamp"),
+    QT_TRANSLATE_NOOP("core", "Border"),
+    QT_TRANSLATE_NOOP("core", "Floor"),
+    QT_TRANSLATE_NOOP("core", "Wall"),
+    QT_TRANSLATE_NOOP("core", "Cube"),
+    QT_TRANSLATE_NOOP("core", "Nearest"),
+};
+
+}  // namespace
+
+QString coreText(const std::string& english) {
+    return QCoreApplication::translate("core", english.c_str());
+}
+
+QString controlTitle(const std::string& name) {
+    std::string title = name;
+    for (char& c : title) {
+        if (c == '-' || c == '_') c = ' ';
+    }
+    if (!title.empty() && title.front() >= 'a' && title.front() <= 'z') title.front() -= 'a' - 'A';
+    return coreText(title);
+}
+
+QString unitSuffix(const std::string& unit) {
+    if (unit.empty()) return {};
+    if (unit == "degrees") return QStringLiteral("°");
+    if (unit == "pixels") return QStringLiteral(" px");
+    return {};  // stands in the tool tip: the box would be as wide as the panel
+}
+
+}  // namespace reliefui

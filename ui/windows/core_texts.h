@@ -1,0 +1,18 @@
+// Names and helps that the algorithms describe themselves with, for people: in the language of the window where it
+// knows them, as they are where it does not (a method added later).
+#pragma once
+
+#include <string>
+
+#include <QString>
+
+namespace reliefui {
+
+// "relief-depth": "Relief depth".
+QString controlTitle(const std::string& name);
+// A help text or a unit.
+QString coreText(const std::string& english);
+// "degrees": "°"; others with a space before them.
+QString unitSuffix(const std::string& unit);
+
+}  // namespace reliefui

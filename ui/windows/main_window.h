@@ -1,0 +1,113 @@
+// The window: the result in the middle, the panes that explain it around, time below.
+#pragma once
+
+#include <vector>
+
+#include <QMainWindow>
+
+#include "workspace/workspace.h"
+
+class QDockWidget;
+class QMenu;
+
+namespace reliefui {
+
+class MessageBar;
+class PaneTitle;
+class PyramidView;
+class ResultView;
+class StatusLine;
+class StepBar;
+class StepTable;
+class TopBar;
+class Trace3dView;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+  public:
+    // datasets: the folder of the shipped pictures; may be empty.
+    MainWindow(Workspace* workspace, const QString& datasets, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    ResultView* result() { return result_; }
+    PyramidView* pyramid() { return pyramid_; }
+    Trace3dView* trace() { return trace_; }
+    StepTable* steps() { return steps_; }
+    MessageBar* messages() { return messages_; }
+    TopBar* topBar() { return topBar_; }
+    StatusLine* status() { return status_; }
+
+    // The drawn picture as it is, without marks; by its ending. False, and a message, if it cannot be written.
+    bool savePicture(const QString& path);
+
+  public slots:
+    void setProjector(bool on);
+    void setLightTheme(bool on);
+    void resetLayout();
+    void copyCommand();
+
+  protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    struct Pane {
+        QString title;
+        QWidget* whole = nullptr;  // the dock, or the middle
+        QWidget* focus = nullptr;
+        QDockWidget* dock = nullptr;
+    };
+
+    void makeResult();
+    void makePanes();
+    QDockWidget* addPane(const QString& title, const QString& name, QWidget* whole, QWidget* focus,
+                         Qt::DockWidgetArea area);
+    PaneTitle* titleOf(const QString& title, QWidget* whole);
+    void makeMessages();
+    void fill(QWidget* pane);
+    void focusPane(std::size_t number);
+
+    void makeMenus();
+    void makeFileMenu();
+    void makeEditMenu();
+    void makeViewMenu();
+    void makeRayMenu();
+    void makeHelpMenu();
+    QAction* addAction(QMenu* menu, const QString& text, const QKeySequence& keys, const QString& help);
+    void fillRecent();
+    void fillExamples(QMenu* menu);
+    void remember(const QString& path);
+    void refreshHistory();
+    void resultMenu(const QPoint& global);
+    void askOpen();
+    void askColor();
+    void askSaveScenario();
+    void askSavePicture();
+    void askPixel();
+    void showShortcuts();
+    void showAbout();
+
+    Workspace* workspace_;
+    QString datasets_;
+    ResultView* result_ = nullptr;
+    PyramidView* pyramid_ = nullptr;
+    Trace3dView* trace_ = nullptr;
+    StepTable* steps_ = nullptr;
+    StepBar* stepBar_ = nullptr;
+    MessageBar* messages_ = nullptr;
+    StatusLine* status_ = nullptr;
+    TopBar* topBar_ = nullptr;
+    std::vector<Pane> panes_;
+    QWidget* filled_ = nullptr;  // the pane that fills the window
+    QByteArray beforeFill_;
+    QByteArray beforeProjector_;
+    QMenu* recent_ = nullptr;
+    QAction* open_ = nullptr;
+    QAction* undo_ = nullptr;
+    QAction* redo_ = nullptr;
+    QAction* projector_ = nullptr;
+    QAction* copyCommand_ = nullptr;
+};
+
+}  // namespace reliefui

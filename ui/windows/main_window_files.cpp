@@ -1,0 +1,145 @@
+#include <algorithm>
+
+#include <QAction>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImageWriter>
+#include <QMenu>
+#include <QMimeData>
+#include <QSaveFile>
+#include <QSettings>
+#include <QStatusBar>
+#include <QUrl>
+
+#include "windows/main_window.h"
+#include "windows/pictures_box.h"
+#include "workspace/start_scenario.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kMostRecent = 10;
+constexpr int kMessageMs = 4000;
+
+QString recentKey() {
+    return QStringLiteral("recentFiles");
+}
+
+QStringList droppedFiles(const QMimeData* data) {
+    QStringList files;
+    for (const QUrl& url : data->urls()) {
+        if (url.isLocalFile()) files << url.toLocalFile();
+    }
+    return files;
+}
+
+}  // namespace
+
+void MainWindow::askOpen() {
+    const QString filter = tr("Height maps and scenarios") +
+                           QStringLiteral(" (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.bmp *.tga *.pgm *.json);;") +
+                           tr("All files") + QStringLiteral(" (*)");
+    const QString now = QString::fromStdString(workspace_->scenario().pictures.height);
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a height map or a scenario"),
+                                                      now.isEmpty() ? datasets_ : now, filter);
+    if (!path.isEmpty()) workspace_->open(path);
+}
+
+void MainWindow::askColor() {
+    const std::string& now = workspace_->scenario().pictures.color;
+    const QString path = askForPicture(this, tr("Open the colour picture of the relief"), QString::fromStdString(now));
+    if (path.isEmpty()) return;
+    relief::Scenario scenario = workspace_->scenario();
+    scenario.pictures.color = path.toStdString();
+    workspace_->change(scenario, tr("Colour"));
+}
+
+void MainWindow::askSaveScenario() {
+    QString path = QFileDialog::getSaveFileName(this, tr("Save scenario"), QStringLiteral("scenario.json"),
+                                                tr("Scenarios") + QStringLiteral(" (*.json)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
+    workspace_->save(path);
+    if (QFileInfo::exists(path)) remember(path);
+}
+
+void MainWindow::askSavePicture() {
+    QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), QStringLiteral("result.png"),
+                                                tr("Pictures") + QStringLiteral(" (*.png *.jpg *.bmp)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
+    savePicture(path);
+}
+
+bool MainWindow::savePicture(const QString& path) {
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot) return false;
+    QSaveFile file(path);
+    const QByteArray format = QFileInfo(path).suffix().toLatin1();
+    QImageWriter writer(&file, format);
+    const bool done = file.open(QIODevice::WriteOnly) && writer.write(snapshot->layer.image) && file.commit();
+    if (!done) {
+        const QString why = file.error() != QFileDevice::NoError ? file.errorString() : writer.errorString();
+        Q_EMIT workspace_->problem(tr("%1: cannot be written: %2").arg(path, why));
+    } else {
+        statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
+    }
+    return done;
+}
+
+void MainWindow::remember(const QString& path) {
+    QSettings settings;
+    QStringList files = settings.value(recentKey()).toStringList();
+    files.removeAll(path);
+    files.prepend(path);
+    settings.setValue(recentKey(), QStringList(files.mid(0, kMostRecent)));
+}
+
+void MainWindow::fillRecent() {
+    recent_->clear();
+    const QStringList files = QSettings().value(recentKey()).toStringList();
+    for (const QString& path : files) {
+        const QFileInfo file(path);
+        QAction* const action = recent_->addAction(file.dir().dirName() + '/' + file.fileName());
+        action->setToolTip(path);
+        connect(action, &QAction::triggered, this, [this, path] { workspace_->open(path); });
+    }
+    if (files.isEmpty()) recent_->addAction(tr("none yet"))->setEnabled(false);
+}
+
+void MainWindow::fillExamples(QMenu* menu) {
+    const QDir folder(datasets_);
+    const QStringList names = datasets_.isEmpty() ? QStringList() : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+    for (const QString& name : names) {
+        const relief::Pictures pictures = picturesIn(folder.filePath(name).toStdString());
+        if (pictures.height.empty()) continue;
+        QAction* const action = menu->addAction(name);
+        action->setToolTip(tr("Open these pictures, shipped with Reliefscope"));
+        connect(action, &QAction::triggered, this, [this, name, pictures] {
+            relief::Scenario scenario = workspace_->scenario();
+            scenario.pictures = pictures;
+            workspace_->change(scenario, tr("Open %1").arg(name));
+        });
+    }
+    menu->setEnabled(!menu->isEmpty());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!droppedFiles(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QStringList files = droppedFiles(event->mimeData());
+    if (files.isEmpty()) return;
+    event->acceptProposedAction();
+    if (files.size() > 1) {
+        Q_EMIT workspace_->problem(tr("One file at a time, please: a height map or a scenario"));
+        return;
+    }
+    workspace_->open(files.front());
+}
+
+}  // namespace reliefui

@@ -1,0 +1,251 @@
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDockWidget>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "views/result_painting.h"
+#include "views/result_view.h"
+#include "windows/main_window.h"
+#include "windows/scene_panel.h"
+#include "windows/status_line.h"
+#include "windows/step_bar.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kMessageMs = 4000;
+
+}  // namespace
+
+QAction* MainWindow::addAction(QMenu* menu, const QString& text, const QKeySequence& keys, const QString& help) {
+    auto* const action = new QAction(text, this);
+    action->setShortcut(keys);
+    const QString shown = keys.toString(QKeySequence::NativeText);
+    action->setToolTip(shown.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, shown));
+    action->setStatusTip(QString());
+    menu->addAction(action);
+    return action;
+}
+
+void MainWindow::makeMenus() {
+    makeFileMenu();
+    makeEditMenu();
+    makeViewMenu();
+    makeRayMenu();
+    makeHelpMenu();
+    for (QMenu* const menu : findChildren<QMenu*>()) menu->setToolTipsVisible(true);
+}
+
+void MainWindow::makeFileMenu() {
+    QMenu* const menu = menuBar()->addMenu(tr("&File"));
+    open_ = addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open a height map or a scenario"));
+    connect(open_, &QAction::triggered, this, &MainWindow::askOpen);
+    auto* const color = addAction(menu, tr("Open &colour…"), QKeySequence(QStringLiteral("Ctrl+Shift+O")),
+                                  tr("Open the colour picture of the relief"));
+    connect(color, &QAction::triggered, this, &MainWindow::askColor);
+    fillExamples(menu->addMenu(tr("&Examples")));
+    recent_ = menu->addMenu(tr("&Recent files"));
+    connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+    menu->addSeparator();
+    auto* const save = addAction(menu, tr("&Save scenario…"), QKeySequence::Save,
+                                 tr("Save what is looked at and how, to open it again"));
+    connect(save, &QAction::triggered, this, &MainWindow::askSaveScenario);
+    auto* const picture = addAction(menu, tr("Save &picture…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")),
+                                    tr("Save the picture of the result"));
+    connect(picture, &QAction::triggered, this, &MainWindow::askSavePicture);
+    menu->addSeparator();
+    auto* const quit = addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
+    connect(quit, &QAction::triggered, this, &QWidget::close);
+}
+
+void MainWindow::makeEditMenu() {
+    QMenu* const menu = menuBar()->addMenu(tr("&Edit"));
+    undo_ = addAction(menu, tr("&Undo"), QKeySequence(QStringLiteral("Ctrl+Z")), tr("Undo the last change"));
+    redo_ = addAction(menu, tr("&Redo"), QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Redo what was undone"));
+    undo_->setIconText(QStringLiteral("↶"));
+    redo_->setIconText(QStringLiteral("↷"));
+    connect(undo_, &QAction::triggered, workspace_, &Workspace::undo);
+    connect(redo_, &QAction::triggered, workspace_, &Workspace::redo);
+    menu->addSeparator();
+    copyCommand_ = addAction(menu, tr("&Copy as command"), QKeySequence(QStringLiteral("Ctrl+Shift+C")),
+                             tr("Copy the relief trace command of the chosen pixel"));
+    connect(copyCommand_, &QAction::triggered, this, &MainWindow::copyCommand);
+    auto* const copy = addAction(menu, tr("Copy &picture"), QKeySequence(QStringLiteral("Ctrl+Alt+C")),
+                                 tr("Copy the picture of the result"));
+    connect(copy, &QAction::triggered, this, [this] {
+        if (const auto snapshot = workspace_->snapshot()) QApplication::clipboard()->setImage(snapshot->layer.image);
+    });
+    menu->addSeparator();
+    auto* const cancel = addAction(menu, tr("C&ancel"), QKeySequence(Qt::Key_Escape), tr("Cancel what is running"));
+    connect(cancel, &QAction::triggered, workspace_, &Workspace::cancel);
+}
+
+void MainWindow::makeViewMenu() {
+    QMenu* const menu = menuBar()->addMenu(tr("&View"));
+    QMenu* const go = menu->addMenu(tr("&Go to"));
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        const QString number = QString::number(i + 1);
+        auto* const action = addAction(go, panes_[i].title, QKeySequence(number), tr("Go to this pane"));
+        connect(action, &QAction::triggered, this, [this, i] { focusPane(i); });
+    }
+    QMenu* const shown = menu->addMenu(tr("&Panes"));
+    for (const Pane& pane : panes_) {
+        if (pane.dock != nullptr) shown->addAction(pane.dock->toggleViewAction());
+    }
+    auto* const reset = addAction(menu, tr("Reset &layout"), {}, tr("Put the panes where they were at first"));
+    connect(reset, &QAction::triggered, this, &MainWindow::resetLayout);
+    menu->addSeparator();
+    auto* const whole = addAction(menu, tr("Show the &whole picture"), {}, tr("No zoom in the result (R there)"));
+    connect(whole, &QAction::triggered, result_, &ResultView::resetZoom);
+    auto* const light = addAction(menu, tr("Ligh&t theme"), {}, tr("Dark on light instead of light on dark"));
+    light->setCheckable(true);
+    connect(light, &QAction::toggled, this, &MainWindow::setLightTheme);
+    projector_ =
+        addAction(menu, tr("Pro&jector"), QKeySequence(Qt::Key_F11), tr("Full screen, large text, thick lines"));
+    projector_->setCheckable(true);
+    connect(projector_, &QAction::toggled, this, &MainWindow::setProjector);
+}
+
+void MainWindow::makeRayMenu() {
+    QMenu* const menu = menuBar()->addMenu(tr("&Ray"));
+    // Home, End and Space belong to the control in focus first: their actions show them, keyPressEvent() hears them.
+    const auto add = [&](const QString& text, const QKeySequence& keys, const QString& help, void (StepBar::*slot)()) {
+        connect(addAction(menu, text, keys, help), &QAction::triggered, stepBar_, slot);
+    };
+    add(tr("&First step") + '\t' + tr("Home"), {}, tr("To the first step of the ray"), &StepBar::first);
+    add(tr("&Previous step"), QKeySequence(Qt::Key_Comma), tr("One step back"), &StepBar::previous);
+    add(tr("&Next step"), QKeySequence(Qt::Key_Period), tr("One step on"), &StepBar::next);
+    add(tr("&Last step") + '\t' + tr("End"), {}, tr("To the last step of the ray"), &StepBar::last);
+    add(tr("Pla&y") + '\t' + tr("Space"), {}, tr("Play the steps, two a second"), &StepBar::togglePlay);
+    menu->addSeparator();
+    auto* const pixel = addAction(menu, tr("&Go to pixel…"), QKeySequence(QStringLiteral("Ctrl+G")),
+                                  tr("Choose a pixel by its coordinates"));
+    connect(pixel, &QAction::triggered, this, &MainWindow::askPixel);
+}
+
+void MainWindow::makeHelpMenu() {
+    QMenu* const menu = menuBar()->addMenu(tr("&Help"));
+    auto* const keys = addAction(menu, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), tr("What mouse and keys do"));
+    connect(keys, &QAction::triggered, this, &MainWindow::showShortcuts);
+    auto* const about = addAction(menu, tr("&About Reliefscope"), {}, tr("What this is"));
+    connect(about, &QAction::triggered, this, &MainWindow::showAbout);
+}
+
+void MainWindow::refreshHistory() {
+    undo_->setEnabled(workspace_->canUndo());
+    redo_->setEnabled(workspace_->canRedo());
+    const auto name = [](QAction* action, const QString& plain, const QString& what) {
+        const QString text = what.isEmpty() ? plain : plain + QStringLiteral(": ") + what;
+        action->setText(text);
+        action->setToolTip(QStringLiteral("%1 (%2)").arg(QString(text).remove('&'),
+                                                         action->shortcut().toString(QKeySequence::NativeText)));
+    };
+    // The sign in the bar stays; only menu and tool tip say what.
+    const QString undoSign = undo_->iconText();
+    const QString redoSign = redo_->iconText();
+    name(undo_, tr("&Undo"), workspace_->undoText());
+    name(redo_, tr("&Redo"), workspace_->redoText());
+    undo_->setIconText(undoSign);
+    redo_->setIconText(redoSign);
+}
+
+void MainWindow::copyCommand() {
+    const QString command = workspace_->traceCommand();
+    QApplication::clipboard()->setText(command);
+    statusBar()->showMessage(tr("Copied: %1").arg(command), kMessageMs);
+}
+
+void MainWindow::resultMenu(const QPoint& global) {
+    QMenu menu(this);
+    const auto pixel = result_->pixelAt(result_->mapFromGlobal(global));
+    const auto snapshot = workspace_->snapshot();
+    if (pixel && snapshot) {
+        menu.addAction(tr("Copy value"), this, [snapshot, pixel] {
+            QApplication::clipboard()->setText(pixelReadout(*snapshot, *pixel).join('\n'));
+        });
+        menu.addAction(tr("Choose this pixel"), this, [this, pixel] { workspace_->choosePixel(pixel->x, pixel->y); });
+    }
+    menu.addAction(copyCommand_);
+    menu.addAction(tr("Copy picture"), this, [this] {
+        if (const auto now = workspace_->snapshot()) QApplication::clipboard()->setImage(now->layer.image);
+    });
+    menu.addAction(tr("Save picture…"), this, &MainWindow::askSavePicture);
+    menu.exec(global);
+}
+
+void MainWindow::askPixel() {
+    const relief::Scenario& scenario = workspace_->scenario();
+    const relief::PixelChoice now = scenario.pixel.value_or(relief::PixelChoice{});
+    bool accepted = false;
+    const QString text = QInputDialog::getText(
+        this, tr("Go to pixel"), tr("Column, row (0 to %1, 0 to %2):").arg(scenario.width - 1).arg(scenario.height - 1),
+        QLineEdit::Normal, QStringLiteral("%1, %2").arg(now.x).arg(now.y), &accepted);
+    if (!accepted) return;
+    const QStringList parts = text.split(',');
+    bool xIsNumber = false;
+    bool yIsNumber = false;
+    const int x = parts.value(0).trimmed().toInt(&xIsNumber);
+    const int y = parts.value(1).trimmed().toInt(&yIsNumber);
+    if (parts.size() != 2 || !xIsNumber || !yIsNumber) {
+        Q_EMIT workspace_->problem(tr("“%1” is not a pixel; write column, row").arg(text));
+        return;
+    }
+    workspace_->choosePixel(x, y);
+}
+
+void MainWindow::showShortcuts() {
+    const QList<QPair<QString, QString>> rows{
+        {tr("Click in the result"), tr("choose the pixel")},
+        {tr("Drag in the result"), tr("turn the camera")},
+        {tr("Wheel in the result"), tr("change the camera's distance")},
+        {tr("Ctrl + drag, Ctrl + wheel"), tr("pan and zoom the picture")},
+        {QStringLiteral("R"), tr("the whole picture again")},
+        {tr("Arrows in the result (with Shift: ten)"), tr("move the pixel")},
+        {QStringLiteral(",   ."), tr("previous and next step")},
+        {tr("Home   End"), tr("first and last step")},
+        {tr("Space"), tr("play the steps")},
+        {QStringLiteral("1 – %1").arg(panes_.size()), tr("go to a pane")},
+        {tr("Double click on a title"), tr("fill the window with the pane, and back")},
+        {QStringLiteral("Ctrl+Z   Ctrl+Shift+Z"), tr("undo and redo")},
+        {QStringLiteral("Ctrl+Shift+C"), tr("copy the relief trace command of the pixel")},
+        {QStringLiteral("F11"), tr("projector")},
+        {QStringLiteral("Esc"), tr("cancel what is running")},
+    };
+    QString html = QStringLiteral("<table cellpadding=4>");
+    for (const auto& [keys, what] : rows) {
+        html +=
+            QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(keys.toHtmlEscaped(), what.toHtmlEscaped());
+    }
+    auto* const dialog = new QDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Mouse and keys"));
+    auto* const column = new QVBoxLayout(dialog);
+    column->addWidget(new QLabel(html + QStringLiteral("</table>"), dialog));
+    auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+    connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    column->addWidget(buttons);
+    dialog->show();
+}
+
+void MainWindow::showAbout() {
+    auto* const box = new QMessageBox(this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(tr("About Reliefscope"));
+    box->setTextFormat(Qt::PlainText);
+    box->setText(tr("Reliefscope %1\n\nRelief texturing on height maps, in a window that explains why a pixel looks "
+                    "as it does.")
+                     .arg(QApplication::applicationVersion()));
+    box->show();
+}
+
+}  // namespace reliefui

@@ -1,0 +1,50 @@
+#include "windows/message_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace reliefui {
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), sign_(new QLabel(this)), label_(new QLabel(this)) {
+    setObjectName(QStringLiteral("message-bar"));
+    setAutoFillBackground(true);
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 4, 4, 4);
+    label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label_->setTextFormat(Qt::PlainText);
+    label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    label_->setAccessibleName(tr("Message"));
+    auto* const close = new QToolButton(this);
+    close->setText(QStringLiteral("✕"));
+    close->setAutoRaise(true);
+    close->setToolTip(tr("Close this message"));
+    close->setAccessibleName(tr("Close this message"));
+    row->addWidget(sign_);
+    row->addWidget(label_, 1);
+    row->addWidget(close);
+    connect(close, &QToolButton::clicked, this, [this] {
+        label_->clear();
+        Q_EMIT closed();
+    });
+}
+
+QString MessageBar::text() const {
+    return label_->text();
+}
+
+void MessageBar::showText(const QString& text, bool problem) {
+    // Black on a light ground of its own in both themes; a sign beside the colour.
+    QPalette colors = palette();
+    colors.setColor(QPalette::Window, problem ? QColor(0xff, 0xd9, 0xc2) : QColor(0xdc, 0xee, 0xfb));
+    for (const auto role : {QPalette::WindowText, QPalette::ButtonText, QPalette::Text}) {
+        colors.setColor(role, Qt::black);
+    }
+    setPalette(colors);
+    sign_->setText(problem ? QStringLiteral("⚠") : QStringLiteral("ℹ"));
+    label_->setText(text);
+    label_->setToolTip(text);
+    show();
+}
+
+}  // namespace reliefui

@@ -1,0 +1,29 @@
+// One line at the top of the window that says what went wrong, or what was done; it is in nobody's way.
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+
+namespace reliefui {
+
+class MessageBar : public QFrame {
+    Q_OBJECT
+  public:
+    explicit MessageBar(QWidget* parent = nullptr);
+
+    void showProblem(const QString& text) { showText(text, true); }
+    void showNotice(const QString& text) { showText(text, false); }
+    QString text() const;
+
+  signals:
+    void closed();
+
+  private:
+    void showText(const QString& text, bool problem);
+
+    QLabel* sign_;
+    QLabel* label_;
+};
+
+}  // namespace reliefui

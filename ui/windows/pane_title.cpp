@@ -1,0 +1,44 @@
+#include "windows/pane_title.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QToolButton>
+
+namespace reliefui {
+
+PaneTitle::PaneTitle(const QString& title, const QString& shortcut, QWidget* parent)
+    : QWidget(parent), row_(new QHBoxLayout(this)), note_(new QLabel(this)) {
+    auto* const name = new QLabel(title, this);
+    QFont bold = name->font();
+    bold.setBold(true);
+    name->setFont(bold);
+    note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    note_->setTextFormat(Qt::PlainText);
+    auto* const fill = new QToolButton(this);
+    fill->setText(QStringLiteral("□"));
+    fill->setAutoRaise(true);
+    fill->setToolTip(tr("Fill the window with this pane, and back (double click on the title)"));
+    fill->setAccessibleName(tr("Fill the window with %1").arg(title));
+    row_->setContentsMargins(8, 2, 4, 2);
+    row_->addWidget(name);
+    row_->addWidget(note_, 1);
+    row_->addWidget(fill);
+    setToolTip(tr("%1: press %2 to go there, double-click to fill the window").arg(title, shortcut));
+    connect(fill, &QToolButton::clicked, this, &PaneTitle::fillRequested);
+}
+
+void PaneTitle::addControl(QWidget* control) {
+    row_->insertWidget(row_->count() - 1, control);
+}
+
+void PaneTitle::setNote(const QString& note) {
+    note_->setText(note);
+}
+
+void PaneTitle::mouseDoubleClickEvent(QMouseEvent* event) {
+    event->accept();
+    Q_EMIT fillRequested();
+}
+
+}  // namespace reliefui

@@ -1,0 +1,33 @@
+// The title of a pane: its name, the key that goes there, room for its own controls. A double click fills the window
+// with the pane, and brings the others back.
+#pragma once
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QLabel;
+
+namespace reliefui {
+
+class PaneTitle : public QWidget {
+    Q_OBJECT
+  public:
+    PaneTitle(const QString& title, const QString& shortcut, QWidget* parent = nullptr);
+
+    // Controls of the pane, at the right.
+    void addControl(QWidget* control);
+    // A line beside the name.
+    void setNote(const QString& note);
+
+  signals:
+    void fillRequested();
+
+  protected:
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+
+  private:
+    QHBoxLayout* row_;
+    QLabel* note_;
+};
+
+}  // namespace reliefui

@@ -1,0 +1,162 @@
+#include "windows/pictures_box.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include "images/reliefs.h"
+#include "windows/core_texts.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kLargestRecipe = 4096;
+
+QString text(std::string_view view) {
+    return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
+}
+
+}  // namespace
+
+QString askForPicture(QWidget* parent, const QString& title, const QString& current) {
+    const QString filter = PicturesBox::tr("Pictures") +
+                           QStringLiteral(" (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.bmp *.tga *.pgm *.ppm);;") +
+                           PicturesBox::tr("All files") + QStringLiteral(" (*)");
+    return QFileDialog::getOpenFileName(parent, title, QFileInfo(current).absolutePath(), filter);
+}
+
+PicturesBox::PicturesBox(Workspace* workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(3);
+    addRow(column, tr("Heights"), &relief::Pictures::height, QStringLiteral("height"));
+    addRow(column, tr("Colour"), &relief::Pictures::color, QStringLiteral("color"));
+    addRow(column, tr("Normals"), &relief::Pictures::normal, QStringLiteral("normal"));
+    addRecipe(column);
+    connect(workspace_, &Workspace::scenarioChanged, this, &PicturesBox::refresh);
+    refresh();
+}
+
+void PicturesBox::addRow(QVBoxLayout* column, const QString& title, std::string relief::Pictures::*member,
+                         const QString& objectName) {
+    auto* const line = new QHBoxLayout;
+    auto* const label = new QLabel(title, this);
+    label->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Normals")) + 8);
+    Row row;
+    row.member = member;
+    row.name = new QLabel(this);
+    row.name->setMinimumWidth(40);
+    row.name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* const open = new QToolButton(this);
+    open->setText(tr("Open…"));
+    open->setObjectName(QStringLiteral("open-") + objectName);
+    open->setAccessibleName(tr("Open %1").arg(title));
+    open->setToolTip(tr("Choose a picture file"));
+    line->addWidget(label);
+    line->addWidget(row.name, 1);
+    line->addWidget(open);
+    const bool isHeight = member == &relief::Pictures::height;
+    if (!isHeight) {
+        row.clear = new QToolButton(this);
+        row.clear->setText(tr("None"));
+        row.clear->setAccessibleName(tr("No %1").arg(title));
+        row.clear->setToolTip(tr("Do without this picture"));
+        line->addWidget(row.clear);
+    }
+    column->addLayout(line);
+    const auto replace = [this, member, title](const std::string& path) {
+        relief::Scenario scenario = workspace_->scenario();
+        scenario.pictures.*member = path;
+        workspace_->change(scenario, title);
+    };
+    connect(open, &QToolButton::clicked, this, [this, member, title, isHeight, replace] {
+        const QString path =
+            askForPicture(this, title, QString::fromStdString(workspace_->scenario().pictures.*member));
+        if (path.isEmpty()) return;
+        if (isHeight) {
+            workspace_->open(path);
+        } else {
+            replace(path.toStdString());
+        }
+    });
+    if (row.clear != nullptr) connect(row.clear, &QToolButton::clicked, this, [replace] { replace({}); });
+    rows_.push_back(row);
+}
+
+void PicturesBox::addRecipe(QVBoxLayout* column) {
+    auto* const line = new QHBoxLayout;
+    recipe_ = new QComboBox(this);
+    recipe_->setObjectName(QStringLiteral("recipe"));
+    recipe_->setAccessibleName(tr("Procedural relief"));
+    recipe_->setToolTip(tr("Make a procedural relief instead of reading a picture"));
+    recipe_->addItem(tr("Procedural…"), QString());
+    for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) {
+        recipe_->addItem(text(recipe.name), text(recipe.name));
+        recipe_->setItemData(recipe_->count() - 1, coreText(std::string(recipe.help)), Qt::ToolTipRole);
+    }
+    recipe_->setFocusPolicy(Qt::StrongFocus);
+    size_ = new QSpinBox(this);
+    size_->setAccessibleName(tr("Size of the procedural relief"));
+    size_->setToolTip(tr("Texels along a side"));
+    size_->setRange(1, kLargestRecipe);
+    size_->setSingleStep(64);
+    size_->setValue(256);
+    seed_ = new QSpinBox(this);
+    seed_->setAccessibleName(tr("Seed of the procedural relief"));
+    seed_->setToolTip(tr("Seed: another number, another relief"));
+    seed_->setRange(0, 9999);
+    seed_->setValue(1);
+    line->addWidget(recipe_, 1);
+    for (QSpinBox* const box : {size_, seed_}) {
+        box->setLocale(QLocale::c());
+        box->setKeyboardTracking(false);
+        line->addWidget(box);
+        connect(box, qOverload<int>(&QSpinBox::valueChanged), this, &PicturesBox::makeRecipe);
+    }
+    column->addLayout(line);
+    connect(recipe_, qOverload<int>(&QComboBox::activated), this, [this](int) { makeRecipe(); });
+}
+
+void PicturesBox::makeRecipe() {
+    const std::string name = recipe_->currentData().toString().toStdString();
+    if (name.empty()) return;
+    relief::Scenario scenario = workspace_->scenario();
+    const bool other = scenario.pictures.recipe != name;
+    scenario.pictures = {};
+    scenario.pictures.recipe = name;
+    int side = size_->value();
+    for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) {
+        if (recipe.name == name && (other || !recipe.anySize)) side = recipe.defaultSize;
+    }
+    scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = side;
+    scenario.pictures.seed = static_cast<std::uint64_t>(seed_->value());
+    workspace_->change(scenario, tr("Procedural relief"));
+}
+
+void PicturesBox::refresh() {
+    const relief::Pictures& pictures = workspace_->scenario().pictures;
+    for (const Row& row : rows_) {
+        const QFileInfo file(QString::fromStdString(pictures.*row.member));
+        const QString folder = file.dir().dirName();
+        const bool none = (pictures.*row.member).empty();
+        row.name->setText(none ? tr("none") : file.fileName());
+        row.name->setEnabled(!none);
+        row.name->setToolTip(none ? QString() : folder + '/' + file.fileName());
+        if (row.clear != nullptr) row.clear->setEnabled(!none);
+    }
+    const int found = recipe_->findData(QString::fromStdString(pictures.recipe));
+    recipe_->setCurrentIndex(pictures.recipe.empty() ? 0 : found);
+    const QSignalBlocker quietSize(size_);
+    const QSignalBlocker quietSeed(seed_);
+    if (pictures.recipe.empty()) return;
+    size_->setValue(pictures.recipeWidth);
+    seed_->setValue(static_cast<int>(pictures.seed));
+}
+
+}  // namespace reliefui

@@ -1,0 +1,81 @@
+#include "windows/program.h"
+
+#include <unistd.h>
+#include <clocale>
+#include <cstdio>
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QPixmap>
+#include <QStandardPaths>
+#include <QStyleFactory>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <QTranslator>
+
+#include "windows/main_window.h"
+#include "windows/theme.h"
+
+// Resources of a static library have to be asked for, outside any namespace.
+static void initTranslations() {
+    Q_INIT_RESOURCE(translations);
+}
+
+namespace reliefui {
+
+namespace {
+
+// After the first full picture: until the panes have drawn it as well.
+constexpr int kPanesDrawnMs = 800;
+
+void grab(MainWindow& window, const QString& path) {
+    const bool done = window.grab().save(path, "PNG");
+    if (!done) std::fprintf(stderr, "relief: %s: cannot be written\n", path.toUtf8().constData());
+    QApplication::exit(done ? 0 : 1);
+}
+
+}  // namespace
+
+void prepareWindows() {
+    // VTK here draws through GLX: X11, also where a Wayland session would offer something else.
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
+    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) {
+        const QString folder = QDir::tempPath() + QStringLiteral("/runtime-%1").arg(getuid());
+        QDir().mkpath(folder);
+        QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        qputenv("XDG_RUNTIME_DIR", folder.toLocal8Bit());
+    }
+    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+    format.setSamples(0);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+void dressApplication(QApplication& application) {
+    std::setlocale(LC_NUMERIC, "C");
+    initTranslations();
+    QApplication::setApplicationName(QStringLiteral("reliefscope"));
+    QApplication::setOrganizationName(QStringLiteral("reliefscope"));
+    auto* const own = new QTranslator(&application);
+    if (own->load(QLocale(), QStringLiteral("reliefscope"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
+        QApplication::installTranslator(own);
+        auto* const qt = new QTranslator(&application);
+        const QString folder = QLibraryInfo::location(QLibraryInfo::TranslationsPath);
+        if (qt->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"), folder)) {
+            QApplication::installTranslator(qt);
+        }
+    }
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setPalette(themePalette(Theme::Dark));
+    QApplication::setFont(windowFont(false));
+}
+
+void screenshotThenQuit(MainWindow& window, Workspace& workspace, const QString& path) {
+    const auto takeWhenIdle = [&window, path](bool busy) {
+        if (!busy) QTimer::singleShot(kPanesDrawnMs, &window, [&window, path] { grab(window, path); });
+    };
+    QObject::connect(&workspace, &Workspace::busyChanged, &window, takeWhenIdle);
+}
+
+}  // namespace reliefui

@@ -1,0 +1,21 @@
+// What the program and the window tests set up in the same way before a window can be made.
+#pragma once
+
+#include <QApplication>
+#include <QString>
+
+namespace reliefui {
+
+class MainWindow;
+class Workspace;
+
+// Before the QApplication: the surfaces of VTK, and what Qt would complain about on the standard error.
+void prepareWindows();
+// After it: texts in the language of the locale, type, colours; numbers stay those of the C locale.
+void dressApplication(QApplication& application);
+
+// Grabs the window, OpenGL panes included, when its first full picture is there, and ends the application: exit status
+// 0, or 1 if the file cannot be written.
+void screenshotThenQuit(MainWindow& window, Workspace& workspace, const QString& path);
+
+}  // namespace reliefui

@@ -1,0 +1,165 @@
+#include "windows/scene_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "rendering/scene.h"
+#include "views/orbit.h"
+#include "windows/core_texts.h"
+#include "windows/number_control.h"
+#include "windows/options_form.h"
+#include "windows/pictures_box.h"
+
+namespace reliefui {
+
+namespace {
+
+const std::vector<std::string>& surfaces() {
+    static const std::vector<std::string> names{std::string(relief::surfaceName(relief::Surface::Bilinear)),
+                                                std::string(relief::surfaceName(relief::Surface::Columns))};
+    return names;
+}
+
+const std::vector<std::string>& addresses() {
+    static const std::vector<std::string> names{std::string(relief::addressName(relief::Address::Repeat)),
+                                                std::string(relief::addressName(relief::Address::Clamp)),
+                                                std::string(relief::addressName(relief::Address::Border))};
+    return names;
+}
+
+const std::vector<std::string>& scenes() {
+    static const std::vector<std::string> names{std::string(relief::sceneName(relief::SceneKind::Floor)),
+                                                std::string(relief::sceneName(relief::SceneKind::Wall)),
+                                                std::string(relief::sceneName(relief::SceneKind::Cube))};
+    return names;
+}
+
+}  // namespace
+
+void changeNumber(Workspace& workspace, const std::string& name, double value, bool live) {
+    relief::Scenario scenario = workspace.scenario();
+    if (name == "elevation" || name == "azimuth" || name == "distance") scenario.camera = asOrbit(scenario.camera);
+    relief::scenarioNumber(name).set(scenario, value);
+    workspace.change(scenario, controlTitle(name), QString::fromStdString(name), live);
+}
+
+NumberControl* makeNumberControl(Workspace* workspace, const std::string& name, QWidget* parent) {
+    const relief::ScenarioNumber& number = relief::scenarioNumber(name);
+    auto* const control = new NumberControl(number.description, parent);
+    const auto refresh = [workspace, control, &number] { control->setValue(number.get(workspace->scenario())); };
+    QObject::connect(workspace, &Workspace::scenarioChanged, control, refresh);
+    QObject::connect(control, &NumberControl::changed, workspace,
+                     [workspace, name](double value, bool live) { changeNumber(*workspace, name, value, live); });
+    QObject::connect(control, &NumberControl::settled, workspace, &Workspace::settle);
+    refresh();
+    return control;
+}
+
+ScenePanel::ScenePanel(Workspace* workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
+    setObjectName(QStringLiteral("scene-panel"));
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    auto* const pictures = new QGroupBox(tr("Pictures"), this);
+    auto* const inside = new QVBoxLayout(pictures);
+    inside->setContentsMargins(6, 4, 6, 6);
+    inside->addWidget(new PicturesBox(workspace, pictures));
+    column->addWidget(pictures);
+    addSurface(addGroup(column, tr("Relief")));
+    addNumbers(addGroup(column, tr("Camera")), {"elevation", "azimuth", "distance", "fov"});
+    addNumbers(addGroup(column, tr("Light")), {"light-elevation", "light-azimuth", "ambient", "intensity"});
+    addMethod(addGroup(column, tr("Method")));
+    addNumbers(addGroup(column, tr("Picture drawn")), {"width", "height"});
+    column->addStretch(1);
+    connect(workspace_, &Workspace::scenarioChanged, this, &ScenePanel::refresh);
+    refresh();
+}
+
+QFormLayout* ScenePanel::addGroup(QVBoxLayout* column, const QString& title) {
+    auto* const group = new QGroupBox(title, this);
+    auto* const form = new QFormLayout(group);
+    form->setContentsMargins(6, 4, 6, 6);
+    form->setVerticalSpacing(3);
+    column->addWidget(group);
+    return form;
+}
+
+void ScenePanel::addNumbers(QFormLayout* form, const std::vector<const char*>& names) {
+    for (const char* const name : names) {
+        auto* const control = makeNumberControl(workspace_, name, this);
+        auto* const label = new QLabel(controlTitle(name), this);
+        label->setBuddy(control);
+        label->setToolTip(control->toolTip());
+        form->addRow(label, control);
+    }
+}
+
+QComboBox* ScenePanel::addChoice(QFormLayout* form, const QString& title, const QString& objectName,
+                                 const QString& help, const std::vector<std::string>& names) {
+    auto* const box = new QComboBox(this);
+    box->setObjectName(objectName);
+    box->setAccessibleName(title);
+    box->setToolTip(help);
+    box->setFocusPolicy(Qt::StrongFocus);
+    for (const std::string& name : names) box->addItem(controlTitle(name), QString::fromStdString(name));
+    form->addRow(title, box);
+    return box;
+}
+
+void ScenePanel::addSurface(QFormLayout* form) {
+    addNumbers(form, {"relief-depth"});
+    surface_ = addChoice(form, tr("Surface"), QStringLiteral("surface"),
+                         tr("How heights are read between texels: a smooth patch, or a box a texel"), surfaces());
+    address_ = addChoice(form, tr("Outside"), QStringLiteral("address"),
+                         tr("What lies beyond the picture's rim: the picture again, its rim, or nothing"), addresses());
+    scene_ = addChoice(form, tr("Scene"), QStringLiteral("scene"), tr("What the relief is laid on"), scenes());
+    connect(surface_, qOverload<int>(&QComboBox::activated), this, [this](int) {
+        relief::Scenario scenario = workspace_->scenario();
+        scenario.surface = relief::parseSurface(surface_->currentData().toString().toStdString());
+        workspace_->change(scenario, tr("Surface"));
+    });
+    connect(address_, qOverload<int>(&QComboBox::activated), this, [this](int) {
+        relief::Scenario scenario = workspace_->scenario();
+        scenario.address = relief::parseAddress(address_->currentData().toString().toStdString());
+        workspace_->change(scenario, tr("Outside"));
+    });
+    connect(scene_, qOverload<int>(&QComboBox::activated), this, [this](int) {
+        relief::Scenario scenario = workspace_->scenario();
+        scenario.scene = relief::parseScene(scene_->currentData().toString().toStdString());
+        workspace_->change(scenario, tr("Scene"));
+    });
+}
+
+void ScenePanel::addMethod(QFormLayout* form) {
+    guarantee_ = new QLabel(this);
+    guarantee_->setWordWrap(true);
+    form->addRow(guarantee_);
+    options_ = new OptionsForm(this);
+    form->addRow(options_);
+    connect(options_, &OptionsForm::settled, workspace_, &Workspace::settle);
+    connect(options_, &OptionsForm::changed, this, [this](const QString& name, const QString& text, bool live) {
+        relief::Scenario scenario = workspace_->scenario();
+        scenario.method.options[name.toStdString()] = text.toStdString();
+        workspace_->change(scenario, controlTitle(name.toStdString()), QStringLiteral("option-") + name, live);
+    });
+}
+
+void ScenePanel::refresh() {
+    const relief::Scenario& scenario = workspace_->scenario();
+    const auto choose = [](QComboBox* box, std::string_view name) {
+        box->setCurrentIndex(box->findData(QString::fromUtf8(name.data(), static_cast<int>(name.size()))));
+    };
+    choose(surface_, relief::surfaceName(scenario.surface));
+    choose(address_, relief::addressName(scenario.address));
+    choose(scene_, relief::sceneName(scenario.scene));
+    const relief::MethodDescription& method = relief::findTracer(scenario.method.name);
+    const QString promise = coreText(std::string(relief::guaranteeName(method.guarantee)));
+    guarantee_->setText(
+        tr("<b>%1</b>, %2. %3").arg(QString::fromStdString(method.name), promise, coreText(method.help)));
+    guarantee_->setToolTip(QString::fromStdString(method.source));
+    options_->show(method, scenario.method);
+}
+
+}  // namespace reliefui

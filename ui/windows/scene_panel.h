@@ -1,0 +1,49 @@
+// The controls of the scenario: surface, scene, camera, light, size of the picture; the pictures and the method's
+// options have boxes of their own.
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "workspace/workspace.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace reliefui {
+
+class NumberControl;
+class OptionsForm;
+
+// Turns one number of the scenario; what a slider, a box or a test does.
+void changeNumber(Workspace& workspace, const std::string& name, double value, bool live);
+
+// A control of that number that follows the workspace and changes it.
+NumberControl* makeNumberControl(Workspace* workspace, const std::string& name, QWidget* parent);
+
+class ScenePanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ScenePanel(Workspace* workspace, QWidget* parent = nullptr);
+
+  private:
+    QFormLayout* addGroup(QVBoxLayout* column, const QString& title);
+    void addNumbers(QFormLayout* form, const std::vector<const char*>& names);
+    QComboBox* addChoice(QFormLayout* form, const QString& title, const QString& objectName, const QString& help,
+                         const std::vector<std::string>& names);
+    void addSurface(QFormLayout* form);
+    void addMethod(QFormLayout* form);
+    void refresh();
+
+    Workspace* workspace_;
+    QComboBox* surface_ = nullptr;
+    QComboBox* address_ = nullptr;
+    QComboBox* scene_ = nullptr;
+    OptionsForm* options_ = nullptr;
+    QLabel* guarantee_ = nullptr;
+};
+
+}  // namespace reliefui

@@ -1,0 +1,138 @@
+#include "windows/status_line.h"
+
+#include <cmath>
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "messages.h"
+#include "views/result_painting.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kPatienceMs = 250;
+
+double counter(const relief::Frame& frame, const char* name) {
+    const auto found = frame.counters.find(name);
+    return found == frame.counters.end() ? 0 : found->second;
+}
+
+QString rounded(double value, int digits) {
+    return QString::fromStdString(relief::numberText(value, digits));
+}
+
+// What was done for the frame, stage by stage, and what was not needed.
+QString ledger(const relief::Frame& frame) {
+    QString text = StatusLine::tr("Stages of this frame (seconds of all threads together):");
+    for (std::size_t s = 0; s < relief::kStages; ++s) {
+        if (static_cast<relief::Stage>(s) == relief::Stage::Footprints) continue;
+        const relief::StageReport& stage = frame.stages[s];
+        const QString name = QString::fromUtf8(relief::kStageNames[s].data(), int(relief::kStageNames[s].size()));
+        const QString done = stage.reused ? StatusLine::tr("kept") : rounded(stage.seconds, 3);
+        text += QStringLiteral("\n  %1: %2").arg(name, done);
+    }
+    for (const auto& [name, value] : frame.counters) {
+        text += QStringLiteral("\n%1: %2").arg(QString::fromStdString(name), rounded(value, 9));
+    }
+    return text;
+}
+
+}  // namespace
+
+StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
+    : QStatusBar(parent),
+      workspace_(workspace),
+      pixel_(new QLabel(this)),
+      frame_(new QLabel(this)),
+      what_(new QLabel(this)),
+      bar_(new QProgressBar(this)),
+      cancel_(new QToolButton(this)) {
+    pixel_->setObjectName(QStringLiteral("status-pixel"));
+    frame_->setObjectName(QStringLiteral("status-frame"));
+    pixel_->setAccessibleName(tr("The chosen pixel"));
+    frame_->setAccessibleName(tr("The frame"));
+    pixel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    bar_->setRange(0, 1000);
+    bar_->setFixedWidth(160);
+    bar_->setTextVisible(false);
+    bar_->setAccessibleName(tr("Progress"));
+    cancel_->setText(tr("Cancel"));
+    cancel_->setToolTip(tr("Cancel what is running (Esc)"));
+    cancel_->setAccessibleName(tr("Cancel what is running"));
+    addWidget(pixel_, 1);
+    addPermanentWidget(what_);
+    addPermanentWidget(bar_);
+    addPermanentWidget(cancel_);
+    addPermanentWidget(frame_);
+    showBusy(false);
+    patience_.setSingleShot(true);
+    patience_.setInterval(kPatienceMs);
+    connect(&patience_, &QTimer::timeout, this, [this] { showBusy(workspace_->busy()); });
+    connect(workspace_, &Workspace::busyChanged, this, [this](bool busy) {
+        if (busy) {
+            patience_.start();
+        } else {
+            patience_.stop();
+            showBusy(false);
+        }
+    });
+    connect(workspace_, &Workspace::progress, this, &StatusLine::showProgress);
+    connect(workspace_, &Workspace::snapshotChanged, this, &StatusLine::refresh);
+    connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
+}
+
+void StatusLine::showBusy(bool busy) {
+    for (QWidget* const part :
+         {static_cast<QWidget*>(what_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)}) {
+        part->setVisible(busy);
+    }
+}
+
+void StatusLine::showProgress(const QString& what, double fraction) {
+    if (fraction < 0) return;
+    what_->setText(what);
+    bar_->setValue(static_cast<int>(fraction * 1000));
+}
+
+void StatusLine::refresh() {
+    pixel_->setText(pixelText());
+    frame_->setText(frameText());
+    const auto snapshot = workspace_->snapshot();
+    if (snapshot) frame_->setToolTip(ledger(*snapshot->frame));
+}
+
+QString StatusLine::pixelText() const {
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot || !snapshot->scenario.pixel) return tr("no pixel chosen");
+    const PixelTrace& trace = snapshot->trace;
+    QString text = tr("pixel (%1, %2)").arg(trace.pixel.x).arg(trace.pixel.y) + QStringLiteral("     ");
+    if (!trace.onRelief) return text + tr("sky: no polygon here");
+    if (trace.hit.outcome == relief::Outcome::Hit) {
+        text += tr("hit at texel (%1, %2), λ %3")
+                    .arg(trace.hit.s, 0, 'f', 2)
+                    .arg(trace.hit.t, 0, 'f', 2)
+                    .arg(trace.hit.lambda, 0, 'f', 3);
+    } else {
+        text += outcomeTitle(trace.hit.outcome);
+    }
+    return text + QStringLiteral("     ") + tr("%1 steps, %2 reads").arg(trace.steps.size()).arg(trace.reads);
+}
+
+QString StatusLine::frameText() const {
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot) return {};
+    const relief::Frame& frame = *snapshot->frame;
+    QString text = tr("frame %1 ms").arg(rounded(frame.seconds * 1000, 3));
+    if (snapshot->coarse) text += tr(" (%1 × %2)").arg(frame.width).arg(frame.height);
+    // Pixels that needed no search: nothing there, or the start is the highest point already.
+    const double pixels = counter(frame, "pixels");
+    const double spared =
+        counter(frame, "pixels without a polygon") + counter(frame, "rays not needed: the start is the highest point");
+    return text + QStringLiteral("     ") +
+           tr("skipped: %1 %").arg(std::lround(pixels > 0 ? 100 * spared / pixels : 0));
+}
+
+}  // namespace reliefui

@@ -1,0 +1,38 @@
+// The bottom line: the chosen pixel and its hit, what the frame took and skipped, and the progress of what is running.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QStatusBar>
+#include <QTimer>
+
+#include "workspace/workspace.h"
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace reliefui {
+
+class StatusLine : public QStatusBar {
+    Q_OBJECT
+  public:
+    explicit StatusLine(Workspace* workspace, QWidget* parent = nullptr);
+
+    QString pixelText() const;
+    QString frameText() const;
+
+  private:
+    void refresh();
+    void showProgress(const QString& what, double fraction);
+    void showBusy(bool busy);
+
+    Workspace* workspace_;
+    QLabel* pixel_;
+    QLabel* frame_;
+    QLabel* what_;
+    QProgressBar* bar_;
+    QToolButton* cancel_;
+    QTimer patience_;  // short work shows nothing
+};
+
+}  // namespace reliefui

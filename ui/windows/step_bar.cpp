@@ -1,0 +1,97 @@
+#include "windows/step_bar.h"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kPlayMs = 500;  // two steps a second
+
+}  // namespace
+
+StepBar::StepBar(Workspace* workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), slider_(new QSlider(Qt::Horizontal, this)), label_(new QLabel(this)) {
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 2, 6, 2);
+    const auto button = [&](const QString& sign, const QString& name, const QString& key, void (StepBar::*slot)()) {
+        auto* const made = new QToolButton(this);
+        made->setText(sign);
+        made->setAutoRaise(true);
+        made->setAccessibleName(name);
+        made->setToolTip(QStringLiteral("%1 (%2)").arg(name, key));
+        connect(made, &QToolButton::clicked, this, slot);
+        row->addWidget(made);
+        return made;
+    };
+    button(QStringLiteral("⏮"), tr("First step"), tr("Home"), &StepBar::first);
+    button(QStringLiteral("◀"), tr("Previous step"), QStringLiteral(","), &StepBar::previous);
+    button(QStringLiteral("▶"), tr("Next step"), QStringLiteral("."), &StepBar::next);
+    button(QStringLiteral("⏭"), tr("Last step"), tr("End"), &StepBar::last);
+    play_ = button(tr("Play"), tr("Play the steps, two a second"), tr("Space"), &StepBar::togglePlay);
+    play_->setCheckable(true);
+    slider_->setAccessibleName(tr("Step of the ray"));
+    slider_->setToolTip(tr("Step of the ray: , and . go back and on"));
+    slider_->setObjectName(QStringLiteral("step-slider"));
+    row->addWidget(slider_, 1);
+    row->addWidget(label_);
+    timer_.setInterval(kPlayMs);
+    connect(&timer_, &QTimer::timeout, this, &StepBar::advance);
+    connect(slider_, &QSlider::valueChanged, workspace_, &Workspace::chooseStep);
+    connect(workspace_, &Workspace::snapshotChanged, this, &StepBar::refresh);
+    connect(workspace_, &Workspace::stepChanged, this, &StepBar::refresh);
+    refresh();
+}
+
+int StepBar::count() const {
+    const auto snapshot = workspace_->snapshot();
+    return snapshot ? static_cast<int>(snapshot->trace.steps.size()) : 0;
+}
+
+int StepBar::step() const {
+    return std::clamp(workspace_->scenario().step, 0, std::max(0, count() - 1));
+}
+
+void StepBar::first() {
+    workspace_->chooseStep(0);
+}
+
+void StepBar::previous() {
+    workspace_->chooseStep(step() - 1);
+}
+
+void StepBar::next() {
+    workspace_->chooseStep(step() + 1);
+}
+
+void StepBar::last() {
+    workspace_->chooseStep(count() - 1);
+}
+
+void StepBar::togglePlay() {
+    const bool play = !timer_.isActive() && count() > 1;
+    if (play && step() + 1 >= count()) first();
+    play ? timer_.start() : timer_.stop();
+    play_->setChecked(play);
+}
+
+void StepBar::advance() {
+    if (step() + 1 < count()) next();
+    if (step() + 1 >= count() && timer_.isActive()) togglePlay();
+}
+
+void StepBar::refresh() {
+    const QSignalBlocker quiet(slider_);
+    slider_->setEnabled(count() > 1);
+    slider_->setRange(0, std::max(0, count() - 1));
+    slider_->setValue(step());
+    label_->setText(count() > 0 ? tr("step %1 of %2").arg(step() + 1).arg(count()) : tr("no ray"));
+}
+
+}  // namespace reliefui

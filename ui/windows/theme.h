@@ -1,0 +1,14 @@
+// The colours of the window around the panes.
+#pragma once
+
+#include <QPalette>
+
+#include "drawings/style.h"
+
+namespace reliefui {
+
+QPalette themePalette(Theme theme);
+// DejaVu Sans, 10 points; 18 on a projector.
+QFont windowFont(bool projector);
+
+}  // namespace reliefui

@@ -1,0 +1,136 @@
+#include "workspace/layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "drawings/style.h"
+#include "rendering/display.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr std::uint32_t kNothing = 0xff2b3038;  // where a layer has no value
+constexpr std::size_t kMapSize = 256;
+
+std::uint32_t packed(int r, int g, int b) {
+    const auto byte = [](int v) { return static_cast<std::uint32_t>(std::clamp(v, 0, 255)); };
+    return 0xff000000U | byte(r) << 16U | byte(g) << 8U | byte(b);
+}
+
+std::array<std::uint32_t, kMapSize> countColors() {
+    std::array<std::uint32_t, kMapSize> colors{};
+    const Style style;
+    for (std::size_t i = 0; i < kMapSize; ++i) {
+        const Rgba c = style.mapped(ColorMap::Count, static_cast<double>(i) / (kMapSize - 1));
+        colors[i] = packed(c.r, c.g, c.b);
+    }
+    return colors;
+}
+
+template <class Color>
+void eachPixel(QImage& image, const Color& color) {
+    // Asked for once: writing through scanLine() from several threads would detach in each of them.
+    auto* const first = reinterpret_cast<std::uint32_t*>(image.bits());
+    const int width = image.width();
+    tbb::parallel_for(0, image.height(), [&](int y) {
+        for (int x = 0; x < width; ++x) first[std::size_t(y) * std::size_t(width) + std::size_t(x)] = color(x, y);
+    });
+}
+
+// value(x, y): NaN where there is none.
+template <class Value>
+void mapValues(LayerPicture& out, const Value& value) {
+    static const std::array<std::uint32_t, kMapSize> colors = countColors();
+    const double scale = out.high > out.low ? (kMapSize - 1) / (out.high - out.low) : 0;
+    eachPixel(out.image, [&](int x, int y) {
+        const double v = value(x, y);
+        if (std::isnan(v)) return kNothing;
+        return colors[static_cast<std::size_t>(std::clamp((v - out.low) * scale + 0.5, 0.0, kMapSize - 1.0))];
+    });
+}
+
+void paintColor(LayerPicture& out, const relief::Frame& frame) {
+    const auto pixels = frame.light->color.pixels();
+    relief::toSrgb32(pixels, {reinterpret_cast<std::uint32_t*>(out.image.bits()), pixels.size()});
+}
+
+void paintSteps(LayerPicture& out, const relief::Frame& frame) {
+    const auto& steps = frame.hits->hits.steps;
+    out.high = steps.empty() ? 0 : *std::max_element(steps.begin(), steps.end());
+    mapValues(out, [&](int x, int y) {
+        const std::size_t i = frame.index(x, y);
+        return frame.rays->polygon[i] == relief::kNoPolygon ? std::nan("") : static_cast<double>(steps[i]);
+    });
+}
+
+void paintDepth(LayerPicture& out, const relief::Frame& frame) {
+    std::vector<float> depths(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+    tbb::parallel_for(0, frame.height, [&](int y) {
+        for (int x = 0; x < frame.width; ++x) depths[frame.index(x, y)] = static_cast<float>(frame.depth(x, y));
+    });
+    bool any = false;
+    for (const float d : depths) {
+        if (std::isnan(d)) continue;
+        out.low = any ? std::min<double>(out.low, d) : d;
+        out.high = any ? std::max<double>(out.high, d) : d;
+        any = true;
+    }
+    mapValues(out, [&](int x, int y) { return static_cast<double>(depths[frame.index(x, y)]); });
+}
+
+void paintNormals(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request) {
+    eachPixel(out.image, [&](int x, int y) {
+        const glm::vec3 n = frame.normal(x, y, request);
+        if (n == glm::vec3(0)) return kNothing;
+        const auto code = [](float v) { return static_cast<int>(std::lround(127.5F + 127.5F * v)); };
+        return packed(code(n.x), code(n.y), code(n.z));
+    });
+}
+
+void paintOutcomes(LayerPicture& out, const relief::Frame& frame) {
+    const auto& outcomes = frame.hits->hits.outcome;
+    for (const relief::Outcome outcome : outcomes) ++out.outcomes[static_cast<std::size_t>(outcome)];
+    eachPixel(out.image, [&](int x, int y) {
+        const relief::Outcome outcome = outcomes[frame.index(x, y)];
+        if (outcomeHatched(outcome, x, y)) return 0xffd8d8d8U;
+        return kOutcomeColors[static_cast<std::size_t>(outcome)];
+    });
+}
+
+}  // namespace
+
+bool outcomeHatched(relief::Outcome outcome, int x, int y) {
+    if (outcome == relief::Outcome::Miss) return (x + y) % 6 == 0;
+    if (outcome == relief::Outcome::Limit) return (x + y) % 6 == 0 || (x - y) % 6 == 0;
+    return false;
+}
+
+LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::FrameRequest& request) {
+    LayerPicture out;
+    out.layer = layer;
+    out.image = QImage(frame.width, frame.height, QImage::Format_RGB32);
+    switch (layer) {
+        case Layer::Color:
+            paintColor(out, frame);
+            break;
+        case Layer::Steps:
+            paintSteps(out, frame);
+            break;
+        case Layer::Outcome:
+            paintOutcomes(out, frame);
+            break;
+        case Layer::Depth:
+            paintDepth(out, frame);
+            break;
+        case Layer::Normals:
+            paintNormals(out, frame, request);
+            break;
+    }
+    return out;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,225 @@
+#include "workspace/render_worker.h"
+
+#include <chrono>
+#include <new>
+
+#include <QCoreApplication>
+
+#include "workspace/language.h"
+
+namespace reliefui {
+
+namespace {
+
+// The hand rests this long: the full picture is drawn though nothing said that the drag has ended.
+constexpr auto kRest = std::chrono::milliseconds(150);
+constexpr auto kBetweenProgress = std::chrono::milliseconds(50);
+
+// A full picture of which no part is known: is it worth drawing a coarse one first, although nothing is dragged?
+constexpr int kCoarseFirstFactor = 3;
+
+QString notesOf(const relief::Assets& assets) {
+    QString text;
+    for (const relief::Message& note : assets.height->notes) {
+        text += (text.isEmpty() ? "" : " ") + QString::fromStdString(relief::sentence(note, uiLanguage()));
+    }
+    return text;
+}
+
+}  // namespace
+
+RenderWorker::RenderWorker(QObject* receiver, WorkerListener listener, relief::AssetStore store)
+    : receiver_(receiver),
+      listener_(std::move(listener)),
+      maker_(std::move(store)),
+      thread_([this](const std::stop_token& quit) { run(quit); }) {}
+
+RenderWorker::~RenderWorker() {
+    thread_.request_stop();
+    {
+        const std::lock_guard lock(mutex_);
+        stop_.request_stop();
+    }
+    wake_.notify_all();
+}
+
+void RenderWorker::render(RenderJob job) {
+    {
+        const std::lock_guard lock(mutex_);
+        resting_ = !job.live;
+        nextRender_ = std::move(job);
+        toRefine_.reset();
+        if (running_ == Running::Full) stop_.request_stop();
+    }
+    wake_.notify_all();
+}
+
+void RenderWorker::settle() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (nextRender_) nextRender_->live = false;
+        resting_ = true;
+        refineAt_ = Clock::now();
+    }
+    wake_.notify_all();
+}
+
+void RenderWorker::load(LoadJob job) {
+    {
+        const std::lock_guard lock(mutex_);
+        nextLoad_ = std::move(job);
+        if (running_ == Running::Load) stop_.request_stop();
+    }
+    wake_.notify_all();
+}
+
+void RenderWorker::cancelLoad() {
+    const std::lock_guard lock(mutex_);
+    nextLoad_.reset();
+    if (running_ == Running::Load) stop_.request_stop();
+}
+
+void RenderWorker::cancel() {
+    const std::lock_guard lock(mutex_);
+    std::optional<RenderJob> dropped;
+    dropped.swap(nextRender_);
+    toRefine_.reset();
+    if (dropped) post([this, version = dropped->version] { listener_.failure({version, {}}); });
+    if (nextLoad_) post([this, id = nextLoad_->id] { listener_.loaded({id, {}, {}, {}, true}); });
+    nextLoad_.reset();
+    if (running_ != Running::Nothing) {
+        userCancel_ = true;
+        stop_.request_stop();
+    }
+}
+
+void RenderWorker::post(std::function<void()> call) {
+    QMetaObject::invokeMethod(receiver_, std::move(call), Qt::QueuedConnection);
+}
+
+void RenderWorker::postProgress(std::string_view what, double fraction) {
+    {
+        const std::lock_guard lock(progressMutex_);
+        const auto now = Clock::now();
+        if (fraction >= 0 && now - progressTold_ < kBetweenProgress) return;
+        progressTold_ = now;
+    }
+    post([this, text = QString::fromUtf8(what.data(), static_cast<int>(what.size())), fraction] {
+        listener_.progress(text, fraction);
+    });
+}
+
+void RenderWorker::run(const std::stop_token& quit) {
+    while (!quit.stop_requested()) {
+        std::optional<LoadJob> load;
+        std::optional<RenderJob> job;
+        bool refining = false;
+        std::stop_token stop;
+        {
+            std::unique_lock lock(mutex_);
+            const auto due = [&] { return toRefine_ && Clock::now() >= refineAt_; };
+            const auto ready = [&] { return nextLoad_ || nextRender_ || due(); };
+            if (toRefine_) {
+                wake_.wait_until(lock, quit, refineAt_, ready);
+            } else {
+                wake_.wait(lock, quit, ready);
+            }
+            if (quit.stop_requested()) return;
+            if (nextLoad_) {
+                load.swap(nextLoad_);
+            } else if (nextRender_) {
+                job.swap(nextRender_);
+            } else if (due()) {
+                refining = true;
+                job.swap(toRefine_);
+            } else {
+                continue;
+            }
+            stop_ = std::stop_source();
+            stop = stop_.get_token();
+            userCancel_ = false;
+            running_ = load ? Running::Load : Running::Full;
+        }
+        relief::Work work(0, stop, [this](std::string_view what, double done) { postProgress(what, done); });
+        if (load) {
+            runLoad(*load, work);
+        } else {
+            runRender(*job, !refining, work);
+        }
+        const std::lock_guard lock(mutex_);
+        running_ = Running::Nothing;
+        postProgress({}, -1);
+    }
+}
+
+// failed: with the problem in one line, or with nothing where the user cancelled. Work that newer work has cancelled
+// says nothing.
+template <class Body>
+void RenderWorker::guarded(const Body& body, const std::function<void(const QString& problem)>& failed) {
+    QString problem;
+    try {
+        body();
+        return;
+    } catch (const relief::Cancelled&) {
+        const std::lock_guard lock(mutex_);
+        if (!userCancel_) return;
+    } catch (const relief::InputError& error) {
+        problem = QString::fromStdString(error.text(uiLanguage()));
+    } catch (const std::bad_alloc&) {
+        problem = QCoreApplication::translate("reliefui::RenderWorker", "not enough memory for this");
+    } catch (const std::exception& error) {
+        problem = QString::fromUtf8(error.what());
+    }
+    failed(problem);
+}
+
+void RenderWorker::runLoad(const LoadJob& job, relief::Work& work) {
+    LoadResult result;
+    result.id = job.id;
+    result.scenario = job.scenario;
+    guarded(
+        [&] {
+            if (!job.path.isEmpty()) result.scenario = relief::loadScenario(job.path.toStdString());
+            result.notes = notesOf(maker_.load(result.scenario.pictures, work));
+        },
+        [&](const QString& problem) {
+            result.problem = problem;
+            result.cancelled = problem.isEmpty();
+        });
+    if (work.stopped() && result.problem.isEmpty()) {
+        const std::lock_guard lock(mutex_);
+        if (!userCancel_) return;  // replaced by a newer one
+        result.cancelled = true;
+    }
+    post([this, result] { listener_.loaded(result); });
+}
+
+void RenderWorker::runRender(const RenderJob& job, bool coarse, relief::Work& work) {
+    const auto failed = [&](const QString& problem) {
+        post([this, failure = RenderFailure{job.version, problem}] { listener_.failure(failure); });
+    };
+    const auto deliver = [&](int factor) {
+        auto snapshot = maker_.make(job.scenario, job.version, job.layer, factor, work);
+        post([this, snapshot] { listener_.snapshot(snapshot); });
+    };
+    guarded(
+        [&] {
+            const int factor = coarse ? maker_.coarseFactor(job.scenario) : 1;
+            if (factor > 1 && (job.live || factor >= kCoarseFirstFactor)) {
+                {
+                    const std::lock_guard lock(mutex_);
+                    running_ = Running::Coarse;
+                }
+                deliver(factor);
+                const std::lock_guard lock(mutex_);
+                if (nextRender_) return;
+                toRefine_ = job;
+                refineAt_ = Clock::now() + (resting_ ? std::chrono::milliseconds(0) : kRest);
+                return;
+            }
+            deliver(1);
+        },
+        failed);
+}
+
+}  // namespace reliefui

@@ -1,0 +1,43 @@
+// One state of everything on screen, made by the worker and looked at by the views. Immutable, shared.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <QImage>
+
+#include "images/pyramid.h"
+#include "relief/maps/max_pyramid_map.h"
+#include "relief/tracers.h"
+#include "rendering/frame.h"
+#include "scenario/scenario.h"
+#include "workspace/layers.h"
+
+namespace reliefui {
+
+// The chosen pixel's ray as the production tracer logged it.
+struct PixelTrace {
+    relief::PixelChoice pixel;
+    bool onRelief = false;  // false: no polygon covers the pixel; the rest is empty then
+    relief::ViewRay ray;
+    relief::Hit hit;
+    std::vector<relief::Step> steps;
+    std::uint32_t reads = 0;
+};
+
+struct Snapshot {
+    std::uint64_t version = 0;  // of the scenario
+    relief::Scenario scenario;
+    relief::Assets assets;
+    std::shared_ptr<const relief::FrameRequest> request;  // of the frame: of the coarse size, if coarse
+    bool coarse = false;                                  // drawn at a fraction of the size while something is dragged
+    std::shared_ptr<const relief::Frame> frame;           // of the coarse size, if coarse
+    QImage picture;                                       // the frame as shown; its size is the frame's
+    LayerPicture layer;                                   // what the result view was asked to show instead of it
+    PixelTrace trace;                                     // in full-size pixels, also when coarse
+    std::shared_ptr<const relief::MaxPyramidMap> maxima;  // over the cells of the field
+    std::shared_ptr<const relief::Pyramid> means;         // over the texels
+};
+
+}  // namespace reliefui

@@ -1,0 +1,115 @@
+#include "workspace/snapshot_maker.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reliefui {
+
+namespace {
+
+// A dragged frame has to be on the screen within 33 ms; painting and the panes take their part of it.
+constexpr double kCoarseSeconds = 0.020;
+constexpr int kCoarsestFactor = 8;
+
+// Everything on which the frame's buffers depend.
+bool sameFrame(const relief::Scenario& a, const relief::Scenario& b) {
+    relief::Scenario c = b;
+    c.pixel = a.pixel;
+    c.step = a.step;
+    return a == c;
+}
+
+// The same but for what is done after the rays were traced.
+bool sameHits(const relief::Scenario& a, const relief::Scenario& b) {
+    relief::Scenario c = b;
+    c.light = a.light;
+    c.sky = a.sky;
+    c.filter = a.filter;
+    c.pictures.color = a.pictures.color;
+    c.pictures.normal = a.pictures.normal;
+    return sameFrame(a, c);
+}
+
+double pixelsOf(const relief::Scenario& scenario) {
+    return static_cast<double>(scenario.width) * scenario.height;
+}
+
+}  // namespace
+
+int SnapshotMaker::coarseFactor(const relief::Scenario& scenario) const {
+    if (full_.scenario && sameFrame(*full_.scenario, scenario)) return 1;
+    const bool lightOnly = full_.scenario && sameHits(*full_.scenario, scenario);
+    // Nothing measured yet: as on a small machine.
+    const double traced = secondsPerPixel_ > 0 ? secondsPerPixel_ : 4e-7;
+    const double seconds = pixelsOf(scenario) * (lightOnly ? lightPerPixel_ : traced);
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(seconds / kCoarseSeconds))), 1, kCoarsestFactor);
+}
+
+void SnapshotMaker::render(Size& size, const relief::Scenario& scenario, const relief::FrameRequest& request,
+                           const relief::Assets& assets, relief::Work& work) {
+    const bool known = size.frame && size.scenario && size.frame->width == request.width &&
+                       size.frame->height == request.height && sameFrame(*size.scenario, scenario) &&
+                       size.assets.heights == assets.heights && size.assets.color == assets.color &&
+                       size.assets.normals == assets.normals;
+    if (known) return;
+    if (!size.renderer) size.renderer = std::make_unique<relief::FrameRenderer>(maps_);
+    const bool lightOnly = size.scenario && sameHits(*size.scenario, scenario);
+    size.frame = size.renderer->render(request, work);
+    size.scenario = scenario;
+    size.assets = assets;
+    size.layer = makeLayer(Layer::Color, *size.frame, request);
+    size.picture = size.layer.image;
+    const double perPixel = size.frame->seconds / (static_cast<double>(request.width) * request.height);
+    // Slowly towards faster, at once towards slower: one lucky frame must not make the next drag stutter.
+    double& kept = lightOnly ? lightPerPixel_ : secondsPerPixel_;
+    kept = std::max(perPixel, 0.7 * kept + 0.3 * perPixel);
+}
+
+PixelTrace SnapshotMaker::trace(const relief::Scenario& scenario, const relief::Assets& assets,
+                                const relief::Tracer& tracer, relief::Work& work) const {
+    PixelTrace out;
+    if (!scenario.pixel) return out;
+    out.pixel = *scenario.pixel;
+    const auto ray = relief::pixelRay(relief::frameRequest(scenario, assets), out.pixel.x, out.pixel.y);
+    if (!ray) return out;
+    relief::RayBlock rays;
+    rays.push(*ray);
+    relief::HitBlock hits;
+    relief::StepLog log;
+    tracer.trace(rays, hits, log, work);
+    out.onRelief = true;
+    out.ray = *ray;
+    out.hit = hits[0];
+    out.steps = std::move(log.steps);
+    out.reads = log.reads.front();
+    return out;
+}
+
+std::shared_ptr<const Snapshot> SnapshotMaker::make(const relief::Scenario& scenario, std::uint64_t version,
+                                                    Layer layer, int factor, relief::Work& work) {
+    auto snapshot = std::make_shared<Snapshot>();
+    snapshot->version = version;
+    snapshot->scenario = scenario;
+    snapshot->assets = store_.load(scenario.pictures, work);
+    snapshot->coarse = factor > 1;
+    auto request = std::make_shared<relief::FrameRequest>(relief::frameRequest(scenario, snapshot->assets));
+    request->width = (scenario.width + factor - 1) / factor;
+    request->height = (scenario.height + factor - 1) / factor;
+
+    Size& size = snapshot->coarse ? coarse_ : full_;
+    render(size, scenario, *request, snapshot->assets, work);
+    if (size.layer.layer != layer) size.layer = makeLayer(layer, *size.frame, *request);
+    snapshot->request = request;
+    snapshot->frame = size.frame;
+    snapshot->picture = size.picture;
+    snapshot->layer = size.layer;
+    snapshot->trace = trace(scenario, snapshot->assets, *size.renderer->tracer(), work);
+    const relief::HeightField& field = request->field;
+    snapshot->maxima = relief::maxPyramidMap(field, *maps_, work);
+    snapshot->means = maps_->get<relief::Pyramid>({"mean-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {
+        return relief::Pyramid(relief::PyramidKind::Mean, field.heights(), w);
+    });
+    return snapshot;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,51 @@
+// Makes snapshots: the frame, the layer, the pixel's trace and the pyramids of one scenario. Lives on the worker's
+// thread; keeps what can be used again.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "workspace/snapshot.h"
+
+namespace reliefui {
+
+class SnapshotMaker {
+  public:
+    explicit SnapshotMaker(relief::AssetStore store = {}) : store_(std::move(store)) {}
+
+    // Loads the pictures; on an error nothing changes.
+    relief::Assets load(const relief::Pictures& pictures, relief::Work& work) { return store_.load(pictures, work); }
+
+    // By how much the picture has to be made smaller to be drawn within a dragged frame's time; 1: not at all.
+    int coarseFactor(const relief::Scenario& scenario) const;
+
+    // factor 1: the full picture. Throws InputError, Cancelled.
+    std::shared_ptr<const Snapshot> make(const relief::Scenario& scenario, std::uint64_t version, Layer layer,
+                                         int factor, relief::Work& work);
+
+  private:
+    // Coarse and full frames each keep their own buffers: a settled picture is not computed again after a drag that
+    // came back to it.
+    struct Size {
+        std::unique_ptr<relief::FrameRenderer> renderer;
+        std::optional<relief::Scenario> scenario;
+        relief::Assets assets;
+        std::shared_ptr<const relief::Frame> frame;
+        QImage picture;
+        LayerPicture layer;  // the one shown last
+    };
+
+    void render(Size& size, const relief::Scenario& scenario, const relief::FrameRequest& request,
+                const relief::Assets& assets, relief::Work& work);
+    PixelTrace trace(const relief::Scenario& scenario, const relief::Assets& assets, const relief::Tracer& tracer,
+                     relief::Work& work) const;
+
+    relief::AssetStore store_;
+    std::shared_ptr<relief::MapCache> maps_ = std::make_shared<relief::MapCache>();
+    Size full_;
+    Size coarse_;
+    double secondsPerPixel_ = 0;   // of a frame whose rays were traced; 0: not known yet
+    double lightPerPixel_ = 2e-8;  // of a frame of which only the light changed
+};
+
+}  // namespace reliefui

@@ -1,0 +1,282 @@
+#include "workspace/workspace.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+
+#include "workspace/language.h"
+#include "workspace/render_worker.h"
+
+namespace reliefui {
+
+namespace {
+
+bool onlyStepDiffers(const relief::Scenario& a, const relief::Scenario& b) {
+    relief::Scenario c = b;
+    c.step = a.step;
+    return a == c;
+}
+
+void clampPixel(relief::Scenario& scenario) {
+    if (!scenario.pixel) return;
+    scenario.pixel->x = std::clamp(scenario.pixel->x, 0, std::max(0, scenario.width - 1));
+    scenario.pixel->y = std::clamp(scenario.pixel->y, 0, std::max(0, scenario.height - 1));
+}
+
+int lastStep(const Snapshot& snapshot) {
+    return std::max(0, static_cast<int>(snapshot.trace.steps.size()) - 1);
+}
+
+}  // namespace
+
+Workspace::Workspace(QObject* parent) : QObject(parent) {
+    style_.language = uiLanguage();
+}
+
+// Ends the worker's thread: what runs is cancelled, and waited for.
+Workspace::~Workspace() {
+    worker_.reset();
+}
+
+void Workspace::start(const relief::Scenario& scenario, relief::AssetStore store) {
+    WorkerListener listener;
+    listener.snapshot = [this](std::shared_ptr<const Snapshot> snapshot) { takeSnapshot(std::move(snapshot)); };
+    listener.failure = [this](const RenderFailure& failure) { fail(failure); };
+    listener.loaded = [this](const LoadResult& result) { finishLoad(result); };
+    listener.progress = [this](const QString& what, double fraction) { Q_EMIT progress(what, fraction); };
+    worker_ = std::make_unique<RenderWorker>(this, std::move(listener), std::move(store));
+    load({0, Action::Start, scenario, tr("Start"), {}, {}});
+}
+
+void Workspace::change(const relief::Scenario& scenario, const QString& what, const QString& mergeKey, bool live) {
+    relief::Scenario wanted = scenario;
+    clampPixel(wanted);
+    if (wanted == scenario_ || past_.empty()) return;
+    try {
+        relief::checkScenario(wanted, {});
+    } catch (const relief::InputError& error) {
+        Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
+        Q_EMIT scenarioChanged();  // controls go back to what is
+        return;
+    }
+    if (!(wanted.pictures == scenario_.pictures)) {
+        load({0, Action::Change, wanted, what, mergeKey, {}});
+        return;
+    }
+    if (pending_ && (pending_->action == Action::Undo || pending_->action == Action::Redo)) {
+        pending_.reset();
+        worker_->cancelLoad();
+    }
+    // Who looks at the end of the ray goes on doing so when the ray changes.
+    if (snapshot_ && scenario_.step >= lastStep(*snapshot_)) toLastStep_ = true;
+    past_.push({wanted, what, mergeKey});
+    apply(wanted, live);
+}
+
+void Workspace::apply(const relief::Scenario& scenario, bool live) {
+    const bool stepOnly = onlyStepDiffers(scenario, scenario_) && version_ > 0;
+    const bool agreed = goodVersion_ == version_;
+    scenario_ = scenario;
+    if (stepOnly) {
+        if (agreed) good_ = past_;
+        Q_EMIT stepChanged(scenario_.step);
+        return;
+    }
+    version_ = ++lastVersion_;
+    Q_EMIT scenarioChanged();
+    requestRender(live);
+}
+
+void Workspace::requestRender(bool live) {
+    waiting_ = true;
+    worker_->render({scenario_, version_, layer_, live});
+    tellBusy();
+}
+
+void Workspace::settle() {
+    past_.close();
+    if (worker_) worker_->settle();
+}
+
+void Workspace::choosePixel(int x, int y) {
+    relief::Scenario wanted = scenario_;
+    wanted.pixel = relief::PixelChoice{x, y};
+    clampPixel(wanted);
+    if (wanted.pixel == scenario_.pixel || past_.empty()) return;
+    toLastStep_ = true;
+    // One entry a click; arrows in a row are one as well, as they follow each other without a settle().
+    change(wanted, tr("Choose pixel"), QStringLiteral("pixel"));
+}
+
+void Workspace::chooseStep(int step) {
+    if (!snapshot_ || snapshot_->trace.steps.empty()) return;
+    relief::Scenario wanted = scenario_;
+    wanted.step = std::clamp(step, 0, lastStep(*snapshot_));
+    if (wanted.step == scenario_.step) return;
+    toLastStep_ = false;
+    past_.push({wanted, tr("Choose step"), QStringLiteral("step")});
+    apply(wanted, false);
+}
+
+void Workspace::setLayer(Layer layer) {
+    if (layer == layer_) return;
+    layer_ = layer;
+    if (worker_ && version_ > 0) requestRender(false);
+}
+
+void Workspace::setStyle(const Style& style) {
+    if (style == style_) return;
+    style_ = style;
+    Q_EMIT styleChanged();
+}
+
+void Workspace::open(const QString& path) {
+    const QFileInfo file(path);
+    Pending pending{0, Action::Open, scenario_, tr("Open %1").arg(file.fileName()), {}, file.absoluteFilePath()};
+    if (file.suffix().compare(QLatin1String("json"), Qt::CaseInsensitive) != 0) {
+        pending.scenario.pictures = {};
+        pending.scenario.pictures.height = file.absoluteFilePath().toStdString();
+    }
+    load(std::move(pending));
+}
+
+void Workspace::load(Pending pending) {
+    pending.id = ++lastLoad_;
+    const bool json =
+        pending.action == Action::Open && pending.path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+    pending_ = std::move(pending);
+    worker_->load({pending_->id, pending_->scenario, json ? pending_->path : QString()});
+    tellBusy();
+}
+
+void Workspace::finishLoad(const LoadResult& result) {
+    if (!pending_ || pending_->id != result.id) return;
+    Pending pending = std::move(*pending_);
+    pending_.reset();
+    if (result.cancelled || !result.problem.isEmpty()) {
+        if (!result.problem.isEmpty()) Q_EMIT problem(result.problem);
+        Q_EMIT scenarioChanged();  // controls go back to what is
+        tellBusy();
+        return;
+    }
+    pending.scenario = result.scenario;
+    accept(pending);
+    if (!result.notes.isEmpty()) Q_EMIT notice(result.notes);
+    if (pending.action == Action::Open) Q_EMIT opened(pending.path);
+}
+
+void Workspace::accept(const Pending& pending) {
+    relief::Scenario scenario = pending.scenario;
+    toLastStep_ = false;
+    if (pending.action == Action::Undo) {
+        past_.undo();
+    } else if (pending.action == Action::Redo) {
+        past_.redo();
+    } else {
+        const bool wholeScenario = pending.path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+        if (!past_.empty() && !wholeScenario) {
+            // What was turned while the pictures were loading stays turned.
+            scenario = scenario_;
+            scenario.pictures = pending.scenario.pictures;
+        }
+        toLastStep_ = pending.action == Action::Change;
+        past_.push({scenario, pending.what, pending.mergeKey});
+    }
+    apply(scenario, false);
+}
+
+void Workspace::travel(Action action) {
+    const bool back = action == Action::Undo;
+    if (back ? !past_.canUndo() : !past_.canRedo()) return;
+    past_.close();
+    const History::Entry& target = back ? past_.undone() : past_.redone();
+    if (!(target.scenario.pictures == scenario_.pictures)) {
+        load({0, action, target.scenario, target.what, {}, {}});
+        return;
+    }
+    accept({0, action, target.scenario, target.what, {}, {}});
+}
+
+void Workspace::undo() {
+    travel(Action::Undo);
+}
+
+void Workspace::redo() {
+    travel(Action::Redo);
+}
+
+void Workspace::cancel() {
+    if (!worker_) return;
+    worker_->cancel();
+    if (snapshot_ && snapshot_->version == version_) waiting_ = false;  // a coarse picture stays
+    tellBusy();
+}
+
+void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
+    if (snapshot_ && snapshot->version < snapshot_->version) return;
+    snapshot_ = std::move(snapshot);
+    if (snapshot_->version == version_) {
+        const int last = lastStep(*snapshot_);
+        const int step = toLastStep_ ? last : std::clamp(scenario_.step, 0, last);
+        toLastStep_ = false;
+        if (step != scenario_.step) {
+            scenario_.step = step;
+            past_.amend(scenario_);
+        }
+        if (!snapshot_->coarse) waiting_ = false;
+        good_ = past_;
+        goodVersion_ = version_;
+    }
+    Q_EMIT snapshotChanged();
+    tellBusy();
+}
+
+void Workspace::fail(const RenderFailure& failure) {
+    if (failure.version != version_) return;
+    if (!failure.problem.isEmpty()) Q_EMIT problem(failure.problem);
+    waiting_ = false;
+    if (goodVersion_ != version_) goBack();
+    tellBusy();
+}
+
+// The last state that was shown comes back, with the history it had.
+void Workspace::goBack() {
+    if (good_.empty()) return;
+    toLastStep_ = false;
+    past_ = good_;
+    past_.close();
+    scenario_ = past_.current().scenario;
+    const bool shown = snapshot_ && snapshot_->version == goodVersion_;
+    if (shown) {
+        version_ = goodVersion_;
+        Q_EMIT scenarioChanged();
+        return;
+    }
+    version_ = ++lastVersion_;
+    Q_EMIT scenarioChanged();
+    requestRender(false);
+}
+
+void Workspace::save(const QString& path) {
+    try {
+        relief::saveScenario(path.toStdString(), scenario_);
+    } catch (const relief::InputError& error) {
+        Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
+    }
+}
+
+QString Workspace::traceCommand() const {
+    return QString::fromStdString(relief::traceCommand(scenario_));
+}
+
+bool Workspace::busy() const {
+    return pending_.has_value() || waiting_;
+}
+
+void Workspace::tellBusy() {
+    if (busy() == toldBusy_) return;
+    toldBusy_ = busy();
+    Q_EMIT busyChanged(toldBusy_);
+}
+
+}  // namespace reliefui
