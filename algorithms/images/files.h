@@ -105,7 +105,8 @@ class AtomicFile {
     void commit();
 
   private:
-    std::string path_;
+    std::string path_;    // as given: errors name it
+    std::string target_;  // behind links
     std::string temporary_;
     bool committed_ = false;
 };

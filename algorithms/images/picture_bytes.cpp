@@ -1,0 +1,248 @@
+#include "images/picture_bytes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace relief {
+
+namespace {
+
+using View = std::span<const unsigned char>;
+
+std::uint32_t bigEndian(View bytes, std::size_t at) {
+    return std::uint32_t{bytes[at]} << 24 | std::uint32_t{bytes[at + 1]} << 16 | std::uint32_t{bytes[at + 2]} << 8 |
+           bytes[at + 3];
+}
+
+bool startsWith(View bytes, std::string_view text, std::size_t at = 0) {
+    if (bytes.size() < at + text.size()) return false;
+    return std::equal(text.begin(), text.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](char c, unsigned char b) { return static_cast<unsigned char>(c) == b; });
+}
+
+struct Signature {
+    std::string_view format;
+    std::string_view text;
+    std::size_t at = 0;
+};
+
+using namespace std::string_view_literals;
+
+// Not here: Maya's IFF, whose reader in OpenImageIO 2.4 writes beyond its memory on a damaged file.
+constexpr std::array kSignatures{
+    Signature{"png", "\x89PNG\r\n\x1a\n"sv},
+    Signature{"jpeg", "\xff\xd8\xff"sv},
+    Signature{"tiff", "II*\0"sv},
+    Signature{"tiff", "MM\0*"sv},
+    Signature{"tiff", "II+\0"sv},
+    Signature{"tiff", "MM\0+"sv},
+    Signature{"openexr", "\x76\x2f\x31\x01"sv},
+    Signature{"hdr", "#?RADIANCE"sv},
+    Signature{"hdr", "#?RGBE"sv},
+    Signature{"gif", "GIF87a"sv},
+    Signature{"gif", "GIF89a"sv},
+    Signature{"bmp", "BM"sv},
+    Signature{"webp", "WEBP"sv, 8},
+    Signature{"jpeg2000", "\0\0\0\x0cjP  "sv},
+    Signature{"jpeg2000", "\xff\x4f\xff\x51"sv},
+    Signature{"psd", "8BPS"sv},
+    Signature{"dds", "DDS "sv},
+    Signature{"sgi", "\x01\xda"sv},
+    Signature{"dpx", "SDPX"sv},
+    Signature{"dpx", "XPDS"sv},
+    Signature{"fits", "SIMPLE  ="sv},
+};
+
+bool isPortableMap(View head) {
+    const bool kind =
+        head.size() > 2 && head[0] == 'P' && ((head[1] >= '1' && head[1] <= '6') || head[1] == 'F' || head[1] == 'f');
+    return kind && (head[2] == ' ' || head[2] == '\t' || head[2] == '\n' || head[2] == '\r' || head[2] == '#');
+}
+
+// --- PNG
+
+constexpr std::size_t kPngHead = 8;
+constexpr std::size_t kPngFrame = 12;  // length, type and checksum around a chunk's data
+
+// CRC-32 of ISO 3309, as PNG has it, eight bytes a step.
+class Checksum {
+  public:
+    Checksum() {
+        for (std::uint32_t n = 0; n < 256; ++n) {
+            std::uint32_t c = n;
+            for (int bit = 0; bit < 8; ++bit) c = (c & 1U) != 0 ? 0xedb88320U ^ (c >> 1) : c >> 1;
+            tables_[0][n] = c;
+        }
+        for (std::size_t t = 1; t < 8; ++t)
+            for (std::size_t n = 0; n < 256; ++n) {
+                const std::uint32_t c = tables_[t - 1][n];
+                tables_[t][n] = (c >> 8) ^ tables_[0][c & 0xffU];
+            }
+    }
+
+    std::uint32_t of(View bytes) const {
+        std::uint32_t c = 0xffffffffU;
+        std::size_t i = 0;
+        for (; i + 8 <= bytes.size(); i += 8) {
+            const std::uint32_t low = c ^ (bytes[i] | std::uint32_t{bytes[i + 1]} << 8 |
+                                           std::uint32_t{bytes[i + 2]} << 16 | std::uint32_t{bytes[i + 3]} << 24);
+            c = tables_[7][low & 0xffU] ^ tables_[6][(low >> 8) & 0xffU] ^ tables_[5][(low >> 16) & 0xffU] ^
+                tables_[4][low >> 24] ^ tables_[3][bytes[i + 4]] ^ tables_[2][bytes[i + 5]] ^ tables_[1][bytes[i + 6]] ^
+                tables_[0][bytes[i + 7]];
+        }
+        for (; i < bytes.size(); ++i) c = (c >> 8) ^ tables_[0][(c ^ bytes[i]) & 0xffU];
+        return ~c;
+    }
+
+  private:
+    std::array<std::array<std::uint32_t, 256>, 8> tables_{};
+};
+
+// Gathers the chunks worth keeping, in the order libpng wants them.
+class PngCleaner {
+  public:
+    // False: the file is damaged.
+    bool add(std::string_view type, View data) {
+        if (type == "IHDR") return header(data);
+        if (colorType_ < 0) return false;
+        if (type == "PLTE") return palette(data);
+        if (type == "IDAT") {
+            if (colorType_ == 3 && paletteSize_ == 0) return false;
+            data_ = true;
+            return append(type, data);
+        }
+        if (type == "IEND") return data_ && append(type, {});
+        if ((static_cast<unsigned char>(type[0]) & 0x20U) == 0) return false;  // critical, and unknown
+        if (data_) return true;
+        if (type == "tRNS" && !transparency_ && transparencyFits(data.size()))
+            return transparency_ = append(type, data);
+        if (type == "sRGB" && !color_ && data.size() == 1 && data[0] < 4) return color_ = append(type, data);
+        if (type == "gAMA") gamma(data);
+        return true;
+    }
+
+    Bytes take(const Checksum& checksum) {
+        Bytes out{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+        std::size_t total = out.size();
+        for (const Kept& chunk : chunks_) total += chunk.data.size() + kPngFrame;
+        out.reserve(total);
+        for (const Kept& chunk : chunks_) {
+            number(out, static_cast<std::uint32_t>(chunk.data.size()));
+            const std::size_t from = out.size();
+            out.insert(out.end(), chunk.type.begin(), chunk.type.end());
+            out.insert(out.end(), chunk.data.begin(), chunk.data.end());
+            number(out, checksum.of(View(out).subspan(from)));
+        }
+        return out;
+    }
+
+  private:
+    struct Kept {
+        std::string_view type;
+        View data;
+    };
+
+    static void number(Bytes& out, std::uint32_t value) {
+        for (const int shift : {24, 16, 8, 0}) out.push_back(static_cast<unsigned char>(value >> shift));
+    }
+
+    bool append(std::string_view type, View data) {
+        chunks_.push_back({type, data});
+        return true;
+    }
+
+    bool header(View data) {
+        if (colorType_ >= 0 || data.size() != 13) return false;
+        const std::uint32_t width = bigEndian(data, 0);
+        const std::uint32_t height = bigEndian(data, 4);
+        bits_ = data[8];
+        const int type = data[9];
+        const bool power = bits_ == 1 || bits_ == 2 || bits_ == 4 || bits_ == 8 || bits_ == 16;
+        const bool fits =
+            type == 0 || (type == 3 && bits_ <= 8) || ((type == 2 || type == 4 || type == 6) && bits_ >= 8);
+        if (!power || !fits || data[10] != 0 || data[11] != 0 || data[12] > 1) return false;
+        if (width == 0 || height == 0 || (width | height) > 0x7fffffffU) return false;
+        colorType_ = type;
+        return append("IHDR", data);
+    }
+
+    // Filled up to what the bit depth can address: libpng warns of an index beyond the end.
+    bool palette(View data) {
+        if (colorType_ != 3) return true;
+        if (data_ || paletteSize_ != 0 || data.empty() || data.size() % 3 != 0) return false;
+        paletteSize_ = data.size() / 3;
+        if (paletteSize_ > std::size_t{1} << bits_) return false;
+        palette_.assign(data.begin(), data.end());
+        palette_.resize(3 * (std::size_t{1} << bits_));
+        return append("PLTE", palette_);
+    }
+
+    bool transparencyFits(std::size_t size) const {
+        if (colorType_ == 3) return size >= 1 && size <= paletteSize_;
+        return (colorType_ == 0 && size == 2) || (colorType_ == 2 && size == 6);
+    }
+
+    void gamma(View data) {
+        if (color_ || data.size() != 4) return;
+        const std::uint32_t value = bigEndian(data, 0);
+        if (value >= 1000 && value <= 1000000) color_ = append("gAMA", data);
+    }
+
+    std::vector<Kept> chunks_;
+    Bytes palette_;
+    std::size_t paletteSize_ = 0;
+    int bits_ = 0;
+    int colorType_ = -1;
+    bool data_ = false;
+    bool transparency_ = false;
+    bool color_ = false;
+};
+
+}  // namespace
+
+std::string_view formatBySignature(std::span<const unsigned char> head) {
+    for (const Signature& signature : kSignatures)
+        if (startsWith(head, signature.text, signature.at)) return signature.format;
+    return isPortableMap(head) ? "pnm" : "";
+}
+
+std::optional<DeclaredSize> declaredSize(std::string_view format, std::span<const unsigned char> head) {
+    if (format == "png" && head.size() >= 24 && startsWith(head, "IHDR", 12))
+        return DeclaredSize{bigEndian(head, 16), bigEndian(head, 20)};
+    if (format == "gif" && head.size() >= 10)
+        return DeclaredSize{head[6] | std::uint32_t{head[7]} << 8, head[8] | std::uint32_t{head[9]} << 8};
+    if (format != "jpeg2000") return std::nullopt;
+    for (std::size_t i = 0; i + 24 <= head.size(); ++i) {
+        if (!startsWith(head, "\xff\x4f\xff\x51"sv, i)) continue;
+        const std::uint32_t left = bigEndian(head, i + 16);
+        const std::uint32_t top = bigEndian(head, i + 20);
+        const std::uint32_t right = bigEndian(head, i + 8);
+        const std::uint32_t bottom = bigEndian(head, i + 12);
+        return DeclaredSize{right > left ? right - left : 0, bottom > top ? bottom - top : 0};
+    }
+    return std::nullopt;
+}
+
+std::optional<Bytes> cleanPng(std::span<const unsigned char> file) {
+    const Checksum checksum;
+    PngCleaner cleaner;
+    std::size_t at = kPngHead;
+    while (file.size() >= at + kPngFrame) {
+        const std::size_t length = bigEndian(file, at);
+        if (length > file.size() - at - kPngFrame) return std::nullopt;
+        const View typed = file.subspan(at + 4, 4 + length);
+        const std::string_view type(reinterpret_cast<const char*>(typed.data()), 4);
+        const bool critical = (typed[0] & 0x20U) == 0;
+        at += kPngFrame + length;
+        if (checksum.of(typed) != bigEndian(file, at - 4)) {
+            if (critical) return std::nullopt;
+            continue;
+        }
+        if (!cleaner.add(type, typed.subspan(4))) return std::nullopt;
+        if (type == "IEND") return cleaner.take(checksum);
+    }
+    return std::nullopt;
+}
+
+}  // namespace relief

@@ -1,0 +1,87 @@
+// One picture file opened and checked, its numbers handed out in the type they have. For the readers of this folder;
+// everybody else uses files.h. Throws what files.h says.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "images/files.h"
+#include "work.h"
+
+namespace relief {
+
+enum class NumberType : std::uint8_t { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float, Double };
+
+// The largest number of an integer type; 0 for floats.
+double fullRange(NumberType type);
+
+// One channel inside a block of interleaved numbers; pixel i is number i * stride.
+struct RawPlane {
+    const std::byte* first = nullptr;
+    std::size_t stride = 1;
+    NumberType type = NumberType::UInt8;
+};
+
+// fn(const T* first): with the type the plane's numbers have.
+template <class Function>
+decltype(auto) withNumbers(const RawPlane& plane, Function&& fn) {
+    const void* first = plane.first;
+    switch (plane.type) {
+        case NumberType::UInt8:
+            return fn(static_cast<const std::uint8_t*>(first));
+        case NumberType::Int8:
+            return fn(static_cast<const std::int8_t*>(first));
+        case NumberType::UInt16:
+            return fn(static_cast<const std::uint16_t*>(first));
+        case NumberType::Int16:
+            return fn(static_cast<const std::int16_t*>(first));
+        case NumberType::UInt32:
+            return fn(static_cast<const std::uint32_t*>(first));
+        case NumberType::Int32:
+            return fn(static_cast<const std::int32_t*>(first));
+        case NumberType::Float:
+            return fn(static_cast<const float*>(first));
+        case NumberType::Double:
+            break;
+    }
+    return fn(static_cast<const double*>(first));
+}
+
+struct RawPlanes {
+    std::vector<std::unique_ptr<std::byte[]>> storage;
+    std::vector<RawPlane> planes;  // as asked for
+};
+
+class PictureInput {
+  public:
+    // Checks the file, its format and its size; allocates nothing of the size of the picture.
+    PictureInput(const std::string& path, std::int64_t maxPixels);
+    ~PictureInput();
+    PictureInput(const PictureInput&) = delete;
+    PictureInput& operator=(const PictureInput&) = delete;
+
+    const ImageInfo& info() const { return info_; }
+    // Index of the channel of that name in any case; -1 if there is none.
+    int channelIndex(std::string_view name) const;
+    // Index of the alpha channel, or -1.
+    int alphaChannel() const;
+
+    // The numbers of these channels, one block if they are of one type. Half floats come as float. May be cancelled.
+    RawPlanes read(std::span<const int> channels, Work& work);
+
+  private:
+    struct Library;
+
+    void checkSpec(std::int64_t maxPixels);
+
+    std::string path_;
+    std::unique_ptr<Library> library_;
+    ImageInfo info_;
+};
+
+}  // namespace relief

@@ -1,0 +1,131 @@
+#include "images/pyramid.h"
+
+#include <algorithm>
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace relief {
+
+namespace {
+
+// From this many texels on, building takes long enough for somebody to wait for it.
+constexpr std::size_t kProgressTexels = std::size_t{1} << 22;
+
+// Rows of a level handed to one task, so that narrow levels do not drown in tasks.
+std::size_t rowGrain(int width) {
+    return std::max<std::size_t>(1, (std::size_t{1} << 14) / static_cast<std::size_t>(width));
+}
+
+template <class RowFunction>
+void forRows(int width, int height, bool tell, Work& work, const RowFunction& rowFunction) {
+    work.arena().execute([&] {
+        tbb::parallel_for(tbb::blocked_range<int>(0, height, rowGrain(width)),
+                          [&](const tbb::blocked_range<int>& rows) {
+                              work.throwIfStopped();
+                              for (int y = rows.begin(); y < rows.end(); ++y) rowFunction(y);
+                              if (tell) work.progress().advance(rows.end() - rows.begin());
+                          });
+    });
+}
+
+// One level up by a choice between values: maximum or minimum.
+template <class Choose>
+FloatImage chosenLevel(const FloatImage& below, bool tell, Work& work, const Choose& choose) {
+    FloatImage level((below.width() + 1) / 2, (below.height() + 1) / 2);
+    forRows(level.width(), level.height(), tell, work, [&](int y) {
+        const auto upper = below.row(2 * y);
+        // A lone last row or column stands for its missing neighbour: the choice is the same.
+        const auto lower = below.row(std::min(2 * y + 1, below.height() - 1));
+        const auto out = level.row(y);
+        const std::size_t pairs = upper.size() / 2;
+        for (std::size_t x = 0; x < pairs; ++x)
+            out[x] = choose(choose(upper[2 * x], upper[2 * x + 1]), choose(lower[2 * x], lower[2 * x + 1]));
+        if (pairs < out.size()) out[pairs] = choose(upper.back(), lower.back());
+    });
+    return level;
+}
+
+// Sums of level 0's texels below each texel of the level: the mean is rounded once, not once a level.
+Image<double> summedLevel(const Image<double>& below, bool tell, Work& work) {
+    Image<double> level((below.width() + 1) / 2, (below.height() + 1) / 2);
+    forRows(level.width(), level.height(), tell, work, [&](int y) {
+        const auto out = level.row(y);
+        for (int from = 2 * y; from < std::min(2 * y + 2, below.height()); ++from) {
+            const auto row = below.row(from);
+            const std::size_t pairs = row.size() / 2;
+            for (std::size_t x = 0; x < pairs; ++x) out[x] += row[2 * x] + row[2 * x + 1];
+            if (pairs < out.size()) out[pairs] += row.back();
+        }
+    });
+    return level;
+}
+
+// How many of `size` texels lie below texel i of level l.
+std::int64_t covered(std::int64_t i, int l, std::int64_t size) {
+    return std::min(size, (i + 1) << l) - (i << l);
+}
+
+FloatImage meansOf(const Image<double>& sums, int l, const FloatImage& base, bool tell, Work& work) {
+    FloatImage level(sums.width(), sums.height());
+    forRows(level.width(), level.height(), tell, work, [&](int y) {
+        const std::int64_t rows = covered(y, l, base.height());
+        for (int x = 0; x < level.width(); ++x) {
+            const std::int64_t count = rows * covered(x, l, base.width());
+            level(x, y) = static_cast<float>(sums(x, y) / static_cast<double>(count));
+        }
+    });
+    return level;
+}
+
+Image<double> widened(const FloatImage& base, Work& work) {
+    Image<double> sums(base.width(), base.height());
+    forRows(base.width(), base.height(), false, work,
+            [&](int y) { std::copy(base.row(y).begin(), base.row(y).end(), sums.row(y).begin()); });
+    return sums;
+}
+
+}  // namespace
+
+int Pyramid::levelCount(int width, int height) {
+    assert(width >= 1 && height >= 1);
+    int count = 1;
+    for (std::int64_t size = std::max(width, height); size > 1; size = (size + 1) / 2) ++count;
+    return count;
+}
+
+Pyramid::Pyramid(PyramidKind kind, FloatImage base, Work& work) : kind_(kind) {
+    assert(base.width() >= 1 && base.height() >= 1);
+    const int count = levelCount(base.width(), base.height());
+    const bool tell = base.size() >= kProgressTexels;
+    if (tell) {
+        const int passes = kind == PyramidKind::Mean ? 2 : 1;
+        std::int64_t rows = 0;
+        for (std::int64_t l = 1, h = base.height(); l < count; ++l) rows += h = (h + 1) / 2;
+        work.progress().begin("pyramid", rows * passes);
+    }
+    levels_.reserve(static_cast<std::size_t>(count));
+    levels_.push_back(std::move(base));
+    Image<double> sums;
+    if (kind == PyramidKind::Mean && count > 1) sums = widened(levels_.front(), work);
+    for (int l = 1; l < count; ++l) {
+        work.throwIfStopped();
+        const FloatImage& below = levels_.back();
+        if (kind == PyramidKind::Mean) {
+            sums = summedLevel(sums, tell, work);
+            levels_.push_back(meansOf(sums, l, levels_.front(), tell, work));
+        } else if (kind == PyramidKind::Max) {
+            levels_.push_back(chosenLevel(below, tell, work, [](float a, float b) { return a < b ? b : a; }));
+        } else {
+            levels_.push_back(chosenLevel(below, tell, work, [](float a, float b) { return b < a ? b : a; }));
+        }
+    }
+}
+
+std::size_t Pyramid::bytes() const {
+    std::size_t sum = 0;
+    for (const FloatImage& level : levels_) sum += level.bytes();
+    return sum;
+}
+
+}  // namespace relief

@@ -1,0 +1,135 @@
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <glm/geometric.hpp>
+
+#include "images/picture_input.h"
+
+namespace relief {
+
+namespace {
+
+constexpr std::size_t kGrain = std::size_t{1} << 14;
+
+using Range = tbb::blocked_range<std::size_t>;
+using Channels = std::array<int, 3>;
+
+template <class T>
+double scaled(T number) {
+    if constexpr (std::is_floating_point_v<T>)
+        return static_cast<double>(number);
+    else
+        return static_cast<double>(number) / static_cast<double>(std::numeric_limits<T>::max());
+}
+
+// Red, green and blue where the file has them; a grey picture three times over; else the first three.
+Channels colorChannels(const PictureInput& input) {
+    const Channels named{input.channelIndex("R"), input.channelIndex("G"), input.channelIndex("B")};
+    if (named[0] >= 0 && named[1] >= 0 && named[2] >= 0) return named;
+    const int grey = input.channelIndex("Y");
+    if (grey >= 0) return {grey, grey, grey};
+    if (input.info().channels.size() < 3) return {0, 0, 0};
+    return {0, 1, 2};
+}
+
+bool saysLinear(std::string_view colorSpace) {
+    return colorSpace == "Linear" || colorSpace == "linear" || colorSpace == "lin_srgb" || colorSpace == "scene_linear";
+}
+
+// Light for every number an 8- or 16-bit type has, indexed by the number's own bits.
+template <class T>
+std::vector<float> lightTable(bool linear) {
+    using Unsigned = std::make_unsigned_t<T>;
+    std::vector<float> table(std::size_t{std::numeric_limits<Unsigned>::max()} + 1);
+    for (std::size_t code = 0; code < table.size(); ++code) {
+        const auto value = static_cast<float>(scaled(static_cast<T>(static_cast<Unsigned>(code))));
+        table[code] = linear ? value : linearFromSrgb(value);
+    }
+    return table;
+}
+
+// light(number) to every number of one plane, into component c of the colours.
+template <class T, class Light>
+void fill(const T* numbers, std::size_t stride, int c, ColorImage& image, Work& work, const Light& light) {
+    const std::span<Color> out = image.pixels();
+    tbb::parallel_for(Range(0, out.size(), kGrain), [&](const Range& range) {
+        work.throwIfStopped();
+        for (std::size_t i = range.begin(); i < range.end(); ++i) out[i][c] = light(numbers[i * stride]);
+    });
+}
+
+template <class T>
+void fillLight(const T* numbers, std::size_t stride, int c, bool linear, ColorImage& image, Work& work) {
+    if constexpr (std::is_floating_point_v<T>) {
+        fill(numbers, stride, c, image, work, [](T v) { return static_cast<float>(v); });
+    } else if constexpr (sizeof(T) <= 2) {
+        const std::vector<float> table = lightTable<T>(linear);
+        fill(numbers, stride, c, image, work, [&](T v) { return table[static_cast<std::make_unsigned_t<T>>(v)]; });
+    } else {
+        fill(numbers, stride, c, image, work, [linear](T v) {
+            const auto value = static_cast<float>(scaled(v));
+            return linear ? value : linearFromSrgb(value);
+        });
+    }
+}
+
+// Components up to this are what 8 bits leave of zero (half a step, and a little for rounding).
+constexpr float kZeroNormal = 0.51F / 127.5F;
+
+glm::vec3 unitNormal(const glm::vec3& encoded) {
+    const glm::vec3 n = 2.0F * encoded - 1.0F;
+    const float length = glm::length(n);
+    const bool zero = std::abs(n.x) <= kZeroNormal && std::abs(n.y) <= kZeroNormal && std::abs(n.z) <= kZeroNormal;
+    // Negated, so that a NaN ends here, too.
+    if (zero || !(length > 0) || !std::isfinite(length)) return {0, 0, 1};
+    return n / length;
+}
+
+}  // namespace
+
+ColorImage readColor(const std::string& path, Work& work, std::int64_t maxPixels) {
+    PictureInput input(path, maxPixels);
+    const Channels channels = colorChannels(input);
+    const RawPlanes raw = input.read(channels, work);
+    const bool linear = saysLinear(input.info().colorSpace);
+    ColorImage image(input.info().width, input.info().height);
+    work.arena().execute([&] {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            const RawPlane& plane = raw.planes[c];
+            withNumbers(plane, [&](const auto* numbers) {
+                fillLight(numbers, plane.stride, static_cast<int>(c), linear, image, work);
+            });
+        }
+    });
+    return image;
+}
+
+Image<glm::vec3> readNormals(const std::string& path, Work& work, std::int64_t maxPixels) {
+    PictureInput input(path, maxPixels);
+    const std::size_t count = input.info().channels.size();
+    if (count < 3) throw InputError(path, Message(MessageId::NormalsNeedThree, {{"count", count}}));
+    const Channels channels = colorChannels(input);
+    const RawPlanes raw = input.read(channels, work);
+    Image<glm::vec3> image(input.info().width, input.info().height);
+    work.arena().execute([&] {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            const RawPlane& plane = raw.planes[c];
+            withNumbers(plane, [&](const auto* numbers) {
+                fill(numbers, plane.stride, static_cast<int>(c), image, work,
+                     [](auto v) { return static_cast<float>(scaled(v)); });
+            });
+        }
+        const std::span<glm::vec3> out = image.pixels();
+        tbb::parallel_for(Range(0, out.size(), kGrain), [&](const Range& range) {
+            work.throwIfStopped();
+            for (std::size_t i = range.begin(); i < range.end(); ++i) out[i] = unitNormal(out[i]);
+        });
+    });
+    return image;
+}
+
+}  // namespace relief

@@ -1,0 +1,152 @@
+// What the formats hide in themselves: palettes, few bits, odd chunks, alpha, channels of several types.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "file_bytes.h"
+#include "images/files.h"
+#include "picture_files.h"
+#include "temporary_folder.h"
+
+namespace relief {
+namespace {
+
+using testing::bigEndian;
+using testing::faultOf;
+using testing::littleEndian;
+using testing::png;
+using testing::pngChunk;
+using testing::TemporaryFolder;
+using testing::tiffEntry;
+using testing::writeRaw;
+
+HeightImage heights(const std::string& path, const HeightReadOptions& options = {}) {
+    Work work(2);
+    return readHeight(path, options, work);
+}
+
+std::vector<float> values(const HeightImage& image) {
+    return {image.heights.pixels().begin(), image.heights.pixels().end()};
+}
+
+ColorImage colors(const std::string& path) {
+    Work work(2);
+    return readColor(path, work);
+}
+
+// Two-bit indices 3 2 1 0, of which only three have a colour: the missing one is black.
+TEST(Formats, PalettePng) {
+    const TemporaryFolder folder;
+    const std::string rows("\0\xe4", 2);
+    const std::string palette = pngChunk("PLTE", "\x0a\x14\x1e\x64\x6e\x78\xc8\xd2\xdc");
+    const std::string path = folder.with("p.png", png(4, 1, 2, 3, rows, palette));
+    const HeightImage image = heights(path);
+    EXPECT_EQ(values(image), (std::vector<float>{0, static_cast<float>(200 / 255.0), static_cast<float>(100 / 255.0),
+                                                 static_cast<float>(10 / 255.0)}));
+    EXPECT_EQ(image.channel, "R");
+    EXPECT_EQ(colors(path)(1, 0).b, linearFromSrgb(static_cast<float>(220 / 255.0)));
+    // With a transparency chunk it has an alpha channel, which multiplies nothing.
+    const std::string clear = palette + pngChunk("tRNS", "\xff\x80");
+    EXPECT_EQ(heights(folder.with("t.png", png(4, 1, 2, 3, rows, clear))).heights(2, 0), image.heights(2, 0));
+}
+
+TEST(Formats, FewBitsSpanTheFullRange) {
+    const TemporaryFolder folder;
+    const HeightImage image = heights(folder.with("g.png", png(4, 1, 2, 0, std::string("\0\x1b", 2))));
+    EXPECT_EQ(values(image),
+              (std::vector<float>{0, static_cast<float>(85 / 255.0), static_cast<float>(170 / 255.0), 1}));
+}
+
+// libpng would speak on stderr of a colour profile that it does not like, and OpenImageIO would trust one it does.
+TEST(Formats, PngWithOddAncillaryChunks) {
+    const TemporaryFolder folder;
+    std::string wrongSum = pngChunk("tEXt", "a comment");
+    wrongSum.back() = static_cast<char>(wrongSum.back() + 1);
+    const std::string odd = pngChunk("iCCP", "broken") + pngChunk("gAMA", bigEndian(0)) + pngChunk("tRNS", "abc") +
+                            pngChunk("zzZz", "?") + pngChunk("sRGB", "\x7f") + wrongSum;
+    const std::string path = folder.with("odd.png", png(1, 1, 8, 0, std::string("\0\x80", 2), odd));
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(heights(path).heights(0, 0), static_cast<float>(128 / 255.0));
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+// An 8-bit BMP of two colours, rows bottom-up.
+TEST(Formats, PaletteBmp) {
+    const TemporaryFolder folder;
+    const std::string pixels = std::string("\1\0\0\0", 4) + std::string("\0\1\0\0", 4);
+    const std::string bytes = "BM" + littleEndian(14 + 40 + 8 + 8, 4) + littleEndian(0, 4) +
+                              littleEndian(14 + 40 + 8, 4) + littleEndian(40, 4) + littleEndian(2, 4) +
+                              littleEndian(2, 4) + littleEndian(1, 2) + littleEndian(8, 2) + littleEndian(0, 4) +
+                              littleEndian(8, 4) + littleEndian(0, 8) + littleEndian(2, 4) + littleEndian(2, 4) +
+                              std::string("\x0a\x14\x1e\0\x64\x6e\x78\0", 8) + pixels;
+    const HeightImage image = heights(folder.with("p.bmp", bytes));
+    const float low = static_cast<float>(30 / 255.0);
+    const float high = static_cast<float>(120 / 255.0);
+    EXPECT_EQ(values(image), (std::vector<float>{low, high, high, low}));
+}
+
+TEST(Formats, PaletteTiff) {
+    const TemporaryFolder folder;
+    std::string bytes = "II" + littleEndian(42, 2) + littleEndian(8, 4) + littleEndian(9, 2);
+    const std::uint32_t map = 8 + 2 + 9 * 12 + 4;
+    const std::uint32_t strip = map + 3 * 256 * 2;
+    bytes += tiffEntry(256, 3, 1, 2) + tiffEntry(257, 3, 1, 1) + tiffEntry(258, 3, 1, 8) + tiffEntry(259, 3, 1, 1) +
+             tiffEntry(262, 3, 1, 3) + tiffEntry(273, 4, 1, strip) + tiffEntry(278, 3, 1, 1) + tiffEntry(279, 4, 1, 2) +
+             tiffEntry(320, 3, 768, map) + littleEndian(0, 4);
+    for (std::uint32_t channel = 0; channel < 3; ++channel)
+        for (std::uint32_t i = 0; i < 256; ++i) bytes += littleEndian((channel * 50 + i % 100) * 257, 2);
+    bytes += "\x0a\x14";
+    const HeightImage image = heights(folder.with("p.tif", bytes));
+    EXPECT_EQ(values(image), (std::vector<float>{static_cast<float>(10 / 255.0), static_cast<float>(20 / 255.0)}));
+    EXPECT_EQ(image.info.channels.size(), 3U);
+    // The same with its last byte gone.
+    const std::string cut = folder.with("cut.tif", bytes.substr(0, bytes.size() - 2));
+    EXPECT_TRUE(faultOf([&] { heights(cut); }).starts_with(cut + ": is damaged or cut short"));
+}
+
+TEST(Formats, PaletteGif) {
+    const TemporaryFolder folder;
+    const std::string path = writeRaw<std::uint8_t>(folder / "p.gif", 2, 1, 3, {10, 20, 30, 200, 210, 220});
+    const HeightImage image = heights(path);
+    EXPECT_NEAR(image.heights(0, 0), 10 / 255.0, 0.02);
+    EXPECT_NEAR(image.heights(1, 0), 200 / 255.0, 0.02);
+}
+
+TEST(Formats, GreyJpegInThreeChannelsGivesTheFirst) {
+    const TemporaryFolder folder;
+    const HeightImage image =
+        heights(writeRaw<std::uint8_t>(folder / "g.jpg", 8, 8, 3, std::vector<std::uint8_t>(192, 100)));
+    EXPECT_EQ(image.channel, "R");
+    EXPECT_NEAR(image.heights(3, 3), 100 / 255.0, 0.01);
+}
+
+TEST(Formats, ChannelsOfDifferentTypes) {
+    const TemporaryFolder folder;
+    OIIO::ImageSpec spec(2, 1, 3, OIIO::TypeDesc::FLOAT);
+    spec.channelformats = {OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::HALF};
+    const std::string path = writeRaw<float>(folder / "mixed.exr", spec, {0.5F, 0.1F, 0.25F, 1, 2, 3});
+    const ColorImage image = colors(path);
+    EXPECT_EQ(image(0, 0), Color(0.5F, 0.1F, 0.25F));
+    EXPECT_EQ(image(1, 0), Color(1, 2, 3));
+    HeightReadOptions options;
+    options.channel = "B";
+    EXPECT_EQ(heights(path, options).fileHigh, 3);
+}
+
+// OpenImageIO would multiply by alpha: 200 * 10 / 255 = 8.
+TEST(Formats, AlphaMultipliesNothing) {
+    const TemporaryFolder folder;
+    OIIO::ImageSpec spec(1, 1, 4, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    for (const char* name : {"a.png", "a.tif"}) {
+        const std::string path = writeRaw<std::uint8_t>(folder / name, spec, {200, 100, 50, 10});
+        HeightReadOptions options;
+        EXPECT_EQ(heights(path, options).heights(0, 0), static_cast<float>(200 / 255.0)) << name;
+        options.channel = "A";
+        EXPECT_EQ(heights(path, options).heights(0, 0), static_cast<float>(10 / 255.0)) << name;
+        EXPECT_EQ(colors(path)(0, 0).g, linearFromSrgb(static_cast<float>(100 / 255.0))) << name;
+    }
+}
+
+}  // namespace
+}  // namespace relief

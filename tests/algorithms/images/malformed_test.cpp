@@ -1,0 +1,272 @@
+// What is refused, each with one line that names the file and the fault, and not a word on stderr.
+#include <OpenImageIO/deepdata.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <limits>
+#include <random>
+
+#include "file_bytes.h"
+#include "images/files.h"
+#include "picture_files.h"
+#include "temporary_folder.h"
+
+namespace relief {
+namespace {
+
+using testing::bigEndian;
+using testing::bytesOf;
+using testing::faultOf;
+using testing::kPngSignature;
+using testing::littleEndian;
+using testing::png;
+using testing::pngChunk;
+using testing::pngHeader;
+using testing::TemporaryFolder;
+using testing::writeRaw;
+
+// The line without the file's name, from both readers and from the one that reads no pixels, if that refuses already.
+// Fails if anything was printed.
+std::string refusal(const std::string& path, std::int64_t maxPixels = kDefaultMaxPixels) {
+    ::testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStdout();
+    Work work(2);
+    HeightReadOptions options;
+    options.maxPixels = maxPixels;
+    const std::string info = faultOf([&] { readImageInfo(path, maxPixels); });
+    const std::string height = faultOf([&] { readHeight(path, options, work); });
+    const std::string color = faultOf([&] { readColor(path, work, maxPixels); });
+    EXPECT_EQ(::testing::internal::GetCapturedStderr() + ::testing::internal::GetCapturedStdout(), "") << path;
+    EXPECT_EQ(height, color);
+    EXPECT_TRUE(info.empty() || info == height) << info;
+    if (!height.starts_with(path + ": ")) return "NOT NAMED: " + height;
+    return height.substr(path.size() + 2);
+}
+
+void expectDamaged(const std::string& path, const std::string& what = {}) {
+    EXPECT_TRUE(refusal(path).starts_with("is damaged or cut short")) << path << ' ' << what << ' ' << refusal(path);
+}
+
+// A picture with something in every pixel, so that what is cut off is missed.
+std::string noisy(const std::string& path, int width = 61, int height = 47, int channels = 3) {
+    std::mt19937 generator(1);
+    std::vector<std::uint8_t> numbers(static_cast<std::size_t>(width * height * channels));
+    for (std::uint8_t& number : numbers) number = static_cast<std::uint8_t>(generator());
+    return writeRaw(path, width, height, channels, numbers);
+}
+
+TEST(Malformed, NotThereOrNotAFile) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(refusal(folder / "none.png"), "no such file");
+    EXPECT_EQ(refusal(folder / ""), "is a directory, not a file");
+    EXPECT_EQ(refusal(folder.with("empty.png", "")), "the file is empty");
+    EXPECT_EQ(refusal("/dev/null"), "is not an ordinary file");
+    const std::string pipe = folder / "pipe.png";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(refusal(pipe), "is not an ordinary file");
+    EXPECT_EQ(refusal(folder.with("file", "x") + "/below.png"), "cannot be read: Not a directory");
+}
+
+TEST(Malformed, NoPermission) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
+    const TemporaryFolder folder;
+    const std::string path = noisy(folder / "secret.png");
+    ::chmod(path.c_str(), 0);
+    EXPECT_EQ(refusal(path), "no permission to read it");
+}
+
+TEST(Malformed, NotAPicture) {
+    const TemporaryFolder folder;
+    std::string random;
+    std::mt19937 generator(5);
+    for (int i = 0; i < 5000; ++i) random += static_cast<char>(generator() & 0xffU);
+    for (const char* name : {"a.png", "a.jpg", "a.exr", "a.tif", "a.txt", "a", "a.mp4", "a.vdb", "a.null", "a.cr2"}) {
+        EXPECT_EQ(refusal(folder.with(name, "just some text\n")), "is not a picture that can be read") << name;
+        EXPECT_EQ(refusal(folder.with(name, random)), "is not a picture that can be read") << name;
+    }
+    // Formats without a signature go by the name: their libraries have to see it.
+    for (const char* name : {"a.tga", "a.ico", "a.rla", "a.cin", "a.pic", "a.heic"}) {
+        expectDamaged(folder.with(name, "just some text\n"), name);
+        expectDamaged(folder.with(name, random), name);
+    }
+}
+
+TEST(Malformed, OnlyASignature) {
+    const TemporaryFolder folder;
+    using namespace std::string_literals;
+    for (const std::string& head :
+         {kPngSignature, "\xff\xd8\xff"s, "II*\0"s, "MM\0*"s, "\x76\x2f\x31\x01"s, "#?RADIANCE\n"s, "GIF89a"s, "BM"s,
+          "RIFF\0\0\0\0WEBP"s, "\0\0\0\x0cjP  \r\n\x87\n"s, "\xff\x4f\xff\x51"s, "8BPS"s, "DDS "s, "P5\n"s,
+          "\x01\xda"s, "SDPX"s, "SIMPLE  ="s})
+        expectDamaged(folder.with("head.png", head), head);
+}
+
+// Every kind cut at many places: never a grey rest.
+TEST(Malformed, CutShort) {
+    const TemporaryFolder folder;
+    for (const char* extension : {"png", "jpg", "tif", "exr", "hdr", "bmp", "tga", "ppm", "webp", "jp2", "gif"}) {
+        const std::string whole = bytesOf(noisy(folder / (std::string("whole.") + extension)));
+        ASSERT_GT(whole.size(), 1000U);
+        const std::string path = folder / (std::string("cut.") + extension);
+        for (const double part : {0.02, 0.1, 0.35, 0.6, 0.8, 0.9}) {
+            const auto size = static_cast<std::size_t>(static_cast<double>(whole.size()) * part);
+            folder.with(std::string("cut.") + extension, whole.substr(0, size));
+            expectDamaged(path, std::to_string(part));
+        }
+    }
+}
+
+TEST(Malformed, JpegWithoutItsLastBytes) {
+    const TemporaryFolder folder;
+    const std::string whole = bytesOf(noisy(folder / "whole.jpg"));
+    for (const std::size_t lost : {2U, 3U, 10U, 100U})
+        expectDamaged(folder.with("cut.jpg", whole.substr(0, whole.size() - lost)), std::to_string(lost));
+}
+
+TEST(Malformed, PngWithAFlippedByte) {
+    const TemporaryFolder folder;
+    const std::string whole = bytesOf(noisy(folder / "whole.png"));
+    for (std::size_t at = 0; at < whole.size(); at += 97) {
+        std::string bytes = whole;
+        bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
+        const std::string path = folder.with("flipped.png", bytes);
+        const std::string line = refusal(path);
+        EXPECT_TRUE(line.starts_with("is damaged") || line.starts_with("is not a picture") || at == 16) << at << line;
+    }
+}
+
+TEST(Malformed, PngChunksOutOfOrder) {
+    const TemporaryFolder folder;
+    const std::string data = pngChunk("IDAT", testing::stored(std::string("\0\x80", 2)));
+    const std::string end = pngChunk("IEND", {});
+    const std::string palette = pngChunk("PLTE", "abc");
+    for (const std::string& bytes :
+         {data + pngHeader(1, 1, 8, 0) + end, pngHeader(1, 1, 8, 0) + end, pngHeader(1, 1, 8, 0) + data,
+          pngHeader(1, 1, 8, 0) + pngHeader(1, 1, 8, 0) + data + end, pngHeader(1, 1, 8, 3) + data + end,
+          pngHeader(1, 1, 8, 3) + palette + palette + data + end, pngHeader(1, 1, 3, 0) + data + end,
+          pngHeader(1, 1, 8, 5) + data + end, pngHeader(1, 1, 4, 2) + data + end,
+          pngHeader(1, 1, 8, 3) + pngChunk("PLTE", "ab") + data + end,
+          pngHeader(1, 1, 8, 0) + pngChunk("CRIT", "?") + data + end,
+          pngHeader(1, 1, 8, 0) + bigEndian(0xffffffffU) + "IDAT" + data})
+        expectDamaged(folder.with("order.png", kPngSignature + bytes));
+}
+
+TEST(Malformed, ZeroSize) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(refusal(folder.with("zero.png", png(0, 5, 8, 0, "x"))),
+              "the picture is 0 x 5: there is not a single pixel");
+    EXPECT_EQ(refusal(folder.with("zero.gif", "GIF89a" + littleEndian(3, 2) + littleEndian(0, 2) + "rest")),
+              "the picture is 3 x 0: there is not a single pixel");
+    EXPECT_NE(refusal(folder.with("zero.pgm", "P5\n0 4\n255\n")), "");
+}
+
+// Headers that promise more than anybody has: refused by what they say, before a byte is allocated for it.
+TEST(Malformed, PixelBombs) {
+    const TemporaryFolder folder;
+    const std::string limit = " pixels are more than the limit of 268435456 (--max-pixels)";
+    EXPECT_EQ(refusal(folder.with("bomb.png", png(60000, 60000, 16, 6, "x"))), "60000 x 60000" + limit);
+    EXPECT_EQ(refusal(folder.with("most.png", png(0x7fffffffU, 0x7fffffffU, 16, 6, "x"))),
+              "2147483647 x 2147483647" + limit);
+    EXPECT_EQ(refusal(folder.with("bomb.gif", "GIF89a" + littleEndian(65535, 2) + littleEndian(65535, 2))),
+              "65535 x 65535" + limit);
+    EXPECT_EQ(refusal(folder.with("bomb.ppm", "P6\n100000 100000\n255\nabc")), "100000 x 100000" + limit);
+    EXPECT_EQ(refusal(folder.with("long.png", png(1000001, 1, 8, 0, "x"))),
+              "1000001 x 1 pixels: PNG is read up to 1000000 a side");
+    const std::string codestream = std::string("\xff\x4f\xff\x51\0\x2f\0\0", 8) + bigEndian(70000) + bigEndian(80000) +
+                                   bigEndian(10) + bigEndian(0) + std::string(40, '\1');
+    EXPECT_EQ(refusal(folder.with("bomb.j2k", codestream)), "69990 x 80000" + limit);
+    const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 300000 +X 300000\n";
+    EXPECT_EQ(refusal(folder.with("bomb.hdr", hdr)), "300000 x 300000" + limit);
+    // The largest that a limit allows, one less, and a limit of nothing.
+    const std::string small = noisy(folder / "small.png", 20, 30);
+    Work work(1);
+    EXPECT_NO_THROW(readColor(small, work, 600));
+    EXPECT_EQ(refusal(small, 599), "20 x 30 pixels are more than the limit of 599 (--max-pixels)");
+    EXPECT_EQ(refusal(small, 0), "20 x 30 pixels are more than the limit of 0 (--max-pixels)");
+    EXPECT_NO_THROW(readColor(small, work, std::numeric_limits<std::int64_t>::max()));
+}
+
+TEST(Malformed, HeightsThatAreNoNumbers) {
+    const TemporaryFolder folder;
+    Work work(3);
+    const float infinity = std::numeric_limits<float>::infinity();
+    std::vector<float> numbers(300 * 200, 0.5F);
+    numbers[7 + 100 * 300] = std::numeric_limits<float>::quiet_NaN();
+    numbers[8 + 150 * 300] = infinity;
+    for (const char* name : {"nan.exr", "nan.tif"}) {
+        const std::string path = writeRaw(folder / name, 300, 200, 1, numbers);
+        EXPECT_EQ(faultOf([&] { readHeight(path, {}, work); }), path + ": the height at (7, 100) is nan");
+    }
+    numbers[299] = -infinity;
+    const std::string path = writeRaw(folder / "inf.exr", 300, 200, 1, numbers);
+    EXPECT_EQ(faultOf([&] { readHeight(path, {}, work); }), path + ": the height at (299, 0) is -inf");
+    HeightReadOptions options;
+    options.range = parseHeightRange("0,1");
+    EXPECT_EQ(faultOf([&] { readHeight(path, options, work); }), path + ": the height at (299, 0) is -inf");
+}
+
+TEST(Malformed, Volume) {
+    const TemporaryFolder folder;
+    std::string bytes = "DDS ";
+    // Sizes and flags; height, width, pitch, depth; 24-bit colours; what it is: a volume.
+    for (const std::uint32_t word : {124U, 0x801007U, 4U, 4U, 12U, 3U, 0U}) bytes += littleEndian(word, 4);
+    bytes += std::string(44, '\0');
+    for (const std::uint32_t word :
+         {32U, 0x40U, 0U, 24U, 0xffU, 0xff00U, 0xff0000U, 0U, 0x1008U, 0x200000U, 0U, 0U, 0U})
+        bytes += littleEndian(word, 4);
+    bytes += std::string(144, 'x');
+    EXPECT_EQ(refusal(folder.with("volume.dds", bytes)), "is a volume 3 layers deep, not a picture");
+}
+
+// Many samples a pixel, as renderers write for compositing.
+TEST(Malformed, DeepPicture) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "deep.exr";
+    OIIO::ImageSpec spec(2, 1, 1, OIIO::TypeDesc::FLOAT);
+    spec.channelnames = {"Z"};
+    spec.deep = true;
+    OIIO::DeepData data;
+    data.init(2, 1, OIIO::TypeDesc(OIIO::TypeDesc::FLOAT), spec.channelnames);
+    data.set_samples(0, 2);
+    const auto output = OIIO::ImageOutput::create(path);
+    ASSERT_TRUE(output && output->open(path, spec) && output->write_deep_image(data) && output->close());
+    EXPECT_EQ(refusal(path), "is a deep picture (many samples a pixel), which is not supported");
+}
+
+TEST(Malformed, ExrWithMissingRows) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "part.exr";
+    {
+        OIIO::ImageSpec spec(64, 64, 1, OIIO::TypeDesc::FLOAT);
+        const auto output = OIIO::ImageOutput::create(path);
+        ASSERT_TRUE(output && output->open(path, spec));
+        const std::vector<float> numbers(64 * 64, 0.5F);
+        ASSERT_TRUE(output->write_scanlines(0, 32, 0, OIIO::TypeDesc::FLOAT, numbers.data()));
+        output->close();
+    }
+    expectDamaged(path);
+}
+
+// Whatever the bytes are: a picture or one line, never a crash (the sanitizers watch) and nothing on stderr.
+TEST(Malformed, FlippedBytesOfOtherFormats) {
+    const TemporaryFolder folder;
+    Work work(1);
+    std::mt19937 generator(3);
+    for (const char* extension : {"jpg", "tif", "hdr", "bmp", "tga", "ppm", "gif"}) {
+        const std::string whole = bytesOf(noisy(folder / (std::string("whole.") + extension)));
+        for (int i = 0; i < 60; ++i) {
+            std::string bytes = whole;
+            for (int flips = 0; flips < 4; ++flips)
+                bytes[generator() % (i % 2 == 0 ? 64 : bytes.size())] = static_cast<char>(generator() & 0xffU);
+            const std::string path = folder.with(std::string("flipped.") + extension, bytes);
+            ::testing::internal::CaptureStderr();
+            const std::string line = faultOf([&] { readColor(path, work, 1 << 22); });
+            EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << path;
+            EXPECT_TRUE(line.empty() || line.starts_with(path + ": ")) << line;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief
