@@ -1,6 +1,8 @@
 // relief render [SCENARIO.json] [options] -o FILE [--layers NAME,...] [--report FILE.json]
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <filesystem>
 
 #include <nlohmann/json.hpp>
 
@@ -58,6 +60,13 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
     return layers;
 }
 
+// Counts are whole numbers, kept as doubles.
+Json countJson(double value) {
+    constexpr double kExact = 9007199254740992.0;
+    return value == std::floor(value) && std::abs(value) < kExact ? Json(static_cast<std::int64_t>(value))
+                                                                  : Json(value);
+}
+
 Json stagesJson(const Frame& frame) {
     Json stages = Json::array();
     for (std::size_t s = 0; s < kStages; ++s) {
@@ -69,7 +78,10 @@ Json stagesJson(const Frame& frame) {
     return stages;
 }
 
-std::string reportText(const Scenario& scenario, const Frame& frame, Session& session, const Seconds& seconds) {
+// path: of the report; pictures near it are named relative to it, as in a scenario's own file.
+std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, Session& session,
+                       const Seconds& seconds) {
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     std::map<std::string, double> counters = session.work().counters().values();
     for (const auto& [name, value] : frame.counters) counters[name] = value;
     const auto taken = [&](const char* name) {
@@ -78,11 +90,14 @@ std::string reportText(const Scenario& scenario, const Frame& frame, Session& se
         if (found != counters.end()) counters.erase(found);
         return value;
     };
-    Json report{{"tool", "relief"}, {"version", RELIEF_VERSION}, {"scenario", Json::parse(scenarioText(scenario))}};
-    report["threads"] = session.work().arena().max_concurrency();
-    report["maps"] = {
-        {"builds", taken("map builds")}, {"bytes", taken("map bytes")}, {"build_seconds", taken("map build seconds")}};
-    report["counters"] = counters;
+    Json report{{"tool", "relief"},
+                {"version", RELIEF_VERSION},
+                {"scenario", Json::parse(scenarioText(scenario, folder.string()))},
+                {"threads", session.work().arena().max_concurrency()}};
+    report["maps"] = {{"builds", countJson(taken("map builds"))},
+                      {"bytes", countJson(taken("map bytes"))},
+                      {"build_seconds", taken("map build seconds")}};
+    for (const auto& [name, value] : counters) report["counters"][name] = countJson(value);
     report["stages"] = stagesJson(frame);
     report["seconds"] = {{"load", seconds.load},
                          {"render", seconds.render},
@@ -115,7 +130,7 @@ int runRender(const RenderOptions& options, Session& session) {
     });
     if (options.report) {
         TextOutput report(*options.report, session.stop());
-        report.write(reportText(scenario, *frame, session, seconds));
+        report.write(reportText(*options.report, scenario, *frame, session, seconds));
         report.commit();
     }
     return 0;

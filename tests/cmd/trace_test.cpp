@@ -1,10 +1,12 @@
 // relief trace: files in, files out, exactly as scripts rely on it.
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 #include <nlohmann/json.hpp>
 
 #include "command_test.h"
+#include "scenario/scenario.h"
 
 namespace relief::test {
 
@@ -196,6 +198,36 @@ TEST_P(TraceTest, PixelsOfAView) {
     EXPECT_EQ(fields(out[3])[0], "hit");
     EXPECT_EQ(lines(runFine(with({"--pixel", "41,30"})))[1], out[3]);
     for (const std::string& step : lines(read("s.csv"))) EXPECT_NE(step.substr(0, 2), "1,") << "a pixel without ray";
+}
+
+TEST_P(TraceTest, TheCopiedCommandTracesTheChosenPixel) {
+    const std::string field = height();
+    Scenario scenario;
+    scenario.pictures.height = field;
+    scenario.reliefDepth = 0.15;
+    scenario.surface = Surface::Columns;
+    scenario.scene = SceneKind::Wall;
+    scenario.camera.elevation = 7.25;
+    scenario.camera.azimuth = -12.5;
+    scenario.width = 90;
+    scenario.height = 70;
+    scenario.pixel = PixelChoice{44, 31};
+    for (const bool free : {false, true}) {
+        if (free) scenario.camera.kind = Camera::Kind::Free;
+        const std::string answer = runFine({"trace", write("вид.json", scenarioText(scenario, path("")))});
+        const std::string command = traceCommand(scenario);
+        ASSERT_EQ(command.substr(0, 7), "relief ");
+        // As pasted into a shell.
+        const std::string program = RELIEF_PROGRAM;
+        const std::string line = "'" + program + "' " + command.substr(7) + " > '" + path("out.csv") + "'";
+        EXPECT_EQ(std::system(line.c_str()), 0) << line;
+        EXPECT_EQ(read("out.csv"), answer) << line;
+        EXPECT_EQ(fields(lines(answer)[1])[0], "hit");
+    }
+    scenario.pictures.height.clear();
+    scenario.pictures.recipe = "hills";
+    const std::string line = "'" RELIEF_PROGRAM "' " + traceCommand(scenario).substr(7) + " > /dev/null";
+    EXPECT_EQ(std::system(line.c_str()), 0) << line;
 }
 
 TEST_P(TraceTest, OutputsThatCannotBeWritten) {
