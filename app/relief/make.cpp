@@ -30,12 +30,21 @@ SizeText makeSize(const MakeOptions& options, const ReliefRecipe& recipe) {
     return {side, side};
 }
 
+// As many as a height map may have when it is read again.
+void checkTexels(const SizeText& size) {
+    const std::int64_t texels = std::int64_t{size.width} * size.height;
+    if (texels <= kDefaultMaxPixels) return;
+    const std::string range = "1 to " + std::to_string(kDefaultMaxPixels) + " texels";
+    throw InputError("--size", Message(MessageId::NumberOutOfRange, {{"value", texels}, {"range", range}}));
+}
+
 int runMake(const MakeOptions& options, Session& session) {
     options.run.apply(session);
     const ReliefRecipe& recipe = findRecipe(needed(options.relief, "RELIEF", "make"));
     const std::string& output = needed(options.output, "--output", "make");
     checkOutput(output, {"png", "tif", "tiff", "exr"});
     const SizeText size = makeSize(options, recipe);
+    checkTexels(size);
     const std::uint64_t seed = options.seed ? parseSeed(*options.seed, "--seed") : 1;
     const FloatImage heights = makeRelief(recipe.name, size.width, size.height, seed);
     if (session.stop().stop_requested()) throw Cancelled();
@@ -58,7 +67,8 @@ void addMakeCommand(CLI::App& program, Commands& commands) {
     addArgument(*parser, "RELIEF", options->relief, "name of the recipe");
     addOutput(*parser, options->output, "the height map: .png, .tif or .exr");
     addText(*parser, "--size", options->size, "N|WxH",
-            "texels, 1 to " + std::to_string(kMaxPictureSide) + " a side; default: the recipe's own (256 mostly)",
+            "texels, 1 to " + std::to_string(kMaxPictureSide) + " a side, " + std::to_string(kDefaultMaxPixels) +
+                " in all; default: the recipe's own (256 mostly)",
             "Relief");
     addText(*parser, "--seed", options->seed, "S", "of the random numbers, a whole number from 0; default 1", "Relief");
     options->run.add(*parser, false);

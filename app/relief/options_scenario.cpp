@@ -70,6 +70,11 @@ void applyRecipe(Pictures& pictures, const std::string& text) {
         const SizeText size = parseSize(parts[1], "--relief", kMaxPictureSide);
         pictures.recipeWidth = size.width;
         pictures.recipeHeight = size.height;
+        const std::int64_t limit = pictures.reading.maxPixels;
+        if (std::int64_t{size.width} * size.height > limit) {
+            throw InputError("--relief", Message(MessageId::PictureTooLarge,
+                                                 {{"width", size.width}, {"height", size.height}, {"limit", limit}}));
+        }
     }
     if (parts.size() > 2) pictures.seed = parseSeed(parts[2], "--relief");
 }
@@ -178,6 +183,7 @@ void ScenarioOptions::applyPictures(Scenario& scenario) const {
     if (height_ && recipe_) {
         throw InputError("--height", Message(MessageId::ArgumentsExclude, {{"other", "--relief"}}));
     }
+    reading_.apply(scenario.pictures.reading);
     if (recipe_) applyRecipe(scenario.pictures, *recipe_);
     if (height_) {
         if (height_->empty()) throw InputError("--height", Message(MessageId::FileMissing));
@@ -186,7 +192,6 @@ void ScenarioOptions::applyPictures(Scenario& scenario) const {
     }
     if (color_) scenario.pictures.color = *color_;
     if (normal_) scenario.pictures.normal = *normal_;
-    reading_.apply(scenario.pictures.reading);
 }
 
 void ScenarioOptions::applyMethod(Scenario& scenario) const {

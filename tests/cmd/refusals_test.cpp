@@ -128,6 +128,8 @@ TEST_P(RefusalTest, WrongValues) {
     expectRefusal({"render", "-o", path("x.png")}, 2, {"--height"});
     expectRefusal({"make", "moon", "-o", path("x.png")}, 2, {"moon", "bricks"});
     expectRefusal({"make", "bricks", "--size", "0", "-o", path("x.png")}, 2, {"--size"});
+    expectRefusal({"make", "bricks", "--size", "32768x8193", "-o", path("x.png")}, 2, {"--size", "268435456"});
+    expectRefusal({"render", "--relief", "pits:32768x32768", "-o", path("x.png")}, 2, {"--relief", "268435456"});
     expectRefusal({"make", "bricks", "--seed", "-1", "-o", path("x.png")}, 2, {"--seed"});
 }
 
