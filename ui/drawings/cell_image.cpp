@@ -1,0 +1,59 @@
+#include "drawings/cell_image.h"
+
+#include <array>
+#include <cmath>
+
+#include "scenario/step_sentence.h"
+
+namespace reliefui {
+
+CellImage cellImage(const Cells& cells, const Style& style, int longest) {
+    constexpr std::size_t kCodes = 1024;
+    std::array<Rgba, kCodes> codes;
+    for (std::size_t c = 0; c < kCodes; ++c) {
+        codes[c] = style.mapped(cells.map, static_cast<double>(c) / (kCodes - 1));
+    }
+    const relief::FloatImage& values = *cells.values;
+    CellImage image;
+    while (std::max(values.width(), values.height()) > longest * image.step) ++image.step;
+    image.width = (values.width() + image.step - 1) / image.step;
+    image.height = (values.height() + image.step - 1) / image.step;
+    image.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
+    const double range = cells.high > cells.low ? cells.high - cells.low : 1;
+    const auto factor = static_cast<float>((kCodes - 1) / range);
+    const auto low = static_cast<float>(cells.low);
+    std::uint8_t* out = image.rgb.data();
+    for (int y = 0; y < image.height; ++y) {
+        const auto row = values.row(y * image.step);
+        for (int x = 0; x < image.width; ++x) {
+            const float code = (row[static_cast<std::size_t>(x * image.step)] - low) * factor + 0.5F;
+            const Rgba& color = codes[static_cast<std::size_t>(std::clamp(code, 0.0F, kCodes - 1.0F))];
+            *out++ = color.r;
+            *out++ = color.g;
+            *out++ = color.b;
+        }
+    }
+    return image;
+}
+
+CellText cellText(double cellWidth, double cellHeight, const Style& style) {
+    constexpr double kDigitWidth = 0.64;  // of DejaVu Sans, in ems
+    constexpr double kSmallest = 0.72;    // times the text size
+    constexpr double kLargest = 1.7;
+    CellText text;
+    const auto fitting = [&](int characters) {
+        return std::min(cellWidth * 0.84 / (characters * kDigitWidth), cellHeight * 0.45);
+    };
+    if (fitting(5) >= style.textPixels(1.0)) text.decimals = 3;
+    const double pixels = std::min(fitting(text.decimals + 2), style.textPixels(kLargest));
+    if (pixels >= style.textPixels(kSmallest)) text.pixels = pixels;
+    return text;
+}
+
+std::string cellValueText(float value, int decimals) {
+    const double tenths = std::round(static_cast<double>(value) * 10) / 10;
+    const bool exact = static_cast<float>(tenths) == value;
+    return relief::fixedText(static_cast<double>(value), exact ? 1 : decimals);
+}
+
+}  // namespace reliefui

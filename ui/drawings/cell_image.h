@@ -1,0 +1,32 @@
+// A grid of values as a picture of colours, for painters; big grids are thinned out first.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "drawings/style.h"
+
+namespace reliefui {
+
+// Rows top-down, three bytes a pixel. A pixel stands for `step` x `step` cells and shows the first of them.
+struct CellImage {
+    int width = 0;
+    int height = 0;
+    int step = 1;
+    std::vector<std::uint8_t> rgb;
+};
+
+// No side of the picture is longer than `longest` pixels.
+CellImage cellImage(const Cells& cells, const Style& style, int longest = 2048);
+
+// Size (pixels) and decimals with which values are written into cells of this size; pixels = 0: no room.
+struct CellText {
+    double pixels = 0;
+    int decimals = 2;
+};
+CellText cellText(double cellWidth, double cellHeight, const Style& style);
+// 0.9 where that is exact, else with `decimals`.
+std::string cellValueText(float value, int decimals);
+
+}  // namespace reliefui

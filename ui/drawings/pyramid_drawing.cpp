@@ -1,0 +1,221 @@
+#include "drawings/pyramid_drawing.h"
+
+#include <cmath>
+#include <map>
+
+#include "drawings/ray_geometry.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::Decision;
+using relief::Message;
+using relief::MessageId;
+
+// Steps beyond these around the chosen one are not marked: nobody can see them, and a redraw stays quick.
+constexpr std::size_t kMarkedSteps = 4000;
+constexpr std::size_t kNumberedTexels = 80;
+
+Message levelTitle(const relief::Pyramid& pyramid, int level, double room) {
+    // About the width of ten-point letters.
+    constexpr double kLetter = 6.2;
+    constexpr int kLongLetters = 16;
+    const relief::FloatImage& image = pyramid.level(level);
+    const auto letters = [](int number) { return static_cast<int>(std::to_string(number).size()); };
+    const int numbers = letters(level) + letters(image.width()) + letters(image.height());
+    const std::vector<relief::MessageValue> values{
+        {"level", level}, {"width", image.width()}, {"height", image.height()}};
+    if ((numbers + kLongLetters) * kLetter <= room) {
+        switch (pyramid.kind()) {
+            case relief::PyramidKind::Max:
+                return Message(MessageId::DrawLevelMax, values);
+            case relief::PyramidKind::Mean:
+                return Message(MessageId::DrawLevelMean, values);
+            case relief::PyramidKind::Min:
+                return Message(MessageId::DrawLevelMin, values);
+        }
+    }
+    if ((numbers + 6) * kLetter <= room) return Message(MessageId::DrawLevelShort, values);
+    return plainText(std::to_string(level));
+}
+
+Box domainOf(const PyramidSource& source) {
+    return source.overCells ? cellDomain(*source.field) : texelDomain(*source.field);
+}
+
+// The texels of one level that steps are about, each once, with the numbers of its steps.
+struct Visit {
+    Box box;
+    std::vector<std::size_t> steps;
+};
+using Texel = std::tuple<int, std::int64_t, std::int64_t>;
+
+class Marks {
+  public:
+    Marks(const PyramidSource& source, const std::vector<LevelBlock>& blocks, int step)
+        : source_(source),
+          blocks_(blocks),
+          path_(*source.field, source.ray),
+          wraps_(source.field->address() == relief::Address::Repeat),
+          chosen_(static_cast<std::size_t>(std::max(step, 0))) {}
+
+    Drawing take() {
+        if (source_.steps != nullptr && !source_.steps->empty()) {
+            chosen_ = std::min(chosen_, source_.steps->size() - 1);
+            if (source_.overCells) texels();
+            chosenTexel();
+        }
+        for (const LevelBlock& block : blocks_) ray(block);
+        return std::move(drawing_);
+    }
+
+  private:
+    const relief::Step& step(std::size_t k) const { return (*source_.steps)[k]; }
+    Emphasis emphasis(std::size_t k) const { return k > chosen_ ? Emphasis::Faint : Emphasis::Normal; }
+    static ItemId stepId(std::size_t k) { return {ItemKind::Step, 0, static_cast<std::int64_t>(k), 0}; }
+
+    std::vector<Box> boxesOf(const relief::Step& s) const {
+        if (s.level < 0 || s.level >= static_cast<int>(blocks_.size())) return {};
+        const LevelBlock& block = blocks_[static_cast<std::size_t>(s.level)];
+        std::vector<Box> boxes = wrapped(stepBox(*source_.field, s), block.domain, wraps_);
+        for (Box& box : boxes) box = block.toDrawing(box);
+        return boxes;
+    }
+
+    void texels() {
+        const std::size_t first = chosen_ > kMarkedSteps ? chosen_ - kMarkedSteps : 0;
+        const std::size_t last = std::min(source_.steps->size(), chosen_ + kMarkedSteps);
+        std::map<Texel, Visit> visits;
+        for (std::size_t k = first; k < last; ++k) {
+            const relief::Step& s = step(k);
+            Visit& visit = visits[{s.level, s.i, s.j}];
+            visit.steps.push_back(k);
+            for (const Box& box : boxesOf(s)) {
+                visit.box = box;
+                // Several decisions about one texel stand inside each other.
+                const auto ring = static_cast<double>(std::min<std::size_t>(visit.steps.size() - 1, 3));
+                drawing_.add(stepId(k), roleOf(s.decision), Rectangle{box, false, 0.5 + 2.2 * ring, 4}, emphasis(k));
+            }
+        }
+        numbers(visits);
+    }
+
+    void numbers(const std::map<Texel, Visit>& visits) {
+        for (const auto& [texel, visit] : visits) {
+            const bool near =
+                visit.steps.back() + kNumberedTexels > chosen_ && visit.steps.front() < chosen_ + kNumberedTexels;
+            if (visit.box.empty() || !near) continue;
+            constexpr std::size_t kMostNumbers = 3;
+            std::string text;
+            std::size_t last = visit.steps.front();
+            bool chosen = false;
+            for (std::size_t n = 0; n < visit.steps.size(); ++n) {
+                if (n < kMostNumbers) {
+                    if (n > 0) text += ' ';
+                    text += std::to_string(visit.steps[n] + 1);
+                }
+                if (visit.steps[n] <= chosen_) last = visit.steps[n];
+                chosen = chosen || visit.steps[n] == chosen_;
+            }
+            if (visit.steps.size() > kMostNumbers) text += " …";
+            Label label{
+                {visit.box.x0, visit.box.y0}, plainText(text), Anchor::TopLeft, 0.8, {1.5, 1.5}, true, true, visit.box};
+            label.evades = true;
+            const Emphasis strength = chosen ? Emphasis::Strong : emphasis(visit.steps.front());
+            drawing_.add({}, roleOf(step(last).decision), std::move(label), strength);
+        }
+    }
+
+    void chosenTexel() {
+        const relief::Step& s = step(chosen_);
+        for (const Box& box : boxesOf(s)) {
+            drawing_.add({}, roleOf(s.decision), Rectangle{box, true, 0, 6});
+            drawing_.add(stepId(chosen_), Role::Highlight, Rectangle{box, false, -1, 8});
+        }
+    }
+
+    void line(const LevelBlock& block, double from, double to, Role role, Emphasis strength) {
+        for (const Segment& piece : wrapped(Segment{path_.at(from), path_.at(to)}, block.domain, wraps_)) {
+            drawing_.add({ItemKind::Ray, block.level, 0, 0}, role,
+                         Polyline{{block.toDrawing(piece.first), block.toDrawing(piece.second)}, false}, strength);
+        }
+    }
+
+    void point(const LevelBlock& block, double lambda, Role role, const Primitive& primitive) {
+        for (const Segment& piece : wrapped(Segment{path_.at(lambda), path_.at(lambda)}, block.domain, wraps_)) {
+            Primitive placed = primitive;
+            const Point at = block.toDrawing(piece.first);
+            if (auto* ring = std::get_if<Ring>(&placed)) ring->center = at;
+            if (auto* marker = std::get_if<Marker>(&placed)) marker->at = at;
+            drawing_.add({role == Role::Hit ? ItemKind::Hit : ItemKind::Ray, block.level, 0, 0}, role, placed);
+            break;
+        }
+    }
+
+    void ray(const LevelBlock& block) {
+        const bool hit = source_.hit.outcome == relief::Outcome::Hit;
+        double end = hit ? source_.hit.lambda : 1;
+        const bool known = source_.steps != nullptr && !source_.steps->empty();
+        if (!hit && known) end = std::max(source_.steps->back().lambdaAfter, 0.0);
+        const double size = block.level == 0 ? 1 : 0.7;
+        line(block, 0, end, Role::Ray, block.level == 0 ? Emphasis::Normal : Emphasis::Faint);
+        const bool here = known && step(chosen_).level == block.level;
+        if (here && step(chosen_).lambdaOut > step(chosen_).lambdaIn) {
+            line(block, step(chosen_).lambdaIn, step(chosen_).lambdaOut, roleOf(step(chosen_).decision),
+                 Emphasis::Strong);
+        }
+        point(block, 0, Role::Ray, Marker{{}, Shape::Dot, 6 * size});
+        if (hit) point(block, end, Role::Hit, Ring{{}, 5 * size});
+    }
+
+    const PyramidSource& source_;
+    const std::vector<LevelBlock>& blocks_;
+    RayPath path_;
+    bool wraps_;
+    std::size_t chosen_;
+    Drawing drawing_;
+};
+
+}  // namespace
+
+PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height) {
+    PyramidPicture picture;
+    const relief::Pyramid& pyramid = *source.pyramid;
+    const Box domain = domainOf(source);
+    picture.blocks = pyramidLayout(pyramid.levels(), domain, width, height);
+    const relief::CellGrid grid(*source.field);
+    for (const LevelBlock& block : picture.blocks) {
+        Cells cells;
+        // Shares the pyramid's life, not its data.
+        cells.values = {source.pyramid, &pyramid.level(block.level)};
+        const Point origin = block.toDrawing(source.overCells ? Point{-grid.x.shift, -grid.y.shift} : Point{0, 0});
+        cells.x = origin.x;
+        cells.y = origin.y;
+        cells.cellWidth = std::ldexp(block.unitX(), block.level);
+        cells.cellHeight = std::ldexp(block.unitY(), block.level);
+        cells.clip = block.box;
+        cells.print = true;
+        if (source.overCells && block.level == 0) {
+            cells.firstI = grid.x.firstName;
+            cells.firstJ = grid.y.firstName;
+        }
+        picture.levels.add({ItemKind::Level, block.level, 0, 0}, Role::HeightFill, std::move(cells));
+        picture.levels.add({}, Role::Frame, Rectangle{block.box, false, -0.5, 0});
+        Label title;
+        title.at = block.title;
+        title.text = levelTitle(pyramid, block.level, block.box.width());
+        title.anchor = Anchor::BottomLeft;
+        picture.levels.add({}, Role::Title, std::move(title));
+        picture.levels.bounds = picture.levels.bounds.joined(block.box).joined(
+            {block.box.x0, block.box.y0 - kTitleHeight, block.box.x1, block.box.y1});
+    }
+    return picture;
+}
+
+Drawing pyramidMarks(const PyramidSource& source, const std::vector<LevelBlock>& blocks, int step) {
+    if (!source.hasRay) return {};
+    return Marks(source, blocks, step).take();
+}
+
+}  // namespace reliefui

@@ -1,0 +1,41 @@
+// The pyramid as a drawing: every level side by side, values in the texels, and on each level the texels that the ray
+// visited, in the order of its steps. [MIP18] figs. 2 to 5.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "drawings/pyramid_layout.h"
+#include "images/pyramid.h"
+#include "relief/height_field.h"
+#include "relief/ray.h"
+#include "relief/step_log.h"
+
+namespace reliefui {
+
+// What is drawn; referred to, not copied.
+struct PyramidSource {
+    const relief::HeightField* field = nullptr;
+    std::shared_ptr<const relief::Pyramid> pyramid;  // its kind tells what its texels lie over
+    bool overCells = true;                           // of the field's cells (maxima), or of its texels (means)
+    bool hasRay = false;
+    relief::ViewRay ray;
+    relief::Hit hit;
+    const std::vector<relief::Step>* steps = nullptr;
+};
+
+// The levels alone: made anew only with the map or the room (points).
+struct PyramidPicture {
+    std::vector<LevelBlock> blocks;
+    Drawing levels;
+};
+PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height);
+
+// The ray and its steps on the blocks. Steps after the chosen one are drawn faintly.
+Drawing pyramidMarks(const PyramidSource& source, const std::vector<LevelBlock>& blocks, int step);
+
+// Heights and decisions, in at most `width` points; only decisions that occur.
+Drawing pyramidLegend(const PyramidSource& source, double width);
+
+}  // namespace reliefui

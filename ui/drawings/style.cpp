@@ -1,0 +1,166 @@
+#include "drawings/style.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace reliefui {
+
+namespace {
+
+constexpr Rgba kBlack{0, 0, 0, 255};
+constexpr Rgba kWhite{255, 255, 255, 255};
+// Okabe and Ito 2008.
+constexpr Rgba kOrange{0xE6, 0x9F, 0x00, 255};
+constexpr Rgba kSkyBlue{0x56, 0xB4, 0xE9, 255};
+constexpr Rgba kBlueGreen{0x00, 0x9E, 0x73, 255};
+constexpr Rgba kYellow{0xF0, 0xE4, 0x42, 255};
+constexpr Rgba kVermilion{0xD5, 0x5E, 0x00, 255};
+constexpr Rgba kReddishPurple{0xCC, 0x79, 0xA7, 255};
+constexpr Rgba kMissGrey{0x99, 0x99, 0x99, 255};
+
+// Anchors of cividis (Nunez, Anderton, Renslow 2018), evenly spaced.
+constexpr std::array<Rgba, 10> kCividis{{{0x00, 0x22, 0x4E, 255},
+                                         {0x12, 0x35, 0x70, 255},
+                                         {0x3B, 0x49, 0x6C, 255},
+                                         {0x57, 0x5D, 0x6D, 255},
+                                         {0x70, 0x71, 0x73, 255},
+                                         {0x8A, 0x86, 0x78, 255},
+                                         {0xA5, 0x9C, 0x74, 255},
+                                         {0xC3, 0xB3, 0x69, 255},
+                                         {0xE1, 0xCC, 0x55, 255},
+                                         {0xFE, 0xE8, 0x38, 255}}};
+constexpr std::array<Rgba, 2> kGrey{{{0x10, 0x10, 0x10, 255}, {0xF8, 0xF8, 0xF8, 255}}};
+// Levels: from fine (light) to coarse (dark blue), one hue.
+constexpr std::array<Rgba, 3> kLevels{{{0xDE, 0xEB, 0xF7, 255}, {0x6B, 0xAE, 0xD6, 255}, {0x08, 0x30, 0x6B, 255}}};
+
+Rgba between(std::span<const Rgba> anchors, double t) {
+    const double place = t * static_cast<double>(anchors.size() - 1);
+    const auto low = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
+    const double f = place - static_cast<double>(low);
+    const auto mix = [&](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround(a + f * (b - a)));
+    };
+    const Rgba& p = anchors[low];
+    const Rgba& q = anchors[low + 1];
+    return {mix(p.r, q.r), mix(p.g, q.g), mix(p.b, q.b), 255};
+}
+
+}  // namespace
+
+Rgba Style::background() const {
+    return theme == Theme::Dark ? Rgba{0x1E, 0x20, 0x24, 255} : kWhite;
+}
+
+Rgba Style::text() const {
+    return theme == Theme::Dark ? Rgba{0xEC, 0xEC, 0xEC, 255} : Rgba{0x18, 0x18, 0x18, 255};
+}
+
+Rgba Style::halo() const {
+    return theme == Theme::Dark ? Rgba{0, 0, 0, 200} : Rgba{255, 255, 255, 220};
+}
+
+Rgba Style::color(Role role) const {
+    const bool dark = theme == Theme::Dark;
+    switch (role) {
+        case Role::Ray:
+            return kVermilion;
+        case Role::Skipped:
+            return kBlueGreen;
+        case Role::Descended:
+        case Role::Ascended:
+            return kSkyBlue;
+        case Role::Tested:
+            return kOrange;
+        case Role::Refined:
+            return kYellow;
+        case Role::Overshoot:
+            return kReddishPurple;
+        case Role::Miss:
+            return kMissGrey;
+        case Role::Limit:
+        case Role::Hit:
+        case Role::Highlight:
+            return dark ? kWhite : kBlack;
+        case Role::Start:
+        case Role::Advanced:
+            return dark ? Rgba{0xC8, 0xC8, 0xC8, 255} : Rgba{0x50, 0x50, 0x50, 255};
+        case Role::Frame:
+            return dark ? Rgba{0x70, 0x74, 0x7A, 255} : Rgba{0x90, 0x90, 0x90, 255};
+        case Role::Grid:
+            return Rgba{0x80, 0x80, 0x80, 110};
+        case Role::HeightFill:
+            return dark ? Rgba{0x8A, 0x8A, 0x8A, 255} : Rgba{0xB8, 0xB8, 0xB8, 255};
+        case Role::Label:
+        case Role::Legend:
+        case Role::Title:
+        case Role::Count:
+            return text();
+    }
+    return text();
+}
+
+Stroke Style::stroke(Role role, Emphasis emphasis) const {
+    // A projector gets triple lines: 1.8 by its points, the rest here.
+    const double unit = screenPixelsPerPoint * (projector ? 3.0 : 1.0);
+    double width = 1.1;
+    std::vector<double> dash;
+    switch (role) {
+        case Role::Ray:
+            width = 1.6;
+            break;
+        case Role::Highlight:
+            width = 2.2;
+            break;
+        case Role::Hit:
+            width = 1.6;
+            break;
+        case Role::Grid:
+        case Role::Frame:
+            width = 0.6;
+            break;
+        case Role::Ascended:
+        case Role::Miss:
+            dash = {3, 2.2};
+            break;
+        case Role::Overshoot:
+            dash = {5, 2};
+            break;
+        default:
+            break;
+    }
+    if (emphasis == Emphasis::Strong) width *= 1.8;
+    if (emphasis == Emphasis::Faint) width *= 0.7;
+    Stroke stroke{color(role), std::max(1.0, width * unit), {}};
+    if (emphasis == Emphasis::Faint) stroke.color.a = static_cast<std::uint8_t>(stroke.color.a * 0.62);
+    for (const double part : dash) stroke.dash.push_back(part * unit);
+    return stroke;
+}
+
+Rgba Style::fill(Role role, Emphasis emphasis) const {
+    Rgba fill = color(role);
+    if (emphasis == Emphasis::Normal) fill.a = 96;
+    if (emphasis == Emphasis::Faint) fill.a = 48;
+    return fill;
+}
+
+Rgba Style::textOn(Rgba ground) {
+    const double luma = 0.299 * ground.r + 0.587 * ground.g + 0.114 * ground.b;
+    return luma > 140 ? Rgba{0x10, 0x10, 0x10, 255} : Rgba{0xF4, 0xF4, 0xF4, 255};
+}
+
+Rgba Style::mapped(ColorMap map, double t) const {
+    if (std::isnan(t)) return {0xCC, 0x00, 0xCC, 255};
+    const double clamped = std::clamp(t, 0.0, 1.0);
+    switch (map) {
+        case ColorMap::Level:
+            return between(kLevels, clamped);
+        case ColorMap::Count:
+            return between(kCividis, clamped);
+        case ColorMap::Height:
+            break;
+    }
+    return heights == HeightColors::Cividis ? between(kCividis, clamped) : between(kGrey, clamped);
+}
+
+}  // namespace reliefui

@@ -1,0 +1,61 @@
+// Roles turned into colours, widths and dashes: one meaning per colour in every pane and figure (Okabe-Ito, safe for
+// colour-blind eyes), dark and light, on a desk and on a projector.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "drawings/drawing.h"
+#include "messages.h"
+
+namespace reliefui {
+
+struct Rgba {
+    std::uint8_t r = 0;
+    std::uint8_t g = 0;
+    std::uint8_t b = 0;
+    std::uint8_t a = 255;
+    bool operator==(const Rgba&) const = default;
+};
+
+// Opacity of the plate under a label that is drawn faintly.
+inline constexpr std::uint8_t kFaintPlate = 150;
+
+enum class Theme : std::uint8_t { Dark, Light };
+enum class HeightColors : std::uint8_t { Grey, Cividis };
+
+struct Stroke {
+    Rgba color;
+    double width = 1;          // pixels
+    std::vector<double> dash;  // on, off, ... in pixels; empty: solid
+};
+
+struct Style {
+    Theme theme = Theme::Dark;
+    bool projector = false;
+    relief::Language language = relief::Language::English;
+    HeightColors heights = HeightColors::Grey;
+    double screenPixelsPerPoint = 96.0 / 72.0;
+
+    bool operator==(const Style&) const = default;
+
+    // A point on this screen; a projector enlarges everything that is measured in points.
+    double pixelsPerPoint() const { return screenPixelsPerPoint * (projector ? 1.8 : 1.0); }
+    double textPixels(double size = 1) const { return kTextPoints * size * pixelsPerPoint(); }
+
+    Rgba background() const;
+    Rgba text() const;
+    Rgba color(Role role) const;
+    Rgba halo() const;  // what is drawn around marks, so that they are seen on any ground
+    Stroke stroke(Role role, Emphasis emphasis) const;
+    Rgba fill(Role role, Emphasis emphasis) const;
+    // Black or white, whichever is read better on this ground.
+    static Rgba textOn(Rgba ground);
+
+    // t in [0, 1], clamped; NaN is shown as no colour of the map.
+    Rgba mapped(ColorMap map, double t) const;
+
+    static constexpr double kTextPoints = 10;
+};
+
+}  // namespace reliefui
