@@ -1,4 +1,1329 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="uk_UA">
+<context>
+    <name>core</name>
+    <message>
+        <source>Relief depth</source>
+        <translation>Глибина рельєфу</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Підняття</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Азимут</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Відстань</translation>
+    </message>
+    <message>
+        <source>Fov</source>
+        <translation>Кут огляду</translation>
+    </message>
+    <message>
+        <source>Light azimuth</source>
+        <translation>Азимут світла</translation>
+    </message>
+    <message>
+        <source>Light elevation</source>
+        <translation>Висота світла</translation>
+    </message>
+    <message>
+        <source>Ambient</source>
+        <translation>Розсіяне</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Яскравість</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ширина</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Висота</translation>
+    </message>
+    <message>
+        <source>thickness of the relief slab</source>
+        <translation>товщина шару рельєфу</translation>
+    </message>
+    <message>
+        <source>how high the camera stands above the horizontal</source>
+        <translation>наскільки камера піднята над горизонталлю</translation>
+    </message>
+    <message>
+        <source>how far the camera has turned to the right, 0 in front</source>
+        <translation>наскільки камера повернута праворуч, 0 — спереду</translation>
+    </message>
+    <message>
+        <source>from the camera to what it looks at</source>
+        <translation>від камери до того, на що вона дивиться</translation>
+    </message>
+    <message>
+        <source>vertical field of view</source>
+        <translation>вертикальний кут огляду</translation>
+    </message>
+    <message>
+        <source>where the light comes from, 0 in front</source>
+        <translation>звідки падає світло, 0 — спереду</translation>
+    </message>
+    <message>
+        <source>how high the light stands</source>
+        <translation>наскільки високо стоїть світло</translation>
+    </message>
+    <message>
+        <source>share of the light that comes from everywhere</source>
+        <translation>частка світла, що йде звідусіль</translation>
+    </message>
+    <message>
+        <source>strength of the light</source>
+        <translation>сила світла</translation>
+    </message>
+    <message>
+        <source>of the picture</source>
+        <translation>зображення</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>градусів</translation>
+    </message>
+    <message>
+        <source>texture widths</source>
+        <translation>ширин текстури</translation>
+    </message>
+    <message>
+        <source>texels</source>
+        <translation>текселів</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>пікселів</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точний</translation>
+    </message>
+    <message>
+        <source>conservative</source>
+        <translation>обережний</translation>
+    </message>
+    <message>
+        <source>approximate</source>
+        <translation>наближений</translation>
+    </message>
+    <message>
+        <source>the texel that holds the point</source>
+        <translation>тексель, у якому лежить точка</translation>
+    </message>
+    <message>
+        <source>the four texels around the point, weighted by closeness</source>
+        <translation>чотири текселі навколо точки, зважені за близькістю</translation>
+    </message>
+    <message>
+        <source>Skips what lies below the ray by the pyramid of maxima; iterative, stackless.</source>
+        <translation>Пропускає те, що лежить під променем, за пірамідою максимумів; ітеративно, без стека.</translation>
+    </message>
+    <message>
+        <source>Bilinear</source>
+        <translation>Білінійна</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Стовпчики</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Повторення</translation>
+    </message>
+    <message>
+        <source>Clamp</source>
+        <translation>Край</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Нічого</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Підлога</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Стіна</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>Куб</translation>
+    </message>
+    <message>
+        <source>Skips what lies below the ray by the pyramid of maxima; recursive, as the paper tells it.</source>
+        <translation>Пропускає те, що лежить під променем, за пірамідою максимумів; рекурсивно, як у статті.</translation>
+    </message>
+    <message>
+        <source>Tests every cell that the ray crosses, in order: the truth that others are held against.</source>
+        <translation>Перевіряє по черзі кожну комірку, яку перетинає промінь: істина, з якою порівнюють інші методи.</translation>
+    </message>
+    <message>
+        <source>brick wall in a running bond with deep mortar</source>
+        <translation>цегляна стіна з глибокими швами</translation>
+    </message>
+    <message>
+        <source>thin needles on a low ground</source>
+        <translation>тонкі голки на низькому тлі</translation>
+    </message>
+    <message>
+        <source>square pits in a high plateau</source>
+        <translation>квадратні ями у високому плато</translation>
+    </message>
+    <message>
+        <source>thin columns on a low ground</source>
+        <translation>тонкі стовпи на низькому тлі</translation>
+    </message>
+    <message>
+        <source>blocks with buildings of different heights</source>
+        <translation>квартали з будинками різної висоти</translation>
+    </message>
+    <message>
+        <source>rough terrain: value noise in octaves</source>
+        <translation>шорсткий рельєф: шум в октавах</translation>
+    </message>
+    <message>
+        <source>smooth hills: a few sines</source>
+        <translation>гладкі пагорби: кілька синусоїд</translation>
+    </message>
+    <message>
+        <source>eight terraces with vertical walls</source>
+        <translation>вісім терас зі стрімкими стінами</translation>
+    </message>
+    <message>
+        <source>blocks of 0 and 1</source>
+        <translation>блоки з 0 та 1</translation>
+    </message>
+    <message>
+        <source>the 8 x 8 example of the max pyramid's paper</source>
+        <translation>приклад 8 × 8 зі статті про піраміду максимумів</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::MainWindow</name>
+    <message>
+        <source>Layer of the result</source>
+        <translation>Шар результату</translation>
+    </message>
+    <message>
+        <source>What the result shows of each pixel</source>
+        <translation>Що показує результат про кожен піксель</translation>
+    </message>
+    <message>
+        <source>Reliefscope</source>
+        <translation>Reliefscope</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Результат</translation>
+    </message>
+    <message>
+        <source>Trace 3-D</source>
+        <translation>Шлях променя 3-D</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>Піраміда</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Кроки</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Сцена</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Повідомлення</translation>
+    </message>
+    <message>
+        <source>Height maps and scenarios</source>
+        <translation>Карти висот і сценарії</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Усі файли</translation>
+    </message>
+    <message>
+        <source>Open a height map or a scenario</source>
+        <translation>Відкрити карту висот або сценарій</translation>
+    </message>
+    <message>
+        <source>Open the colour picture of the relief</source>
+        <translation>Відкрити кольорову картинку рельєфу</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Колір</translation>
+    </message>
+    <message>
+        <source>Save scenario</source>
+        <translation>Зберегти сценарій</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Сценарії</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Зберегти картинку</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Картинки</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: не записується: %2</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Збережено: %1</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>ще немає</translation>
+    </message>
+    <message>
+        <source>Open these pictures, shipped with Reliefscope</source>
+        <translation>Відкрити ці картинки, що йдуть разом із Reliefscope</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Відкрити %1</translation>
+    </message>
+    <message>
+        <source>One file at a time, please: a height map or a scenario</source>
+        <translation>Будь ласка, по одному файлу: карта висот або сценарій</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Файл</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Відкрити…</translation>
+    </message>
+    <message>
+        <source>Open &amp;colour…</source>
+        <translation>Відкрити &amp;колір…</translation>
+    </message>
+    <message>
+        <source>&amp;Examples</source>
+        <translation>&amp;Приклади</translation>
+    </message>
+    <message>
+        <source>&amp;Recent files</source>
+        <translation>&amp;Недавні файли</translation>
+    </message>
+    <message>
+        <source>&amp;Save scenario…</source>
+        <translation>&amp;Зберегти сценарій…</translation>
+    </message>
+    <message>
+        <source>Save what is looked at and how, to open it again</source>
+        <translation>Зберегти, на що і як дивимося, щоб відкрити знову</translation>
+    </message>
+    <message>
+        <source>Save &amp;picture…</source>
+        <translation>Зберегти к&amp;артинку…</translation>
+    </message>
+    <message>
+        <source>Save the picture of the result</source>
+        <translation>Зберегти картинку результату</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Ви&amp;йти</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Закрити вікно</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Правка</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Скасувати</translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation>Скасувати останню зміну</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Повернути</translation>
+    </message>
+    <message>
+        <source>Redo what was undone</source>
+        <translation>Повернути скасоване</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as command</source>
+        <translation>&amp;Копіювати як команду</translation>
+    </message>
+    <message>
+        <source>Copy the relief trace command of the chosen pixel</source>
+        <translation>Копіювати команду relief trace для вибраного пікселя</translation>
+    </message>
+    <message>
+        <source>Copy &amp;picture</source>
+        <translation>Копіювати к&amp;артинку</translation>
+    </message>
+    <message>
+        <source>Copy the picture of the result</source>
+        <translation>Копіювати картинку результату</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>З&amp;упинити</translation>
+    </message>
+    <message>
+        <source>Cancel what is running</source>
+        <translation>Зупинити те, що виконується</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Вигляд</translation>
+    </message>
+    <message>
+        <source>&amp;Go to</source>
+        <translation>П&amp;ерейти</translation>
+    </message>
+    <message>
+        <source>Go to this pane</source>
+        <translation>Перейти до цієї панелі</translation>
+    </message>
+    <message>
+        <source>&amp;Panes</source>
+        <translation>&amp;Панелі</translation>
+    </message>
+    <message>
+        <source>Reset &amp;layout</source>
+        <translation>&amp;Початкове розташування</translation>
+    </message>
+    <message>
+        <source>Put the panes where they were at first</source>
+        <translation>Повернути панелі на початкові місця</translation>
+    </message>
+    <message>
+        <source>Show the &amp;whole picture</source>
+        <translation>Показати &amp;всю картинку</translation>
+    </message>
+    <message>
+        <source>No zoom in the result (R there)</source>
+        <translation>Без збільшення в результаті (там — R)</translation>
+    </message>
+    <message>
+        <source>Ligh&amp;t theme</source>
+        <translation>&amp;Світла тема</translation>
+    </message>
+    <message>
+        <source>Dark on light instead of light on dark</source>
+        <translation>Темне на світлому замість світлого на темному</translation>
+    </message>
+    <message>
+        <source>Pro&amp;jector</source>
+        <translation>Про&amp;єктор</translation>
+    </message>
+    <message>
+        <source>Full screen, large text, thick lines</source>
+        <translation>На весь екран, великий текст, товсті лінії</translation>
+    </message>
+    <message>
+        <source>&amp;Ray</source>
+        <translation>П&amp;ромінь</translation>
+    </message>
+    <message>
+        <source>&amp;First step</source>
+        <translation>&amp;Перший крок</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>To the first step of the ray</source>
+        <translation>До першого кроку променя</translation>
+    </message>
+    <message>
+        <source>&amp;Previous step</source>
+        <translation>П&amp;опередній крок</translation>
+    </message>
+    <message>
+        <source>One step back</source>
+        <translation>На крок назад</translation>
+    </message>
+    <message>
+        <source>&amp;Next step</source>
+        <translation>&amp;Наступний крок</translation>
+    </message>
+    <message>
+        <source>One step on</source>
+        <translation>На крок уперед</translation>
+    </message>
+    <message>
+        <source>&amp;Last step</source>
+        <translation>&amp;Останній крок</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>To the last step of the ray</source>
+        <translation>До останнього кроку променя</translation>
+    </message>
+    <message>
+        <source>Pla&amp;y</source>
+        <translation>П&amp;рограти</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Пробіл</translation>
+    </message>
+    <message>
+        <source>Play the steps, two a second</source>
+        <translation>Програти кроки, два на секунду</translation>
+    </message>
+    <message>
+        <source>&amp;Go to pixel…</source>
+        <translation>До пікс&amp;еля…</translation>
+    </message>
+    <message>
+        <source>Choose a pixel by its coordinates</source>
+        <translation>Вибрати піксель за координатами</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Довідка</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Миша та клавіші</translation>
+    </message>
+    <message>
+        <source>What mouse and keys do</source>
+        <translation>Що роблять миша та клавіші</translation>
+    </message>
+    <message>
+        <source>&amp;About Reliefscope</source>
+        <translation>&amp;Про Reliefscope</translation>
+    </message>
+    <message>
+        <source>What this is</source>
+        <translation>Що це таке</translation>
+    </message>
+    <message>
+        <source>%1 – Reliefscope</source>
+        <translation>%1 – Reliefscope</translation>
+    </message>
+    <message>
+        <source>Copied: %1</source>
+        <translation>Скопійовано: %1</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Копіювати значення</translation>
+    </message>
+    <message>
+        <source>Choose this pixel</source>
+        <translation>Вибрати цей піксель</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Копіювати картинку</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Зберегти картинку…</translation>
+    </message>
+    <message>
+        <source>Go to pixel</source>
+        <translation>До пікселя</translation>
+    </message>
+    <message>
+        <source>Column, row (0 to %1, 0 to %2):</source>
+        <translation>Стовпець, рядок (від 0 до %1, від 0 до %2):</translation>
+    </message>
+    <message>
+        <source>“%1” is not a pixel; write column, row</source>
+        <translation>«%1» — не піксель; пишіть стовпець, рядок</translation>
+    </message>
+    <message>
+        <source>Click in the result</source>
+        <translation>Клацання в результаті</translation>
+    </message>
+    <message>
+        <source>choose the pixel</source>
+        <translation>вибрати піксель</translation>
+    </message>
+    <message>
+        <source>Drag in the result</source>
+        <translation>Перетягування в результаті</translation>
+    </message>
+    <message>
+        <source>turn the camera</source>
+        <translation>повернути камеру</translation>
+    </message>
+    <message>
+        <source>Wheel in the result</source>
+        <translation>Колесо в результаті</translation>
+    </message>
+    <message>
+        <source>change the camera's distance</source>
+        <translation>змінити відстань камери</translation>
+    </message>
+    <message>
+        <source>Ctrl + drag, Ctrl + wheel</source>
+        <translation>Ctrl + перетягування, Ctrl + колесо</translation>
+    </message>
+    <message>
+        <source>pan and zoom the picture</source>
+        <translation>зсунути та збільшити картинку</translation>
+    </message>
+    <message>
+        <source>the whole picture again</source>
+        <translation>знову вся картинка</translation>
+    </message>
+    <message>
+        <source>Arrows in the result (with Shift: ten)</source>
+        <translation>Стрілки в результаті (з Shift — по десять)</translation>
+    </message>
+    <message>
+        <source>move the pixel</source>
+        <translation>перемістити піксель</translation>
+    </message>
+    <message>
+        <source>previous and next step</source>
+        <translation>попередній і наступний крок</translation>
+    </message>
+    <message>
+        <source>Home   End</source>
+        <translation>Home   End</translation>
+    </message>
+    <message>
+        <source>first and last step</source>
+        <translation>перший і останній крок</translation>
+    </message>
+    <message>
+        <source>play the steps</source>
+        <translation>програти кроки</translation>
+    </message>
+    <message>
+        <source>go to a pane</source>
+        <translation>перейти до панелі</translation>
+    </message>
+    <message>
+        <source>Double click on a title</source>
+        <translation>Подвійне клацання на заголовку</translation>
+    </message>
+    <message>
+        <source>fill the window with the pane, and back</source>
+        <translation>панель на все вікно й назад</translation>
+    </message>
+    <message>
+        <source>undo and redo</source>
+        <translation>скасувати й повернути</translation>
+    </message>
+    <message>
+        <source>copy the relief trace command of the pixel</source>
+        <translation>копіювати команду relief trace для пікселя</translation>
+    </message>
+    <message>
+        <source>projector</source>
+        <translation>проєктор</translation>
+    </message>
+    <message>
+        <source>cancel what is running</source>
+        <translation>зупинити те, що виконується</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Миша та клавіші</translation>
+    </message>
+    <message>
+        <source>About Reliefscope</source>
+        <translation>Про Reliefscope</translation>
+    </message>
+    <message>
+        <source>Reliefscope %1
+
+Relief texturing on height maps, in a window that explains why a pixel looks as it does.</source>
+        <translation>Reliefscope %1
+
+Рельєфне текстурування за картами висот у вікні, яке пояснює, чому піксель має саме такий вигляд.</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Повідомлення</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Закрити це повідомлення</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::NumberControl</name>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>від %1 до %2 %3</translation>
+    </message>
+    <message>
+        <source>%1, slider</source>
+        <translation>%1, повзунок</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::OptionsForm</name>
+    <message>
+        <source>This method has no options.</source>
+        <translation>Цей метод не має параметрів.</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::PaneTitle</name>
+    <message>
+        <source>Fill the window with this pane, and back (double click on the title)</source>
+        <translation>Ця панель на все вікно й назад (подвійне клацання на заголовку)</translation>
+    </message>
+    <message>
+        <source>Fill the window with %1</source>
+        <translation>%1 на все вікно</translation>
+    </message>
+    <message>
+        <source>%1: press %2 to go there, double-click to fill the window</source>
+        <translation>%1: клавіша %2 — перейти сюди, подвійне клацання — на все вікно</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::PicturesBox</name>
+    <message>
+        <source>Pictures</source>
+        <translation>Картинки</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Усі файли</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Висоти</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Колір</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Нормалі</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Відкрити…</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Відкрити %1</translation>
+    </message>
+    <message>
+        <source>Choose a picture file</source>
+        <translation>Вибрати файл картинки</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Без</translation>
+    </message>
+    <message>
+        <source>No %1</source>
+        <translation>Без: %1</translation>
+    </message>
+    <message>
+        <source>Do without this picture</source>
+        <translation>Обійтися без цієї картинки</translation>
+    </message>
+    <message>
+        <source>Procedural relief</source>
+        <translation>Процедурний рельєф</translation>
+    </message>
+    <message>
+        <source>Make a procedural relief instead of reading a picture</source>
+        <translation>Створити процедурний рельєф замість картинки</translation>
+    </message>
+    <message>
+        <source>Procedural…</source>
+        <translation>Процедурний…</translation>
+    </message>
+    <message>
+        <source>Size of the procedural relief</source>
+        <translation>Розмір процедурного рельєфу</translation>
+    </message>
+    <message>
+        <source>Texels along a side</source>
+        <translation>Текселів уздовж сторони</translation>
+    </message>
+    <message>
+        <source>Seed of the procedural relief</source>
+        <translation>Зерно процедурного рельєфу</translation>
+    </message>
+    <message>
+        <source>Seed: another number, another relief</source>
+        <translation>Зерно: інше число — інший рельєф</translation>
+    </message>
+    <message>
+        <source>procedural relief</source>
+        <translation>процедурний рельєф</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>немає</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::PyramidView</name>
+    <message>
+        <source>Pyramid</source>
+        <translation>Піраміда</translation>
+    </message>
+    <message>
+        <source>Click chooses a step, wheel zooms, drag moves, R shows all</source>
+        <translation>Клацання вибирає крок, колесо наближає, перетягування зсуває, R показує все</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>The highest point under each texel: what lets the ray skip</source>
+        <translation>Найвища точка під кожним текселем: завдяки їй промінь може пропускати</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>середнє</translation>
+    </message>
+    <message>
+        <source>The mean under each texel: what colours are filtered with</source>
+        <translation>Середнє під кожним текселем: тим фільтруються кольори</translation>
+    </message>
+    <message>
+        <source>follow</source>
+        <translation>стежити</translation>
+    </message>
+    <message>
+        <source>Zoom to the level of the current step</source>
+        <translation>Наблизити рівень поточного кроку</translation>
+    </message>
+    <message>
+        <source>level %1, texel (%2, %3): %4 = %5 texels</source>
+        <translation>рівень %1, тексель (%2, %3): %4 = %5 текселів</translation>
+    </message>
+    <message>
+        <source>step %1 · %2</source>
+        <translation>крок %1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::RenderWorker</name>
+    <message>
+        <source>not enough memory for this</source>
+        <translation>для цього бракує пам’яті</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::ResultText</name>
+    <message>
+        <source>+x, right</source>
+        <translation>+x, праворуч</translation>
+    </message>
+    <message>
+        <source>+y, up</source>
+        <translation>+y, угору</translation>
+    </message>
+    <message>
+        <source>+z, to the front</source>
+        <translation>+z, уперед</translation>
+    </message>
+    <message>
+        <source>%1: %2 pixels</source>
+        <translation>%1: пікселів %2</translation>
+    </message>
+    <message>
+        <source>steps of the ray</source>
+        <translation>кроки променя</translation>
+    </message>
+    <message>
+        <source>distance to the hit, texture widths</source>
+        <translation>відстань до влучання, ширини текстури</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Колір</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Кроки</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Результат пошуку</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Глибина</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Нормалі</translation>
+    </message>
+    <message>
+        <source>hit</source>
+        <translation>влучання</translation>
+    </message>
+    <message>
+        <source>miss</source>
+        <translation>промах</translation>
+    </message>
+    <message>
+        <source>step limit</source>
+        <translation>межа кроків</translation>
+    </message>
+    <message>
+        <source>sky</source>
+        <translation>небо</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>піксель (%1, %2)</translation>
+    </message>
+    <message>
+        <source>colour %1 (%2, %3, %4)</source>
+        <translation>колір %1 (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>sky: no polygon here</source>
+        <translation>небо: полігона тут немає</translation>
+    </message>
+    <message>
+        <source>hit at texel (%1, %2), λ %3</source>
+        <translation>влучання в тексель (%1, %2), λ %3</translation>
+    </message>
+    <message>
+        <source>distance %1 texture widths</source>
+        <translation>відстань %1 ширин текстури</translation>
+    </message>
+    <message>
+        <source>steps: %1, reads: %2</source>
+        <translation>кроків: %1, читань: %2</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::ResultView</name>
+    <message>
+        <source>Result: the rendered picture</source>
+        <translation>Результат: намальована картинка</translation>
+    </message>
+    <message>
+        <source>Drawing the first picture…</source>
+        <translation>Малюється перша картинка…</translation>
+    </message>
+    <message>
+        <source>No picture yet: open a height map, or drop one here.</source>
+        <translation>Картинки ще немає: відкрийте карту висот або перетягніть її сюди.</translation>
+    </message>
+    <message>
+        <source>Turn the camera</source>
+        <translation>Повернути камеру</translation>
+    </message>
+    <message>
+        <source>Move the camera</source>
+        <translation>Пересунути камеру</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::ScenePanel</name>
+    <message>
+        <source>Pictures</source>
+        <translation>Картинки</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Рельєф</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Камера</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Світло</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Picture drawn</source>
+        <translation>Розмір картинки</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Поверхня</translation>
+    </message>
+    <message>
+        <source>How heights are read between texels: a smooth patch, or a box a texel</source>
+        <translation>Як читаються висоти між текселями: гладкий клапоть або коробка на тексель</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>Поза краєм</translation>
+    </message>
+    <message>
+        <source>What lies beyond the picture's rim: the picture again, its rim, or nothing</source>
+        <translation>Що лежить за краєм картинки: знову картинка, її край або нічого</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Сцена</translation>
+    </message>
+    <message>
+        <source>What the relief is laid on</source>
+        <translation>На що накладено рельєф</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;, %2. %3</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;, %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::StatusLine</name>
+    <message>
+        <source>Stages of this frame (seconds of all threads together):</source>
+        <translation>Стадії цього кадру (секунди всіх потоків разом):</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>збережено</translation>
+    </message>
+    <message>
+        <source>The chosen pixel</source>
+        <translation>Вибраний піксель</translation>
+    </message>
+    <message>
+        <source>The frame</source>
+        <translation>Кадр</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Поступ</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Зупинити</translation>
+    </message>
+    <message>
+        <source>Cancel what is running (Esc)</source>
+        <translation>Зупинити те, що виконується (Esc)</translation>
+    </message>
+    <message>
+        <source>Cancel what is running</source>
+        <translation>Зупинити те, що виконується</translation>
+    </message>
+    <message>
+        <source>no pixel chosen</source>
+        <translation>піксель не вибрано</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>піксель (%1, %2)</translation>
+    </message>
+    <message>
+        <source>sky: no polygon here</source>
+        <translation>небо: полігона тут немає</translation>
+    </message>
+    <message>
+        <source>hit at texel (%1, %2), λ %3</source>
+        <translation>влучання в тексель (%1, %2), λ %3</translation>
+    </message>
+    <message>
+        <source>frame %1 ms</source>
+        <translation>кадр %1 мс</translation>
+    </message>
+    <message>
+        <source> (%1 × %2)</source>
+        <translation> (%1 × %2)</translation>
+    </message>
+    <message>
+        <source>skipped: %1 %</source>
+        <translation>пропущено: %1 %</translation>
+    </message>
+    <message>
+        <source>steps: %1, reads: %2</source>
+        <translation>кроків: %1, читань: %2</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::StepBar</name>
+    <message>
+        <source>First step</source>
+        <translation>Перший крок</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Попередній крок</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Наступний крок</translation>
+    </message>
+    <message>
+        <source>Last step</source>
+        <translation>Останній крок</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Програти</translation>
+    </message>
+    <message>
+        <source>Play the steps, two a second</source>
+        <translation>Програти кроки, два на секунду</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Пробіл</translation>
+    </message>
+    <message>
+        <source>Step of the ray</source>
+        <translation>Крок променя</translation>
+    </message>
+    <message>
+        <source>Step of the ray: , and . go back and on</source>
+        <translation>Крок променя: клавіші , та . — назад і вперед</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>крок %1 з %2</translation>
+    </message>
+    <message>
+        <source>no ray</source>
+        <translation>немає променя</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::StepModel</name>
+    <message>
+        <source>#</source>
+        <translation>№</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>рівень</translation>
+    </message>
+    <message>
+        <source>texel</source>
+        <translation>тексель</translation>
+    </message>
+    <message>
+        <source>λ in → out</source>
+        <translation>λ вхід → вихід</translation>
+    </message>
+    <message>
+        <source>ray height in → out</source>
+        <translation>висота променя вхід → вихід</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>значення</translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation>рішення</translation>
+    </message>
+    <message>
+        <source>λ after</source>
+        <translation>λ далі</translation>
+    </message>
+    <message>
+        <source>number of the step</source>
+        <translation>номер кроку</translation>
+    </message>
+    <message>
+        <source>level of the pyramid, 0 the finest</source>
+        <translation>рівень піраміди, 0 — найдрібніший</translation>
+    </message>
+    <message>
+        <source>texel of that level (cell of the surface on level 0)</source>
+        <translation>тексель цього рівня (на рівні 0 — комірка поверхні)</translation>
+    </message>
+    <message>
+        <source>descent of the ray, 0 the top of the slab, 1 its bottom</source>
+        <translation>спуск променя, 0 — верх шару, 1 — його дно</translation>
+    </message>
+    <message>
+        <source>height of the ray, 1 the top of the slab</source>
+        <translation>висота променя, 1 — верх шару</translation>
+    </message>
+    <message>
+        <source>the stored value that decided, here the maximum of the texel</source>
+        <translation>збережене значення, що вирішило, тут — максимум текселя</translation>
+    </message>
+    <message>
+        <source>what the tracer decided</source>
+        <translation>що вирішив метод</translation>
+    </message>
+    <message>
+        <source>where it went on</source>
+        <translation>звідки він пішов далі</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::StepTable</name>
+    <message>
+        <source>Steps</source>
+        <translation>Кроки</translation>
+    </message>
+    <message>
+        <source>Table of steps</source>
+        <translation>Таблиця кроків</translation>
+    </message>
+    <message>
+        <source>Copy rows</source>
+        <translation>Копіювати рядки</translation>
+    </message>
+    <message>
+        <source>Export steps as CSV...</source>
+        <translation>Зберегти кроки як CSV...</translation>
+    </message>
+    <message>
+        <source>The chosen step in words</source>
+        <translation>Вибраний крок словами</translation>
+    </message>
+    <message>
+        <source>The steps of the chosen pixel's ray will stand here.</source>
+        <translation>Тут стоятимуть кроки променя вибраного пікселя.</translation>
+    </message>
+    <message>
+        <source>This method logged no step.</source>
+        <translation>Цей метод не записав жодного кроку.</translation>
+    </message>
+    <message>
+        <source>No polygon covers the chosen pixel: click on the relief.</source>
+        <translation>Вибраного пікселя не накриває жоден полігон: клацніть на рельєфі.</translation>
+    </message>
+    <message>
+        <source>Export steps</source>
+        <translation>Зберегти кроки</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Таблиці (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::TopBar</name>
+    <message>
+        <source>Main bar</source>
+        <translation>Головна панель</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>How the ray searches for the relief</source>
+        <translation>Як промінь шукає рельєф</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Фільтр</translation>
+    </message>
+    <message>
+        <source>How the colour is read at the hit</source>
+        <translation>Як читається колір у точці влучання</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::Trace3dView</name>
+    <message>
+        <source>Trace in 3-D</source>
+        <translation>Шлях променя в 3-D</translation>
+    </message>
+    <message>
+        <source>Drag turns, wheel zooms, Shift+drag moves, R fits</source>
+        <translation>Перетягування — повернути, колесо — наблизити, Shift+перетягування — зсунути, R — показати все</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Усе</translation>
+    </message>
+    <message>
+        <source>Show the whole patch (R)</source>
+        <translation>Показати всю ділянку (R)</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Стежити</translation>
+    </message>
+    <message>
+        <source>Keep the current step in the middle</source>
+        <translation>Тримати поточний крок посередині</translation>
+    </message>
+    <message>
+        <source>heights × %1</source>
+        <translation>висоти × %1</translation>
+    </message>
+    <message>
+        <source>Exaggeration of heights</source>
+        <translation>Перебільшення висот</translation>
+    </message>
+    <message>
+        <source>click on the relief: its ray is shown here</source>
+        <translation>клацніть на рельєфі: тут з’явиться його промінь</translation>
+    </message>
+    <message>
+        <source>step %1 of %2: level %3, texel (%4, %5)</source>
+        <translation>крок %1 з %2: рівень %3, тексель (%4, %5)</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::Workspace</name>
+    <message>
+        <source>Start</source>
+        <translation>Початок</translation>
+    </message>
+    <message>
+        <source>Choose pixel</source>
+        <translation>Вибрати піксель</translation>
+    </message>
+    <message>
+        <source>Choose step</source>
+        <translation>Вибрати крок</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Відкрити %1</translation>
+    </message>
+</context>
 </TS>

@@ -222,7 +222,7 @@ QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel) {
     } else {
         lines << outcomeTitle(hit.outcome);
     }
-    lines << ResultText::tr("%1 steps, %2 reads").arg(frame.hits->hits.steps[i]).arg(frame.hits->hits.reads[i]);
+    lines << ResultText::tr("steps: %1, reads: %2").arg(frame.hits->hits.steps[i]).arg(frame.hits->hits.reads[i]);
     return lines;
 }
 

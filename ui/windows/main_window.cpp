@@ -29,7 +29,7 @@ namespace {
 // Parts of the window that the panes get at first.
 constexpr double kSceneWidth = 0.20;
 constexpr double kTraceWidth = 0.36;
-constexpr double kStepsHeight = 0.22;
+constexpr double kStepsHeight = 0.26;
 
 QComboBox* makeLayerChooser(Workspace* workspace, QWidget* parent) {
     auto* const box = new QComboBox(parent);
@@ -65,10 +65,10 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     resetLayout();
     result_->setFocus();
 
-    connect(workspace_, &Workspace::scenarioChanged, this, &MainWindow::refreshHistory);
-    connect(workspace_, &Workspace::stepChanged, this, &MainWindow::refreshHistory);
+    connect(workspace_, &Workspace::scenarioChanged, this, &MainWindow::refreshTitles);
+    connect(workspace_, &Workspace::stepChanged, this, &MainWindow::refreshTitles);
     connect(workspace_, &Workspace::opened, this, &MainWindow::remember);
-    refreshHistory();
+    refreshTitles();
 }
 
 MainWindow::~MainWindow() = default;

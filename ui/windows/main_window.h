@@ -78,7 +78,7 @@ class MainWindow : public QMainWindow {
     void fillRecent();
     void fillExamples(QMenu* menu);
     void remember(const QString& path);
-    void refreshHistory();
+    void refreshTitles();
     void resultMenu(const QPoint& global);
     void askOpen();
     void askColor();

@@ -3,7 +3,9 @@
 #include <QClipboard>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
@@ -141,10 +143,15 @@ void MainWindow::makeHelpMenu() {
     connect(about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 
-void MainWindow::refreshHistory() {
+void MainWindow::refreshTitles() {
+    const relief::Pictures& pictures = workspace_->scenario().pictures;
+    const QFileInfo file(QString::fromStdString(pictures.height));
+    const QString name = pictures.height.empty() ? QString::fromStdString(pictures.recipe)
+                                                 : file.dir().dirName() + '/' + file.fileName();
+    setWindowTitle(name.isEmpty() ? tr("Reliefscope") : tr("%1 – Reliefscope").arg(name));
     undo_->setEnabled(workspace_->canUndo());
     redo_->setEnabled(workspace_->canRedo());
-    const auto name = [](QAction* action, const QString& plain, const QString& what) {
+    const auto rename = [](QAction* action, const QString& plain, const QString& what) {
         const QString text = what.isEmpty() ? plain : plain + QStringLiteral(": ") + what;
         action->setText(text);
         action->setToolTip(QStringLiteral("%1 (%2)").arg(QString(text).remove('&'),
@@ -153,8 +160,8 @@ void MainWindow::refreshHistory() {
     // The sign in the bar stays; only menu and tool tip say what.
     const QString undoSign = undo_->iconText();
     const QString redoSign = redo_->iconText();
-    name(undo_, tr("&Undo"), workspace_->undoText());
-    name(redo_, tr("&Redo"), workspace_->redoText());
+    rename(undo_, tr("&Undo"), workspace_->undoText());
+    rename(redo_, tr("&Redo"), workspace_->redoText());
     undo_->setIconText(undoSign);
     redo_->setIconText(redoSign);
 }

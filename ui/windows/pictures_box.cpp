@@ -35,6 +35,9 @@ PicturesBox::PicturesBox(Workspace* workspace, QWidget* parent) : QWidget(parent
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(3);
+    folder_ = new QLabel(this);
+    folder_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    column->addWidget(folder_);
     addRow(column, tr("Heights"), &relief::Pictures::height, QStringLiteral("height"));
     addRow(column, tr("Colour"), &relief::Pictures::color, QStringLiteral("color"));
     addRow(column, tr("Normals"), &relief::Pictures::normal, QStringLiteral("normal"));
@@ -141,6 +144,10 @@ void PicturesBox::makeRecipe() {
 
 void PicturesBox::refresh() {
     const relief::Pictures& pictures = workspace_->scenario().pictures;
+    const bool procedural = pictures.height.empty();
+    const QFileInfo heights(QString::fromStdString(pictures.height));
+    folder_->setText(procedural ? tr("procedural relief") : heights.dir().dirName());
+    folder_->setToolTip(procedural ? QString() : heights.absolutePath());
     for (const Row& row : rows_) {
         const QFileInfo file(QString::fromStdString(pictures.*row.member));
         const QString folder = file.dir().dirName();

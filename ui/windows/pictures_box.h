@@ -38,6 +38,7 @@ class PicturesBox : public QWidget {
     void refresh();
 
     Workspace* workspace_;
+    QLabel* folder_ = nullptr;
     std::vector<Row> rows_;
     QComboBox* recipe_ = nullptr;
     QSpinBox* size_ = nullptr;

@@ -55,6 +55,7 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     pixel_->setAccessibleName(tr("The chosen pixel"));
     frame_->setAccessibleName(tr("The frame"));
     pixel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    setContentsMargins(6, 0, 6, 0);
     bar_->setRange(0, 1000);
     bar_->setFixedWidth(160);
     bar_->setTextVisible(false);
@@ -118,7 +119,7 @@ QString StatusLine::pixelText() const {
     } else {
         text += outcomeTitle(trace.hit.outcome);
     }
-    return text + QStringLiteral("     ") + tr("%1 steps, %2 reads").arg(trace.steps.size()).arg(trace.reads);
+    return text + QStringLiteral("     ") + tr("steps: %1, reads: %2").arg(trace.steps.size()).arg(trace.reads);
 }
 
 QString StatusLine::frameText() const {

@@ -30,10 +30,10 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
         row->addWidget(made);
         return made;
     };
-    button(QStringLiteral("⏮"), tr("First step"), tr("Home"), &StepBar::first);
+    button(QStringLiteral("|◀"), tr("First step"), tr("Home"), &StepBar::first);
     button(QStringLiteral("◀"), tr("Previous step"), QStringLiteral(","), &StepBar::previous);
     button(QStringLiteral("▶"), tr("Next step"), QStringLiteral("."), &StepBar::next);
-    button(QStringLiteral("⏭"), tr("Last step"), tr("End"), &StepBar::last);
+    button(QStringLiteral("▶|"), tr("Last step"), tr("End"), &StepBar::last);
     play_ = button(tr("Play"), tr("Play the steps, two a second"), tr("Space"), &StepBar::togglePlay);
     play_->setCheckable(true);
     slider_->setAccessibleName(tr("Step of the ray"));

@@ -1,0 +1,28 @@
+// Own main: surfaces have to be chosen before the QApplication, and no display means skipped tests, not an abort.
+#include <cstdio>
+#include <memory>
+
+#include <gtest/gtest.h>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "window_fixture.h"
+#include "windows/display_check.h"
+#include "windows/program.h"
+
+int main(int count, char** values) {
+    ::testing::InitGoogleTest(&count, values);
+    const std::string problem = reliefui::displayProblem();
+    if (!problem.empty() || ::testing::GTEST_FLAG(list_tests)) {
+        if (!problem.empty()) std::fprintf(stderr, "the window is not tested: %s\n", problem.c_str());
+        return RUN_ALL_TESTS();
+    }
+    // The user's list of recent files is not ours.
+    const QTemporaryDir settings;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    reliefui::prepareWindows();
+    QApplication application(count, values);
+    reliefui::dressApplication(application);
+    reliefui::haveDisplay() = true;
+    return RUN_ALL_TESTS();
+}

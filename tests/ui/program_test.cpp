@@ -1,0 +1,97 @@
+// The program `reliefscope` as it is started: arguments, and no display.
+#include <fstream>
+
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+struct Ran {
+    int status = -1;
+    QString out;
+    QString err;
+};
+
+Ran start(const QStringList& arguments, bool display = true) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("LC_ALL"), QStringLiteral("C.UTF-8"));
+    if (!display) environment.remove(QStringLiteral("DISPLAY"));
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(RELIEFSCOPE), arguments);
+    process.waitForFinished(60000);
+    Ran ran;
+    ran.status = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+    ran.out = QString::fromUtf8(process.readAllStandardOutput());
+    ran.err = QString::fromUtf8(process.readAllStandardError());
+    return ran;
+}
+
+bool oneLine(const QString& text) {
+    return text.endsWith('\n') && text.count('\n') == 1;
+}
+
+// These need no display; they run everywhere.
+TEST(Program, WithoutADisplayItSaysSo) {
+    for (const QStringList& arguments : {QStringList{}, QStringList{QStringLiteral("--check-display")}}) {
+        const Ran ran = start(arguments, false);
+        EXPECT_EQ(ran.status, 2);
+        EXPECT_TRUE(oneLine(ran.err)) << ran.err.toStdString();
+        EXPECT_TRUE(ran.err.startsWith(QStringLiteral("relief: "))) << ran.err.toStdString();
+    }
+}
+
+TEST(Program, HelpAndVersion) {
+    EXPECT_EQ(start({QStringLiteral("--help")}, false).status, 0);
+    EXPECT_TRUE(start({QStringLiteral("--help")}, false).out.contains(QStringLiteral("Usage: reliefscope")));
+    EXPECT_TRUE(start({QStringLiteral("--version")}, false).out.startsWith(QStringLiteral("reliefscope ")));
+}
+
+TEST(Program, BadUsage) {
+    const QList<QStringList> cases{{QStringLiteral("--nonsense")},
+                                   {QStringLiteral("a.png"), QStringLiteral("b.png")},
+                                   {QStringLiteral("--screenshot")},
+                                   {QStringLiteral("--size"), QStringLiteral("12")}};
+    for (const QStringList& arguments : cases) {
+        const Ran ran = start(arguments, false);
+        EXPECT_EQ(ran.status, 2) << arguments.join(' ').toStdString();
+        EXPECT_TRUE(oneLine(ran.err)) << ran.err.toStdString();
+    }
+}
+
+TEST_F(WindowTest, BadInputIsSaidBeforeAWindowOpens) {
+    const QTemporaryDir folder;
+    const QString broken = folder.filePath(QString::fromUtf8("не картинка.png"));
+    std::ofstream(broken.toStdString()) << "no";
+    for (const QString& path : {broken, folder.filePath(QStringLiteral("missing.json")), folder.path()}) {
+        const Ran ran = start({path});
+        EXPECT_EQ(ran.status, 2);
+        EXPECT_TRUE(oneLine(ran.err)) << ran.err.toStdString();
+        EXPECT_TRUE(ran.err.startsWith(QStringLiteral("relief: ") + path + QStringLiteral(": ")))
+            << ran.err.toStdString();
+    }
+}
+
+TEST_F(WindowTest, TheScreenshotShowsTheWindowWithoutAWordOfComplaint) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("window.png"));
+    QElapsedTimer clock;
+    clock.start();
+    const Ran ran = start({QStringLiteral("--screenshot"), file, QStringLiteral("--size"), QStringLiteral("1280x800")});
+    RecordProperty("milliseconds", static_cast<int>(clock.elapsed()));
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_EQ(ran.err.toStdString(), "");
+    EXPECT_EQ(ran.out.toStdString(), "");
+    const QImage image(file);
+    EXPECT_EQ(image.size(), QSize(1280, 800));
+    EXPECT_GT(colorsIn(image), 1000);
+}
+
+}  // namespace
+
+}  // namespace reliefui

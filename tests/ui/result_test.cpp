@@ -1,0 +1,170 @@
+// The result view and the workspace behind it.
+#include <algorithm>
+
+#include <QApplication>
+#include <QComboBox>
+
+#include "relief/tracers.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+// The ray of the pixel, traced here by the core itself.
+relief::StepLog coreLog(const relief::Scenario& scenario, const relief::Assets& assets) {
+    const relief::FrameRequest request = relief::frameRequest(scenario, assets);
+    relief::Work work;
+    relief::MapCache maps;
+    const auto tracer = relief::makeTracer(scenario.method, request.field, maps, work);
+    const auto ray = relief::pixelRay(request, scenario.pixel->x, scenario.pixel->y);
+    relief::StepLog log;
+    if (!ray) return log;
+    relief::RayBlock rays;
+    rays.push(*ray);
+    relief::HitBlock hits;
+    tracer->trace(rays, hits, log, work);
+    return log;
+}
+
+TEST_F(WindowTest, ClickChoosesThePixelAndItsTraceIsTheCores) {
+    openWindow(smallScenario());
+    for (const QPoint pixel : {QPoint(70, 60), QPoint(120, 90), QPoint(40, 100)}) {
+        QTest::mouseClick(window_->result(), Qt::LeftButton, Qt::NoModifier, onScreen(pixel.x(), pixel.y()));
+        waitForFull();
+        ASSERT_TRUE(scenario().pixel.has_value());
+        EXPECT_EQ(scenario().pixel->x, pixel.x());
+        EXPECT_EQ(scenario().pixel->y, pixel.y());
+        const PixelTrace& trace = snapshot()->trace;
+        const relief::StepLog log = coreLog(scenario(), snapshot()->assets);
+        EXPECT_EQ(trace.steps, log.steps);
+        ASSERT_TRUE(trace.onRelief);
+        EXPECT_EQ(trace.reads, log.reads.front());
+        EXPECT_EQ(scenario().step, static_cast<int>(log.steps.size()) - 1);
+    }
+}
+
+TEST_F(WindowTest, ThePictureIsTheFrames) {
+    openWindow(smallScenario());
+    ResultView* const view = window_->result();
+    QTest::keyClick(view, Qt::Key_R);
+    const QImage shown = grab(view);
+    const QImage& picture = snapshot()->picture;
+    ASSERT_EQ(picture.size(), QSize(200, 150));
+    ASSERT_GT(colorsIn(picture), 100);
+    int compared = 0;
+    for (int y = 5; y < 150; y += 13) {
+        for (int x = 5; x < 200; x += 11) {
+            const QPoint at = onScreen(x, y);
+            // The ring and the magnifier are drawn over the picture.
+            if ((at - onScreen(90, 80)).manhattanLength() < 40 || (at.x() > view->width() / 2 && at.y() < 200))
+                continue;
+            EXPECT_EQ(shown.pixelColor(at), picture.pixelColor(x, y)) << x << "," << y;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 80);
+    EXPECT_NE(shown.pixelColor(onScreen(90, 80) + QPoint(9, 0)), shown.pixelColor(onScreen(100, 80)));
+}
+
+TEST_F(WindowTest, ArrowsMoveThePixel) {
+    openWindow(smallScenario());
+    ResultView* const view = window_->result();
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_Right);
+    QTest::keyClick(view, Qt::Key_Down, Qt::ShiftModifier);
+    EXPECT_EQ(*scenario().pixel, (relief::PixelChoice{91, 90}));
+    QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);
+    QTest::keyClick(view, Qt::Key_Up);
+    EXPECT_EQ(*scenario().pixel, (relief::PixelChoice{81, 89}));
+    for (int i = 0; i < 30; ++i) QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);
+    EXPECT_EQ(*scenario().pixel, (relief::PixelChoice{0, 89}));
+    waitForFull();
+    EXPECT_EQ(snapshot()->trace.pixel, (relief::PixelChoice{0, 89}));
+    // One key after the other is one change.
+    workspace_->undo();
+    EXPECT_EQ(*scenario().pixel, (relief::PixelChoice{90, 80}));
+}
+
+TEST_F(WindowTest, DraggingDrawsCoarseThenFull) {
+    relief::Scenario large = smallScenario();
+    large.width = 1600;
+    large.height = 1200;
+    openWindow(large);
+    std::vector<bool> coarse;
+    double slowest = 0;
+    QObject::connect(workspace_.get(), &Workspace::snapshotChanged, window_.get(), [&] {
+        coarse.push_back(snapshot()->coarse);
+        if (snapshot()->coarse) slowest = std::max(slowest, snapshot()->frame->seconds);
+        if (snapshot()->coarse) {
+            EXPECT_LT(snapshot()->picture.width(), 1600);
+        }
+    });
+    ResultView* const view = window_->result();
+    const QPoint from(view->width() / 2, view->height() / 2);
+    const double azimuth = scenario().camera.azimuth;
+    QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, from);
+    for (int i = 1; i <= 30; ++i) {
+        QTest::mouseMove(view, from + QPoint(4 * i, 0));
+        QTest::qWait(10);
+    }
+    const std::size_t during = coarse.size();
+    QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, from + QPoint(120, 0));
+    waitForFull();
+    EXPECT_GE(during, 3U) << "the drag is seen while it goes on";
+    ASSERT_GT(coarse.size(), during);
+    EXPECT_TRUE(
+        std::all_of(coarse.begin(), coarse.begin() + static_cast<std::ptrdiff_t>(during), [](bool c) { return c; }));
+    EXPECT_FALSE(coarse.back());
+    EXPECT_LT(scenario().camera.azimuth, azimuth);
+    RecordProperty("coarse_frames", static_cast<int>(during));
+    RecordProperty("slowest_coarse_ms", static_cast<int>(slowest * 1000));
+    // The whole drag is one change.
+    workspace_->undo();
+    EXPECT_EQ(scenario().camera.azimuth, azimuth);
+}
+
+TEST_F(WindowTest, WheelMovesTheCameraAndSettles) {
+    openWindow(smallScenario());
+    ResultView* const view = window_->result();
+    const double distance = scenario().camera.distance;
+    QWheelEvent wheel(QPointF(50, 50), view->mapToGlobal(QPoint(50, 50)), {}, QPoint(0, 120), Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(view, &wheel);
+    EXPECT_LT(scenario().camera.distance, distance);
+    waitForFull();
+    // With Ctrl the picture is enlarged at the pointer, and the camera stays.
+    const QPointF at = onScreen(90, 80);
+    const double before = scenario().camera.distance;
+    const QPointF fixed = view->toPicture(at);
+    QWheelEvent zoom(at, view->mapToGlobal(at.toPoint()), {}, QPoint(0, 240), Qt::NoButton, Qt::ControlModifier,
+                     Qt::NoScrollPhase, false);
+    QApplication::sendEvent(view, &zoom);
+    EXPECT_EQ(scenario().camera.distance, before);
+    EXPECT_NEAR(view->toPicture(at).x(), fixed.x(), 1e-6);
+    EXPECT_NEAR(view->toPicture(at).y(), fixed.y(), 1e-6);
+    EXPECT_GT(view->toWidget({1, 0}).x() - view->toWidget({0, 0}).x(), 1.5);
+}
+
+TEST_F(WindowTest, LayersAreDrawn) {
+    openWindow(smallScenario());
+    auto* const layers = window_->findChild<QComboBox*>(QStringLiteral("layer"));
+    ASSERT_NE(layers, nullptr);
+    ASSERT_EQ(layers->count(), kLayers);
+    for (int i = 1; i < kLayers; ++i) {
+        layers->setCurrentIndex(i);
+        waitForFull();
+        EXPECT_EQ(snapshot()->layer.layer, static_cast<Layer>(i));
+        EXPECT_GT(colorsIn(snapshot()->layer.image), 1) << i;
+        EXPECT_EQ(snapshot()->picture.size(), snapshot()->layer.image.size());
+        EXPECT_GT(colorsIn(grab(window_->result())), 2) << i;
+    }
+    layers->setCurrentIndex(1);
+    waitForFull();
+    const auto& steps = snapshot()->frame->hits->hits.steps;
+    EXPECT_EQ(snapshot()->layer.high, *std::max_element(steps.begin(), steps.end()));
+}
+
+}  // namespace
+
+}  // namespace reliefui

@@ -1,0 +1,73 @@
+#include "window_fixture.h"
+
+#include <set>
+
+#include <QApplication>
+
+#include "workspace/start_scenario.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kPatienceMs = 20000;
+constexpr int kDrawMs = 250;
+
+}  // namespace
+
+bool& haveDisplay() {
+    static bool have = false;
+    return have;
+}
+
+relief::Scenario smallScenario() {
+    relief::Scenario scenario = startScenario({});
+    scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = 64;
+    scenario.width = 200;
+    scenario.height = 150;
+    scenario.pixel = relief::PixelChoice{90, 80};
+    return scenario;
+}
+
+void WindowTest::SetUp() {
+    if (!haveDisplay()) GTEST_SKIP() << "no display: the window is not tested";
+}
+
+void WindowTest::TearDown() {
+    window_.reset();
+    workspace_.reset();
+}
+
+void WindowTest::openWindow(const relief::Scenario& scenario) {
+    workspace_ = std::make_unique<Workspace>();
+    workspace_->start(scenario);
+    window_ = std::make_unique<MainWindow>(workspace_.get(), QStringLiteral(RELIEF_DATASETS));
+    window_->resize(1500, 900);
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_NO_FATAL_FAILURE(waitForFull());
+    // Without a window manager nobody makes it the active one.
+    QApplication::setActiveWindow(window_.get());
+}
+
+void WindowTest::waitForFull() {
+    const bool done = QTest::qWaitFor([&] { return snapshot() && !workspace_->busy(); }, kPatienceMs);
+    ASSERT_TRUE(done) << "no picture in time";
+    ASSERT_FALSE(snapshot()->coarse);
+    ASSERT_EQ(snapshot()->version, workspace_->version());
+}
+
+QImage WindowTest::grab(QWidget* widget) {
+    QTest::qWait(kDrawMs);
+    return widget->grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+int colorsIn(const QImage& image) {
+    std::set<QRgb> colors;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) colors.insert(image.pixel(x, y));
+    }
+    return static_cast<int>(colors.size());
+}
+
+}  // namespace reliefui
