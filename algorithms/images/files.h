@@ -1,4 +1,6 @@
 // Reading and writing pictures through OpenImageIO. Paths are UTF-8.
+// Read: PNG, JPEG, TIFF, OpenEXR, Radiance HDR, BMP, GIF, WebP, JPEG 2000, PNM and PFM, PSD, FITS, by what is in the
+// file; TGA, RLA and HEIF by the name. The first picture of a file with several. Colour profiles and EXIF are ignored.
 // Every fault is an InputError with one line: missing, directory, empty, truncated, not an image, zero size, more
 // pixels than the cap (before anything is allocated), a channel that is not there, a height that is NaN or infinite
 // (with the first such pixel), an output that cannot be written (WorkError). Outputs are written beside and renamed.

@@ -29,7 +29,6 @@ struct Signature {
 
 using namespace std::string_view_literals;
 
-// Not here: Maya's IFF, whose reader in OpenImageIO 2.4 writes beyond its memory on a damaged file.
 constexpr std::array kSignatures{
     Signature{"png", "\x89PNG\r\n\x1a\n"sv},
     Signature{"jpeg", "\xff\xd8\xff"sv},
@@ -47,10 +46,7 @@ constexpr std::array kSignatures{
     Signature{"jpeg2000", "\0\0\0\x0cjP  "sv},
     Signature{"jpeg2000", "\xff\x4f\xff\x51"sv},
     Signature{"psd", "8BPS"sv},
-    Signature{"dds", "DDS "sv},
-    Signature{"sgi", "\x01\xda"sv},
-    Signature{"dpx", "SDPX"sv},
-    Signature{"dpx", "XPDS"sv},
+
     Signature{"fits", "SIMPLE  ="sv},
 };
 
@@ -99,58 +95,24 @@ class Checksum {
     std::array<std::array<std::uint32_t, 256>, 8> tables_{};
 };
 
-// Gathers the chunks worth keeping, in the order libpng wants them.
-class PngCleaner {
+// Which chunks the pixels need, and whether they follow each other as they must.
+class PngGrammar {
   public:
-    // False: the file is damaged.
-    bool add(std::string_view type, View data) {
-        if (type == "IHDR") return header(data);
-        if (colorType_ < 0) return false;
-        if (type == "PLTE") return palette(data);
-        if (type == "IDAT") {
-            if (colorType_ == 3 && paletteSize_ == 0) return false;
-            data_ = true;
-            return append(type, data);
-        }
-        if (type == "IEND") return data_ && append(type, {});
-        if ((static_cast<unsigned char>(type[0]) & 0x20U) == 0) return false;  // critical, and unknown
-        if (data_) return true;
-        if (type == "tRNS" && !transparency_ && transparencyFits(data.size()))
-            return transparency_ = append(type, data);
-        if (type == "sRGB" && !color_ && data.size() == 1 && data[0] < 4) return color_ = append(type, data);
-        if (type == "gAMA") gamma(data);
-        return true;
-    }
+    enum class Verdict : std::uint8_t { Keep, Drop, Damaged };
 
-    Bytes take(const Checksum& checksum) {
-        Bytes out{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-        std::size_t total = out.size();
-        for (const Kept& chunk : chunks_) total += chunk.data.size() + kPngFrame;
-        out.reserve(total);
-        for (const Kept& chunk : chunks_) {
-            number(out, static_cast<std::uint32_t>(chunk.data.size()));
-            const std::size_t from = out.size();
-            out.insert(out.end(), chunk.type.begin(), chunk.type.end());
-            out.insert(out.end(), chunk.data.begin(), chunk.data.end());
-            number(out, checksum.of(View(out).subspan(from)));
-        }
-        return out;
+    Verdict judge(std::string_view type, View data) {
+        if (type == "IHDR") return keepIf(header(data));
+        if (colorType_ < 0) return Verdict::Damaged;
+        if (type == "PLTE") return colorType_ == 3 ? keepIf(palette(data)) : Verdict::Drop;
+        if (type == "IDAT") return keepIf(data_ = colorType_ != 3 || palette_);
+        if (type == "IEND") return keepIf(data_);
+        if ((static_cast<unsigned char>(type[0]) & 0x20U) == 0) return Verdict::Damaged;  // critical, and unknown
+        const bool wanted = type == "tRNS" || type == "sRGB" || type == "gAMA";
+        return wanted && !data_ ? Verdict::Keep : Verdict::Drop;
     }
 
   private:
-    struct Kept {
-        std::string_view type;
-        View data;
-    };
-
-    static void number(Bytes& out, std::uint32_t value) {
-        for (const int shift : {24, 16, 8, 0}) out.push_back(static_cast<unsigned char>(value >> shift));
-    }
-
-    bool append(std::string_view type, View data) {
-        chunks_.push_back({type, data});
-        return true;
-    }
+    static Verdict keepIf(bool fits) { return fits ? Verdict::Keep : Verdict::Damaged; }
 
     bool header(View data) {
         if (colorType_ >= 0 || data.size() != 13) return false;
@@ -164,39 +126,18 @@ class PngCleaner {
         if (!power || !fits || data[10] != 0 || data[11] != 0 || data[12] > 1) return false;
         if (width == 0 || height == 0 || (width | height) > 0x7fffffffU) return false;
         colorType_ = type;
-        return append("IHDR", data);
+        return true;
     }
 
-    // Filled up to what the bit depth can address: libpng warns of an index beyond the end.
     bool palette(View data) {
-        if (colorType_ != 3) return true;
-        if (data_ || paletteSize_ != 0 || data.empty() || data.size() % 3 != 0) return false;
-        paletteSize_ = data.size() / 3;
-        if (paletteSize_ > std::size_t{1} << bits_) return false;
-        palette_.assign(data.begin(), data.end());
-        palette_.resize(3 * (std::size_t{1} << bits_));
-        return append("PLTE", palette_);
+        if (data_ || palette_ || data.empty() || data.size() % 3 != 0) return false;
+        return palette_ = data.size() / 3 <= std::size_t{1} << bits_;
     }
 
-    bool transparencyFits(std::size_t size) const {
-        if (colorType_ == 3) return size >= 1 && size <= paletteSize_;
-        return (colorType_ == 0 && size == 2) || (colorType_ == 2 && size == 6);
-    }
-
-    void gamma(View data) {
-        if (color_ || data.size() != 4) return;
-        const std::uint32_t value = bigEndian(data, 0);
-        if (value >= 1000 && value <= 1000000) color_ = append("gAMA", data);
-    }
-
-    std::vector<Kept> chunks_;
-    Bytes palette_;
-    std::size_t paletteSize_ = 0;
     int bits_ = 0;
     int colorType_ = -1;
     bool data_ = false;
-    bool transparency_ = false;
-    bool color_ = false;
+    bool palette_ = false;
 };
 
 }  // namespace
@@ -226,21 +167,29 @@ std::optional<DeclaredSize> declaredSize(std::string_view format, std::span<cons
 
 std::optional<Bytes> cleanPng(std::span<const unsigned char> file) {
     const Checksum checksum;
-    PngCleaner cleaner;
+    PngGrammar grammar;
+    Bytes clean;
+    clean.reserve(file.size());
+    const auto keep = [&](View bytes) { clean.insert(clean.end(), bytes.begin(), bytes.end()); };
+    if (file.size() < kPngHead) return std::nullopt;
+    keep(file.first(kPngHead));
     std::size_t at = kPngHead;
-    while (file.size() >= at + kPngFrame) {
+    while (file.size() - at >= kPngFrame) {
         const std::size_t length = bigEndian(file, at);
         if (length > file.size() - at - kPngFrame) return std::nullopt;
-        const View typed = file.subspan(at + 4, 4 + length);
+        const View chunk = file.subspan(at, length + kPngFrame);
+        const View typed = chunk.subspan(4, 4 + length);
         const std::string_view type(reinterpret_cast<const char*>(typed.data()), 4);
-        const bool critical = (typed[0] & 0x20U) == 0;
-        at += kPngFrame + length;
-        if (checksum.of(typed) != bigEndian(file, at - 4)) {
-            if (critical) return std::nullopt;
+        at += chunk.size();
+        if (checksum.of(typed) != bigEndian(chunk, chunk.size() - 4)) {
+            // Damaged only if the pixels need it.
+            if ((typed[0] & 0x20U) == 0) return std::nullopt;
             continue;
         }
-        if (!cleaner.add(type, typed.subspan(4))) return std::nullopt;
-        if (type == "IEND") return cleaner.take(checksum);
+        const PngGrammar::Verdict verdict = grammar.judge(type, typed.subspan(4));
+        if (verdict == PngGrammar::Verdict::Damaged) return std::nullopt;
+        if (verdict == PngGrammar::Verdict::Keep) keep(chunk);
+        if (type == "IEND") return clean;
     }
     return std::nullopt;
 }

@@ -25,9 +25,8 @@ struct DeclaredSize {
 // "jpeg2000", "gif", "png". Nothing for other formats or if the header is cut short. The first 64 kB are enough.
 std::optional<DeclaredSize> declaredSize(std::string_view format, std::span<const unsigned char> head);
 
-// A PNG file with every checksum verified, reduced to what its pixels need. libpng prints its complaints on stderr:
-// broken files are refused here and chunks that it likes to warn of (iCCP above all) are left out, so it has none.
-// Nothing if the file is damaged or cut short. Cost: one pass over the bytes, about 1 GB/s.
+// A PNG file with every checksum verified, reduced to what its pixels need. libpng tells its errors to stderr, so what
+// is damaged or cut short is refused here: nothing is returned. Cost: one pass over the bytes, about 1 GB/s.
 std::optional<Bytes> cleanPng(std::span<const unsigned char> file);
 
 // Metadata that the pixels do not need (colour profiles, EXIF, IPTC, XMP) taken out: OpenImageIO 2.4 follows offsets in
@@ -35,5 +34,8 @@ std::optional<Bytes> cleanPng(std::span<const unsigned char> file);
 Bytes cleanJpeg(std::span<const unsigned char> file);
 // In place, in the first directory (others are not read); the file keeps its length.
 void hideTiffMetadata(std::span<unsigned char> file);
+
+// Layers of a TIFF volume, of which OpenImageIO would show the first and say nothing; 1 for a picture.
+std::uint64_t tiffDepth(std::span<const unsigned char> file);
 
 }  // namespace relief

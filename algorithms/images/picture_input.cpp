@@ -22,9 +22,10 @@ namespace {
 
 constexpr std::size_t kHeadBytes = 65536;
 
-// Formats without a signature that are told by the name. Left out: films, volumes, camera raw and medical pictures
-// (their libraries write on stderr), and what has a signature, which would have been found.
-constexpr std::array<std::string_view, 6> kFormatsByName{"targa", "ico", "cineon", "rla", "softimage", "heif"};
+// Formats without a signature, told by the name. What is in neither list is refused: films, volumes, camera raw and
+// medical pictures (their libraries write on stderr); Maya IFF, DPX, ICO, SGI, DDS (OpenImageIO 2.4 dies of damaged
+// ones).
+constexpr std::array<std::string_view, 3> kFormatsByName{"targa", "rla", "heif"};
 
 std::string lower(std::string_view text) {
     std::string out(text);
@@ -167,6 +168,32 @@ struct PictureInput::Library {
     std::optional<OIIO::Filesystem::IOMemReader> memory;
     OIIO::ImageInput::unique_ptr input;
 
+    // Looks at the file before any library does; takes into memory what is cleaned first. Gives the format's name.
+    std::string load(const std::string& path, std::int64_t maxPixels) {
+        const File file = openRegular(path);
+        const Bytes head = readBytes(file.get(), kHeadBytes, path);
+        std::string format(formatBySignature(head));
+        if (format.empty()) format = formatByName(path);
+        if (format.empty()) throw InputError(path, Message(MessageId::FileNotPicture));
+        const std::optional<DeclaredSize> size = declaredSize(format, head);
+        if (size) checkSize(path, size->width, size->height, maxPixels);
+        if (format == "png") {
+            if (size) checkPngSides(path, *size);
+            auto clean = cleanPng(wholeFile(file.get(), path));
+            if (!clean) throwDamaged(path, {});
+            bytes = std::move(*clean);
+        } else if (format == "jpeg") {
+            bytes = cleanJpeg(wholeFile(file.get(), path));
+        } else if (format == "tiff") {
+            bytes = wholeFile(file.get(), path);
+            if (const std::uint64_t depth = tiffDepth(bytes); depth > 1)
+                throw InputError(path, Message(MessageId::PictureVolume, {{"depth", depth}}));
+            hideTiffMetadata(bytes);
+        }
+        if (!bytes.empty()) memory.emplace(bytes.data(), bytes.size());
+        return format;
+    }
+
     bool open(const std::string& path, std::string& why) {
         OIIO::ImageSpec hints;
         hints.attribute("oiio:UnassociatedAlpha", 1);
@@ -181,29 +208,8 @@ struct PictureInput::Library {
 
 PictureInput::PictureInput(const std::string& path, std::int64_t maxPixels)
     : path_(path), library_(std::make_unique<Library>()) {
-    std::string format;
-    {
-        const File file = openRegular(path);
-        const Bytes head = readBytes(file.get(), kHeadBytes, path);
-        format = formatBySignature(head);
-        if (format.empty()) format = formatByName(path);
-        if (format.empty()) throw InputError(path, Message(MessageId::FileNotPicture));
-        const std::optional<DeclaredSize> size = declaredSize(format, head);
-        if (size) checkSize(path, size->width, size->height, maxPixels);
-        if (format == "png") {
-            if (size) checkPngSides(path, *size);
-            auto clean = cleanPng(wholeFile(file.get(), path));
-            if (!clean) throwDamaged(path, {});
-            library_->bytes = std::move(*clean);
-        } else if (format == "jpeg") {
-            library_->bytes = cleanJpeg(wholeFile(file.get(), path));
-        } else if (format == "tiff") {
-            library_->bytes = wholeFile(file.get(), path);
-            hideTiffMetadata(library_->bytes);
-        }
-        if (!library_->bytes.empty()) library_->memory.emplace(library_->bytes.data(), library_->bytes.size());
-    }
     try {
+        const std::string format = library_->load(path, maxPixels);
         library_->input = OIIO::ImageInput::create(format);
         if (!library_->input) {
             OIIO::geterror();
@@ -213,7 +219,9 @@ PictureInput::PictureInput(const std::string& path, std::int64_t maxPixels)
         if (!library_->open(path, why)) throwDamaged(path, why);
     } catch (const InputError&) {
         throw;
-    } catch (const std::exception& fault) {  // a header that leads the library to ask for absurd memory
+    } catch (const std::bad_alloc&) {
+        throw WorkError(path, systemMessage(ENOMEM, FileAccess::Read));
+    } catch (const std::exception& fault) {
         throwDamaged(path, fault.what());
     }
     checkSpec(maxPixels);

@@ -8,11 +8,13 @@ namespace relief {
 
 namespace {
 
-// Numbers of a TIFF file in its byte order; 0 beyond its end.
-class TiffNumbers {
+// Numbers of a TIFF file in its byte order; reads beyond its end give 0. Byte: const or not.
+template <class Byte>
+class TiffFile {
   public:
-    explicit TiffNumbers(std::span<unsigned char> bytes)
-        : bytes_(bytes), little_(bytes.size() > 1 && bytes[0] == 'I') {}
+    explicit TiffFile(std::span<Byte> bytes) : bytes_(bytes), little_(bytes.size() > 1 && bytes[0] == 'I') {
+        big_ = get(2, 2) == 43;
+    }
 
     std::uint64_t get(std::uint64_t at, unsigned count) const {
         std::uint64_t value = 0;
@@ -20,22 +22,34 @@ class TiffNumbers {
         for (unsigned i = 0; i < count; ++i) value = value << 8 | bytes_[index(at, i, count)];
         return value;
     }
+    // Of an entry: it is inside.
     void set(std::uint64_t at, unsigned count, std::uint64_t value) {
-        if (!inside(at, count)) return;
         for (unsigned i = count; i-- > 0; value >>= 8) bytes_[index(at, i, count)] = static_cast<unsigned char>(value);
     }
-    bool inside(std::uint64_t at, std::uint64_t count) const {
-        return at <= bytes_.size() && count <= bytes_.size() - at;
+    bool big() const { return big_; }
+
+    // visit(where the entry begins, its tag) for each entry of the first directory that lies inside the file.
+    template <class Visit>
+    void forEntries(const Visit& visit) const {
+        const std::uint64_t directory = big_ ? get(8, 8) : get(4, 4);
+        const std::uint64_t count = get(directory, big_ ? 8 : 2);
+        const std::uint64_t size = big_ ? 20 : 12;
+        std::uint64_t entry = directory + (big_ ? 8 : 2);
+        for (std::uint64_t i = 0; i < count && inside(entry, size); ++i, entry += size) visit(entry, get(entry, 2));
     }
 
   private:
+    bool inside(std::uint64_t at, std::uint64_t count) const {
+        return at <= bytes_.size() && count <= bytes_.size() - at;
+    }
     // The i-th most significant byte of `count`.
     std::size_t index(std::uint64_t at, unsigned i, unsigned count) const {
         return static_cast<std::size_t>(at + (little_ ? count - 1 - i : i));
     }
 
-    std::span<unsigned char> bytes_;
+    std::span<Byte> bytes_;
     bool little_;
+    bool big_ = false;
 };
 
 // XMP, IPTC, Photoshop, EXIF, colour profile, GPS.
@@ -64,22 +78,27 @@ Bytes cleanJpeg(std::span<const unsigned char> file) {
 }
 
 void hideTiffMetadata(std::span<unsigned char> file) {
-    TiffNumbers numbers(file);
-    const bool big = numbers.get(2, 2) == 43;
-    const std::uint64_t directory = big ? numbers.get(8, 8) : numbers.get(4, 4);
-    const unsigned countBytes = big ? 8 : 2;
-    const std::uint64_t entryBytes = big ? 20 : 12;
-    const std::uint64_t count = std::min<std::uint64_t>(numbers.get(directory, countBytes), 65535);
-    for (std::uint64_t i = 0; i < count; ++i) {
-        const std::uint64_t entry = directory + countBytes + i * entryBytes;
-        if (!numbers.inside(entry, entryBytes)) return;
-        if (std::find(kTiffMetadata.begin(), kTiffMetadata.end(), numbers.get(entry, 2)) == kTiffMetadata.end())
-            continue;
+    TiffFile<unsigned char> tiff(file);
+    std::uint64_t hidden = 0;
+    tiff.forEntries([&](std::uint64_t entry, std::uint64_t tag) {
+        if (std::find(kTiffMetadata.begin(), kTiffMetadata.end(), tag) == kTiffMetadata.end()) return;
         // One byte of a private tag that nobody knows.
-        numbers.set(entry, 2, 65280 + i % 256);
-        numbers.set(entry + 2, 2, 1);
-        numbers.set(entry + 4, big ? 8 : 4, 1);
-    }
+        tiff.set(entry, 2, 65280 + hidden++ % 256);
+        tiff.set(entry + 2, 2, 1);
+        tiff.set(entry + 4, tiff.big() ? 8 : 4, 1);
+    });
+}
+
+std::uint64_t tiffDepth(std::span<const unsigned char> file) {
+    constexpr std::uint64_t kImageDepth = 32997;
+    const TiffFile<const unsigned char> tiff(file);
+    std::uint64_t depth = 1;
+    tiff.forEntries([&](std::uint64_t entry, std::uint64_t tag) {
+        if (tag != kImageDepth) return;
+        const bool isShort = tiff.get(entry + 2, 2) == 3;
+        depth = tiff.get(entry + (tiff.big() ? 12 : 8), isShort ? 2 : 4);
+    });
+    return std::max<std::uint64_t>(1, depth);
 }
 
 }  // namespace relief

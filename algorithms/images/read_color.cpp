@@ -26,10 +26,12 @@ double scaled(T number) {
         return static_cast<double>(number) / static_cast<double>(std::numeric_limits<T>::max());
 }
 
-// Red, green and blue where the file has them; a grey picture three times over; else the first three.
+// Red, green and blue (or x, y, z) where the file has them; a grey picture three times over; else the first three.
 Channels colorChannels(const PictureInput& input) {
-    const Channels named{input.channelIndex("R"), input.channelIndex("G"), input.channelIndex("B")};
-    if (named[0] >= 0 && named[1] >= 0 && named[2] >= 0) return named;
+    for (const std::array<const char*, 3>& names : {std::array{"R", "G", "B"}, std::array{"X", "Y", "Z"}}) {
+        const Channels named{input.channelIndex(names[0]), input.channelIndex(names[1]), input.channelIndex(names[2])};
+        if (named[0] >= 0 && named[1] >= 0 && named[2] >= 0) return named;
+    }
     const int grey = input.channelIndex("Y");
     if (grey >= 0) return {grey, grey, grey};
     if (input.info().channels.size() < 3) return {0, 0, 0};

@@ -12,6 +12,7 @@ namespace relief {
 namespace {
 
 using testing::bigEndian;
+using testing::bytesOf;
 using testing::faultOf;
 using testing::littleEndian;
 using testing::png;
@@ -57,7 +58,7 @@ TEST(Formats, FewBitsSpanTheFullRange) {
               (std::vector<float>{0, static_cast<float>(85 / 255.0), static_cast<float>(170 / 255.0), 1}));
 }
 
-// libpng would speak on stderr of a colour profile that it does not like, and OpenImageIO would trust one it does.
+// Nothing of this matters to the pixels, and nothing of it is printed.
 TEST(Formats, PngWithOddAncillaryChunks) {
     const TemporaryFolder folder;
     std::string wrongSum = pngChunk("tEXt", "a comment");
@@ -110,6 +111,45 @@ TEST(Formats, PaletteGif) {
     const HeightImage image = heights(path);
     EXPECT_NEAR(image.heights(0, 0), 10 / 255.0, 0.02);
     EXPECT_NEAR(image.heights(1, 0), 200 / 255.0, 0.02);
+}
+
+// A colour profile whose only tag lies so far off that its end is small again: OpenImageIO 2.4 goes there.
+std::string brokenProfile() {
+    std::string profile(128, '\0');
+    profile.replace(0, 4, bigEndian(144));
+    profile.replace(36, 4, "acsp");
+    return profile + bigEndian(1) + "cprt" + bigEndian(0xffffff00U) + bigEndian(0x110);
+}
+
+TEST(Formats, BrokenColourProfilesAreNotFollowed) {
+    const TemporaryFolder folder;
+    const std::string profile = brokenProfile();
+    const auto size = static_cast<std::uint32_t>(profile.size());
+    const std::uint32_t data = 8 + 2 + 9 * 12 + 4;
+    std::string tiff = "II" + littleEndian(42, 2) + littleEndian(8, 4) + littleEndian(9, 2);
+    tiff += tiffEntry(256, 3, 1, 2) + tiffEntry(257, 3, 1, 1) + tiffEntry(258, 3, 1, 8) + tiffEntry(259, 3, 1, 1) +
+            tiffEntry(262, 3, 1, 1) + tiffEntry(273, 4, 1, data) + tiffEntry(278, 3, 1, 1) + tiffEntry(279, 4, 1, 2) +
+            tiffEntry(34675, 7, size, data + 2) + littleEndian(0, 4) + "\x33\x66" + profile;
+    EXPECT_EQ(values(heights(folder.with("p.tif", tiff))), (std::vector<float>{0.2F, 0.4F}));
+
+    const std::string plain =
+        bytesOf(writeRaw<std::uint8_t>(folder / "plain.jpg", 8, 8, 1, std::vector<std::uint8_t>(64, 77)));
+    const std::string segment = std::string("ICC_PROFILE\0\1\1", 14) + profile;
+    const std::string length = bigEndian(static_cast<std::uint32_t>(segment.size() + 2)).substr(2);
+    const std::string jpeg = folder.with("p.jpg", plain.substr(0, 2) + "\xff\xe2" + length + segment + plain.substr(2));
+    EXPECT_EQ(heights(jpeg).heights, heights(folder / "plain.jpg").heights);
+}
+
+TEST(Formats, ChannelsByTheirNamesInExr) {
+    const TemporaryFolder folder;
+    OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::FLOAT);
+    // Luminance beside its colour differences is a grey picture.
+    spec.channelnames = {"BY", "RY", "Y"};
+    EXPECT_EQ(colors(writeRaw<float>(folder / "yc.exr", spec, {0.1F, 0.2F, 0.75F}))(0, 0), Color(0.75F, 0.75F, 0.75F));
+    spec.channelnames = {"Z", "X", "Y"};
+    Work work(1);
+    const std::string normals = writeRaw<float>(folder / "n.exr", spec, {1, 0.5F, 0.5F});
+    EXPECT_EQ(readNormals(normals, work)(0, 0), glm::vec3(0, 0, 1));
 }
 
 TEST(Formats, GreyJpegInThreeChannelsGivesTheFirst) {

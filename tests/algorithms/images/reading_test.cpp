@@ -184,6 +184,8 @@ TEST(Reading, LinearWhereTheFileSaysSoAndFloats) {
     EXPECT_EQ(colors(writeRaw<float>(folder / "f.exr", 1, 1, 3, {0.2F, 4, -1}))(0, 0), Color(0.2F, 4, -1));
     const ColorImage sixteen = colors(writeRaw<std::uint16_t>(folder / "s.png", 1, 1, 3, {0, 32768, 65535}));
     EXPECT_EQ(sixteen(0, 0), Color(0, linearFromSrgb(static_cast<float>(32768 / 65535.0)), 1));
+    const ColorImage wide = colors(writeRaw<std::uint32_t>(folder / "w.tif", 1, 1, 3, {0, 1U << 31, 4294967295U}));
+    EXPECT_EQ(wide(0, 0), Color(0, linearFromSrgb(0.5F), 1));
 }
 
 TEST(Reading, EightBitColoursSurviveBothWays) {

@@ -1,0 +1,74 @@
+// A pane that shows drawings: a vtkContext scene with the grammar of all panes. Wheel zooms at the pointer, drag moves,
+// R shows all again, click chooses, hover reads values out.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QTimer>
+
+#include "drawings/style.h"
+#include "drawings/view_map.h"
+
+namespace reliefui {
+
+class DrawingCanvas : public QVTKOpenGLNativeWidget {
+    Q_OBJECT
+  public:
+    explicit DrawingCanvas(QWidget* parent = nullptr);
+    ~DrawingCanvas() override;
+
+    // From the lowest to the topmost. The legend stands at the lower edge, whatever the zoom.
+    void setLayers(std::vector<std::shared_ptr<const Drawing>> layers, std::shared_ptr<const Drawing> legend);
+    void setStyle(const Style& style);
+
+    // Room for the drawing at its home zoom, in points.
+    QSizeF room() const;
+    QPointF toWidget(Point drawing) const;
+    ItemId itemAt(QPointF widget) const;
+    bool atHome() const { return home_; }
+
+  public slots:
+    void resetZoom();
+    // Zooms so that the box fills most of the pane.
+    void zoomTo(const Box& drawing);
+
+  signals:
+    void clicked(const reliefui::ItemId& id);
+    void hovered(const reliefui::ItemId& id);  // none: nothing is under the pointer
+    void resized();
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    Box screenRoom() const;  // physical pixels
+    double legendHeight() const;
+    Box bounds() const;
+    void setMap(const ViewMap& map);
+    void redraw();
+    void paint();
+    Style deviceStyle() const;  // in physical pixels
+
+    Style style_;
+    std::vector<std::shared_ptr<const Drawing>> layers_;
+    std::shared_ptr<const Drawing> legend_;
+    ViewMap map_;  // to physical pixels
+    bool home_ = true;
+    bool dragging_ = false;
+    QPointF pressed_;
+    QPointF last_;
+    QTimer redrawSoon_;
+    struct Scene;
+    std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace reliefui

@@ -1,0 +1,196 @@
+#include "views/pyramid_view.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "scenario/step_sentence.h"
+#include "views/drawing_canvas.h"
+
+namespace reliefui {
+
+namespace {
+
+QToolButton* switchButton(const QString& text, const QString& help, QWidget* parent) {
+    auto* const button = new QToolButton(parent);
+    button->setText(text);
+    button->setToolTip(help);
+    button->setAccessibleName(help);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    return button;
+}
+
+}  // namespace
+
+PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)), readout_(new QLabel(this)) {
+    setAccessibleName(tr("Pyramid"));
+    setFocusProxy(canvas_);
+    canvas_->setToolTip(tr("Click chooses a step, wheel zooms, drag moves, R shows all"));
+    maxima_ = switchButton(tr("max"), tr("The highest point under each texel: what lets the ray skip"), this);
+    means_ = switchButton(tr("mean"), tr("The mean under each texel: what colours are filtered with"), this);
+    follow_ = switchButton(tr("follow"), tr("Zoom to the level of the current step"), this);
+    auto* const kinds = new QButtonGroup(this);
+    kinds->addButton(maxima_);
+    kinds->addButton(means_);
+    maxima_->setChecked(true);
+    readout_->setObjectName(QStringLiteral("pyramid-readout"));
+    readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // A long readout must not widen the pane.
+    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+
+    auto* const bar = new QHBoxLayout;
+    bar->setContentsMargins(4, 2, 6, 2);
+    bar->addWidget(maxima_);
+    bar->addWidget(means_);
+    bar->addWidget(follow_);
+    bar->addWidget(readout_, 1);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(bar);
+    column->addWidget(canvas_, 1);
+
+    connect(means_, &QToolButton::toggled, this, &PyramidView::refresh);
+    connect(follow_, &QToolButton::toggled, this, &PyramidView::setFollowing);
+    connect(canvas_, &DrawingCanvas::clicked, this, &PyramidView::choose);
+    connect(canvas_, &DrawingCanvas::hovered, this, &PyramidView::tell);
+    connect(canvas_, &DrawingCanvas::resized, this, &PyramidView::refresh);
+    connect(workspace_, &Workspace::snapshotChanged, this, &PyramidView::refresh);
+    connect(workspace_, &Workspace::stepChanged, this, &PyramidView::refreshStep);
+    connect(workspace_, &Workspace::styleChanged, this, &PyramidView::refresh);
+    refresh();
+}
+
+QString PyramidView::readout() const {
+    return readout_->text();
+}
+
+void PyramidView::showMeans(bool means) {
+    (means ? means_ : maxima_)->setChecked(true);
+}
+
+void PyramidView::setFollowing(bool on) {
+    follow_->setChecked(on);
+    on ? follow() : canvas_->resetZoom();
+}
+
+void PyramidView::resetZoom() {
+    canvas_->resetZoom();
+}
+
+PyramidSource PyramidView::source() const {
+    PyramidSource source;
+    const Snapshot& s = *shown_;
+    source.field = &s.request->field;
+    source.overCells = !means_->isChecked();
+    source.pyramid = source.overCells ? std::shared_ptr<const relief::Pyramid>(s.maxima, &s.maxima->pyramid) : s.means;
+    source.hasRay = s.trace.onRelief;
+    source.ray = s.trace.ray;
+    source.hit = s.trace.hit;
+    source.steps = &s.trace.steps;
+    return source;
+}
+
+void PyramidView::refresh() {
+    canvas_->setStyle(workspace_->style());
+    shown_ = workspace_->snapshot();
+    const bool ready =
+        shown_ && shown_->request && (means_->isChecked() ? shown_->means != nullptr : shown_->maxima != nullptr);
+    if (!ready) {
+        showEmpty(relief::MessageId::DrawNoPicture);
+        return;
+    }
+    const PyramidSource from = source();
+    // The legend first: what it needs is not left to the levels.
+    const double width = canvas_->width() / workspace_->style().pixelsPerPoint();
+    legend_ = std::make_shared<const Drawing>(pyramidLegend(from, width - 12));
+    canvas_->setLayers({}, legend_);
+    const QSizeF room = canvas_->room();
+    picture_ = pyramidPicture(from, room.width(), room.height());
+    levels_ = std::make_shared<const Drawing>(std::move(picture_.levels));
+    refreshStep();
+}
+
+void PyramidView::refreshStep() {
+    if (!shown_ || !levels_) return;
+    // A step of a newer ray than the one shown: its snapshot is on the way.
+    auto marks = std::make_shared<const Drawing>(pyramidMarks(source(), picture_.blocks, workspace_->scenario().step));
+    canvas_->setLayers({levels_, std::move(marks)}, legend_);
+    if (follow_->isChecked()) follow();
+}
+
+void PyramidView::showEmpty(relief::MessageId why) {
+    levels_.reset();
+    picture_ = {};
+    auto drawing = std::make_shared<Drawing>();
+    drawing->bounds = {0, 0, 100, 100};
+    Label label;
+    label.at = {50, 50};
+    label.text = relief::Message(why);
+    label.anchor = Anchor::Center;
+    drawing->add({}, Role::Label, std::move(label));
+    canvas_->setLayers({std::move(drawing)}, nullptr);
+}
+
+void PyramidView::follow() {
+    if (!shown_ || shown_->trace.steps.empty()) return;
+    const auto& steps = shown_->trace.steps;
+    const int last = static_cast<int>(steps.size()) - 1;
+    const relief::Step& step = steps[static_cast<std::size_t>(std::clamp(workspace_->scenario().step, 0, last))];
+    if (step.level < 0 || step.level >= static_cast<int>(picture_.blocks.size())) return;
+    const Box box = picture_.blocks[static_cast<std::size_t>(step.level)].box;
+    canvas_->zoomTo({box.x0, box.y0 - kTitleHeight, box.x1, box.y1});
+}
+
+void PyramidView::choose(const ItemId& id) {
+    if (!shown_ || id.kind != ItemKind::Step) return;
+    const auto& steps = shown_->trace.steps;
+    const auto count = static_cast<std::int64_t>(steps.size());
+    if (id.i >= count) return;
+    const relief::Step& at = steps[static_cast<std::size_t>(id.i)];
+    // Of all steps on this texel, the next one after the current, round and round.
+    const std::int64_t current = std::clamp<std::int64_t>(workspace_->scenario().step, 0, count - 1);
+    for (std::int64_t n = 1; n <= count; ++n) {
+        const std::int64_t k = (current + n) % count;
+        const relief::Step& step = steps[static_cast<std::size_t>(k)];
+        if (step.level == at.level && step.i == at.i && step.j == at.j) {
+            workspace_->chooseStep(static_cast<int>(k));
+            return;
+        }
+    }
+}
+
+void PyramidView::tell(const ItemId& id) {
+    ItemId texel = id;
+    if (shown_ && id.kind == ItemKind::Step && id.i < static_cast<std::int64_t>(shown_->trace.steps.size())) {
+        const relief::Step& step = shown_->trace.steps[static_cast<std::size_t>(id.i)];
+        texel = {ItemKind::Texel, step.level, step.i, step.j};
+    }
+    if (!shown_ || texel.kind != ItemKind::Texel) {
+        readout_->clear();
+        return;
+    }
+    const PyramidSource from = source();
+    const relief::FloatImage& level = from.pyramid->level(texel.level);
+    const relief::CellGrid grid(*from.field);
+    const bool named = from.overCells && texel.level == 0;
+    const auto i = static_cast<int>(texel.i - (named ? grid.x.firstName : 0));
+    const auto j = static_cast<int>(texel.j - (named ? grid.y.firstName : 0));
+    if (i < 0 || j < 0 || i >= level.width() || j >= level.height()) return;
+    const double value = static_cast<double>(level(i, j));
+    const auto number = [](double v, int decimals) { return QString::fromStdString(relief::fixedText(v, decimals)); };
+    QString text = tr("level %1, texel (%2, %3): %4 = %5 texels")
+                       .arg(texel.level)
+                       .arg(texel.i)
+                       .arg(texel.j)
+                       .arg(number(value, 4), number(value * from.field->slabTexels(), 2));
+    if (id.kind == ItemKind::Step) text = tr("step %1 · %2").arg(id.i + 1).arg(text);
+    readout_->setText(text);
+}
+
+}  // namespace reliefui

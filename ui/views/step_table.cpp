@@ -1,0 +1,291 @@
+#include "views/step_table.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QPixmap>
+#include <QTableView>
+
+#include "scenario/ray_files.h"
+#include "scenario/step_sentence.h"
+#include "workspace/language.h"
+
+namespace reliefui {
+
+namespace {
+
+QColor toColor(Rgba c) {
+    return {c.r, c.g, c.b, c.a};
+}
+
+// The decision's colour with its shape: colour is never alone.
+QPixmap symbol(relief::Decision decision, const Style& style, int side) {
+    QPixmap pixmap(side, side);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor color = toColor(style.color(roleOf(decision)));
+    painter.setPen(QPen(color, side / 8.0));
+    painter.setBrush(color);
+    const double m = side * 0.2;
+    const double n = side - m;
+    const double c = side / 2.0;
+    switch (shapeOf(decision)) {
+        case Shape::Bar:
+            painter.drawRect(QRectF(m, c - side * 0.12, n - m, side * 0.24));
+            break;
+        case Shape::TriangleRight:
+            painter.drawPolygon(QPolygonF(QVector<QPointF>{{m, m}, {n, c}, {m, n}}));
+            break;
+        case Shape::TriangleDown:
+            painter.drawPolygon(QPolygonF(QVector<QPointF>{{m, m}, {n, m}, {c, n}}));
+            break;
+        case Shape::TriangleUpHollow:
+            painter.setBrush(Qt::NoBrush);
+            painter.drawPolygon(QPolygonF(QVector<QPointF>{{m, n}, {n, n}, {c, m}}));
+            break;
+        case Shape::Diamond:
+            painter.drawPolygon(QPolygonF(QVector<QPointF>{{c, m}, {n, c}, {c, n}, {m, c}}));
+            break;
+        case Shape::Cross:
+            painter.drawLine(QPointF(m, m), QPointF(n, n));
+            painter.drawLine(QPointF(m, n), QPointF(n, m));
+            break;
+        case Shape::Ring:
+            painter.setBrush(Qt::NoBrush);
+            painter.drawEllipse(QPointF(c, c), c - m, c - m);
+            break;
+        case Shape::SquareHollow:
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRect(QRectF(m, m, n - m, n - m));
+            break;
+        case Shape::Dot:
+        case Shape::DotSmall:
+            painter.drawEllipse(QPointF(c, c), side * 0.25, side * 0.25);
+            break;
+    }
+    return pixmap;
+}
+
+QString number(double value, int decimals = 4) {
+    return QString::fromStdString(relief::fixedText(value, decimals));
+}
+
+}  // namespace
+
+void StepModel::show(std::shared_ptr<const Snapshot> snapshot, const Style& style) {
+    beginResetModel();
+    snapshot_ = std::move(snapshot);
+    style_ = style;
+    endResetModel();
+}
+
+int StepModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() || !snapshot_ ? 0 : static_cast<int>(snapshot_->trace.steps.size());
+}
+
+int StepModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : Columns;
+}
+
+QString StepModel::text(const relief::Step& step, int row, int column) const {
+    const QString arrow = QStringLiteral(" → ");
+    switch (column) {
+        case Number:
+            return QString::number(row + 1);
+        case Level:
+            return QString::number(step.level);
+        case Texel:
+            return QStringLiteral("(%1, %2)").arg(step.i).arg(step.j);
+        case Lambda:
+            return number(step.lambdaIn) + arrow + number(step.lambdaOut);
+        case Height:
+            return number(step.zIn()) + arrow + number(step.zOut());
+        case Value:
+            return number(step.value);
+        case Decision:
+            return QString::fromUtf8(relief::decisionName(step.decision).data());
+        default:
+            return number(step.lambdaAfter);
+    }
+}
+
+QVariant StepModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) return {};
+    const relief::Step& step = snapshot_->trace.steps[static_cast<std::size_t>(index.row())];
+    if (role == Qt::DisplayRole) return text(step, index.row(), index.column());
+    if (role == Qt::DecorationRole && index.column() == Decision) return symbol(step.decision, style_, 14);
+    if (role == Qt::TextAlignmentRole) {
+        return static_cast<int>((index.column() == Decision ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    }
+    return {};
+}
+
+QVariant StepModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) return {};
+    const QString titles[Columns] = {
+        tr("#"),     tr("level"),    tr("texel"),  tr("λ in → out"), tr("ray height in → out"),
+        tr("value"), tr("decision"), tr("λ after")};
+    if (role == Qt::DisplayRole) return titles[section];
+    if (role != Qt::ToolTipRole) return {};
+    const QString help[Columns] = {tr("number of the step"),
+                                   tr("level of the pyramid, 0 the finest"),
+                                   tr("texel of that level (cell of the surface on level 0)"),
+                                   tr("descent of the ray, 0 the top of the slab, 1 its bottom"),
+                                   tr("height of the ray, 1 the top of the slab"),
+                                   tr("the stored value that decided, here the maximum of the texel"),
+                                   tr("what the tracer decided"),
+                                   tr("where it went on")};
+    return help[section];
+}
+
+StepTable::StepTable(Workspace* workspace, QWidget* parent)
+    : QWidget(parent),
+      workspace_(workspace),
+      model_(new StepModel(this)),
+      table_(new QTableView(this)),
+      sentence_(new QLabel(this)) {
+    setAccessibleName(tr("Steps"));
+    table_->setModel(model_);
+    table_->setAccessibleName(tr("Table of steps"));
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    table_->setAlternatingRowColors(true);
+    table_->setShowGrid(false);
+    table_->setWordWrap(false);
+    table_->verticalHeader()->hide();
+    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->horizontalHeader()->setHighlightSections(false);
+    table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    table_->installEventFilter(this);
+    auto* const copy = new QAction(tr("Copy rows"), table_);
+    copy->setShortcut(QKeySequence::Copy);
+    copy->setShortcutContext(Qt::WidgetShortcut);
+    auto* const save = new QAction(tr("Export steps as CSV..."), table_);
+    table_->addActions({copy, save});
+    connect(copy, &QAction::triggered, this, &StepTable::copyRows);
+    connect(save, &QAction::triggered, this, &StepTable::exportRows);
+    sentence_->setWordWrap(true);
+    sentence_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    sentence_->setMargin(10);
+    sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    sentence_->setAccessibleName(tr("The chosen step in words"));
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(table_, 3);
+    row->addWidget(sentence_, 2);
+    connect(workspace_, &Workspace::snapshotChanged, this, &StepTable::refresh);
+    connect(workspace_, &Workspace::stepChanged, this, &StepTable::followStep);
+    connect(workspace_, &Workspace::styleChanged, this, &StepTable::refresh);
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& current, const QModelIndex&) {
+                if (!following_ && current.isValid()) workspace_->chooseStep(current.row());
+            });
+    refresh();
+}
+
+QString StepTable::sentence() const {
+    return sentence_->text();
+}
+
+void StepTable::applyStyle() {
+    QFont font = this->font();
+    const double points = workspace_->style().projector ? 18 : 10;
+    font.setPointSizeF(points);
+    table_->setFont(font);
+    table_->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);
+    font.setPointSizeF(points * 1.4);
+    sentence_->setFont(font);
+}
+
+void StepTable::refresh() {
+    following_ = true;
+    applyStyle();
+    model_->show(workspace_->snapshot(), workspace_->style());
+    following_ = false;
+    // Measured on a few rows: there may be hundreds of thousands.
+    const int width = QFontMetrics(table_->font()).horizontalAdvance(QLatin1Char('0'));
+    const int widths[StepModel::Columns] = {6, 6, 13, 19, 21, 9, 13, 9};
+    for (int c = 0; c < StepModel::Columns; ++c) table_->setColumnWidth(c, (widths[c] + 1) * width);
+    followStep(workspace_->scenario().step);
+}
+
+void StepTable::followStep(int step) {
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot) {
+        sentence_->setText(tr("The steps of the chosen pixel's ray will stand here."));
+        return;
+    }
+    const PixelTrace& trace = snapshot->trace;
+    if (trace.steps.empty()) {
+        sentence_->setText(trace.onRelief ? tr("This method logged no step.")
+                                          : tr("No polygon covers the chosen pixel: click on the relief."));
+        return;
+    }
+    const int row = std::clamp(step, 0, static_cast<int>(trace.steps.size()) - 1);
+    const auto at = static_cast<std::size_t>(row);
+    following_ = true;
+    table_->setCurrentIndex(model_->index(row, 0));
+    table_->scrollTo(model_->index(row, 0));
+    following_ = false;
+    relief::StepContext context;
+    const auto& maps = relief::findTracer(snapshot->scenario.method.name).maps;
+    context.hierarchy = std::find(maps.begin(), maps.end(), "max-pyramid") != maps.end();
+    if (row > 0) context.before = trace.steps[at - 1].decision;
+    context.ray = trace.ray;
+    const relief::Message message = relief::stepSentence(trace.steps[at], context);
+    sentence_->setText(QString::fromStdString(relief::sentence(message, workspace_->style().language)));
+}
+
+bool StepTable::eventFilter(QObject* watched, QEvent* event) {
+    // Home and End mean the first and last step, not the first and last column.
+    if (watched == table_ && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Home || key == Qt::Key_End) {
+            workspace_->chooseStep(key == Qt::Key_Home ? 0 : model_->rowCount() - 1);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void StepTable::copyRows() {
+    QModelIndexList rows = table_->selectionModel()->selectedRows();
+    std::sort(rows.begin(), rows.end());
+    QString text;
+    for (const QModelIndex& row : rows) {
+        QStringList cells;
+        for (int c = 0; c < StepModel::Columns; ++c) {
+            cells << model_->data(model_->index(row.row(), c), Qt::DisplayRole).toString();
+        }
+        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
+    }
+    QApplication::clipboard()->setText(text);
+}
+
+void StepTable::exportRows() {
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot) return;
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Export steps"), QStringLiteral("steps.csv"), tr("Tables (*.csv)"));
+    if (path.isEmpty()) return;
+    relief::StepLog log;
+    log.steps = snapshot->trace.steps;
+    log.begin.push_back(log.steps.size());
+    std::string text = std::string(relief::kStepsHeader) + "\n";
+    relief::appendStepLines(text, log, 0, 0);
+    try {
+        relief::writeTextFile(path.toStdString(), text);
+    } catch (const relief::InputError& error) {
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
+    }
+}
+
+}  // namespace reliefui

@@ -1,0 +1,62 @@
+// The steps of the chosen ray as a table, in step with the workspace, and the chosen one said in a sentence.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QWidget>
+
+#include "workspace/workspace.h"
+
+class QLabel;
+class QTableView;
+
+namespace reliefui {
+
+// Rows are steps; reads from the snapshot it was given, without a copy. The numbers are formatted without the locale.
+class StepModel : public QAbstractTableModel {
+    Q_OBJECT
+  public:
+    enum Column { Number, Level, Texel, Lambda, Height, Value, Decision, After, Columns };
+
+    explicit StepModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+
+    void show(std::shared_ptr<const Snapshot> snapshot, const Style& style);
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+  private:
+    QString text(const relief::Step& step, int row, int column) const;
+
+    std::shared_ptr<const Snapshot> snapshot_;
+    Style style_;
+};
+
+class StepTable : public QWidget {
+    Q_OBJECT
+  public:
+    explicit StepTable(Workspace* workspace, QWidget* parent = nullptr);
+
+    const QTableView* table() const { return table_; }
+    QString sentence() const;
+
+  public slots:
+    void copyRows();    // the chosen ones, or all, with tabs between columns
+    void exportRows();  // asks for a file; the columns of `relief trace --steps`
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void refresh();
+    void followStep(int step);
+    void applyStyle();
+
+    Workspace* workspace_;
+    StepModel* model_;
+    QTableView* table_;
+    QLabel* sentence_;
+    bool following_ = false;  // the selection moves because the workspace's step did
+};
+
+}  // namespace reliefui
