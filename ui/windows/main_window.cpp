@@ -1,14 +1,17 @@
 #include "windows/main_window.h"
 
+#include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "views/drawing_canvas.h"
 #include "views/pyramid_view.h"
 #include "views/result_painting.h"
 #include "views/result_view.h"
@@ -127,9 +130,11 @@ void MainWindow::makePanes() {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setMinimumWidth(panel->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
 
-    addPane(tr("Trace 3-D"), QStringLiteral("trace-pane"), trace_, trace_, Qt::RightDockWidgetArea);
-    addPane(tr("Pyramid"), QStringLiteral("pyramid-pane"), pyramid_, pyramid_, Qt::RightDockWidgetArea);
-    addPane(tr("Steps"), QStringLiteral("steps-pane"), time, steps_, Qt::BottomDockWidgetArea);
+    addPane(tr("Trace 3-D"), QStringLiteral("trace-pane"), trace_, trace_->findChild<QVTKOpenGLNativeWidget*>(),
+            Qt::RightDockWidgetArea);
+    addPane(tr("Pyramid"), QStringLiteral("pyramid-pane"), pyramid_, pyramid_->canvas(), Qt::RightDockWidgetArea);
+    addPane(tr("Steps"), QStringLiteral("steps-pane"), time, steps_->findChild<QTableView*>(),
+            Qt::BottomDockWidgetArea);
     addPane(tr("Scene"), QStringLiteral("scene-pane"), scroll, panel, Qt::LeftDockWidgetArea);
 }
 

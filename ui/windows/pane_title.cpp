@@ -9,6 +9,7 @@ namespace reliefui {
 
 PaneTitle::PaneTitle(const QString& title, const QString& shortcut, QWidget* parent)
     : QWidget(parent), row_(new QHBoxLayout(this)), note_(new QLabel(this)) {
+    setObjectName(QStringLiteral("pane-title"));
     auto* const name = new QLabel(title, this);
     QFont bold = name->font();
     bold.setBold(true);

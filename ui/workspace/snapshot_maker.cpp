@@ -104,6 +104,8 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const relief::Scenario& scen
     snapshot->picture = size.picture;
     snapshot->layer = size.layer;
     snapshot->trace = trace(scenario, snapshot->assets, *size.renderer->tracer(), work);
+    const int steps = static_cast<int>(snapshot->trace.steps.size());
+    snapshot->scenario.step = std::clamp(scenario.step, 0, std::max(0, steps - 1));
     const relief::HeightField& field = request->field;
     snapshot->maxima = relief::maxPyramidMap(field, *maps_, work);
     snapshot->means = maps_->get<relief::Pyramid>({"mean-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {

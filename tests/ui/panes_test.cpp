@@ -1,0 +1,180 @@
+// The panes that explain the pixel: they show what the core logged, and their pixels are what they should be.
+#include <cmath>
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <QTableView>
+
+#include "scenario/step_sentence.h"
+#include "views/drawing_canvas.h"
+#include "views/pyramid_view.h"
+#include "views/result_painting.h"
+#include "views/step_table.h"
+#include "views/trace3d_view.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+QString cell(const QTableView* table, int row, int column) {
+    return table->model()->index(row, column).data(Qt::DisplayRole).toString();
+}
+
+QString pair(double a, double b) {
+    return QString::fromStdString(relief::fixedText(a, 4) + " → " + relief::fixedText(b, 4));
+}
+
+int distance(QColor a, QColor b) {
+    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+}
+
+TEST_F(WindowTest, TheTableIsTheTraceOfThePixel) {
+    openWindow(smallScenario());
+    for (const QPoint pixel : {QPoint(60, 50), QPoint(110, 95)}) {
+        QTest::mouseClick(window_->result(), Qt::LeftButton, Qt::NoModifier, onScreen(pixel.x(), pixel.y()));
+        waitForFull();
+        const std::vector<relief::Step>& steps = snapshot()->trace.steps;
+        const QTableView* const table = window_->steps()->table();
+        ASSERT_EQ(table->model()->rowCount(), static_cast<int>(steps.size()));
+        for (int row = 0; row < table->model()->rowCount(); ++row) {
+            const relief::Step& step = steps[static_cast<std::size_t>(row)];
+            EXPECT_EQ(cell(table, row, StepModel::Number), QString::number(row + 1));
+            EXPECT_EQ(cell(table, row, StepModel::Level), QString::number(step.level));
+            EXPECT_EQ(cell(table, row, StepModel::Texel), QStringLiteral("(%1, %2)").arg(step.i).arg(step.j));
+            EXPECT_EQ(cell(table, row, StepModel::Lambda), pair(step.lambdaIn, step.lambdaOut));
+            EXPECT_EQ(cell(table, row, StepModel::Height), pair(step.zIn(), step.zOut()));
+            EXPECT_EQ(cell(table, row, StepModel::Value).toStdString(), relief::fixedText(step.value, 4));
+        }
+        EXPECT_EQ(table->currentIndex().row(), scenario().step);
+    }
+}
+
+TEST_F(WindowTest, StepsAreChosenInTheTableAndByKeys) {
+    openWindow(smallScenario());
+    const auto last = static_cast<int>(snapshot()->trace.steps.size()) - 1;
+    ASSERT_GT(last, 4);
+    auto* const table = window_->steps()->findChild<QTableView*>();
+    const QModelIndex second = table->model()->index(1, 0);
+    table->scrollTo(second);
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(second).center());
+    EXPECT_EQ(scenario().step, 1);
+    const QString sentence = window_->steps()->sentence();
+    EXPECT_FALSE(sentence.isEmpty());
+    window_->result()->setFocus();
+    QTest::keyClick(window_->result(), Qt::Key_Period);
+    EXPECT_EQ(scenario().step, 2);
+    EXPECT_EQ(table->currentIndex().row(), 2);
+    EXPECT_NE(window_->steps()->sentence(), sentence);
+    QTest::keyClick(window_->result(), Qt::Key_Comma);
+    EXPECT_EQ(scenario().step, 1);
+    QTest::keyClick(window_->result(), Qt::Key_End);
+    EXPECT_EQ(scenario().step, last);
+    QTest::keyClick(window_->result(), Qt::Key_Home);
+    EXPECT_EQ(scenario().step, 0);
+    QTest::keyClick(window_->result(), Qt::Key_Space);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return scenario().step >= 2; }, 3000)) << "the steps play";
+    QTest::keyClick(window_->result(), Qt::Key_Space);
+    const int stopped = scenario().step;
+    QTest::qWait(700);
+    EXPECT_EQ(scenario().step, stopped);
+    workspace_->undo();
+    EXPECT_EQ(scenario().step, last) << "steps in a row are one change";
+}
+
+TEST_F(WindowTest, DigitsGoToPanes) {
+    openWindow(smallScenario());
+    const std::vector<QWidget*> panes{window_->result(), window_->trace(), window_->pyramid(), window_->steps()};
+    for (std::size_t i = panes.size(); i-- > 0;) {
+        QTest::keyClick(window_.get(), static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i)));
+        QWidget* const focus = QApplication::focusWidget();
+        ASSERT_NE(focus, nullptr);
+        EXPECT_TRUE(focus == panes[i] || panes[i]->isAncestorOf(focus)) << i;
+    }
+}
+
+TEST_F(WindowTest, ThePyramidShowsItsTexels) {
+    relief::Scenario columns = smallScenario();
+    columns.surface = relief::Surface::Columns;
+    openWindow(columns);
+    PyramidView* const view = window_->pyramid();
+    const QImage shown = grab(view->canvas());
+    EXPECT_GT(colorsIn(shown), 10);
+    const relief::Pyramid& pyramid = snapshot()->maxima->pyramid;
+    ASSERT_EQ(view->blocks().size(), static_cast<std::size_t>(pyramid.levels()));
+    int probes = 0;
+    int right = 0;
+    for (const LevelBlock& block : view->blocks()) {
+        const relief::FloatImage& level = pyramid.level(block.level);
+        const double side = std::ldexp(1.0, block.level);
+        if (block.unitX() * side < 2) continue;  // smaller than a pixel of the screen
+        const int stride = std::max(1, level.width() / 9);
+        for (int j = 0; j < level.height(); j += stride) {
+            for (int i = 0; i < level.width(); i += stride) {
+                // Near the corner: values are printed in the middle of large texels.
+                const Point at = block.toDrawing(Point{(i + 0.25) * side, (j + 0.25) * side});
+                const QPoint pixel = view->canvas()->toWidget(at).toPoint();
+                if (!shown.valid(pixel)) continue;
+                const QColor expected = toColor(workspace_->style().mapped(ColorMap::Height, level(i, j)));
+                ++probes;
+                if (distance(shown.pixelColor(pixel), expected) <= 6) ++right;
+            }
+        }
+    }
+    ASSERT_GT(probes, 60);
+    // The marks of the steps lie over some.
+    EXPECT_GT(right, probes * 8 / 10) << right << " of " << probes;
+}
+
+TEST_F(WindowTest, TheTraceIsDrawnAndFollowsTheStep) {
+    openWindow(smallScenario());
+    auto* const canvas = window_->trace()->findChild<QVTKOpenGLNativeWidget*>();
+    ASSERT_NE(canvas, nullptr);
+    const QImage atEnd = grab(canvas);
+    EXPECT_GT(colorsIn(atEnd), 50);
+    workspace_->chooseStep(2);
+    const QImage atSecond = grab(canvas);
+    EXPECT_NE(atEnd, atSecond);
+    EXPECT_GT(colorsIn(atSecond), 50);
+}
+
+TEST_F(WindowTest, APaneFillsTheWindowAndComesBack) {
+    openWindow(smallScenario());
+    QWidget* const title = window_->result()->parentWidget()->findChild<QWidget*>(QStringLiteral("pane-title"));
+    ASSERT_NE(title, nullptr);
+    const QSize before = window_->result()->size();
+    QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(20, title->height() / 2));
+    QTest::qWait(100);
+    EXPECT_GT(window_->result()->width(), window_->width() - 20);
+    EXPECT_FALSE(window_->pyramid()->isVisible());
+    QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(20, title->height() / 2));
+    QTest::qWait(100);
+    EXPECT_TRUE(window_->pyramid()->isVisible());
+    EXPECT_EQ(window_->result()->size(), before);
+    EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
+}
+
+TEST_F(WindowTest, TheProjectorEnlargesEverything) {
+    openWindow(smallScenario());
+    const int before = window_->fontMetrics().height();
+    window_->setProjector(true);
+    QTest::qWait(200);
+    EXPECT_GT(window_->fontMetrics().height(), before * 3 / 2);
+    EXPECT_TRUE(window_->isFullScreen());
+    EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
+    window_->setProjector(false);
+    QTest::qWait(200);
+    EXPECT_EQ(window_->fontMetrics().height(), before);
+}
+
+TEST_F(WindowTest, TheLightThemeIsLight) {
+    openWindow(smallScenario());
+    window_->setLightTheme(true);
+    const QImage shown = grab(window_.get());
+    EXPECT_GT(shown.pixelColor(3, shown.height() - 3).lightness(), 200);
+    EXPECT_GT(grab(window_->pyramid()->canvas()).pixelColor(2, 2).lightness(), 200);
+    window_->setLightTheme(false);
+}
+
+}  // namespace
+
+}  // namespace reliefui
