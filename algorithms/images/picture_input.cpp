@@ -105,7 +105,7 @@ void checkPngSides(const std::string& path, DeclaredSize size) {
     throw InputError(path, Message(MessageId::FileDamaged, {{"why", why}}));
 }
 
-std::optional<NumberType> numberType(OIIO::TypeDesc type) {
+std::optional<NumberType> numberType(const OIIO::TypeDesc& type) {
     switch (type.basetype) {
         case OIIO::TypeDesc::UINT8:
             return NumberType::UInt8;
@@ -130,7 +130,7 @@ std::optional<NumberType> numberType(OIIO::TypeDesc type) {
 }
 
 // The type to ask the library for: the file's own, so that it converts nothing; half to float is exact.
-OIIO::TypeDesc readType(OIIO::TypeDesc type) {
+OIIO::TypeDesc readType(const OIIO::TypeDesc& type) {
     return type.basetype == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : type;
 }
 

@@ -80,7 +80,7 @@ struct Canvas {
     std::int64_t seeds(double share) const {
         const double shrink = std::max(1.0, scale());
         const double texels = static_cast<double>(width) * height / (shrink * shrink);
-        return std::max<std::int64_t>(1, static_cast<std::int64_t>(share * texels + 0.5));
+        return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::floor(share * texels + 0.5)));
     }
     FloatImage image() const { return {width, height}; }
 };
@@ -160,7 +160,7 @@ FloatImage spikes(const Canvas& canvas) {
                       .high = 1,
                       .narrowest = 1,
                       .widest = 2,
-                      .count = std::max<std::int64_t>(1, static_cast<std::int64_t>(count + 0.5))},
+                      .count = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::floor(count + 0.5)))},
                      kHigher);
 }
 
@@ -362,6 +362,7 @@ constexpr std::array kMakers{
 const std::vector<ReliefRecipe>& reliefRecipes() {
     static const std::vector<ReliefRecipe> recipes = [] {
         std::vector<ReliefRecipe> list;
+        list.reserve(kMakers.size());
         for (const Maker& maker : kMakers) list.push_back(maker.recipe);
         return list;
     }();

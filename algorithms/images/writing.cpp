@@ -147,6 +147,8 @@ void writePixels(const std::string& path, const Format& format, const OIIO::Imag
 OIIO::ImageSpec specOf(int width, int height, int channels, OIIO::TypeDesc::BASETYPE type) {
     OIIO::ImageSpec spec(width, height, channels, type);
     if (channels == 1) spec.channelnames = {"Y"};
+    // Twice as fast as zlib's own level 6, for a tenth more bytes; read by the PNG writer alone.
+    spec.attribute("png:compressionLevel", 4);
     return spec;
 }
 
