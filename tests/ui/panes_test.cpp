@@ -97,6 +97,7 @@ TEST_F(WindowTest, ThePyramidShowsItsTexels) {
     columns.surface = relief::Surface::Columns;
     openWindow(columns);
     PyramidView* const view = window_->pyramid();
+    view->showNearRay(false);
     const QImage shown = grab(view->canvas());
     EXPECT_GT(colorsIn(shown), 10);
     const relief::Pyramid& pyramid = snapshot()->maxima->pyramid;

@@ -36,9 +36,14 @@ CellImage cellImage(const Cells& cells, const Style& style, int longest) {
     return image;
 }
 
+namespace {
+
+constexpr double kDigitWidth = 0.64;  // of DejaVu Sans, in ems
+
+}  // namespace
+
 CellText cellText(double cellWidth, double cellHeight, const Style& style) {
-    constexpr double kDigitWidth = 0.64;  // of DejaVu Sans, in ems
-    constexpr double kSmallest = 0.72;    // times the text size
+    constexpr double kSmallest = 0.72;  // times the text size
     constexpr double kLargest = 1.7;
     CellText text;
     const auto fitting = [&](int characters) {
@@ -50,10 +55,26 @@ CellText cellText(double cellWidth, double cellHeight, const Style& style) {
     return text;
 }
 
-std::string cellValueText(float value, int decimals) {
-    const double tenths = std::round(static_cast<double>(value) * 10) / 10;
-    const bool exact = static_cast<float>(tenths) == value;
-    return relief::fixedText(static_cast<double>(value), exact ? 1 : decimals);
+bool textFits(const CellText& text, double width, double height) {
+    return text.pixels > 0 && width >= (text.decimals + 2) * kDigitWidth * text.pixels && height >= 1.1 * text.pixels;
+}
+
+CellText cellText(const Cells& cells, const CellRange& range, double scale, const Style& style) {
+    if (!cells.print) return {};
+    CellText text = cellText(cells.cellWidth * scale, cells.cellHeight * scale, style);
+    if (text.pixels <= 0) return text;
+    for (int j = range.j0; j < range.j1; ++j) {
+        for (int i = range.i0; i < range.i1; ++i) {
+            const float value = (*cells.values)(i, j);
+            if (static_cast<float>(std::round(static_cast<double>(value) * 10) / 10) != value) return text;
+        }
+    }
+    text.decimals = 1;
+    return text;
+}
+
+std::string cellValueText(float value, const CellText& text) {
+    return relief::fixedText(static_cast<double>(value), text.decimals);
 }
 
 }  // namespace reliefui

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drawings/style.h"
+#include "drawings/view_map.h"
 
 namespace reliefui {
 
@@ -26,7 +27,10 @@ struct CellText {
     int decimals = 2;
 };
 CellText cellText(double cellWidth, double cellHeight, const Style& style);
-// 0.9 where that is exact, else with `decimals`.
-std::string cellValueText(float value, int decimals);
+// One decimal is enough where all values of the range have no more.
+CellText cellText(const Cells& cells, const CellRange& range, double scale, const Style& style);
+// In what is seen of a cell.
+bool textFits(const CellText& text, double width, double height);
+std::string cellValueText(float value, const CellText& text);
 
 }  // namespace reliefui

@@ -11,7 +11,7 @@ using relief::Decision;
 using relief::Message;
 using relief::MessageId;
 
-constexpr double kRow = 16;
+constexpr double kRow = 14;
 constexpr double kTextSize = 0.9;
 constexpr int kRampCells = 64;
 
@@ -23,18 +23,14 @@ MessageId nameOf(Decision decision) {
     return kNames[static_cast<std::size_t>(decision)];
 }
 
-// About the width of the text in points, in the wider language.
-double roomFor(const Message& message) {
-    constexpr double kLetter = 5.9;
-    std::size_t most = 0;
-    for (const auto language : {relief::Language::English, relief::Language::Ukrainian}) {
-        std::size_t letters = 0;
-        for (const char c : relief::sentence(message, language)) {
-            letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;  // not inside a UTF-8 letter
-        }
-        most = std::max(most, letters);
+// About the width of the text in points.
+double roomFor(const Message& message, relief::Language language) {
+    constexpr double kLetter = 6.1;
+    std::size_t letters = 0;
+    for (const char c : relief::sentence(message, language)) {
+        letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;  // not inside a UTF-8 letter
     }
-    return static_cast<double>(most) * kLetter * kTextSize;
+    return static_cast<double>(letters) * kLetter * kTextSize;
 }
 
 // Entries one after the other, in as many rows as it takes.
@@ -70,11 +66,11 @@ void addText(Drawing& drawing, Point at, Message message) {
     drawing.add({ItemKind::Legend, 0, 0, 0}, Role::Legend, std::move(label));
 }
 
-void addHeights(Drawing& drawing, Rows& rows, double slabTexels) {
-    constexpr double kBar = 70;
+void addHeights(Drawing& drawing, Rows& rows, double slabTexels, relief::Language language) {
+    constexpr double kBar = 56;
     constexpr double kDigit = 8;
     const Message name(MessageId::DrawHeightLegend, {{"texels", relief::numberText(slabTexels, 3)}});
-    const Point at = rows.place(2 * kDigit + kBar + 16 + roomFor(name));
+    const Point at = rows.place(2 * kDigit + kBar + 14 + roomFor(name, language));
     static const auto ramp = [] {
         auto values = std::make_shared<relief::FloatImage>(kRampCells, 1);
         for (int i = 0; i < kRampCells; ++i) (*values)(i, 0) = static_cast<float>(i) / (kRampCells - 1);
@@ -96,18 +92,18 @@ void addHeights(Drawing& drawing, Rows& rows, double slabTexels) {
 
 }  // namespace
 
-Drawing pyramidLegend(const PyramidSource& source, double width) {
+Drawing pyramidLegend(const PyramidSource& source, double width, relief::Language language) {
     constexpr double kSign = 14;
-    constexpr double kBetween = 12;
+    constexpr double kBetween = 9;
     Drawing drawing;
     Rows rows(width);
-    addHeights(drawing, rows, source.field->slabTexels());
+    addHeights(drawing, rows, source.field->slabTexels(), language);
     if (!source.hasRay) {
         drawing.bounds = rows.bounds();
         return drawing;
     }
     const Message ray(MessageId::DrawRay);
-    const Point at = rows.place(kSign + 8 + roomFor(ray) + kBetween);
+    const Point at = rows.place(kSign + 8 + roomFor(ray, language) + kBetween);
     drawing.add({}, Role::Ray, Polyline{{{at.x, at.y}, {at.x + kSign + 4, at.y}}, false});
     addText(drawing, {at.x + kSign + 8, at.y}, ray);
     std::array<bool, relief::kDecisionNames.size()> seen{};
@@ -119,7 +115,7 @@ Drawing pyramidLegend(const PyramidSource& source, double width) {
         if (!seen[d]) continue;
         const auto decision = static_cast<Decision>(d);
         const Message name(nameOf(decision));
-        const Point place = rows.place(kSign + roomFor(name) + kBetween);
+        const Point place = rows.place(kSign + roomFor(name, language) + kBetween);
         drawing.add({ItemKind::Legend, 0, 0, 0}, roleOf(decision),
                     Marker{{place.x + 5, place.y}, shapeOf(decision), 8});
         addText(drawing, {place.x + kSign, place.y}, name);

@@ -18,9 +18,9 @@ constexpr std::size_t kMarkedSteps = 4000;
 constexpr std::size_t kNumberedTexels = 80;
 
 Message levelTitle(const relief::Pyramid& pyramid, int level, double room) {
-    // About the width of ten-point letters.
-    constexpr double kLetter = 6.2;
-    constexpr int kLongLetters = 16;
+    constexpr double kLetter = 5.8;  // about the width of a letter of a title
+    constexpr int kLongLetters = 18;
+    constexpr int kShortLetters = 4;
     const relief::FloatImage& image = pyramid.level(level);
     const auto letters = [](int number) { return static_cast<int>(std::to_string(number).size()); };
     const int numbers = letters(level) + letters(image.width()) + letters(image.height());
@@ -36,12 +36,44 @@ Message levelTitle(const relief::Pyramid& pyramid, int level, double room) {
                 return Message(MessageId::DrawLevelMin, values);
         }
     }
-    if ((numbers + 6) * kLetter <= room) return Message(MessageId::DrawLevelShort, values);
+    if ((numbers + kShortLetters) * kLetter <= room) return Message(MessageId::DrawLevelShort, values);
     return plainText(std::to_string(level));
 }
 
-Box domainOf(const PyramidSource& source) {
-    return source.overCells ? cellDomain(*source.field) : texelDomain(*source.field);
+// Where the ray ends: its hit, or where it was given up.
+double rayEnd(const PyramidSource& source) {
+    if (source.hit.outcome == relief::Outcome::Hit) return source.hit.lambda;
+    if (source.steps != nullptr && !source.steps->empty())
+        return std::clamp(source.steps->back().lambdaAfter, 0.0, 1.0);
+    return 1;
+}
+
+struct Window {
+    Box domain;
+    bool whole = true;
+};
+
+// What the blocks show: everything, or the surroundings of the ray, in whole texels.
+Window windowOf(const PyramidSource& source) {
+    const Box whole = source.overCells ? cellDomain(*source.field) : texelDomain(*source.field);
+    if (!source.nearRay || !source.hasRay) return {whole, true};
+    constexpr double kAround = 0.3;  // of the ray's extent
+    constexpr double kLeast = 12;    // texels
+    constexpr double kMostUneven = 1.6;
+    const RayPath path(*source.field, source.ray);
+    const Point from = path.at(0);
+    const Point to = path.at(rayEnd(source));
+    double width = std::max(std::abs(to.x - from.x) * (1 + 2 * kAround), kLeast);
+    double height = std::max(std::abs(to.y - from.y) * (1 + 2 * kAround), kLeast);
+    width = std::max(width, height / kMostUneven);
+    height = std::max(height, width / kMostUneven);
+    if (!(width < whole.width() && height < whole.height())) return {whole, true};
+    const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
+    // On the lines between cells, which for means are those between texels.
+    const auto snap = [](double v, double origin) { return std::round(v - origin) + origin; };
+    const double x0 = snap(middle.x - width / 2, whole.x0);
+    const double y0 = snap(middle.y - height / 2, whole.y0);
+    return {{x0, y0, x0 + std::ceil(width), y0 + std::ceil(height)}, false};
 }
 
 // The texels of one level that steps are about, each once, with the numbers of its steps.
@@ -53,11 +85,11 @@ using Texel = std::tuple<int, std::int64_t, std::int64_t>;
 
 class Marks {
   public:
-    Marks(const PyramidSource& source, const std::vector<LevelBlock>& blocks, int step)
+    Marks(const PyramidSource& source, const PyramidPicture& picture, int step)
         : source_(source),
-          blocks_(blocks),
+          blocks_(picture.blocks),
           path_(*source.field, source.ray),
-          wraps_(source.field->address() == relief::Address::Repeat),
+          wraps_(picture.wraps),
           chosen_(static_cast<std::size_t>(std::max(step, 0))) {}
 
     Drawing take() {
@@ -155,9 +187,8 @@ class Marks {
 
     void ray(const LevelBlock& block) {
         const bool hit = source_.hit.outcome == relief::Outcome::Hit;
-        double end = hit ? source_.hit.lambda : 1;
+        const double end = rayEnd(source_);
         const bool known = source_.steps != nullptr && !source_.steps->empty();
-        if (!hit && known) end = std::max(source_.steps->back().lambdaAfter, 0.0);
         const double size = block.level == 0 ? 1 : 0.7;
         line(block, 0, end, Role::Ray, block.level == 0 ? Emphasis::Normal : Emphasis::Faint);
         const bool here = known && step(chosen_).level == block.level;
@@ -177,45 +208,69 @@ class Marks {
     Drawing drawing_;
 };
 
+// A level in its block, once for each period of it that is seen there.
+void addCells(Drawing& drawing, const PyramidSource& source, const LevelBlock& block) {
+    const Box period = source.overCells ? cellDomain(*source.field) : texelDomain(*source.field);
+    const relief::CellGrid grid(*source.field);
+    const bool repeats = source.field->address() == relief::Address::Repeat;
+    const auto count = [&](double low, double high, double start, double size) {
+        if (!repeats) return std::pair(0, 0);
+        constexpr double kRounding = 1e-9;
+        return std::pair(static_cast<int>(std::floor((low - start) / size + kRounding)),
+                         static_cast<int>(std::ceil((high - start) / size - kRounding)) - 1);
+    };
+    const auto [i0, i1] = count(block.domain.x0, block.domain.x1, period.x0, period.width());
+    const auto [j0, j1] = count(block.domain.y0, block.domain.y1, period.y0, period.height());
+    for (int j = j0; j <= j1; ++j) {
+        for (int i = i0; i <= i1; ++i) {
+            const Box part{period.x0 + i * period.width(), period.y0 + j * period.height(),
+                           period.x1 + i * period.width(), period.y1 + j * period.height()};
+            Cells cells;
+            // Shares the pyramid's life, not its data.
+            cells.values = {source.pyramid, &source.pyramid->level(block.level)};
+            const Point shift = source.overCells ? Point{-grid.x.shift, -grid.y.shift} : Point{0, 0};
+            const Point origin = block.toDrawing(Point{shift.x + i * period.width(), shift.y + j * period.height()});
+            cells.x = origin.x;
+            cells.y = origin.y;
+            cells.cellWidth = std::ldexp(block.unitX(), block.level);
+            cells.cellHeight = std::ldexp(block.unitY(), block.level);
+            cells.clip = block.toDrawing(part.cut(block.domain));
+            cells.print = true;
+            if (source.overCells && block.level == 0) {
+                cells.firstI = grid.x.firstName;
+                cells.firstJ = grid.y.firstName;
+            }
+            drawing.add({ItemKind::Level, block.level, 0, 0}, Role::HeightFill, std::move(cells));
+        }
+    }
+}
+
 }  // namespace
 
 PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height) {
     PyramidPicture picture;
-    const relief::Pyramid& pyramid = *source.pyramid;
-    const Box domain = domainOf(source);
-    picture.blocks = pyramidLayout(pyramid.levels(), domain, width, height);
-    const relief::CellGrid grid(*source.field);
+    const Window window = windowOf(source);
+    picture.wraps = window.whole && source.field->address() == relief::Address::Repeat;
+    picture.blocks = pyramidLayout(source.pyramid->levels(), window.domain, width, height);
+    Drawing& drawing = picture.levels;
     for (const LevelBlock& block : picture.blocks) {
-        Cells cells;
-        // Shares the pyramid's life, not its data.
-        cells.values = {source.pyramid, &pyramid.level(block.level)};
-        const Point origin = block.toDrawing(source.overCells ? Point{-grid.x.shift, -grid.y.shift} : Point{0, 0});
-        cells.x = origin.x;
-        cells.y = origin.y;
-        cells.cellWidth = std::ldexp(block.unitX(), block.level);
-        cells.cellHeight = std::ldexp(block.unitY(), block.level);
-        cells.clip = block.box;
-        cells.print = true;
-        if (source.overCells && block.level == 0) {
-            cells.firstI = grid.x.firstName;
-            cells.firstJ = grid.y.firstName;
-        }
-        picture.levels.add({ItemKind::Level, block.level, 0, 0}, Role::HeightFill, std::move(cells));
-        picture.levels.add({}, Role::Frame, Rectangle{block.box, false, -0.5, 0});
+        addCells(drawing, source, block);
+        drawing.add({}, Role::Frame, Rectangle{block.box, false, -0.5, 0});
         Label title;
         title.at = block.title;
-        title.text = levelTitle(pyramid, block.level, block.box.width());
+        title.text = levelTitle(*source.pyramid, block.level, block.box.width());
         title.anchor = Anchor::BottomLeft;
-        picture.levels.add({}, Role::Title, std::move(title));
-        picture.levels.bounds = picture.levels.bounds.joined(block.box).joined(
+        title.size = 0.9;
+        drawing.add({}, Role::Title, std::move(title));
+        drawing.bounds = drawing.bounds.joined(block.box).joined(
             {block.box.x0, block.box.y0 - kTitleHeight, block.box.x1, block.box.y1});
     }
     return picture;
 }
 
-Drawing pyramidMarks(const PyramidSource& source, const std::vector<LevelBlock>& blocks, int step) {
+Drawing pyramidMarks(const PyramidSource& source, const PyramidPicture& picture, int step) {
     if (!source.hasRay) return {};
-    return Marks(source, blocks, step).take();
+    return Marks(source, picture, step).take();
 }
 
 }  // namespace reliefui

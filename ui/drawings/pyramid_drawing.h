@@ -23,19 +23,21 @@ struct PyramidSource {
     relief::ViewRay ray;
     relief::Hit hit;
     const std::vector<relief::Step>* steps = nullptr;
+    bool nearRay = false;  // only the surroundings of the ray, on all levels, if it is not longer than the texture
 };
 
 // The levels alone: made anew only with the map or the room (points).
 struct PyramidPicture {
     std::vector<LevelBlock> blocks;
     Drawing levels;
+    bool wraps = false;  // the blocks show one period, into which the ray is wrapped
 };
 PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height);
 
 // The ray and its steps on the blocks. Steps after the chosen one are drawn faintly.
-Drawing pyramidMarks(const PyramidSource& source, const std::vector<LevelBlock>& blocks, int step);
+Drawing pyramidMarks(const PyramidSource& source, const PyramidPicture& picture, int step);
 
 // Heights and decisions, in at most `width` points; only decisions that occur.
-Drawing pyramidLegend(const PyramidSource& source, double width);
+Drawing pyramidLegend(const PyramidSource& source, double width, relief::Language language);
 
 }  // namespace reliefui

@@ -6,77 +6,68 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kGap = 9;
+constexpr double kGap = 8;
 // Maps of a very uneven shape are stretched to no more than this.
 constexpr double kLongest = 6;
 
-// Level 0 of height `large` and small blocks of height `small` in `columns` and `rows`.
+// A grid of places for small blocks; level 0 takes span x span of them, in the upper left corner.
 struct Plan {
-    bool beside = true;
     int columns = 1;
-    int rows = 0;
-    double large = 0;
-    double small = 0;
+    int rows = 1;
+    int span = 1;
+    double large = 0;  // height of level 0
+    double small = 0;  // of the others
 
-    double score() const { return large > 0 && small > 0 ? large * small : 0; }
+    // Both should be large; that the many small ones can be read counts for more.
+    double score() const { return large * std::pow(small, 1.6); }
 };
 
-// The largest plan of this shape that fits; aspect: width over height of a block.
-Plan fit(bool beside, int columns, int others, double aspect, double width, double height) {
-    Plan plan{beside, columns, (others + columns - 1) / columns, 0, 0};
-    double low = 0;
-    double high = height - kTitleHeight;
-    for (int k = 0; k < 40; ++k) {
-        const double large = (low + high) / 2;
-        double small = 0;
-        bool fits = false;
-        if (beside) {
-            small = (large + kTitleHeight - plan.rows * kTitleHeight - (plan.rows - 1) * kGap) / plan.rows;
-            fits = aspect * large + columns * (kGap + aspect * small) <= width;
-        } else {
-            small = (aspect * large - (columns - 1) * kGap) / columns / aspect;
-            fits =
-                aspect * large <= width && large + kTitleHeight + plan.rows * (kGap + kTitleHeight + small) <= height;
-        }
-        small = std::min(small, large);
-        (fits ? low : high) = large;
-        if (fits) {
-            plan.large = large;
-            plan.small = small;
+Plan fit(int columns, int rows, int span, double aspect, double width, double height) {
+    Plan plan{columns, rows, span, 0, 0};
+    const double acrossWide = (width + kGap) / columns - kGap;
+    const double acrossHigh = (height + kGap) / rows - kTitleHeight - kGap;
+    plan.small = std::min(acrossWide / aspect, acrossHigh);
+    const double wide = span * (aspect * plan.small + kGap) - kGap;
+    const double high = span * (plan.small + kTitleHeight + kGap) - kTitleHeight - kGap;
+    plan.large = std::min(wide / aspect, high);
+    return plan;
+}
+
+Plan bestPlan(int others, double aspect, double width, double height) {
+    Plan best;
+    for (int span = 1; span <= others + 1; ++span) {
+        for (int columns = span; columns <= span + others; ++columns) {
+            const int beside = (columns - span) * span;
+            const int below = std::max(0, others - beside);
+            const int rows = span + (below + columns - 1) / columns;
+            const Plan plan = fit(columns, rows, span, aspect, width, height);
+            if (plan.small > 0 && plan.score() > best.score()) best = plan;
         }
     }
-    return plan;
+    if (best.small <= 0) best = {others + 1, 1, 1, 20, 20};  // a pane of no size
+    return best;
 }
 
 }  // namespace
 
 std::vector<LevelBlock> pyramidLayout(int levels, const Box& domain, double width, double height) {
     const double aspect = std::clamp(domain.width() / domain.height(), 1 / kLongest, kLongest);
-    const int others = levels - 1;
+    const Plan plan = bestPlan(levels - 1, aspect, width, height);
+    const double stepX = aspect * plan.small + kGap;
+    const double stepY = plan.small + kTitleHeight + kGap;
     std::vector<LevelBlock> blocks;
-    Plan best;
-    if (others == 0) {
-        best.large = std::min(height - kTitleHeight, width / aspect);
-    }
-    for (const bool beside : {true, false}) {
-        for (int columns = 1; columns <= others; ++columns) {
-            const Plan plan = fit(beside, columns, others, aspect, width, height);
-            if (plan.score() > best.score()) best = plan;
-        }
-    }
-    const double large = std::max(best.large, 20.0);
-    const double small = std::max(best.small, 4.0);
-    const auto add = [&](int level, double x, double y, double side) {
+    const auto add = [&](double x, double y, double side) {
         const double top = y + kTitleHeight;
-        blocks.push_back({level, {x, top, x + aspect * side, top + side}, domain, {x, top - 3}});
+        blocks.push_back(
+            {static_cast<int>(blocks.size()), {x, top, x + aspect * side, top + side}, domain, {x, top - 2}});
     };
-    add(0, 0, 0, large);
-    const double startX = best.beside ? aspect * large + kGap : 0;
-    const double startY = best.beside ? 0 : kTitleHeight + large + kGap;
-    for (int k = 0; k < others; ++k) {
-        const int column = k % best.columns;
-        const int row = k / best.columns;
-        add(k + 1, startX + column * (aspect * small + kGap), startY + row * (small + kTitleHeight + kGap), small);
+    // Level 0 may be lower than its places are high: the others come nearer.
+    add(0, 0, plan.large);
+    for (int place = 0; static_cast<int>(blocks.size()) < levels; ++place) {
+        const int column = place % plan.columns;
+        const int row = place / plan.columns;
+        if (column < plan.span && row < plan.span) continue;
+        add(column * stepX, row * stepY, plan.small);
     }
     return blocks;
 }

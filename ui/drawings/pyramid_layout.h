@@ -1,5 +1,5 @@
 // Where the levels of a pyramid stand beside each other: level 0 large, the others in rows of equal blocks, each
-// showing the whole texture, so that the ray looks the same on every level.
+// showing the same part of the texture, so that the ray looks the same on every level.
 #pragma once
 
 #include <vector>
@@ -26,9 +26,9 @@ struct LevelBlock {
     }
 };
 
-inline constexpr double kTitleHeight = 17;
+inline constexpr double kTitleHeight = 14;
 
-// width, height: room in points. Blocks of a pane wider than high stand at the right of level 0, else below it.
+// width, height: room in points.
 std::vector<LevelBlock> pyramidLayout(int levels, const Box& domain, double width, double height);
 
 }  // namespace reliefui

@@ -67,8 +67,7 @@ struct ItemPainter {
 
     void vectorCells(const Cells& cells, const CellRange& range) const {
         const double side = std::min(cells.cellWidth, cells.cellHeight) * map.scale;
-        const CellText text =
-            cells.print ? cellText(cells.cellWidth * map.scale, cells.cellHeight * map.scale, style) : CellText{};
+        const CellText text = cellText(cells, range, map.scale, style);
         QFont font("DejaVu Sans");
         if (text.pixels > 0) font.setPixelSize(std::max(1, static_cast<int>(text.pixels)));
         const double spread = cells.high > cells.low ? cells.high - cells.low : 1;
@@ -86,9 +85,9 @@ struct ItemPainter {
                     painter.setPen(qpen(style.stroke(Role::Grid, Emphasis::Normal)));
                     painter.drawRect(box);
                 }
-                if (text.pixels <= 0) continue;
+                if (!textFits(text, box.width(), box.height())) continue;
                 painter.setPen(qcolor(Style::textOn(color)));
-                painter.drawText(box, Qt::AlignCenter, QString::fromStdString(cellValueText(value, text.decimals)));
+                painter.drawText(box, Qt::AlignCenter, QString::fromStdString(cellValueText(value, text)));
             }
         }
     }

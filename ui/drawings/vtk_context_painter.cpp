@@ -90,7 +90,8 @@ struct VtkContextPainter::Pass {
         property->SetJustificationToCentered();
         property->SetVerticalJustificationToCentered();
         // VTK centres on the ink of the letters; whole pixels keep the glyphs sharp.
-        context().DrawString(static_cast<float>(std::round(box.center().x)), std::round(flip(box.center().y)), words.c_str());
+        context().DrawString(static_cast<float>(std::round(box.center().x)), std::round(flip(box.center().y)),
+                             words.c_str());
     }
 
     void operator()(const Rectangle& r);
@@ -198,14 +199,13 @@ void VtkContextPainter::Pass::smallCells(const Cells& cells, const CellRange& ra
         if (x >= all.x0 && x <= all.x1) line({x, all.y0}, {x, all.y1});
     }
     flush();
-    const CellText size =
-        cells.print ? cellText(cells.cellWidth * map.scale, cells.cellHeight * map.scale, style) : CellText{};
+    const CellText size = cellText(cells, range, map.scale, style);
     if (size.pixels <= 0) return;
     for (int j = range.j0; j < range.j1; ++j) {
         for (int i = range.i0; i < range.i1; ++i) {
-            const Box box = map.toScreen(cellBox(cells, i, j));
-            text(cellValueText((*cells.values)(i, j), size.decimals), box, size.pixels, Style::textOn(colorOf(i, j)),
-                 false);
+            const Box box = map.toScreen(cellBox(cells, i, j)).cut(screen);
+            if (!textFits(size, box.width(), box.height())) continue;
+            text(cellValueText((*cells.values)(i, j), size), box, size.pixels, Style::textOn(colorOf(i, j)), false);
         }
     }
 }

@@ -30,10 +30,14 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)), readout_(new QLabel(this)) {
     setAccessibleName(tr("Pyramid"));
     setFocusProxy(canvas_);
-    canvas_->setToolTip(tr("Click chooses a step, wheel zooms, drag moves, R shows all"));
     maxima_ = switchButton(tr("max"), tr("The highest point under each texel: what lets the ray skip"), this);
     means_ = switchButton(tr("mean"), tr("The mean under each texel: what colours are filtered with"), this);
+    near_ = switchButton(tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), this);
+    near_->setChecked(true);
     follow_ = switchButton(tr("follow"), tr("Zoom to the level of the current step"), this);
+    auto* const all =
+        switchButton(tr("fit"), tr("Show all levels (R); wheel zooms, drag moves, click chooses a step"), this);
+    all->setCheckable(false);
     auto* const kinds = new QButtonGroup(this);
     kinds->addButton(maxima_);
     kinds->addButton(means_);
@@ -47,7 +51,9 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     bar->setContentsMargins(4, 2, 6, 2);
     bar->addWidget(maxima_);
     bar->addWidget(means_);
+    bar->addWidget(near_);
     bar->addWidget(follow_);
+    bar->addWidget(all);
     bar->addWidget(readout_, 1);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -56,7 +62,12 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     column->addWidget(canvas_, 1);
 
     connect(means_, &QToolButton::toggled, this, &PyramidView::refresh);
+    connect(near_, &QToolButton::toggled, this, [this] {
+        canvas_->resetZoom();
+        refresh();
+    });
     connect(follow_, &QToolButton::toggled, this, &PyramidView::setFollowing);
+    connect(all, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
     connect(canvas_, &DrawingCanvas::clicked, this, &PyramidView::choose);
     connect(canvas_, &DrawingCanvas::hovered, this, &PyramidView::tell);
     connect(canvas_, &DrawingCanvas::resized, this, &PyramidView::refresh);
@@ -72,6 +83,10 @@ QString PyramidView::readout() const {
 
 void PyramidView::showMeans(bool means) {
     (means ? means_ : maxima_)->setChecked(true);
+}
+
+void PyramidView::showNearRay(bool on) {
+    near_->setChecked(on);
 }
 
 void PyramidView::setFollowing(bool on) {
@@ -93,6 +108,7 @@ PyramidSource PyramidView::source() const {
     source.ray = s.trace.ray;
     source.hit = s.trace.hit;
     source.steps = &s.trace.steps;
+    source.nearRay = near_->isChecked();
     return source;
 }
 
@@ -108,7 +124,7 @@ void PyramidView::refresh() {
     const PyramidSource from = source();
     // The legend first: what it needs is not left to the levels.
     const double width = canvas_->width() / workspace_->style().pixelsPerPoint();
-    legend_ = std::make_shared<const Drawing>(pyramidLegend(from, width - 12));
+    legend_ = std::make_shared<const Drawing>(pyramidLegend(from, width - 12, workspace_->style().language));
     canvas_->setLayers({}, legend_);
     const QSizeF room = canvas_->room();
     picture_ = pyramidPicture(from, room.width(), room.height());
@@ -119,7 +135,7 @@ void PyramidView::refresh() {
 void PyramidView::refreshStep() {
     if (!shown_ || !levels_) return;
     // A step of a newer ray than the one shown: its snapshot is on the way.
-    auto marks = std::make_shared<const Drawing>(pyramidMarks(source(), picture_.blocks, workspace_->scenario().step));
+    auto marks = std::make_shared<const Drawing>(pyramidMarks(source(), picture_, workspace_->scenario().step));
     canvas_->setLayers({levels_, std::move(marks)}, legend_);
     if (follow_->isChecked()) follow();
 }
@@ -184,11 +200,11 @@ void PyramidView::tell(const ItemId& id) {
     if (i < 0 || j < 0 || i >= level.width() || j >= level.height()) return;
     const double value = static_cast<double>(level(i, j));
     const auto number = [](double v, int decimals) { return QString::fromStdString(relief::fixedText(v, decimals)); };
-    QString text = tr("level %1, texel (%2, %3): %4 = %5 texels")
+    QString text = tr("level %1 (%2, %3): %4 · %5 texels")
                        .arg(texel.level)
                        .arg(texel.i)
                        .arg(texel.j)
-                       .arg(number(value, 4), number(value * from.field->slabTexels(), 2));
+                       .arg(number(value, 3), number(value * from.field->slabTexels(), 1));
     if (id.kind == ItemKind::Step) text = tr("step %1 · %2").arg(id.i + 1).arg(text);
     readout_->setText(text);
 }

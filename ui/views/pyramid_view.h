@@ -27,6 +27,8 @@ class PyramidView : public QWidget {
 
   public slots:
     void showMeans(bool means);
+    // Only the surroundings of the ray, the same on every level, or all of the texture.
+    void showNearRay(bool on);
     void setFollowing(bool on);
     void resetZoom();
 
@@ -43,6 +45,7 @@ class PyramidView : public QWidget {
     DrawingCanvas* canvas_;
     QToolButton* maxima_;
     QToolButton* means_;
+    QToolButton* near_;
     QToolButton* follow_;
     QLabel* readout_;
     std::shared_ptr<const Snapshot> shown_;
