@@ -1,4 +1,4 @@
-// Colour of the texture at a point: what every filter answers. METHODS section 3.
+// Colour of the texture at a point: what every filter answers.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ constexpr std::int64_t wrapIndex(std::int64_t i, std::int64_t size) {
 }
 
 // The texel that stands for index i. Border clamps, too: what is outside is decided by the caller, who knows the
-// domain; the half-texel rim inside it interpolates clamped (METHODS section 0).
+// domain; the half-texel rim inside it interpolates clamped.
 constexpr int addressIndex(std::int64_t i, int size, Address address) {
     if (address == Address::Repeat) return static_cast<int>(wrapIndex(i, size));
     return static_cast<int>(std::clamp<std::int64_t>(i, 0, size - 1));

@@ -1,4 +1,4 @@
-// MIP pyramids of any size: mean (weighted by area), maximum, minimum. [MIP18], figs. 2 and 3; METHODS 4.2.
+// MIP pyramids of any size: mean (weighted by area), maximum, minimum. [MIP18], figs. 2 and 3.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Procedural reliefs: seeded, the same bits on every machine. Recipes: DISTANCE_MAPS.md's list, restated in the source.
+// Procedural reliefs: seeded, the same bits on every machine. The recipes stand in reliefs.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // What of a polygon can be seen: cut at the near plane and at the screen's edges, facing, and the pixels of each row.
 //
-// Source: Sutherland and Hodgman 1974 (polygon clipping); METHODS section 1 ("rows on which q changes sign are clipped
+// Source: Sutherland and Hodgman 1974 (polygon clipping) ("rows on which q changes sign are clipped
 // to the valid interval first"); [PERSP].
 //
 // Frames and units: projected points (x Z, y Z, Z) as PinholeCamera::project gives them (pixels times depth, depth);

@@ -1,7 +1,7 @@
 // Perspective-correct texture coordinates: the nine coefficients of Heckbert's rational map from a pixel to a texel.
 //
 // Source: Heckbert 1989 (Fundamentals of Texture Mapping and Image Warping, the square-to-quadrilateral closed form);
-// Romaniuk and Dudnyk, [PERSP] and [TEX]; METHODS sections 0 to 2.
+// Romaniuk and Dudnyk, [PERSP] and [TEX].
 //
 //     s = (A x + B y + C) / q      t = (D x + E y + F) / q      q = G x + H y + I
 //
@@ -50,7 +50,7 @@ struct Homography {
     // The denominator alone. In floating point, too, it is monotone in x and in y.
     double denominator(double x, double y) const { return (qx * x + qy * y) + q1; }
 
-    // Direct evaluation (variant 2 of METHODS section 1, with q shared). x, y: any real pixel coordinates with q != 0.
+    // Direct evaluation (the direct form of [PERSP], with q shared). x, y: any real pixel coordinates with q != 0.
     TexelPoint at(double x, double y) const {
         const double q = denominator(x, y);
         return {((sx * x + sy * y) + s1) / q, ((tx * x + ty * y) + t1) / q, q};
@@ -64,7 +64,7 @@ struct Homography {
     }
 
     // det [A B C; D E F; G H I]: s_x t_y - s_y t_x = determinant / q^3. Positive where the polygon shows its front.
-    // Derivatives and the footprint ellipse (METHODS section 2) need, beyond it, the four minors
+    // Derivatives and the footprint ellipse ([TEX]) need, beyond it, the four minors
     //     N = A H - B G,  A I - C G,  B I - C H    and    P = D H - E G,  D I - F G,  E I - F H
     // (two rows of the adjugate up to sign), all from these members.
     double determinant() const;

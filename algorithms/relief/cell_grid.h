@@ -3,7 +3,7 @@
 //
 // Cell coordinates: x = s + shift. Columns: cell = texel. Bilinear: cell i lies between the centres of texels i and
 // i + 1 under repeat; under clamp and border there are W + 1 cells, numbered here from 0 (cell c holds nodes c - 1 and
-// c, clamped) and named -1 to W - 1 in logs (METHODS 4.2).
+// c, clamped) and named -1 to W - 1 in logs.
 // Edges: under repeat cell k + n * cells has the edges of k, moved; under clamp the outermost cells are unbounded;
 // under border they end at the picture's edge.
 #pragma once

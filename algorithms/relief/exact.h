@@ -3,7 +3,7 @@
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Guarantee: the first hit, to the rounding of the leaf (double). Failure mode: none within the domain; slow.
 // Cost: one leaf a cell crossed, at most |a| + |b| + 2 of them.
-// Source: Amanatides & Woo 1987 for the walk; METHODS 4.1 for the leaf.
+// Source: Amanatides & Woo 1987 for the walk.
 #pragma once
 
 #include "relief/describe.h"
@@ -22,7 +22,7 @@ class ExactTracer {
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::ViewRays;
         method.help = "Tests every cell that the ray crosses, in order: the truth that others are held against.";
-        method.source = "METHODS 4.1; Amanatides & Woo 1987";
+        method.source = "Amanatides & Woo 1987";
         method.maps = {};
         return method;
     }

@@ -1,6 +1,6 @@
 // The one leaf: where a ray meets the surface within one cell. Traversals only exclude cells; this text decides.
 //
-// METHODS 4.1. Along the stay [in, out] the surface minus the ray, f(w) with w from 0 at the entry to 1 at the exit, is
+// Along the stay [in, out] the surface minus the ray, f(w) with w from 0 at the entry to 1 at the exit, is
 // quadratic (bilinear patch) or constant minus linear (column):
 //     f(w) = f_in + (f_out - f_in - c) w + c w^2,   c = du dv (h11 - h10 - h01 + h00)
 // - f >= 0 at the entry: the entry is the hit (walls, borders between patches, rounding).

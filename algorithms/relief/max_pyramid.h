@@ -1,4 +1,4 @@
-// max-pyramid: hierarchical skip on the pyramid of maxima, iterative and stackless. [MIP18]; Tevs 2008; METHODS 4.2.
+// max-pyramid: hierarchical skip on the pyramid of maxima, iterative and stackless. [MIP18]; Tevs 2008.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing; any ray that descends.
 // Model: a node whose maximum is below the ray all along its stay is skipped; otherwise its children are asked; the one

@@ -1,5 +1,5 @@
-// max-pyramid-paper: the recursion of [MIP18], whose step log follows the paper's procedure step for step
-// (METHODS 4.2).
+// max-pyramid-paper: the recursion of [MIP18], whose step log follows the paper's procedure step for
+// step.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing; any ray that descends.
 //   1. The highest point first: the ray is advanced to its height; if the start is as high, it is the hit.

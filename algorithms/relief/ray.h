@@ -1,4 +1,4 @@
-// View rays in the relief slab, alone and in blocks, and what becomes of them. METHODS section 0.
+// View rays in the relief slab, alone and in blocks, and what becomes of them.
 //
 // Frame: texel coordinates (s, t), texel (i, j) centred at (i + 1/2, j + 1/2); height z in [0, 1], z = 1 the top
 // plane. A ray is parametrised by descent lambda = 1 - z: s = s0 + lambda a, t = t0 + lambda b.

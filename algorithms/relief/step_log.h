@@ -1,4 +1,4 @@
-// What a tracer did, step by step. METHODS 4.4.
+// What a tracer did, step by step.
 // Tracers take a sink as a template parameter; the null sink costs nothing: its records are never even made.
 #pragma once
 

@@ -30,7 +30,9 @@ constexpr double kClickReach = 4;  // pixels that a click may move
 // What the canvas shows, painted when VTK asks.
 class DrawingItem : public vtkContextItem {
   public:
+    // clang-format off: the macro takes no semicolon
     vtkTypeMacro(DrawingItem, vtkContextItem)
+    // clang-format on
     static DrawingItem* New();
 
     bool Paint(vtkContext2D* context) override {
@@ -51,7 +53,7 @@ class DrawingItem : public vtkContextItem {
     int height = 0;
     VtkContextPainter painter;
 };
-vtkStandardNewMacro(DrawingItem)
+vtkStandardNewMacro(DrawingItem);
 
 struct DrawingCanvas::Scene {
     vtkNew<vtkGenericOpenGLRenderWindow> window;

@@ -1,4 +1,4 @@
-// The hierarchy of maxima over the cells of a height field. [MIP18] fig. 3; METHODS 4.2.
+// The hierarchy of maxima over the cells of a height field. [MIP18] fig. 3.
 // Level 0: the texel heights (columns), the largest of a cell's four corners (bilinear). Valid for any ray.
 #pragma once
 

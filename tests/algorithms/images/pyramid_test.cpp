@@ -23,7 +23,7 @@ void expectLevel(const FloatImage& level, int width, std::initializer_list<doubl
     }
 }
 
-// METHODS 4.2, fig. 3 of [MIP18]; the maxima stand there, means and minima were worked out by hand.
+// Fig. 3 of [MIP18]; the maxima stand there, means and minima were worked out by hand.
 TEST(Pyramid, PaperExampleMax) {
     Work work(1);
     const Pyramid pyramid(PyramidKind::Max, makeRelief("paper8x8", 8, 8, 0), work);

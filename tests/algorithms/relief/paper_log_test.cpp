@@ -1,4 +1,4 @@
-// The step log of max-pyramid-paper follows the procedure of [MIP18] (METHODS 4.2), step for step: read back from the
+// The step log of max-pyramid-paper follows the procedure of [MIP18], step for step: read back from the
 // log alone by a text of its own, on the paper's 8 x 8 example and on others.
 #include <iostream>
 
