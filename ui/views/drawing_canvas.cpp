@@ -30,10 +30,11 @@ constexpr double kClickReach = 4;  // pixels that a click may move
 // What the canvas shows, painted when VTK asks.
 class DrawingItem : public vtkContextItem {
   public:
-    // clang-format off: the macro takes no semicolon
+    // The macro takes no semicolon.
+    // clang-format off
     vtkTypeMacro(DrawingItem, vtkContextItem)
-    // clang-format on
-    static DrawingItem* New();
+        // clang-format on
+        static DrawingItem* New();
 
     bool Paint(vtkContext2D* context) override {
         painter.begin(context, renderer, width, height);
