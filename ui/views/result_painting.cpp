@@ -199,18 +199,19 @@ QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLef
                  : paintSwatches(painter, layer, bottomLeft, style, metrics);
 }
 
-QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel) {
+QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel, bool brief) {
     const relief::Frame& frame = *snapshot.frame;
     const int x = std::clamp(pixel.x * frame.width / snapshot.scenario.width, 0, frame.width - 1);
     const int y = std::clamp(pixel.y * frame.height / snapshot.scenario.height, 0, frame.height - 1);
     const std::size_t i = frame.index(x, y);
     QStringList lines{ResultText::tr("pixel (%1, %2)").arg(pixel.x).arg(pixel.y)};
     const QColor color = snapshot.picture.pixelColor(x, y);
-    lines << ResultText::tr("colour %1 (%2, %3, %4)")
-                 .arg(color.name())
-                 .arg(color.red())
-                 .arg(color.green())
-                 .arg(color.blue());
+    if (!brief)
+        lines << ResultText::tr("colour %1 (%2, %3, %4)")
+                     .arg(color.name())
+                     .arg(color.red())
+                     .arg(color.green())
+                     .arg(color.blue());
     if (frame.rays->polygon[i] == relief::kNoPolygon) return lines << ResultText::tr("sky: no polygon here");
     const relief::Hit hit = frame.hits->hits[i];
     if (hit.outcome == relief::Outcome::Hit) {
@@ -218,7 +219,7 @@ QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel) {
                      .arg(hit.s, 0, 'f', 2)
                      .arg(hit.t, 0, 'f', 2)
                      .arg(hit.lambda, 0, 'f', 3);
-        lines << ResultText::tr("distance %1 texture widths").arg(number(frame.depth(x, y)));
+        if (!brief) lines << ResultText::tr("distance %1 texture widths").arg(number(frame.depth(x, y)));
     } else {
         lines << outcomeTitle(hit.outcome);
     }

@@ -25,7 +25,7 @@ void paintMagnifier(QPainter& painter, const QImage& image, QPoint pixel, QPoint
 // Colours and what they mean, with units; nothing for the colour layer. Returns its size when `painter` is null.
 QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style);
 
-// Values of a pixel of the full-size picture, one thing a line.
-QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel);
+// Values of a pixel of the full-size picture, one thing a line; `brief`: place, outcome and steps.
+QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel, bool brief = false);
 
 }  // namespace reliefui

@@ -246,7 +246,7 @@ void ResultView::keyPressEvent(QKeyEvent* event) {
 void ResultView::tellHover(QPointF at) {
     const auto snapshot = workspace_->snapshot();
     const auto pixel = pixelAt(at);
-    Q_EMIT hovered(snapshot && pixel ? pixelReadout(*snapshot, *pixel).join(QStringLiteral("   ")) : QString());
+    Q_EMIT hovered(snapshot && pixel ? pixelReadout(*snapshot, *pixel, true).join(QStringLiteral("   ")) : QString());
 }
 
 void ResultView::leaveEvent(QEvent*) {

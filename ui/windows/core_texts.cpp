@@ -33,6 +33,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "texture widths"),
     QT_TRANSLATE_NOOP("core", "texels"),
     QT_TRANSLATE_NOOP("core", "pixels"),
+    QT_TRANSLATE_NOOP("core", "frame"),
     QT_TRANSLATE_NOOP("core", "exact"),
     QT_TRANSLATE_NOOP("core", "conservative"),
     QT_TRANSLATE_NOOP("core", "approximate"),

@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTableView>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -32,7 +33,7 @@ namespace {
 // Parts of the window that the panes get at first.
 constexpr double kSceneWidth = 0.20;
 constexpr double kTraceWidth = 0.36;
-constexpr double kStepsHeight = 0.26;
+constexpr double kStepsHeight = 0.23;
 
 QComboBox* makeLayerChooser(Workspace* workspace, QWidget* parent) {
     auto* const box = new QComboBox(parent);
@@ -174,6 +175,16 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::LeftDockWidgetArea, scene);
     splitDockWidget(trace, pyramid, Qt::Vertical);
     for (const Pane& pane : panes_) pane.whole->show();
+    shareRoom();
+    // Again when the window has its size: before that, docks are as small as they can be.
+    QTimer::singleShot(0, this, &MainWindow::shareRoom);
+}
+
+void MainWindow::shareRoom() {
+    QDockWidget* const trace = panes_[1].dock;
+    QDockWidget* const pyramid = panes_[2].dock;
+    QDockWidget* const steps = panes_[3].dock;
+    QDockWidget* const scene = panes_[4].dock;
     const auto part = [](double of, double share) { return static_cast<int>(of * share); };
     resizeDocks({scene, trace}, {part(width(), kSceneWidth), part(width(), kTraceWidth)}, Qt::Horizontal);
     resizeDocks({steps}, {part(height(), kStepsHeight)}, Qt::Vertical);

@@ -65,6 +65,7 @@ class MainWindow : public QMainWindow {
                          Qt::DockWidgetArea area);
     PaneTitle* titleOf(const QString& title, QWidget* whole);
     void makeMessages();
+    void shareRoom();
     void fill(QWidget* pane);
     void focusPane(std::size_t number);
 

@@ -9,6 +9,7 @@ namespace reliefui {
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent), sign_(new QLabel(this)), label_(new QLabel(this)) {
     setObjectName(QStringLiteral("message-bar"));
     setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Window);
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(10, 4, 4, 4);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

@@ -8,6 +8,7 @@
 
 #include "messages.h"
 #include "views/result_painting.h"
+#include "windows/core_texts.h"
 
 namespace reliefui {
 
@@ -81,7 +82,12 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
         }
     });
     connect(workspace_, &Workspace::progress, this, &StatusLine::showProgress);
-    connect(workspace_, &Workspace::snapshotChanged, this, &StatusLine::refresh);
+    connect(workspace_, &Workspace::snapshotChanged, this, [this] {
+        refresh();
+        // While pictures keep coming, nobody waits.
+        showBusy(false);
+        if (workspace_->busy()) patience_.start();
+    });
     connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
 }
 
@@ -94,7 +100,7 @@ void StatusLine::showBusy(bool busy) {
 
 void StatusLine::showProgress(const QString& what, double fraction) {
     if (fraction < 0) return;
-    what_->setText(what);
+    what_->setText(coreText(what.toStdString()));
     bar_->setValue(static_cast<int>(fraction * 1000));
 }
 

@@ -9,6 +9,8 @@ namespace {
 
 // A dragged frame has to be on the screen within 33 ms; painting and the panes take their part of it.
 constexpr double kCoarseSeconds = 0.020;
+constexpr double kTooSlow = 0.030;
+constexpr double kVeryFast = 0.010;
 constexpr int kCoarsestFactor = 8;
 
 // Everything on which the frame's buffers depend.
@@ -42,7 +44,20 @@ int SnapshotMaker::coarseFactor(const relief::Scenario& scenario) const {
     // Nothing measured yet: as on a small machine.
     const double traced = secondsPerPixel_ > 0 ? secondsPerPixel_ : 4e-7;
     const double seconds = pixelsOf(scenario) * (lightOnly ? lightPerPixel_ : traced);
-    return std::clamp(static_cast<int>(std::ceil(std::sqrt(seconds / kCoarseSeconds))), 1, kCoarsestFactor);
+    const int estimated = static_cast<int>(std::ceil(std::sqrt(seconds / kCoarseSeconds)));
+    return std::clamp(estimated <= 1 ? 1 : estimated + coarser_, 1, kCoarsestFactor);
+}
+
+// Full frames tell what a pixel costs; coarse ones, in which other things count as well, only whether to go further.
+void SnapshotMaker::learn(const relief::Frame& frame, bool coarse, bool lightOnly) {
+    if (coarse) {
+        if (frame.seconds > kTooSlow) coarser_ = std::min(coarser_ + 1, kCoarsestFactor);
+        if (frame.seconds < kVeryFast) coarser_ = std::max(coarser_ - 1, -1);
+        return;
+    }
+    const double perPixel = frame.seconds / (static_cast<double>(frame.width) * frame.height);
+    double& kept = lightOnly ? lightPerPixel_ : secondsPerPixel_;
+    kept = kept == 0 ? perPixel : 0.5 * (kept + perPixel);
 }
 
 void SnapshotMaker::render(Size& size, const relief::Scenario& scenario, const relief::FrameRequest& request,
@@ -59,10 +74,7 @@ void SnapshotMaker::render(Size& size, const relief::Scenario& scenario, const r
     size.assets = assets;
     size.layer = makeLayer(Layer::Color, *size.frame, request);
     size.picture = size.layer.image;
-    const double perPixel = size.frame->seconds / (static_cast<double>(request.width) * request.height);
-    // Slowly towards faster, at once towards slower: one lucky frame must not make the next drag stutter.
-    double& kept = lightOnly ? lightPerPixel_ : secondsPerPixel_;
-    kept = std::max(perPixel, 0.7 * kept + 0.3 * perPixel);
+    learn(*size.frame, &size == &coarse_, lightOnly);
 }
 
 PixelTrace SnapshotMaker::trace(const relief::Scenario& scenario, const relief::Assets& assets,

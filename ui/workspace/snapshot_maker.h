@@ -37,6 +37,7 @@ class SnapshotMaker {
 
     void render(Size& size, const relief::Scenario& scenario, const relief::FrameRequest& request,
                 const relief::Assets& assets, relief::Work& work);
+    void learn(const relief::Frame& frame, bool coarse, bool lightOnly);
     PixelTrace trace(const relief::Scenario& scenario, const relief::Assets& assets, const relief::Tracer& tracer,
                      relief::Work& work) const;
 
@@ -45,6 +46,7 @@ class SnapshotMaker {
     Size full_;
     Size coarse_;
     double secondsPerPixel_ = 0;   // of a frame whose rays were traced; 0: not known yet
+    int coarser_ = 0;              // than the estimate says, as coarse frames have shown
     double lightPerPixel_ = 2e-8;  // of a frame of which only the light changed
 };
 
