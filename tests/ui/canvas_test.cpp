@@ -1,0 +1,103 @@
+// The grammar of the two-dimensional panes: pick, zoom, move, words in Cyrillic.
+#include <cmath>
+
+#include "drawings/ray_geometry.h"
+#include "views/drawing_canvas.h"
+#include "views/pyramid_view.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+TEST_F(WindowTest, AClickOnAVisitedTexelChoosesItsStep) {
+    openWindow(smallScenario());
+    PyramidView* const view = window_->pyramid();
+    grab(view->canvas());
+    const auto steps = snapshot()->trace.steps;
+    int clicked = 0;
+    for (const relief::Step& step : steps) {
+        const LevelBlock& block = view->blocks()[static_cast<std::size_t>(step.level)];
+        const auto boxes =
+            wrapped(stepBox(snapshot()->request->field, step).cut(Box{-1e9, -1e9, 1e9, 1e9}), block.domain, false);
+        if (boxes.empty()) continue;
+        const Box box = block.toDrawing(boxes.front());
+        // Beside the middle, where the ray may be.
+        const Point at{box.x0 + 0.25 * box.width(), box.y0 + 0.75 * box.height()};
+        if (view->canvas()->itemAt(view->canvas()->toWidget(at)).kind != ItemKind::Step) continue;
+        QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::NoModifier, view->canvas()->toWidget(at).toPoint());
+        const relief::Step& chosen = steps[static_cast<std::size_t>(scenario().step)];
+        EXPECT_EQ(chosen.level, step.level);
+        ++clicked;
+    }
+    EXPECT_GE(clicked, 3);
+}
+
+TEST_F(WindowTest, TheCanvasZoomsAtThePointerAndComesBack) {
+    openWindow(smallScenario());
+    DrawingCanvas* const canvas = window_->pyramid()->canvas();
+    const Box box = window_->pyramid()->blocks().front().box;
+    const Point corner{box.x0 + box.width() / 4, box.y0 + box.height() / 4};
+    const QImage before = grab(canvas);
+    const QPointF at = canvas->toWidget(corner);
+    const double width = canvas->toWidget({box.x1, 0}).x() - canvas->toWidget({box.x0, 0}).x();
+    QWheelEvent wheel(at, canvas->mapToGlobal(at.toPoint()), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(canvas, &wheel);
+    EXPECT_NEAR(canvas->toWidget(corner).x(), at.x(), 1e-6);
+    EXPECT_NEAR(canvas->toWidget(corner).y(), at.y(), 1e-6);
+    EXPECT_NEAR(canvas->toWidget({box.x1, 0}).x() - canvas->toWidget({box.x0, 0}).x(), width * 1.5625, 1e-6);
+    EXPECT_NE(grab(canvas), before);
+    const QPoint from(canvas->width() / 2, canvas->height() / 2);
+    QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, from);
+    QTest::mouseMove(canvas, from + QPoint(10, 4));
+    QMouseEvent move(QEvent::MouseMove, from + QPoint(30, 12), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(canvas, &move);
+    QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, from + QPoint(30, 12));
+    EXPECT_NEAR(canvas->toWidget(corner).x(), at.x() + 30, 1.5);
+    QTest::keyClick(canvas, Qt::Key_R);
+    EXPECT_EQ(grab(canvas), before);
+}
+
+TEST_F(WindowTest, HoverReadsValuesOut) {
+    openWindow(smallScenario());
+    PyramidView* const view = window_->pyramid();
+    const LevelBlock top = view->blocks().back();
+    const QPointF at = view->canvas()->toWidget({top.box.x0 + 3, top.box.y1 - 3});
+    QMouseEvent move(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(view->canvas(), &move);
+    EXPECT_TRUE(view->readout().contains(QString::number(top.level))) << view->readout().toStdString();
+    EXPECT_TRUE(view->readout().contains(QStringLiteral("(0, 0)"))) << view->readout().toStdString();
+}
+
+TEST_F(WindowTest, CyrillicLettersAreDrawnByVtk) {
+    DrawingCanvas canvas;
+    canvas.resize(300, 100);
+    canvas.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas));
+    const auto ink = [&](const char* text) {
+        auto drawing = std::make_shared<Drawing>();
+        drawing->bounds = {0, 0, 100, 30};
+        Label label;
+        label.at = {50, 15};
+        label.anchor = Anchor::Center;
+        label.size = 2;
+        label.text = plainText(text);
+        drawing->add({}, Role::Label, label);
+        canvas.setLayers({drawing}, nullptr);
+        const QImage shown = grab(&canvas);
+        int count = 0;
+        for (int y = 0; y < shown.height(); ++y) {
+            for (int x = 0; x < shown.width(); ++x) count += shown.pixelColor(x, y).lightness() > 128 ? 1 : 0;
+        }
+        return count;
+    };
+    EXPECT_EQ(ink(" "), 0);
+    EXPECT_GT(ink("H"), 20);
+    EXPECT_NEAR(ink("Н"), ink("H"), 12) << "the Cyrillic letter looks as the Latin one";
+    EXPECT_GT(ink("рівень"), 3 * ink("H"));
+}
+
+}  // namespace
+
+}  // namespace reliefui

@@ -1,0 +1,263 @@
+// Drawings as data, and what QPainter makes of them.
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QImage>
+#include <QPainter>
+#include <QSvgGenerator>
+
+#include "drawings/pyramid_drawing.h"
+#include "drawings/qpainter_painter.h"
+#include "drawings/ray_geometry.h"
+#include "images/reliefs.h"
+#include "relief/maps/max_pyramid_map.h"
+#include "relief/tracers.h"
+
+namespace reliefui {
+namespace {
+
+using relief::Address;
+using relief::Surface;
+
+// A relief, its pyramid and a traced ray.
+struct Traced {
+    relief::Work work;
+    relief::MapCache cache;
+    relief::HeightField field;
+    std::shared_ptr<const relief::MaxPyramidMap> map;
+    relief::HitBlock hits;
+    relief::StepLog log;
+    relief::ViewRay ray;
+
+    Traced(const char* recipe, int width, int height, Surface surface, Address address)
+        : field(std::make_shared<const relief::FloatImage>(relief::makeRelief(recipe, width, height, 3)), surface,
+                address),
+          map(relief::maxPyramidMap(field, cache, work)) {}
+
+    void trace(const relief::ViewRay& viewRay, const char* method = "max-pyramid") {
+        ray = viewRay;
+        relief::RayBlock rays;
+        rays.push(ray);
+        log = {};
+        relief::makeTracer({method, {}}, field, cache, work)->trace(rays, hits, log, work);
+    }
+    PyramidSource source() const {
+        PyramidSource s;
+        s.field = &field;
+        s.pyramid = {map, &map->pyramid};
+        s.hasRay = true;
+        s.ray = ray;
+        s.hit = hits[0];
+        s.steps = &log.steps;
+        return s;
+    }
+};
+
+// The law behind every pane: where a step says the ray was, it was inside the step's texel.
+TEST(RayGeometry, theRayIsInsideTheTexelOfEachStep) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+        for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+            Traced t("fractal", 37, 20, surface, address);
+            for (int n = 0; n < 40; ++n) {
+                const double far = address == Address::Repeat ? 500 : 0;
+                t.trace({unit(random) * 37 + far, unit(random) * 20 - far, unit(random) * 160 - 80,
+                         unit(random) * 160 - 80});
+                const RayPath path(t.field, t.ray);
+                for (const relief::Step& step : t.log.steps) {
+                    if (step.decision == relief::Decision::Advance || step.lambdaOut <= step.lambdaIn) continue;
+                    const Point middle = path.at((step.lambdaIn + step.lambdaOut) / 2);
+                    EXPECT_TRUE(stepBox(t.field, step).grown(1e-6).contains(middle))
+                        << relief::decisionName(step.decision) << " level " << step.level << " at " << middle.x << ","
+                        << middle.y;
+                }
+            }
+        }
+    }
+}
+
+TEST(RayGeometry, wrappingKeepsLengthsAndAreas) {
+    const Box domain{0.5, 0.5, 8.5, 4.5};
+    const Segment segment{{1, 1}, {21, -12}};
+    double length = 0;
+    for (const Segment& piece : wrapped(segment, domain, true)) {
+        EXPECT_TRUE(domain.grown(1e-9).contains(piece.first));
+        EXPECT_TRUE(domain.grown(1e-9).contains(piece.second));
+        length += std::hypot(piece.second.x - piece.first.x, piece.second.y - piece.first.y);
+    }
+    EXPECT_NEAR(length, std::hypot(20, 13), 1e-9);
+    double area = 0;
+    for (const Box& piece : wrapped(Box{-3, -2, 1, 2}, domain, true)) area += piece.width() * piece.height();
+    EXPECT_NEAR(area, 16, 1e-9);
+    EXPECT_TRUE(wrapped(Segment{{20, 20}, {30, 20}}, domain, false).empty());
+    // A ray through a million periods is a drawing of some.
+    EXPECT_LT(wrapped(Segment{{0, 0}, {8e6, 3e6}}, domain, true).size(), 500u);
+}
+
+TEST(PyramidLayout, blocksStandApartInsideTheRoom) {
+    for (const double width : {150.0, 400.0, 1200.0}) {
+        for (const double height : {120.0, 300.0, 800.0}) {
+            for (const int levels : {1, 2, 4, 9, 13}) {
+                for (const double aspect : {0.01, 0.5, 1.0, 2.0, 300.0}) {
+                    const auto blocks = pyramidLayout(levels, {0, 0, 100 * aspect, 100}, width, height);
+                    ASSERT_EQ(blocks.size(), static_cast<std::size_t>(levels));
+                    for (std::size_t k = 0; k < blocks.size(); ++k) {
+                        const Box& box = blocks[k].box;
+                        EXPECT_GT(box.height(), 0);
+                        EXPECT_LE(box.x1, width + 1e-6);
+                        EXPECT_LE(box.y1, height + 1e-6);
+                        EXPECT_LE(box.height(), blocks[0].box.height() + 1e-9);
+                        for (std::size_t m = k + 1; m < blocks.size(); ++m) {
+                            EXPECT_FALSE(box.overlaps(blocks[m].box)) << k << " " << m;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(PyramidDrawing, pickingAnswersWithTexelsAndSteps) {
+    for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+        Traced t("paper8x8", 8, 8, Surface::Bilinear, address);
+        t.trace({1.2, 5.1, 5, -2});
+        const PyramidPicture picture = pyramidPicture(t.source(), 600, 400);
+        const relief::CellGrid grid(t.field);
+        const ViewMap map{2, 11, 7};
+        for (const LevelBlock& block : picture.blocks) {
+            const relief::FloatImage& level = t.map->pyramid.level(block.level);
+            const double side = std::ldexp(1.0, block.level);
+            for (int j = 0; j < level.height(); ++j) {
+                for (int i = 0; i < level.width(); ++i) {
+                    // 0.7: the first half of border's outer cells is outside.
+                    const Point texel{(i + 0.7) * side - grid.x.shift, (j + 0.7) * side - grid.y.shift};
+                    if (!block.domain.contains(texel)) continue;
+                    const ItemId id = pick(picture.levels, map, map.toScreen(block.toDrawing(texel)), 1);
+                    const int first = block.level == 0 ? grid.x.firstName : 0;
+                    EXPECT_EQ(idText(id), "texel/" + std::to_string(block.level) + "/" + std::to_string(i + first) +
+                                              "/" + std::to_string(j + first));
+                }
+            }
+        }
+        const Drawing marks = pyramidMarks(t.source(), picture, 0);
+        std::set<std::int64_t> found;
+        for (const Item& item : marks.items) {
+            if (item.id.kind == ItemKind::Step) found.insert(item.id.i);
+        }
+        EXPECT_EQ(found.size(), t.log.steps.size());
+    }
+}
+
+TEST(PyramidDrawing, nearTheRayEveryStepIsInTheBlocks) {
+    Traced t("bricks", 256, 128, Surface::Bilinear, Address::Repeat);
+    t.trace({3.2, 60, -14, 9});  // through the seam at s = 0
+    PyramidSource source = t.source();
+    source.nearRay = true;
+    const PyramidPicture picture = pyramidPicture(source, 600, 400);
+    EXPECT_FALSE(picture.wraps);
+    const RayPath path(t.field, t.ray);
+    for (const LevelBlock& block : picture.blocks) {
+        EXPECT_LT(block.domain.width(), 60);
+        EXPECT_TRUE(block.domain.contains(path.at(0)));
+        EXPECT_TRUE(block.domain.contains(path.at(source.hit.lambda)));
+    }
+    // All of each block is covered by cells, also beyond the seam.
+    double covered = 0;
+    double blocks = 0;
+    for (const LevelBlock& block : picture.blocks) blocks += block.box.width() * block.box.height();
+    for (const Item& item : picture.levels.items) {
+        if (const auto* cells = std::get_if<Cells>(&item.primitive)) {
+            covered += cells->clip.width() * cells->clip.height();
+        }
+    }
+    EXPECT_NEAR(covered, blocks, 1e-6 * blocks);
+    // A ray longer than the texture is shown on all of it.
+    t.trace({3.2, 60, 1e5, 9e4});
+    source = t.source();
+    source.hit = relief::Hit::none(relief::Outcome::Limit);
+    source.steps = nullptr;
+    source.nearRay = true;
+    EXPECT_TRUE(pyramidPicture(source, 600, 400).wraps);
+}
+
+TEST(QPainterPainter, cellsHaveTheColoursOfTheirValues) {
+    if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
+    Traced t("paper8x8", 8, 8, Surface::Columns, Address::Repeat);
+    t.trace({1.2, 5.1, 5, -2});
+    const PyramidPicture picture = pyramidPicture(t.source(), 600, 400);
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        for (const HeightColors heights : {HeightColors::Grey, HeightColors::Cividis}) {
+            Style style;
+            style.theme = theme;
+            style.heights = heights;
+            QImage image(700, 500, QImage::Format_RGB32);
+            QPainter painter(&image);
+            const ViewMap map{1, 10, 10};
+            paint(painter, picture.levels, map, style, {0, 0, 700, 500});
+            painter.end();
+            for (const LevelBlock& block : picture.blocks) {
+                const double side = std::ldexp(1.0, block.level);
+                const relief::FloatImage& level = t.map->pyramid.level(block.level);
+                const Point at = map.toScreen(block.toDrawing(Point{0.2 * side, 0.2 * side}));
+                const Rgba expected = style.mapped(ColorMap::Height, static_cast<double>(level(0, 0)));
+                const QColor seen = image.pixelColor(static_cast<int>(at.x), static_cast<int>(at.y));
+                EXPECT_EQ(seen, QColor(expected.r, expected.g, expected.b)) << block.level;
+            }
+        }
+    }
+}
+
+TEST(QPainterPainter, figuresHoldWordsInBothLanguages) {
+    if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
+    Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
+    t.trace({12, 40, 20, -9});
+    for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
+        Style style;
+        style.theme = Theme::Light;
+        style.language = language;
+        const PyramidPicture picture = pyramidPicture(t.source(), 700, 400);
+        const Drawing marks = pyramidMarks(t.source(), picture, 3);
+        const Drawing legend = pyramidLegend(t.source(), 700, language);
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        QSvgGenerator svg;
+        svg.setOutputDevice(&buffer);
+        svg.setSize(QSize(900, 600));
+        svg.setViewBox(QRect(0, 0, 900, 600));
+        QPainter painter(&svg);
+        paintFigure(painter, {&picture.levels, &marks}, legend, {0, 0, 900, 600}, style);
+        painter.end();
+        const QString text = QString::fromUtf8(bytes);
+        const relief::Message skipped(relief::MessageId::DrawSkip);
+        EXPECT_TRUE(text.contains(QString::fromStdString(relief::sentence(skipped, language))));
+        EXPECT_FALSE(text.contains('{'));
+        EXPECT_GT(text.count("<text"), 10);
+    }
+}
+
+TEST(Style, decisionsDifferInColourOrDashAndInShape) {
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        Style style;
+        style.theme = theme;
+        std::set<Shape> shapes;
+        for (std::size_t d = 0; d < relief::kDecisionNames.size(); ++d) {
+            shapes.insert(shapeOf(static_cast<relief::Decision>(d)));
+        }
+        EXPECT_EQ(shapes.size(), relief::kDecisionNames.size());
+        EXPECT_EQ(style.color(Role::Descended), style.color(Role::Ascended));
+        EXPECT_FALSE(style.stroke(Role::Ascended, Emphasis::Normal).dash.empty());
+        EXPECT_NE(style.color(Role::Hit), style.background());
+        Style projector = style;
+        projector.projector = true;
+        EXPECT_NEAR(projector.stroke(Role::Ray, Emphasis::Normal).width,
+                    3 * style.stroke(Role::Ray, Emphasis::Normal).width, 1e-9);
+        EXPECT_NEAR(projector.textPixels(), 1.8 * style.textPixels(), 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace reliefui
