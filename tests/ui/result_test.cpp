@@ -41,6 +41,7 @@ TEST_F(WindowTest, ClickChoosesThePixelAndItsTraceIsTheCores) {
         ASSERT_TRUE(trace.onRelief);
         EXPECT_EQ(trace.reads, log.reads.front());
         EXPECT_EQ(scenario().step, static_cast<int>(log.steps.size()) - 1);
+        EXPECT_EQ(snapshot()->scenario, scenario());
     }
 }
 

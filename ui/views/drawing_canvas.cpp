@@ -30,11 +30,8 @@ constexpr double kClickReach = 4;  // pixels that a click may move
 // What the canvas shows, painted when VTK asks.
 class DrawingItem : public vtkContextItem {
   public:
-    // The macro takes no semicolon.
-    // clang-format off
-    vtkTypeMacro(DrawingItem, vtkContextItem)
-        // clang-format on
-        static DrawingItem* New();
+    // The macro takes no semicolon of its own.
+    vtkTypeMacro(DrawingItem, vtkContextItem) static DrawingItem* New();
 
     bool Paint(vtkContext2D* context) override {
         painter.begin(context, renderer, width, height);

@@ -164,14 +164,14 @@ void paintChosenPixel(QPainter& painter, QPointF at, double side, const Style& s
     painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
-QSize magnifierSize(const Style& style) {
-    const int side = kMagnified * scaled(9, style) + 2;
-    return {side, side};
+QSize magnifierSize(const Style& style, int viewWidth) {
+    // Large enough to be read, small enough to leave the picture to be seen.
+    const int cell = std::clamp(viewWidth / (5 * kMagnified), 3, scaled(9, style));
+    return {kMagnified * cell + 2, kMagnified * cell + 2};
 }
 
-void paintMagnifier(QPainter& painter, const QImage& image, QPoint pixel, QPoint topLeft, const Style& style) {
-    const int side = scaled(9, style);
-    const QRect frame(topLeft, magnifierSize(style));
+void paintMagnifier(QPainter& painter, const QImage& image, QPoint pixel, const QRect& frame, const Style& style) {
+    const int side = (frame.width() - 2) / kMagnified;
     painter.fillRect(frame, toColor(style.background()));
     for (int j = 0; j < kMagnified; ++j) {
         for (int i = 0; i < kMagnified; ++i) {

@@ -19,8 +19,8 @@ void paintChosenPixel(QPainter& painter, QPointF at, double side, const Style& s
 
 // The neighbourhood of a pixel (of the snapshot's image), enlarged, its middle outlined.
 inline constexpr int kMagnified = 15;
-QSize magnifierSize(const Style& style);
-void paintMagnifier(QPainter& painter, const QImage& image, QPoint pixel, QPoint topLeft, const Style& style);
+QSize magnifierSize(const Style& style, int viewWidth);
+void paintMagnifier(QPainter& painter, const QImage& image, QPoint pixel, const QRect& frame, const Style& style);
 
 // Colours and what they mean, with units; nothing for the colour layer. Returns its size when `painter` is null.
 QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style);

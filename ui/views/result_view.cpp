@@ -132,14 +132,14 @@ void ResultView::paintOverlays(QPainter& painter) const {
     paintChosenPixel(painter, at, scale(), style);
 
     // In the upper corner that is further from the pixel.
-    const QSize magnifier = magnifierSize(style);
+    const QSize magnifier = magnifierSize(style, width());
     if (magnifier.width() * 2 > width() || magnifier.height() * 2 > height()) return;
     const bool left = at.x() > width() / 2.0;
     const QPoint corner(left ? margin : width() - margin - magnifier.width(), margin);
     const QSize full = pictureSize();
     const QImage& image = snapshot->layer.image;
     const QPoint center(pixel.x * image.width() / full.width(), pixel.y * image.height() / full.height());
-    paintMagnifier(painter, image, center, corner, style);
+    paintMagnifier(painter, image, center, QRect(corner, magnifier), style);
 }
 
 void ResultView::mousePressEvent(QMouseEvent* event) {

@@ -63,7 +63,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     makeResult();
     makePanes();
     makeMenus();
-    topBar_ = new TopBar(workspace_, open_, {undo_, redo_, copyCommand_, projector_}, this);
+    topBar_ = new TopBar(workspace_, open_, {undo_, redo_, projector_}, this);
     addToolBar(topBar_);
     makeMessages();
     resetLayout();

@@ -34,7 +34,17 @@ void PaneTitle::addControl(QWidget* control) {
 }
 
 void PaneTitle::setNote(const QString& note) {
-    note_->setText(note);
+    text_ = note;
+    fitNote();
+}
+
+void PaneTitle::fitNote() {
+    note_->setText(note_->fontMetrics().elidedText(text_, Qt::ElideRight, note_->width()));
+}
+
+void PaneTitle::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitNote();
 }
 
 void PaneTitle::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -24,8 +24,12 @@ class PaneTitle : public QWidget {
 
   protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
+    void fitNote();
+
+    QString text_;
     QHBoxLayout* row_;
     QLabel* note_;
 };

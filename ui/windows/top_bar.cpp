@@ -43,6 +43,7 @@ void TopBar::makeMethod() {
     method_->setObjectName(QStringLiteral("method"));
     method_->setAccessibleName(tr("Method"));
     method_->setToolTip(tr("How the ray searches for the relief"));
+    method_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     method_->setFocusPolicy(Qt::StrongFocus);
     for (const relief::MethodDescription& method : relief::tracerList()) {
         const QString name = QString::fromStdString(method.name);
@@ -62,6 +63,7 @@ void TopBar::makeFilter() {
     filter_->setObjectName(QStringLiteral("filter"));
     filter_->setAccessibleName(tr("Filter"));
     filter_->setToolTip(tr("How the colour is read at the hit"));
+    filter_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     filter_->setFocusPolicy(Qt::StrongFocus);
     for (const relief::FilterDescription& filter : relief::filterList()) {
         const QString name = QString::fromStdString(filter.name);

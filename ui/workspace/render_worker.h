@@ -24,7 +24,8 @@ struct RenderJob {
     relief::Scenario scenario;
     std::uint64_t version = 0;
     Layer layer = Layer::Color;
-    bool live = false;  // something is being dragged: a coarse picture now, the full one when it rests
+    bool lastStep = false;  // the ray's last step is the chosen one
+    bool live = false;      // something is being dragged: a coarse picture now, the full one when it rests
 };
 
 // What is loaded before it becomes part of the open scenario: its pictures, and the scenario itself if `path` is given.

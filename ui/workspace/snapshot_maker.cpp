@@ -97,27 +97,27 @@ PixelTrace SnapshotMaker::trace(const relief::Scenario& scenario, const relief::
     return out;
 }
 
-std::shared_ptr<const Snapshot> SnapshotMaker::make(const relief::Scenario& scenario, std::uint64_t version,
-                                                    Layer layer, int factor, relief::Work& work) {
+std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, relief::Work& work) {
+    const relief::Scenario& scenario = order.scenario;
     auto snapshot = std::make_shared<Snapshot>();
-    snapshot->version = version;
+    snapshot->version = order.version;
     snapshot->scenario = scenario;
     snapshot->assets = store_.load(scenario.pictures, work);
-    snapshot->coarse = factor > 1;
+    snapshot->coarse = order.factor > 1;
     auto request = std::make_shared<relief::FrameRequest>(relief::frameRequest(scenario, snapshot->assets));
-    request->width = (scenario.width + factor - 1) / factor;
-    request->height = (scenario.height + factor - 1) / factor;
+    request->width = (scenario.width + order.factor - 1) / order.factor;
+    request->height = (scenario.height + order.factor - 1) / order.factor;
 
     Size& size = snapshot->coarse ? coarse_ : full_;
     render(size, scenario, *request, snapshot->assets, work);
-    if (size.layer.layer != layer) size.layer = makeLayer(layer, *size.frame, *request);
+    if (size.layer.layer != order.layer) size.layer = makeLayer(order.layer, *size.frame, *request);
     snapshot->request = request;
     snapshot->frame = size.frame;
     snapshot->picture = size.picture;
     snapshot->layer = size.layer;
     snapshot->trace = trace(scenario, snapshot->assets, *size.renderer->tracer(), work);
-    const int steps = static_cast<int>(snapshot->trace.steps.size());
-    snapshot->scenario.step = std::clamp(scenario.step, 0, std::max(0, steps - 1));
+    const int last = std::max(0, static_cast<int>(snapshot->trace.steps.size()) - 1);
+    snapshot->scenario.step = order.lastStep ? last : std::clamp(scenario.step, 0, last);
     const relief::HeightField& field = request->field;
     snapshot->maxima = relief::maxPyramidMap(field, *maps_, work);
     snapshot->means = maps_->get<relief::Pyramid>({"mean-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {

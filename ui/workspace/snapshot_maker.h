@@ -9,6 +9,14 @@
 
 namespace reliefui {
 
+struct SnapshotOrder {
+    relief::Scenario scenario;
+    std::uint64_t version = 0;
+    Layer layer = Layer::Color;
+    int factor = 1;         // the picture is made so many times smaller
+    bool lastStep = false;  // the ray's last step is the chosen one, whatever the scenario says
+};
+
 class SnapshotMaker {
   public:
     explicit SnapshotMaker(relief::AssetStore store = {}) : store_(std::move(store)) {}
@@ -19,9 +27,8 @@ class SnapshotMaker {
     // By how much the picture has to be made smaller to be drawn within a dragged frame's time; 1: not at all.
     int coarseFactor(const relief::Scenario& scenario) const;
 
-    // factor 1: the full picture. Throws InputError, Cancelled.
-    std::shared_ptr<const Snapshot> make(const relief::Scenario& scenario, std::uint64_t version, Layer layer,
-                                         int factor, relief::Work& work);
+    // Throws InputError, Cancelled.
+    std::shared_ptr<const Snapshot> make(const SnapshotOrder& order, relief::Work& work);
 
   private:
     // Coarse and full frames each keep their own buffers: a settled picture is not computed again after a drag that

@@ -89,7 +89,7 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
 
 void Workspace::requestRender(bool live) {
     waiting_ = true;
-    worker_->render({scenario_, version_, layer_, live});
+    worker_->render({scenario_, version_, layer_, toLastStep_, live});
     tellBusy();
 }
 
@@ -228,6 +228,9 @@ void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
         goodVersion_ = version_;
     }
     Q_EMIT snapshotChanged();
+    // A step was chosen while the worker was busy: it stays chosen.
+    if (snapshot_->version == version_ && snapshot_->scenario.step != scenario_.step)
+        Q_EMIT stepChanged(scenario_.step);
     tellBusy();
 }
 
