@@ -207,6 +207,14 @@
         <source>the 8 x 8 example of the max pyramid's paper</source>
         <translation>приклад 8 × 8 зі статті про піраміду максимумів</translation>
     </message>
+    <message>
+        <source>frame</source>
+        <translation>кадр</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>піраміда</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MainWindow</name>
@@ -801,10 +809,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Піраміда</translation>
     </message>
     <message>
-        <source>Click chooses a step, wheel zooms, drag moves, R shows all</source>
-        <translation>Клацання вибирає крок, колесо наближає, перетягування зсуває, R показує все</translation>
-    </message>
-    <message>
         <source>max</source>
         <translation>макс.</translation>
     </message>
@@ -829,12 +833,28 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Наблизити рівень поточного кроку</translation>
     </message>
     <message>
-        <source>level %1, texel (%2, %3): %4 = %5 texels</source>
-        <translation>рівень %1, тексель (%2, %3): %4 = %5 текселів</translation>
-    </message>
-    <message>
         <source>step %1 · %2</source>
         <translation>крок %1 · %2</translation>
+    </message>
+    <message>
+        <source>near the ray</source>
+        <translation>біля променя</translation>
+    </message>
+    <message>
+        <source>Show only the surroundings of the ray, on every level</source>
+        <translation>Показати лише околицю променя, на кожному рівні</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>усе</translation>
+    </message>
+    <message>
+        <source>Show all levels (R); wheel zooms, drag moves, click chooses a step</source>
+        <translation>Показати всі рівні (R); колесо наближає, перетягування зсуває, клацання вибирає крок</translation>
+    </message>
+    <message>
+        <source>level %1 (%2, %3): %4 · %5 texels</source>
+        <translation>рівень %1 (%2, %3): %4 · %5 текселів</translation>
     </message>
 </context>
 <context>
@@ -1271,22 +1291,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Шлях променя в 3-D</translation>
     </message>
     <message>
-        <source>Drag turns, wheel zooms, Shift+drag moves, R fits</source>
-        <translation>Перетягування — повернути, колесо — наблизити, Shift+перетягування — зсунути, R — показати все</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Усе</translation>
-    </message>
-    <message>
-        <source>Show the whole patch (R)</source>
-        <translation>Показати всю ділянку (R)</translation>
-    </message>
-    <message>
-        <source>Follow</source>
-        <translation>Стежити</translation>
-    </message>
-    <message>
         <source>Keep the current step in the middle</source>
         <translation>Тримати поточний крок посередині</translation>
     </message>
@@ -1299,12 +1303,28 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Перебільшення висот</translation>
     </message>
     <message>
-        <source>click on the relief: its ray is shown here</source>
-        <translation>клацніть на рельєфі: тут з’явиться його промінь</translation>
+        <source>fit</source>
+        <translation>усе</translation>
     </message>
     <message>
-        <source>step %1 of %2: level %3, texel (%4, %5)</source>
-        <translation>крок %1 з %2: рівень %3, тексель (%4, %5)</translation>
+        <source>Show the whole patch (R); drag turns, right drag moves, wheel zooms</source>
+        <translation>Показати всю ділянку (R); перетягування повертає, правою кнопкою — зсуває, колесо наближає</translation>
+    </message>
+    <message>
+        <source>follow</source>
+        <translation>стежити</translation>
+    </message>
+    <message>
+        <source>height 1</source>
+        <translation>висота 1</translation>
+    </message>
+    <message>
+        <source>%1: level %2, %3</source>
+        <translation>%1: рівень %2, %3</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 · patch %3 × %4, slab %5 texels</source>
+        <translation>крок %1 з %2 · ділянка %3 × %4, шар %5 текселів</translation>
     </message>
 </context>
 <context>

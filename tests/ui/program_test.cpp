@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QTranslator>
 
 #include "window_fixture.h"
 
@@ -17,10 +18,10 @@ struct Ran {
     QString err;
 };
 
-Ran start(const QStringList& arguments, bool display = true) {
+Ran start(const QStringList& arguments, bool display = true, const QString& locale = QStringLiteral("C.UTF-8")) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("LC_ALL"), QStringLiteral("C.UTF-8"));
+    environment.insert(QStringLiteral("LC_ALL"), locale);
     if (!display) environment.remove(QStringLiteral("DISPLAY"));
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(RELIEFSCOPE), arguments);
@@ -75,6 +76,24 @@ TEST_F(WindowTest, BadInputIsSaidBeforeAWindowOpens) {
         EXPECT_TRUE(ran.err.startsWith(QStringLiteral("relief: ") + path + QStringLiteral(": ")))
             << ran.err.toStdString();
     }
+}
+
+TEST_F(WindowTest, UkrainianTextsAreThere) {
+    QTranslator translator;
+    ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
+    EXPECT_EQ(translator.translate("reliefui::MainWindow", "Result"), QString::fromUtf8("Результат"));
+    for (const relief::ScenarioNumber& number : relief::scenarioNumbers()) {
+        EXPECT_FALSE(translator.translate("core", number.description.help.c_str()).isEmpty())
+            << number.description.help;
+    }
+    // Numbers stay those of the C locale.
+    EXPECT_EQ(start({QStringLiteral("--version")}, true, QStringLiteral("uk_UA.UTF-8")).status, 0);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("window.png"));
+    const Ran ran = start({QStringLiteral("--screenshot"), file}, true, QStringLiteral("uk_UA.UTF-8"));
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_EQ(ran.err.toStdString(), "");
+    EXPECT_FALSE(QImage(file).isNull());
 }
 
 TEST_F(WindowTest, TheScreenshotShowsTheWindowWithoutAWordOfComplaint) {

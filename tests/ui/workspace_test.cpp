@@ -189,6 +189,28 @@ TEST_F(WindowTest, CopyAsCommand) {
     EXPECT_TRUE(text.contains(QStringLiteral("--pixel 90,80"))) << text.toStdString();
 }
 
+TEST_F(WindowTest, ThePictureIsSaved) {
+    openWindow(smallScenario());
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QString::fromUtf8("результат 1.png"));
+    window_->savePicture(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(file); }, 5000));
+    EXPECT_EQ(QImage(file).convertToFormat(QImage::Format_RGB32), snapshot()->picture);
+    const QSignalSpy problems(workspace_.get(), &Workspace::problem);
+    window_->savePicture(folder.filePath(QStringLiteral("no-folder/result.png")));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return problems.count() == 1; }, 5000));
+}
+
+TEST_F(WindowTest, APictureBeyondMemoryIsRefused) {
+    openWindow(smallScenario());
+    relief::Scenario huge = scenario();
+    huge.width = huge.height = relief::kMaxPictureSide;
+    const QSignalSpy problems(workspace_.get(), &Workspace::problem);
+    workspace_->change(huge, QStringLiteral("test"));
+    EXPECT_EQ(problems.count(), 1);
+    EXPECT_EQ(scenario().width, 200);
+}
+
 TEST_F(WindowTest, CancelTakesBackWhatIsNotThere) {
     openWindow(smallScenario());
     const relief::Scenario before = scenario();

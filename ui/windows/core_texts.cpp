@@ -34,6 +34,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "texels"),
     QT_TRANSLATE_NOOP("core", "pixels"),
     QT_TRANSLATE_NOOP("core", "frame"),
+    QT_TRANSLATE_NOOP("core", "pyramid"),
     QT_TRANSLATE_NOOP("core", "exact"),
     QT_TRANSLATE_NOOP("core", "conservative"),
     QT_TRANSLATE_NOOP("core", "approximate"),

@@ -37,8 +37,8 @@ class MainWindow : public QMainWindow {
     TopBar* topBar() { return topBar_; }
     StatusLine* status() { return status_; }
 
-    // The drawn picture as it is, without marks; by its ending. False, and a message, if it cannot be written.
-    bool savePicture(const QString& path);
+    // The drawn picture as it is, without marks, in the format of its ending; says when it is done, or why not.
+    void savePicture(const QString& path);
 
   public slots:
     void setProjector(bool on);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -8,9 +9,11 @@
 #include <QImageWriter>
 #include <QMenu>
 #include <QMimeData>
+#include <QPointer>
 #include <QSaveFile>
 #include <QSettings>
 #include <QStatusBar>
+#include <QThreadPool>
 #include <QUrl>
 
 #include "windows/main_window.h"
@@ -74,20 +77,30 @@ void MainWindow::askSavePicture() {
     savePicture(path);
 }
 
-bool MainWindow::savePicture(const QString& path) {
+// Large pictures take long to be packed: not on the window's thread.
+void MainWindow::savePicture(const QString& path) {
     const auto snapshot = workspace_->snapshot();
-    if (!snapshot) return false;
-    QSaveFile file(path);
-    const QByteArray format = QFileInfo(path).suffix().toLatin1();
-    QImageWriter writer(&file, format);
-    const bool done = file.open(QIODevice::WriteOnly) && writer.write(snapshot->layer.image) && file.commit();
-    if (!done) {
-        const QString why = file.error() != QFileDevice::NoError ? file.errorString() : writer.errorString();
-        Q_EMIT workspace_->problem(tr("%1: cannot be written: %2").arg(path, why));
-    } else {
-        statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
-    }
-    return done;
+    if (!snapshot) return;
+    const auto tell = [this, path](const QString& problem) {
+        if (problem.isEmpty()) {
+            statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
+        } else {
+            Q_EMIT workspace_->problem(tr("%1: cannot be written: %2").arg(path, problem));
+        }
+    };
+    QThreadPool::globalInstance()->start([image = snapshot->layer.image, path, tell, window = QPointer(this)] {
+        QSaveFile file(path);
+        QImageWriter writer(&file, QFileInfo(path).suffix().toLatin1());
+        const bool done = file.open(QIODevice::WriteOnly) && writer.write(image) && file.commit();
+        const QString fault = file.error() != QFileDevice::NoError ? file.errorString() : writer.errorString();
+        const QString problem = done ? QString() : fault;
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [window, tell, problem] {
+                if (window) tell(problem);
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 void MainWindow::remember(const QString& path) {

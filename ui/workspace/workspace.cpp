@@ -23,6 +23,19 @@ void clampPixel(relief::Scenario& scenario) {
     scenario.pixel->y = std::clamp(scenario.pixel->y, 0, std::max(0, scenario.height - 1));
 }
 
+// Beyond the core's own checks: a picture that would take this machine's memory is a slip of the hand in a window.
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
+
+void checkForWindow(const relief::Scenario& scenario) {
+    relief::checkScenario(scenario, {});
+    const std::int64_t pixels = std::int64_t{scenario.width} * scenario.height;
+    if (pixels <= kMostPixels) return;
+    throw relief::InputError(
+        {}, relief::Message(
+                relief::MessageId::OutOfRange,
+                {{"what", "width x height"}, {"value", pixels}, {"range", "at most " + std::to_string(kMostPixels)}}));
+}
+
 int lastStep(const Snapshot& snapshot) {
     return std::max(0, static_cast<int>(snapshot.trace.steps.size()) - 1);
 }
@@ -53,7 +66,7 @@ void Workspace::change(const relief::Scenario& scenario, const QString& what, co
     clampPixel(wanted);
     if (wanted == scenario_ || past_.empty()) return;
     try {
-        relief::checkScenario(wanted, {});
+        checkForWindow(wanted);
     } catch (const relief::InputError& error) {
         Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
         Q_EMIT scenarioChanged();  // controls go back to what is
@@ -160,6 +173,13 @@ void Workspace::finishLoad(const LoadResult& result) {
         return;
     }
     pending.scenario = result.scenario;
+    try {
+        checkForWindow(pending.scenario);
+    } catch (const relief::InputError& error) {
+        Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
+        tellBusy();
+        return;
+    }
     accept(pending);
     if (!result.notes.isEmpty()) Q_EMIT notice(result.notes);
     if (pending.action == Action::Open) Q_EMIT opened(pending.path);
