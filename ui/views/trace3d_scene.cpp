@@ -1,10 +1,10 @@
 #include "views/trace3d_scene.h"
 
-#include <array>
 #include <cmath>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
@@ -17,8 +17,10 @@ namespace reliefui {
 namespace {
 
 // Of the patch around the ray, as a share of the ray's own extent, and at least so many texels.
-constexpr double kMarginShare = 0.4;
-constexpr double kMarginTexels = 10;
+constexpr double kMarginShare = 0.35;
+constexpr double kMarginTexels = 8;
+// Small patches are sampled between the texels, too: a bilinear patch is not two triangles.
+constexpr int kFine = 4;
 
 vtkSmartPointer<vtkUnsignedCharArray> colorArray() {
     auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -26,7 +28,9 @@ vtkSmartPointer<vtkUnsignedCharArray> colorArray() {
     return colors;
 }
 
-vtkSmartPointer<vtkPolyData> polyLine(const std::vector<std::array<double, 3>>& places, bool closed) {
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> lineThrough(const std::vector<Place>& places, bool closed) {
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto lines = vtkSmartPointer<vtkCellArray>::New();
     for (const auto& place : places) points->InsertNextPoint(place.data());
@@ -40,8 +44,6 @@ vtkSmartPointer<vtkPolyData> polyLine(const std::vector<std::array<double, 3>>& 
     return data;
 }
 
-}  // namespace
-
 TraceScene::TraceScene(const Snapshot& snapshot, double exaggeration)
     : path(snapshot.request->field, snapshot.trace.ray), snapshot_(snapshot), field_(snapshot.request->field) {
     // A slab without thickness is drawn as a sheet.
@@ -50,41 +52,62 @@ TraceScene::TraceScene(const Snapshot& snapshot, double exaggeration)
     if (trace.hit.outcome == relief::Outcome::Hit) {
         end = trace.hit.lambda;
     } else if (!trace.steps.empty()) {
-        end = trace.steps.back().lambdaOut;
+        end = std::clamp(trace.steps.back().lambdaOut, 0.0, 1.0);
     }
     const Point from = path.at(0);
     const Point to = path.at(end);
     const Box extent{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x), std::max(from.y, to.y)};
-    const double margin = std::max(kMarginTexels, kMarginShare * std::hypot(extent.width(), extent.height()));
+    // Of a small map not its copies all around.
+    const double least = std::min(kMarginTexels, std::ceil(0.25 * std::min(field_.width(), field_.height())));
+    const double margin = std::max(least, kMarginShare * std::hypot(extent.width(), extent.height()));
     patch = extent.grown(margin);
-    if (field_.address() != relief::Address::Repeat) patch = patch.cut(texelDomain(field_).grown(kMarginTexels));
     if (field_.address() == relief::Address::Border) patch = patch.cut(texelDomain(field_));
+    if (field_.address() == relief::Address::Clamp) patch = patch.cut(texelDomain(field_).grown(kMarginTexels));
+    // A ray that ends outside the picture has no patch of its own.
+    if (patch.empty() || patch.width() < 1 || patch.height() < 1) patch = texelDomain(field_);
     patch = {std::floor(patch.x0), std::floor(patch.y0), std::ceil(patch.x1), std::ceil(patch.y1)};
-    bottom = scale * lowest();
+    bottom = foot();
 }
 
-double TraceScene::lowest() const {
+// Under the lowest point of the patch, but no deeper under the ray than the block is wide: a single pit far below would
+// make everything else small.
+double TraceScene::foot() const {
     constexpr int kLooks = 64;
+    constexpr double kUnder = 0.06;  // of the slab
+    constexpr double kDeep = 0.15;   // of the block's width
     double low = 1;
     for (int j = 0; j <= kLooks; ++j) {
         for (int i = 0; i <= kLooks; ++i) {
-            low =
-                std::min(low, field_.at(patch.x0 + patch.width() * i / kLooks, patch.y0 + patch.height() * j / kLooks));
+            const double s = patch.x0 + patch.width() * i / kLooks;
+            low = std::min(low, field_.at(s, patch.y0 + patch.height() * j / kLooks));
         }
     }
-    constexpr double kUnder = 0.06;
-    return std::max(0.0, low - kUnder);
+    double underRay = (1 - end) * scale;
+    for (int k = 0; k <= kLooks; ++k) underRay = std::min(underRay, underRayAt(end * k / kLooks));
+    return std::max({0.0, (low - kUnder) * scale, underRay - kDeep * std::hypot(patch.width(), patch.height())});
 }
 
-void TraceScene::position(double lambda, double out[3]) const {
+double TraceScene::underRayAt(double lambda) const {
     const Point p = path.at(lambda);
-    out[0] = p.x;
-    out[1] = -p.y;
-    out[2] = (1 - lambda) * scale;
+    return heightAt(p.x, p.y);
+}
+
+double TraceScene::diagonal() const {
+    return std::hypot(patch.width(), patch.height(), scale - bottom);
+}
+
+Place TraceScene::onRay(double lambda) const {
+    const Point p = path.at(lambda);
+    return {p.x, -p.y, (1 - lambda) * scale};
+}
+
+Place TraceScene::underRay(double lambda) const {
+    const Point p = path.at(lambda);
+    return {p.x, -p.y, underRayAt(lambda)};
 }
 
 void TraceScene::color(double s, double t, double height, unsigned char out[3]) const {
-    relief::Color c(static_cast<float>(0.25 + 0.5 * height));
+    relief::Color c(static_cast<float>(0.12 + 0.5 * height));
     if (snapshot_.assets.color) {
         const relief::ColorImage& image = *snapshot_.assets.color;
         c = relief::sampleBilinear(image, s * image.width() / field_.width(), t * image.height() / field_.height(),
@@ -97,24 +120,32 @@ void TraceScene::color(double s, double t, double height, unsigned char out[3]) 
 }
 
 vtkSmartPointer<vtkPolyData> TraceScene::relief() const {
-    const double longer = std::max(patch.width(), patch.height());
-    const int step = std::max(1, static_cast<int>(std::ceil(longer / kPatchSamples)));
-    const int columns = std::max(1, static_cast<int>(std::ceil(patch.width() / step)));
-    const int rows = std::max(1, static_cast<int>(std::ceil(patch.height() / step)));
-    return field_.surface() == relief::Surface::Bilinear ? surface(step, columns, rows) : boxes(step, columns, rows);
+    return field_.surface() == relief::Surface::Bilinear ? surface() : boxes();
 }
 
-vtkSmartPointer<vtkPolyData> TraceScene::surface(int step, int columns, int rows) const {
+vtkSmartPointer<vtkPolyData> TraceScene::surface() const {
+    const double longer = std::max(patch.width(), patch.height());
+    const int fine = std::clamp(static_cast<int>(kPatchSamples / longer), 1, kFine);
+    const double step = longer > kPatchSamples ? std::ceil(longer / kPatchSamples) : 1.0 / fine;
+    const int columns = std::max(1, static_cast<int>(std::ceil(patch.width() / step)));
+    const int rows = std::max(1, static_cast<int>(std::ceil(patch.height() / step)));
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     auto colors = colorArray();
-    // Nodes of the bilinear surface lie at texel centres.
+    auto normals = vtkSmartPointer<vtkFloatArray>::New();
+    normals->SetNumberOfComponents(3);
     for (int j = 0; j <= rows; ++j) {
         for (int i = 0; i <= columns; ++i) {
-            const double s = patch.x0 + i * step + 0.5;
-            const double t = patch.y0 + j * step + 0.5;
+            const double s = std::min(patch.x0 + i * step, patch.x1);
+            const double t = std::min(patch.y0 + j * step, patch.y1);
             const double height = field_.at(s, t);
             points->InsertNextPoint(s, -t, height * scale);
+            // Over a decimated patch the slope is that between the samples.
+            const double h = std::max(step, 1.0) / 2;
+            const double dx = (field_.at(s + h, t) - field_.at(s - h, t)) / (2 * h) * scale;
+            const double dy = (field_.at(s, t + h) - field_.at(s, t - h)) / (2 * h) * scale;
+            const double length = std::hypot(dx, dy, 1.0);
+            normals->InsertNextTuple3(-dx / length, dy / length, 1 / length);
             unsigned char rgb[3];
             color(s, t, height, rgb);
             colors->InsertNextTypedTuple(rgb);
@@ -131,18 +162,23 @@ vtkSmartPointer<vtkPolyData> TraceScene::surface(int step, int columns, int rows
     data->SetPoints(points);
     data->SetPolys(cells);
     data->GetPointData()->SetScalars(colors);
+    data->GetPointData()->SetNormals(normals);
     return data;
 }
 
-vtkSmartPointer<vtkPolyData> TraceScene::boxes(int step, int columns, int rows) const {
+vtkSmartPointer<vtkPolyData> TraceScene::boxes() const {
+    const double longer = std::max(patch.width(), patch.height());
+    const int step = std::max(1, static_cast<int>(std::ceil(longer / kPatchSamples)));
+    const int columns = std::max(1, static_cast<int>(std::ceil(patch.width() / step)));
+    const int rows = std::max(1, static_cast<int>(std::ceil(patch.height() / step)));
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     auto colors = colorArray();
     const auto height = [&](int i, int j) {
-        return field_.texel(static_cast<std::int64_t>(patch.x0) + i * step,
-                            static_cast<std::int64_t>(patch.y0) + j * step);
+        return static_cast<double>(field_.texel(static_cast<std::int64_t>(patch.x0) + i * step,
+                                                static_cast<std::int64_t>(patch.y0) + j * step));
     };
-    const auto quad = [&](const std::array<std::array<double, 3>, 4>& corners, const unsigned char rgb[3]) {
+    const auto quad = [&](const std::array<Place, 4>& corners, const unsigned char rgb[3]) {
         vtkIdType ids[4];
         for (std::size_t k = 0; k < 4; ++k) ids[k] = points->InsertNextPoint(corners[k].data());
         cells->InsertNextCell(4, ids);
@@ -151,22 +187,18 @@ vtkSmartPointer<vtkPolyData> TraceScene::boxes(int step, int columns, int rows) 
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
             const double x0 = patch.x0 + i * step;
-            const double x1 = x0 + step;
+            const double x1 = std::min(x0 + step, patch.x1);
             const double y0 = -(patch.y0 + j * step);
-            const double y1 = y0 - step;
+            const double y1 = std::max(y0 - step, -patch.y1);
             const double z = height(i, j) * scale;
             unsigned char rgb[3];
             color(x0 + 0.5 * step, -y0 + 0.5 * step, height(i, j), rgb);
             quad({{{x0, y0, z}, {x0, y1, z}, {x1, y1, z}, {x1, y0, z}}}, rgb);
             // Walls to the neighbours on the right and below: each wall once.
-            if (i + 1 < columns) {
-                const double other = height(i + 1, j) * scale;
-                if (other != z) quad({{{x1, y0, z}, {x1, y1, z}, {x1, y1, other}, {x1, y0, other}}}, rgb);
-            }
-            if (j + 1 < rows) {
-                const double other = height(i, j + 1) * scale;
-                if (other != z) quad({{{x0, y1, z}, {x1, y1, z}, {x1, y1, other}, {x0, y1, other}}}, rgb);
-            }
+            const double right = i + 1 < columns ? height(i + 1, j) * scale : z;
+            if (right != z) quad({{{x1, y0, z}, {x1, y1, z}, {x1, y1, right}, {x1, y0, right}}}, rgb);
+            const double below = j + 1 < rows ? height(i, j + 1) * scale : z;
+            if (below != z) quad({{{x0, y1, z}, {x1, y1, z}, {x1, y1, below}, {x0, y1, below}}}, rgb);
         }
     }
     auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -176,63 +208,42 @@ vtkSmartPointer<vtkPolyData> TraceScene::boxes(int step, int columns, int rows) 
     return data;
 }
 
-vtkSmartPointer<vtkPolyData> TraceScene::slabFrame() const {
-    return polyLine({{{patch.x0, -patch.y0, scale}},
-                     {{patch.x1, -patch.y0, scale}},
-                     {{patch.x1, -patch.y1, scale}},
-                     {{patch.x0, -patch.y1, scale}}},
-                    true);
-}
-
-vtkSmartPointer<vtkPolyData> TraceScene::ray() const {
-    constexpr double kAbove = 0.12;  // of the way it goes in the slab
-    std::array<double, 3> from{};
-    std::array<double, 3> to{};
-    position(-kAbove * std::max(end, 0.2), from.data());
-    position(end, to.data());
-    return polyLine({from, to}, false);
-}
-
-vtkSmartPointer<vtkPolyData> TraceScene::stretch(const relief::Step& step) const {
-    std::array<double, 3> from{};
-    std::array<double, 3> to{};
-    position(step.lambdaIn, from.data());
-    position(std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, end), to.data());
-    return polyLine({from, to}, false);
-}
-
-vtkSmartPointer<vtkPolyData> TraceScene::point(double lambda) const {
-    std::array<double, 3> at{};
-    position(lambda, at.data());
-    auto data = polyLine({at}, false);
-    auto vertices = vtkSmartPointer<vtkCellArray>::New();
-    const vtkIdType id = 0;
-    vertices->InsertNextCell(1, &id);
-    data->SetLines(nullptr);
-    data->SetVerts(vertices);
-    return data;
-}
-
-vtkSmartPointer<vtkPolyData> TraceScene::box(const relief::Step& step) const {
-    // Texels larger than the patch are shown as far as it goes.
-    const Box base = stepBox(field_, step).cut(patch);
+vtkSmartPointer<vtkPolyData> TraceScene::skirt() const {
+    constexpr int kSamples = 256;
+    constexpr double kInside = 1e-6;  // the sides of columns lie on the texel's border
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    if (!base.empty()) {
-        for (const double z : {bottom, std::max(bottom, step.value * scale)}) {
-            points->InsertNextPoint(base.x0, -base.y0, z);
-            points->InsertNextPoint(base.x1, -base.y0, z);
-            points->InsertNextPoint(base.x1, -base.y1, z);
-            points->InsertNextPoint(base.x0, -base.y1, z);
+    const Box edge = patch.grown(-kInside);
+    const auto side = [&](Point from, Point to) {
+        const vtkIdType first = points->GetNumberOfPoints();
+        for (int k = 0; k <= kSamples; ++k) {
+            const double f = static_cast<double>(k) / kSamples;
+            const double s = from.x + f * (to.x - from.x);
+            const double t = from.y + f * (to.y - from.y);
+            points->InsertNextPoint(s, -t, std::max(bottom, heightAt(s, t)));
+            points->InsertNextPoint(s, -t, bottom);
         }
-        constexpr vtkIdType kFaces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                            {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-        for (const auto& face : kFaces) cells->InsertNextCell(4, face);
-    }
+        for (vtkIdType k = first; k < first + 2 * kSamples; k += 2) {
+            const vtkIdType quad[4] = {k, k + 1, k + 3, k + 2};
+            cells->InsertNextCell(4, quad);
+        }
+    };
+    side({edge.x0, edge.y0}, {edge.x1, edge.y0});
+    side({edge.x1, edge.y0}, {edge.x1, edge.y1});
+    side({edge.x1, edge.y1}, {edge.x0, edge.y1});
+    side({edge.x0, edge.y1}, {edge.x0, edge.y0});
+    auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(points);
     data->SetPolys(cells);
     return data;
+}
+
+vtkSmartPointer<vtkPolyData> TraceScene::slabFrame() const {
+    return lineThrough({{patch.x0, -patch.y0, scale},
+                        {patch.x1, -patch.y0, scale},
+                        {patch.x1, -patch.y1, scale},
+                        {patch.x0, -patch.y1, scale}},
+                       true);
 }
 
 }  // namespace reliefui

@@ -3,14 +3,16 @@
 #include <cmath>
 
 #include <QVTKOpenGLNativeWidget.h>
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkLight.h>
+#include <vtkPlane.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -18,18 +20,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "drawings/vtk_text.h"
+#include "scenario/step_sentence.h"
+#include "views/trace3d_marks.h"
+
 namespace reliefui {
 
 namespace {
-
-constexpr double kRayWidth = 2;
-constexpr double kStretchWidth = 5;
-constexpr double kCurrentWidth = 9;
-constexpr double kViewElevation = 0.6;  // height of the eye over its horizontal distance
-
-void setColor(vtkProperty* property, Rgba color) {
-    property->SetColor(color.r / 255.0, color.g / 255.0, color.b / 255.0);
-}
 
 QToolButton* toolButton(const QString& text, const QString& help, QWidget* parent) {
     auto* const button = new QToolButton(parent);
@@ -38,6 +35,15 @@ QToolButton* toolButton(const QString& text, const QString& help, QWidget* paren
     button->setAccessibleName(help);
     button->setAutoRaise(true);
     return button;
+}
+
+// From the upper left behind the eye: slopes are told apart, and nothing is black.
+void addLight(vtkRenderer* renderer) {
+    auto light = vtkSmartPointer<vtkLight>::New();
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(-0.6, 0.8, 0.9);
+    light->SetFocalPoint(0, 0, 0);
+    renderer->AddLight(light);
 }
 
 }  // namespace
@@ -50,37 +56,28 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
       renderer_(vtkSmartPointer<vtkRenderer>::New()) {
     setAccessibleName(tr("Trace in 3-D"));
-    setFocusPolicy(Qt::StrongFocus);
-    window_->SetMultiSamples(0);
-    renderer_->UseFXAAOn();
+    setFocusProxy(widget_);
+    widget_->setFocusPolicy(Qt::StrongFocus);
+    window_->SetMultiSamples(4);
     window_->AddRenderer(renderer_);
+    renderer_->SetAutomaticLightCreation(false);
+    addLight(renderer_);
     widget_->setRenderWindow(window_);
-    widget_->interactor()->SetInteractorStyle(vtkSmartPointer<vtkInteractorStyleTrackballCamera>::New());
-    widget_->setToolTip(tr("Drag turns, wheel zooms, Shift+drag moves, R fits"));
+    widget_->interactor()->SetInteractorStyle(nullptr);
+    widget_->installEventFilter(this);
 
     auto* const bar = new QHBoxLayout;
-    bar->setContentsMargins(4, 2, 4, 2);
-    auto* const fitButton = toolButton(tr("Fit"), tr("Show the whole patch (R)"), this);
-    connect(fitButton, &QToolButton::clicked, this, &Trace3dView::fit);
-    auto* const follow = toolButton(tr("Follow"), tr("Keep the current step in the middle"), this);
-    follow->setCheckable(true);
-    connect(follow, &QToolButton::toggled, this, &Trace3dView::setFollowing);
-    auto* const heights = new QComboBox(this);
-    for (const int n : {1, 2, 4}) heights->addItem(tr("heights × %1").arg(n), n);
-    heights->setToolTip(tr("Exaggeration of heights"));
-    heights->setAccessibleName(heights->toolTip());
-    connect(heights, QOverload<int>::of(&QComboBox::activated), this,
-            [this, heights](int row) { setExaggeration(heights->itemData(row).toInt()); });
-    bar->addWidget(fitButton);
-    bar->addWidget(follow);
-    bar->addWidget(heights);
-    bar->addWidget(note_, 1);
-    note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    makeBar(bar);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(bar);
     column->addWidget(widget_, 1);
+    renderSoon_.setSingleShot(true);
+    renderSoon_.setInterval(0);
+    connect(&renderSoon_, &QTimer::timeout, this, [this] {
+        if (widget_->isVisible() && widget_->isValid()) window_->Render();
+    });
     connect(workspace_, &Workspace::snapshotChanged, this, &Trace3dView::refresh);
     connect(workspace_, &Workspace::stepChanged, this, &Trace3dView::showStep);
     connect(workspace_, &Workspace::styleChanged, this, [this] {
@@ -90,172 +87,249 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     refresh();
 }
 
-Trace3dView::~Trace3dView() = default;
-
-vtkSmartPointer<vtkActor> Trace3dView::addLine(vtkSmartPointer<vtkPolyData> data, Rgba color, double width) {
-    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    mapper->SetInputData(data);
-    // Lines on the surface are drawn before it.
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -20);
-    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-40);
-    auto actor = vtkSmartPointer<vtkActor>::New();
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetLighting(false);
-    actor->GetProperty()->SetLineWidth(static_cast<float>(width * (workspace_->style().projector ? 2 : 1)));
-    setColor(actor->GetProperty(), color);
-    renderer_->AddActor(actor);
-    return actor;
+Trace3dView::~Trace3dView() {
+    renderSoon_.stop();
 }
 
-void Trace3dView::applyStyle() {
-    const Rgba ground = workspace_->style().background();
-    renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
+vtkRenderer* Trace3dView::renderer() const {
+    return renderer_;
 }
 
-void Trace3dView::addStretches() {
+void Trace3dView::makeBar(QHBoxLayout* bar) {
+    bar->setContentsMargins(4, 2, 6, 2);
+    auto* const fitButton =
+        toolButton(tr("fit"), tr("Show the whole patch (R); drag turns, right drag moves, wheel zooms"), this);
+    connect(fitButton, &QToolButton::clicked, this, &Trace3dView::fit);
+    auto* const follow = toolButton(tr("follow"), tr("Keep the current step in the middle"), this);
+    follow->setCheckable(true);
+    connect(follow, &QToolButton::toggled, this, &Trace3dView::setFollowing);
+    auto* const heights = new QComboBox(this);
+    for (const double n : {0.25, 0.5, 1.0, 2.0, 4.0}) heights->addItem(tr("heights × %1").arg(n), n);
+    heights->setCurrentIndex(2);
+    heights->setToolTip(tr("Exaggeration of heights"));
+    heights->setAccessibleName(heights->toolTip());
+    connect(heights, QOverload<int>::of(&QComboBox::activated), this,
+            [this, heights](int row) { setExaggeration(heights->itemData(row).toDouble()); });
+    bar->addWidget(heights);
+    bar->addWidget(follow);
+    bar->addWidget(fitButton);
+    bar->addWidget(note_, 1);
+    note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+void Trace3dView::addRelief() {
     const Style& style = workspace_->style();
-    // A stretch of a million steps would be a million actors, and no eye could tell them apart.
-    constexpr std::size_t kMost = 400;
-    std::size_t drawn = 0;
-    for (const relief::Step& step : shown_->trace.steps) {
-        if (!coversStretch(step.decision) || ++drawn > kMost) continue;
-        addLine(scene_->stretch(step), style.color(roleOf(step.decision)), kStretchWidth);
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(scene_->relief());
+    auto foot = vtkSmartPointer<vtkPlane>::New();
+    foot->SetOrigin(0, 0, scene_->bottom);
+    foot->SetNormal(0, 0, 1);
+    mapper->AddClippingPlane(foot);
+    auto relief = vtkSmartPointer<vtkActor>::New();
+    relief->SetMapper(mapper);
+    relief->GetProperty()->SetAmbient(0.3);
+    relief->GetProperty()->SetDiffuse(0.85);
+    renderer_->AddActor(relief);
+    auto sides = vtkSmartPointer<vtkActor>::New();
+    auto sideMapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    sideMapper->SetInputData(scene_->skirt());
+    sides->SetMapper(sideMapper);
+    sides->GetProperty()->SetAmbient(0.6);
+    sides->GetProperty()->SetDiffuse(0.4);
+    const double grey = style.theme == Theme::Dark ? 0.32 : 0.72;
+    sides->GetProperty()->SetColor(grey, grey, grey * 1.04);
+    renderer_->AddActor(sides);
+    const TraceMarks marks(*scene_, shown_->request->field, style);
+    renderer_->AddActor(marks.line(scene_->slabFrame(), Role::Label, 1));
+    topLabel_ = marks.words({}, tr("height 1").toStdString(), Role::Label, 0.85);
+    topLabel_->GetTextProperty()->SetJustificationToRight();
+    renderer_->AddActor2D(topLabel_);
+}
+
+// At the corner that is leftmost now: out of the way of the ray and its words.
+void Trace3dView::placeTopLabel() {
+    if (!scene_ || topLabel_ == nullptr) return;
+    const Place right = camera_.right();
+    const Box& p = scene_->patch;
+    double least = 0;
+    bool first = true;
+    for (const double s : {p.x0, p.x1}) {
+        for (const double t : {p.y0, p.y1}) {
+            const double along = s * right[0] - t * right[1];
+            if (!first && along >= least) continue;
+            first = false;
+            least = along;
+            topLabel_->GetPositionCoordinate()->SetValue(s, -t, scene_->scale);
+        }
     }
+}
+
+void Trace3dView::addRay() {
+    const TraceMarks marks(*scene_, shown_->request->field, workspace_->style());
+    renderer_->AddActor(marks.shadow());
+    renderer_->AddActor(marks.ray());
+    renderer_->AddActor(marks.curtain());
+    if (shown_->trace.hit.outcome != relief::Outcome::Hit) return;
+    for (const auto& part : marks.hitRing(renderer_->GetActiveCamera())) renderer_->AddActor(part);
+}
+
+void Trace3dView::addWords(const QString& words) {
+    auto text = vtkSmartPointer<vtkTextActor>::New();
+    text->SetInput(words.toUtf8().constData());
+    setText(text->GetTextProperty(), workspace_->style().text(), workspace_->style().textPixels());
+    text->GetTextProperty()->SetJustificationToCentered();
+    text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    text->SetPosition(0.5, 0.5);
+    renderer_->AddActor2D(text);
 }
 
 void Trace3dView::refresh() {
     const auto snapshot = workspace_->snapshot();
-    applyStyle();
+    const Rgba ground = workspace_->style().background();
+    renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
     const bool same = shown_ && snapshot && shown_->version == snapshot->version && shown_->coarse == snapshot->coarse;
     if (same) return;
     shown_ = snapshot;
     renderer_->RemoveAllViewProps();
-    stepActors_.clear();
+    stepProps_.clear();
     scene_.reset();
-    if (!shown_ || !shown_->trace.onRelief) {
-        note_->setText(shown_ ? tr("click on the relief: its ray is shown here") : QString());
+    topLabel_ = nullptr;
+    note_->clear();
+    if (!shown_ || !shown_->request || !shown_->trace.onRelief) {
+        const auto why = !shown_ || !shown_->request ? relief::MessageId::DrawNoPicture
+                         : shown_->scenario.pixel    ? relief::MessageId::DrawNoRelief
+                                                     : relief::MessageId::DrawNoRay;
+        addWords(QString::fromStdString(relief::sentence(relief::Message(why), workspace_->style().language)));
         render();
         return;
     }
     scene_ = std::make_unique<TraceScene>(*shown_, exaggeration_);
+    addRelief();
+    addRay();
+    placed_ ? showAll() : fit();
+    showStep(workspace_->scenario().step);
+}
+
+void Trace3dView::addStep(const relief::Step& step, std::size_t number) {
     const Style& style = workspace_->style();
-    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    mapper->SetInputData(scene_->relief());
-    auto relief = vtkSmartPointer<vtkActor>::New();
-    relief->SetMapper(mapper);
-    relief->GetProperty()->SetAmbient(0.35);
-    relief->GetProperty()->SetDiffuse(0.75);
-    renderer_->AddActor(relief);
-    addLine(scene_->slabFrame(), style.color(Role::Frame), 1);
-    addLine(scene_->ray(), style.color(Role::Ray), kRayWidth);
-    addStretches();
-    if (shown_->trace.hit.outcome == relief::Outcome::Hit) {
-        const double outer = style.projector ? 26 : 15;
-        for (const auto& [color, size] :
-             {std::pair{Rgba{255, 255, 255}, outer}, std::pair{Rgba{0, 0, 0}, outer * 0.55}}) {
-            auto mark = addLine(scene_->point(scene_->end), color, 1);
-            mark->GetProperty()->SetPointSize(static_cast<float>(size));
-            mark->GetProperty()->SetRenderPointsAsSpheres(true);
-            mark->GetMapper()->SetRelativeCoincidentTopologyPointOffsetParameter(size == outer ? -60 : -90);
-        }
+    const TraceMarks marks(*scene_, shown_->request->field, style);
+    for (const bool later : {false, true}) {
+        stepProps_.push_back(marks.stretches(shown_->trace.steps, number, later));
     }
-    if (!placed_) {
-        fit();
-    } else {
-        lookAtPatch();
-    }
-    showStep(shown_->scenario.step);
+    if (step.lambdaOut > step.lambdaIn) stepProps_.push_back(marks.stretch(step));
+    stepProps_.push_back(marks.box(step));
+    stepProps_.push_back(marks.boxEdges(step));
+    const auto value = relief::fixedText(step.value, 3);
+    const QString words = tr("%1: level %2, %3").arg(number + 1).arg(step.level).arg(QString::fromStdString(value));
+    stepProps_.push_back(marks.words(marks.labelPlace(step), words.toStdString(), Role::Label, 1));
+    for (const auto& prop : stepProps_) renderer_->AddViewProp(prop);
 }
 
 void Trace3dView::showStep(int step) {
-    for (const auto& actor : stepActors_) renderer_->RemoveActor(actor);
-    stepActors_.clear();
+    for (const auto& prop : stepProps_) renderer_->RemoveViewProp(prop);
+    stepProps_.clear();
     if (scene_ && !shown_->trace.steps.empty()) {
         const auto& steps = shown_->trace.steps;
         const auto at = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(steps.size()) - 1));
-        const relief::Step& now = steps[at];
-        const Rgba color = workspace_->style().color(roleOf(now.decision));
-        stepActors_.push_back(addLine(scene_->stretch(now), color, kCurrentWidth));
-        auto faces = addLine(scene_->box(now), color, 1);
-        faces->GetProperty()->SetOpacity(0.22);
-        auto edges = addLine(scene_->box(now), color, 2);
-        edges->GetProperty()->SetRepresentationToWireframe();
-        stepActors_.push_back(faces);
-        stepActors_.push_back(edges);
-        note_->setText(tr("step %1 of %2: level %3, texel (%4, %5)")
+        addStep(steps[at], at);
+        const auto number = [](double v) { return QString::fromStdString(relief::numberText(v, 3)); };
+        note_->setText(tr("step %1 of %2 · patch %3 × %4, slab %5 texels")
                            .arg(at + 1)
                            .arg(steps.size())
-                           .arg(now.level)
-                           .arg(now.i)
-                           .arg(now.j));
-        if (following_) {
-            double eye[3];
-            scene_->position(now.lambdaAfter, eye);
-            vtkCamera* const camera = renderer_->GetActiveCamera();
-            double focus[3];
-            double place[3];
-            camera->GetFocalPoint(focus);
-            camera->GetPosition(place);
-            camera->SetFocalPoint(eye);
-            camera->SetPosition(place[0] + eye[0] - focus[0], place[1] + eye[1] - focus[1],
-                                place[2] + eye[2] - focus[2]);
-        }
+                           .arg(number(scene_->patch.width()), number(scene_->patch.height()),
+                                number(shown_->request->field.slabTexels())));
+        if (following_) camera_.setFocus(scene_->onRay(std::min(steps[at].lambdaAfter, scene_->end)));
     }
-    renderer_->ResetCameraClippingRange();
     render();
 }
 
 // Keeps the direction of the view, at the distance that shows the patch.
-void Trace3dView::lookAtPatch() {
+void Trace3dView::showAll() {
     const Box& p = scene_->patch;
-    const double bounds[6] = {p.x0, p.x1, -p.y1, -p.y0, scene_->bottom, scene_->scale};
-    renderer_->ResetCamera(bounds);
-    renderer_->GetActiveCamera()->Zoom(1.35);
+    std::vector<Place> places;
+    for (const double z : {scene_->bottom, scene_->scale}) {
+        for (const double s : {p.x0, p.x1}) {
+            for (const double t : {p.y0, p.y1}) places.push_back({s, -t, z});
+        }
+    }
+    camera_.fit(places, static_cast<double>(std::max(1, widget_->width())) / std::max(1, widget_->height()));
+    placed_ = true;
 }
 
 void Trace3dView::fit() {
     if (!scene_) return;
-    const Point center = scene_->patch.center();
     const double length = std::hypot(scene_->path.run.x, scene_->path.run.y);
-    // From the side of the ray, a little from behind it, so that it runs across the picture.
+    // Across the ray, a little from behind it, so that it runs through the picture from left to right.
+    constexpr double kBehind = 0.45;
     const double dx = length > 0 ? scene_->path.run.x / length : 1;
     const double dy = length > 0 ? -scene_->path.run.y / length : 0;
-    const double sideX = dy - 0.35 * dx;
-    const double sideY = -dx - 0.35 * dy;
-    const double middle = 0.5 * (scene_->bottom + scene_->scale);
-    vtkCamera* const camera = renderer_->GetActiveCamera();
-    camera->SetFocalPoint(center.x, -center.y, middle);
-    camera->SetPosition(center.x + sideX, -center.y + sideY, middle + kViewElevation);
-    camera->SetViewUp(0, 0, 1);
-    placed_ = true;
-    lookAtPatch();
-    renderer_->ResetCameraClippingRange();
+    camera_.lookAlong(-dy + kBehind * dx, dx + kBehind * dy);
+    showAll();
     render();
 }
 
 void Trace3dView::setFollowing(bool on) {
     following_ = on;
+    if (!on && scene_) showAll();
     showStep(workspace_->scenario().step);
 }
 
-void Trace3dView::setExaggeration(int n) {
+void Trace3dView::setExaggeration(double n) {
     exaggeration_ = n;
     shown_.reset();
     refresh();
 }
 
-void Trace3dView::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_R) {
-        fit();
-        return;
+bool Trace3dView::handleMouse(QMouseEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress) {
+        widget_->setFocus(Qt::MouseFocusReason);
+        last_ = event->localPos();
+        return true;
     }
-    QWidget::keyPressEvent(event);
+    if (event->buttons() == Qt::NoButton) return false;
+    const QPointF by = event->localPos() - last_;
+    last_ = event->localPos();
+    const bool turns = (event->buttons() & Qt::LeftButton) != 0 && (event->modifiers() & Qt::ShiftModifier) == 0;
+    turns ? camera_.turn(by.x(), by.y(), widget_->height()) : camera_.move(by.x(), by.y(), widget_->height());
+    render();
+    return true;
+}
+
+bool Trace3dView::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseMove:
+            return handleMouse(static_cast<QMouseEvent*>(event));
+        case QEvent::Wheel: {
+            const auto* const wheel = static_cast<QWheelEvent*>(event);
+            const double half = widget_->height() / 2.0;
+            camera_.zoom(std::pow(1.2, wheel->angleDelta().y() / 120.0),
+                         (wheel->position().x() - widget_->width() / 2.0) / half,
+                         (half - wheel->position().y()) / half);
+            render();
+            return true;
+        }
+        case QEvent::KeyPress: {
+            const auto* const key = static_cast<QKeyEvent*>(event);
+            if (key->key() != Qt::Key_R || key->modifiers() != Qt::NoModifier) return false;
+            fit();
+            return true;
+        }
+        case QEvent::Resize:
+            if (scene_ && !following_) showAll();
+            render();
+            return false;
+        default:
+            return QWidget::eventFilter(watched, event);
+    }
 }
 
 void Trace3dView::render() {
-    // Before the first exposure there is no context to draw in; Qt paints the widget then by itself.
-    if (widget_->isVisible()) window_->Render();
-    widget_->update();
+    camera_.apply(renderer_->GetActiveCamera());
+    placeTopLabel();
+    renderer_->ResetCameraClippingRange();
+    renderSoon_.start();
 }
 
 }  // namespace reliefui

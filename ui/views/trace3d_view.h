@@ -1,21 +1,26 @@
 // The relief around the chosen ray in three dimensions: the ray, its stretches coloured by decision, the box of the
-// current step's texel, the hit.
+// current step's texel, the hit. Drag turns, right drag moves, wheel zooms at the pointer, R fits.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include <vtkActor.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <QTimer>
 #include <QWidget>
 
 #include "views/trace3d_scene.h"
+#include "views/turntable.h"
 #include "workspace/workspace.h"
 
+class QHBoxLayout;
 class QLabel;
+class QMouseEvent;
 class QVTKOpenGLNativeWidget;
+class vtkGenericOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+class vtkTextActor;
 
 namespace reliefui {
 
@@ -25,23 +30,27 @@ class Trace3dView : public QWidget {
     explicit Trace3dView(Workspace* workspace, QWidget* parent = nullptr);
     ~Trace3dView() override;
 
-    vtkRenderer* renderer() const { return renderer_; }
+    vtkRenderer* renderer() const;
 
   public slots:
-    void fit();                   // the whole patch, seen from the side of the ray
-    void setFollowing(bool on);   // the camera keeps its eye on the end of the current step
-    void setExaggeration(int n);  // of heights: 1, 2, 4
+    void fit();                      // the whole patch, seen from the side of the ray
+    void setFollowing(bool on);      // the camera keeps its eye on the end of the current step
+    void setExaggeration(double n);  // of heights
 
   protected:
-    void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void makeBar(QHBoxLayout* bar);
     void refresh();
     void showStep(int step);
-    void applyStyle();
-    void addStretches();
-    void lookAtPatch();
-    vtkSmartPointer<vtkActor> addLine(vtkSmartPointer<vtkPolyData> data, Rgba color, double width);
+    void addRelief();
+    void addRay();
+    void addStep(const relief::Step& step, std::size_t number);
+    void addWords(const QString& words);
+    void showAll();  // without turning
+    void placeTopLabel();
+    bool handleMouse(QMouseEvent* event);
     void render();
 
     Workspace* workspace_;
@@ -51,8 +60,12 @@ class Trace3dView : public QWidget {
     vtkSmartPointer<vtkRenderer> renderer_;
     std::shared_ptr<const Snapshot> shown_;
     std::unique_ptr<TraceScene> scene_;
-    std::vector<vtkSmartPointer<vtkActor>> stepActors_;  // of the current step, replaced by the next
-    bool placed_ = false;                                // the camera has been put somewhere
+    std::vector<vtkSmartPointer<vtkProp>> stepProps_;  // of the current step, replaced by the next
+    vtkSmartPointer<vtkTextActor> topLabel_;           // at the left corner of the slab's top
+    Turntable camera_;
+    QPointF last_;
+    QTimer renderSoon_;
+    bool placed_ = false;  // the camera has been put somewhere
     bool following_ = false;
     double exaggeration_ = 1;
 };

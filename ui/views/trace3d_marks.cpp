@@ -1,0 +1,314 @@
+#include "views/trace3d_marks.h"
+
+#include <cmath>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDiskSource.h>
+#include <vtkFollower.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "drawings/vtk_text.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr double kRadius = 0.0035;  // of the ray, as a share of the scene's diagonal
+constexpr double kSleeve = 2.1;     // times the ray
+constexpr double kChosen = 3.2;
+constexpr double kLater = 0.45;  // opacity of the steps after the chosen one
+
+Place between(const Place& a, const Place& b, double f) {
+    return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
+}
+
+// Cylinders, each in its colour, as one mesh.
+class Tubes {
+  public:
+    Tubes() { colors_->SetNumberOfComponents(4); }
+
+    void add(const Place& from, const Place& to, double radius, Rgba color) {
+        constexpr int kSides = 14;
+        const double d[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+        const double length = std::hypot(d[0], d[1], d[2]);
+        if (length <= 0) return;
+        // Any direction across; a ray that descends is never horizontal and never along (0, 0, 1) and x at once.
+        const bool steep = std::abs(d[2]) > 0.9 * length;
+        const Place axis = steep ? Place{1, 0, 0} : Place{0, 0, 1};
+        Place u{d[1] * axis[2] - d[2] * axis[1], d[2] * axis[0] - d[0] * axis[2], d[0] * axis[1] - d[1] * axis[0]};
+        const double across = std::hypot(u[0], u[1], u[2]);
+        for (double& part : u) part /= across;
+        const Place v{(d[1] * u[2] - d[2] * u[1]) / length, (d[2] * u[0] - d[0] * u[2]) / length,
+                      (d[0] * u[1] - d[1] * u[0]) / length};
+        const vtkIdType first = points_->GetNumberOfPoints();
+        for (const Place* middle : {&from, &to}) {
+            for (int k = 0; k < kSides; ++k) {
+                const double angle = 2 * M_PI * k / kSides;
+                Place p = *middle;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    p[c] += radius * (std::cos(angle) * u[c] + std::sin(angle) * v[c]);
+                }
+                points_->InsertNextPoint(p.data());
+            }
+        }
+        const auto cell = [&](const std::vector<vtkIdType>& ids) {
+            cells_->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+            const unsigned char rgba[4] = {color.r, color.g, color.b, color.a};
+            colors_->InsertNextTypedTuple(rgba);
+        };
+        std::vector<vtkIdType> caps[2];
+        for (vtkIdType k = 0; k < kSides; ++k) {
+            const vtkIdType next = (k + 1) % kSides;
+            cell({first + k, first + next, first + kSides + next, first + kSides + k});
+            caps[0].push_back(first + k);
+            caps[1].push_back(first + kSides + k);
+        }
+        cell(caps[0]);
+        cell(caps[1]);
+    }
+
+    vtkSmartPointer<vtkPolyData> take() const {
+        auto data = vtkSmartPointer<vtkPolyData>::New();
+        data->SetPoints(points_);
+        data->SetPolys(cells_);
+        data->GetCellData()->SetScalars(colors_);
+        return data;
+    }
+
+  private:
+    vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
+    vtkSmartPointer<vtkCellArray> cells_ = vtkSmartPointer<vtkCellArray>::New();
+    vtkSmartPointer<vtkUnsignedCharArray> colors_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
+};
+
+vtkSmartPointer<vtkActor> actorOf(vtkSmartPointer<vtkPolyData> data) {
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(data);
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    return actor;
+}
+
+void paintIn(vtkActor* actor, Rgba color) {
+    actor->GetProperty()->SetColor(color.r / 255.0, color.g / 255.0, color.b / 255.0);
+}
+
+// Flat colours: a role is told by its colour, which light must not change much.
+void lightLittle(vtkActor* actor) {
+    actor->GetProperty()->SetAmbient(0.75);
+    actor->GetProperty()->SetDiffuse(0.3);
+}
+
+}  // namespace
+
+TraceMarks::TraceMarks(const TraceScene& scene, const relief::HeightField& field, const Style& style)
+    : scene_(scene), field_(field), style_(style), radius_(kRadius * scene.diagonal() * (style.projector ? 1.7 : 1)) {}
+
+vtkSmartPointer<vtkActor> TraceMarks::line(vtkSmartPointer<vtkPolyData> data, Role role, double width) const {
+    auto actor = actorOf(data);
+    actor->GetProperty()->SetLighting(false);
+    actor->GetProperty()->SetLineWidth(static_cast<float>(width * (style_.projector ? 3 : 1)));
+    paintIn(actor, style_.color(role));
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::ray() const {
+    constexpr double kAbove = 0.15;  // of the way it goes in the slab
+    Tubes tubes;
+    tubes.add(scene_.onRay(-kAbove * std::max(scene_.end, 0.2)), scene_.onRay(scene_.end), radius_,
+              style_.color(Role::Ray));
+    auto actor = actorOf(tubes.take());
+    lightLittle(actor);
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>& steps, std::size_t chosen,
+                                                bool later) const {
+    constexpr std::size_t kMost = 400;
+    constexpr double kGap = 0.04;  // between two sleeves the ray itself is seen
+    Tubes tubes;
+    const std::size_t first = later ? chosen + 1 : (chosen > kMost ? chosen - kMost : 0);
+    const std::size_t last = std::min(steps.size(), later ? chosen + kMost : chosen + 1);
+    for (std::size_t k = first; k < last; ++k) {
+        const relief::Step& step = steps[k];
+        if (!coversStretch(step.decision)) continue;
+        const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
+        const Place from = scene_.onRay(step.lambdaIn);
+        const Place to = scene_.onRay(std::min(out, scene_.end));
+        tubes.add(between(from, to, kGap), between(from, to, 1 - kGap), kSleeve * radius_,
+                  style_.color(roleOf(step.decision)));
+    }
+    auto actor = actorOf(tubes.take());
+    lightLittle(actor);
+    if (later) actor->GetProperty()->SetOpacity(kLater);
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::stretch(const relief::Step& step) const {
+    const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
+    Tubes tubes;
+    tubes.add(scene_.onRay(step.lambdaIn), scene_.onRay(out), kChosen * radius_, style_.color(roleOf(step.decision)));
+    auto actor = actorOf(tubes.take());
+    lightLittle(actor);
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::curtain() const {
+    constexpr int kSamples = 256;
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (int k = 0; k <= kSamples; ++k) {
+        const double lambda = scene_.end * k / kSamples;
+        points->InsertNextPoint(scene_.onRay(lambda).data());
+        points->InsertNextPoint(scene_.underRay(lambda).data());
+    }
+    for (vtkIdType k = 0; k < 2 * kSamples; k += 2) {
+        const vtkIdType quad[4] = {k, k + 1, k + 3, k + 2};
+        cells->InsertNextCell(4, quad);
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    auto actor = actorOf(data);
+    actor->GetProperty()->SetLighting(false);
+    actor->GetProperty()->SetOpacity(0.16);
+    paintIn(actor, style_.color(Role::Ray));
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::shadow() const {
+    constexpr int kSamples = 256;
+    std::vector<Place> places;
+    for (int k = 0; k <= kSamples; ++k) {
+        places.push_back(scene_.underRay(scene_.end * k / kSamples));
+        places.back()[2] += radius_;
+    }
+    auto actor = line(lineThrough(places, false), Role::Ray, 2);
+    actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
+    actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0, -300);
+    return actor;
+}
+
+Box TraceMarks::base(const relief::Step& step) const {
+    return stepBox(field_, step).cut(scene_.patch);
+}
+
+double TraceMarks::top(const relief::Step& step) const {
+    return std::max(scene_.bottom, std::min(step.value, 1.0) * scene_.scale);
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::box(const relief::Step& step) const {
+    const Box b = base(step);
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    if (b.width() > 0 && b.height() > 0) {
+        for (const double z : {scene_.bottom, top(step)}) {
+            points->InsertNextPoint(b.x0, -b.y0, z);
+            points->InsertNextPoint(b.x1, -b.y0, z);
+            points->InsertNextPoint(b.x1, -b.y1, z);
+            points->InsertNextPoint(b.x0, -b.y1, z);
+        }
+        constexpr vtkIdType kFaces[5][4] = {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+        for (const auto& face : kFaces) cells->InsertNextCell(4, face);
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    auto actor = actorOf(data);
+    actor->GetProperty()->SetLighting(false);
+    actor->GetProperty()->SetOpacity(0.26);
+    paintIn(actor, style_.color(roleOf(step.decision)));
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const relief::Step& step) const {
+    const Box whole = stepBox(field_, step);
+    const Box b = base(step);
+    Tubes tubes;
+    if (b.width() > 0 && b.height() > 0) {
+        const Rgba color = style_.color(roleOf(step.decision));
+        // A side where the patch ends is no side of the texel.
+        const bool left = b.x0 == whole.x0;
+        const bool right = b.x1 == whole.x1;
+        const bool far = b.y0 == whole.y0;
+        const bool near = b.y1 == whole.y1;
+        const double high = top(step);
+        const auto edge = [&](bool there, const Place& from, const Place& to) {
+            if (there) tubes.add(from, to, 0.7 * radius_, color);
+        };
+        for (const double z : {scene_.bottom, high}) {
+            edge(far, {b.x0, -b.y0, z}, {b.x1, -b.y0, z});
+            edge(near, {b.x0, -b.y1, z}, {b.x1, -b.y1, z});
+            edge(left, {b.x0, -b.y0, z}, {b.x0, -b.y1, z});
+            edge(right, {b.x1, -b.y0, z}, {b.x1, -b.y1, z});
+        }
+        edge(left && far, {b.x0, -b.y0, scene_.bottom}, {b.x0, -b.y0, high});
+        edge(right && far, {b.x1, -b.y0, scene_.bottom}, {b.x1, -b.y0, high});
+        edge(left && near, {b.x0, -b.y1, scene_.bottom}, {b.x0, -b.y1, high});
+        edge(right && near, {b.x1, -b.y1, scene_.bottom}, {b.x1, -b.y1, high});
+    }
+    auto actor = actorOf(tubes.take());
+    lightLittle(actor);
+    return actor;
+}
+
+std::vector<vtkSmartPointer<vtkActor>> TraceMarks::hitRing(vtkCamera* camera) const {
+    struct Disk {
+        double inner;
+        double outer;
+        Rgba color;
+        double nearer;
+    };
+    constexpr Disk kDisks[2] = {{0, 4.6, {255, 255, 255, 255}, -40000}, {2.1, 3.6, {0, 0, 0, 255}, -60000}};
+    std::vector<vtkSmartPointer<vtkActor>> ring;
+    const Place at = scene_.onRay(scene_.end);
+    for (const Disk& disk : kDisks) {
+        auto source = vtkSmartPointer<vtkDiskSource>::New();
+        source->SetInnerRadius(disk.inner * radius_);
+        source->SetOuterRadius(disk.outer * radius_);
+        source->SetCircumferentialResolution(36);
+        source->Update();
+        auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+        mapper->SetInputData(source->GetOutput());
+        mapper->SetResolveCoincidentTopologyToPolygonOffset();
+        mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, disk.nearer);
+        auto actor = vtkSmartPointer<vtkFollower>::New();
+        actor->SetMapper(mapper);
+        actor->SetCamera(camera);
+        actor->SetPosition(at[0], at[1], at[2]);
+        actor->GetProperty()->SetLighting(false);
+        paintIn(actor, disk.color);
+        ring.push_back(actor);
+    }
+    return ring;
+}
+
+vtkSmartPointer<vtkTextActor> TraceMarks::words(const Place& at, const std::string& text, Role role,
+                                                double size) const {
+    auto actor = vtkSmartPointer<vtkTextActor>::New();
+    // Spaces keep it off the place it is about.
+    std::string spaced = " ";
+    spaced += text;
+    spaced += ' ';
+    actor->SetInput(spaced.c_str());
+    actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    actor->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
+    setText(actor->GetTextProperty(), style_.color(role), style_.textPixels(size));
+    const Rgba ground = style_.background();
+    actor->GetTextProperty()->SetBackgroundColor(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
+    actor->GetTextProperty()->SetBackgroundOpacity(0.7);
+    return actor;
+}
+
+Place TraceMarks::labelPlace(const relief::Step& step) const {
+    const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, scene_.end);
+    return scene_.onRay((step.lambdaIn + out) / 2);
+}
+
+}  // namespace reliefui
