@@ -119,10 +119,11 @@ vtkSmartPointer<vtkActor> TraceMarks::line(vtkSmartPointer<vtkPolyData> data, Ro
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::ray() const {
-    constexpr double kAbove = 0.15;  // of the way it goes in the slab
+    constexpr double kAbove = 0.14;  // of the scene's diagonal: seen also where the hit is just under the top
+    const double speed = std::hypot(scene_.path.run.x, scene_.path.run.y, scene_.scale);
+    const double before = -kAbove * scene_.diagonal() / speed;
     Tubes tubes;
-    tubes.add(scene_.onRay(-kAbove * std::max(scene_.end, 0.2)), scene_.onRay(scene_.end), radius_,
-              style_.color(Role::Ray));
+    tubes.add(scene_.onRay(before), scene_.onRay(scene_.end), radius_, style_.color(Role::Ray));
     auto actor = actorOf(tubes.take());
     lightLittle(actor);
     return actor;

@@ -69,12 +69,13 @@ TraceScene::TraceScene(const Snapshot& snapshot, double exaggeration)
     bottom = foot();
 }
 
-// Under the lowest point of the patch, but no deeper under the ray than the block is wide: a single pit far below would
-// make everything else small.
+// Under the lowest point of the patch; but where that is far below, the block is not much higher than it is wide: a
+// single pit would make everything else small.
 double TraceScene::foot() const {
     constexpr int kLooks = 64;
-    constexpr double kUnder = 0.06;  // of the slab
-    constexpr double kDeep = 0.15;   // of the block's width
+    constexpr double kUnder = 0.06;   // of the slab
+    constexpr double kHighest = 0.8;  // of the block's width
+    constexpr double kDeep = 0.15;    // the same, under the ray
     double low = 1;
     for (int j = 0; j <= kLooks; ++j) {
         for (int i = 0; i <= kLooks; ++i) {
@@ -84,7 +85,8 @@ double TraceScene::foot() const {
     }
     double underRay = (1 - end) * scale;
     for (int k = 0; k <= kLooks; ++k) underRay = std::min(underRay, underRayAt(end * k / kLooks));
-    return std::max({0.0, (low - kUnder) * scale, underRay - kDeep * std::hypot(patch.width(), patch.height())});
+    const double width = std::hypot(patch.width(), patch.height());
+    return std::max({0.0, (low - kUnder) * scale, std::min(scale - kHighest * width, underRay - kDeep * width)});
 }
 
 double TraceScene::underRayAt(double lambda) const {

@@ -1,0 +1,115 @@
+// The 3-D trace: what it shows, and how it is turned.
+#include <cmath>
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include "views/result_painting.h"
+#include "views/trace3d_view.h"
+#include "views/turntable.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+// Pixels whose hue is that of the colour; light changes only how bright they are.
+int pixelsLike(const QImage& image, QColor color) {
+    constexpr int kHue = 8;
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor seen = image.pixelColor(x, y);
+            const bool same = std::abs(seen.hsvHue() - color.hsvHue()) <= kHue;
+            count += same && seen.hsvSaturation() > 150 && seen.value() > 60 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+QVTKOpenGLNativeWidget* canvasOf(MainWindow& window) {
+    return window.trace()->findChild<QVTKOpenGLNativeWidget*>();
+}
+
+TEST_F(WindowTest, TheTraceIsColouredByDecision) {
+    openWindow(smallScenario());
+    auto* const canvas = canvasOf(*window_);
+    const auto& steps = snapshot()->trace.steps;
+    const Style& style = workspace_->style();
+    // Grey heights: every colour in the pane is a role's.
+    ASSERT_EQ(snapshot()->assets.color, nullptr);
+    EXPECT_GT(pixelsLike(grab(canvas), toColor(style.color(Role::Ray))), 40);
+    for (const auto decision : {relief::Decision::Descend, relief::Decision::Skip}) {
+        for (std::size_t k = 0; k < steps.size(); ++k) {
+            // One that is longer than a point.
+            if (steps[k].decision != decision || steps[k].lambdaOut - steps[k].lambdaIn < 0.02) continue;
+            workspace_->chooseStep(static_cast<int>(k));
+            EXPECT_GT(pixelsLike(grab(canvas), toColor(style.color(roleOf(decision)))), 60)
+                << relief::decisionName(decision);
+            break;
+        }
+    }
+}
+
+TEST_F(WindowTest, TheTraceTurnsZoomsAndFitsAgain) {
+    openWindow(smallScenario());
+    auto* const canvas = canvasOf(*window_);
+    QTest::keyClick(canvas, Qt::Key_R);
+    const QImage fitted = grab(canvas);
+    const QPoint middle(canvas->width() / 2, canvas->height() / 2);
+    QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, middle);
+    QMouseEvent move(QEvent::MouseMove, middle + QPoint(60, 20), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(canvas, &move);
+    QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, middle + QPoint(60, 20));
+    const QImage turned = grab(canvas);
+    EXPECT_NE(turned, fitted);
+    QWheelEvent wheel(middle, canvas->mapToGlobal(middle), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(canvas, &wheel);
+    EXPECT_NE(grab(canvas), turned);
+    QTest::keyClick(canvas, Qt::Key_R);
+    EXPECT_EQ(grab(canvas), fitted);
+    window_->trace()->setExaggeration(2);
+    EXPECT_NE(grab(canvas), fitted);
+}
+
+TEST_F(WindowTest, TheTraceOfTheSkySaysSo) {
+    relief::Scenario scenario = smallScenario();
+    scenario.camera.distance = 4;  // the sky all around
+    openWindow(scenario);
+    auto* const canvas = canvasOf(*window_);
+    workspace_->choosePixel(0, 0);
+    ASSERT_NO_FATAL_FAILURE(waitForFull());
+    ASSERT_FALSE(snapshot()->trace.onRelief);
+    const QImage shown = grab(canvas);
+    EXPECT_EQ(pixelsLike(shown, toColor(workspace_->style().color(Role::Ray))), 0);
+    EXPECT_GT(colorsIn(shown), 2) << "words that say what to do";
+}
+
+TEST_F(WindowTest, EveryModelAndAddressingIsShown) {
+    for (const auto surface : {relief::Surface::Bilinear, relief::Surface::Columns}) {
+        for (const auto address : {relief::Address::Repeat, relief::Address::Clamp, relief::Address::Border}) {
+            relief::Scenario scenario = smallScenario();
+            scenario.surface = surface;
+            scenario.address = address;
+            openWindow(scenario);
+            EXPECT_GT(colorsIn(grab(canvasOf(*window_))), 30);
+            window_.reset();
+            workspace_.reset();
+        }
+    }
+}
+
+TEST(Turntable, whatIsFittedIsInTheView) {
+    Turntable camera;
+    camera.lookAlong(1, 0.3);
+    camera.fit({{0, 0, 0}, {50, -10, 3}, {20, 30, 12}}, 0.7);
+    const auto right = camera.right();
+    EXPECT_NEAR(std::hypot(right[0], right[1], right[2]), 1, 1e-12);
+    EXPECT_EQ(right[2], 0) << "up stays up";
+    // The direction of the view is across `right`.
+    EXPECT_NEAR(right[0] * 1 + right[1] * 0.3, 0, 1e-12);
+}
+
+}  // namespace
+
+}  // namespace reliefui
