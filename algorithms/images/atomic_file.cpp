@@ -129,7 +129,9 @@ int writeAll(int descriptor, const std::string& text) {
 
 // Devices, pipes and what stands behind /dev/stdout cannot be replaced by renaming.
 bool isWrittenInPlace(const std::string& path) {
-    if (path.starts_with("/dev/") || path.starts_with("/proc/")) return true;
+    // /dev/shm is a folder of ordinary files.
+    const bool device = path.starts_with("/dev/") && !path.starts_with("/dev/shm/");
+    if (device || path.starts_with("/proc/")) return true;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);

@@ -53,20 +53,20 @@ struct Window {
     bool whole = true;
 };
 
-// What the blocks show: everything, or the surroundings of the ray, in whole texels.
-Window windowOf(const PyramidSource& source) {
+// What the blocks show: everything, or the surroundings of the ray, in whole texels, at least as wide as `aspect` times
+// its height or the other way round.
+Window windowOf(const PyramidSource& source, double aspect) {
     const Box whole = source.overCells ? cellDomain(*source.field) : texelDomain(*source.field);
     if (!source.nearRay || !source.hasRay) return {whole, true};
     constexpr double kAround = 0.3;  // of the ray's extent
     constexpr double kLeast = 12;    // texels
-    constexpr double kMostUneven = 1.6;
     const RayPath path(*source.field, source.ray);
     const Point from = path.at(0);
     const Point to = path.at(rayEnd(source));
     double width = std::max(std::abs(to.x - from.x) * (1 + 2 * kAround), kLeast);
     double height = std::max(std::abs(to.y - from.y) * (1 + 2 * kAround), kLeast);
-    width = std::max(width, height / kMostUneven);
-    height = std::max(height, width / kMostUneven);
+    width = std::max(width, height * aspect);
+    height = std::max(height, width / aspect);
     if (!(width < whole.width() && height < whole.height())) return {whole, true};
     const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
     // On the lines between cells, which for means are those between texels.
@@ -74,6 +74,30 @@ Window windowOf(const PyramidSource& source) {
     const double x0 = snap(middle.x - width / 2, whole.x0);
     const double y0 = snap(middle.y - height / 2, whole.y0);
     return {{x0, y0, x0 + std::ceil(width), y0 + std::ceil(height)}, false};
+}
+
+// The shape of the surroundings that shows the ray largest in this room; of equals the one that fills it best.
+struct Arrangement {
+    Window window;
+    std::vector<LevelBlock> blocks;
+};
+Arrangement arrange(const PyramidSource& source, double width, double height) {
+    Arrangement best;
+    double bestScore = -1;
+    for (const double aspect : {1.0, 0.6, 0.8, 1.3, 1.6, 2.2}) {
+        Arrangement next;
+        next.window = windowOf(source, aspect);
+        next.blocks = pyramidLayout(source.pyramid->levels(), next.window.domain, width, height);
+        const Box& small = next.blocks.back().box;
+        const double scale = next.blocks.front().unitX() * next.blocks.back().unitX();
+        const double score = scale * std::pow(small.width() * small.height(), 0.3);
+        if (score > bestScore) {
+            best = std::move(next);
+            bestScore = score;
+        }
+        if (best.window.whole) break;  // always the same
+    }
+    return best;
 }
 
 // The texels of one level that steps are about, each once, with the numbers of its steps.
@@ -249,9 +273,9 @@ void addCells(Drawing& drawing, const PyramidSource& source, const LevelBlock& b
 
 PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height) {
     PyramidPicture picture;
-    const Window window = windowOf(source);
-    picture.wraps = window.whole && source.field->address() == relief::Address::Repeat;
-    picture.blocks = pyramidLayout(source.pyramid->levels(), window.domain, width, height);
+    Arrangement arranged = arrange(source, width, height);
+    picture.wraps = arranged.window.whole && source.field->address() == relief::Address::Repeat;
+    picture.blocks = std::move(arranged.blocks);
     Drawing& drawing = picture.levels;
     for (const LevelBlock& block : picture.blocks) {
         addCells(drawing, source, block);

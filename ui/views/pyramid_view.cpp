@@ -122,12 +122,20 @@ void PyramidView::refresh() {
         return;
     }
     const PyramidSource from = source();
-    // The legend first: what it needs is not left to the levels.
-    const double width = canvas_->width() / workspace_->style().pixelsPerPoint();
-    legend_ = std::make_shared<const Drawing>(pyramidLegend(from, width - 12, workspace_->style().language));
+    // The legend first: what it needs is not left to the levels. Where it would take too much it is left
+    // out: the table of steps tells the decisions, too.
+    constexpr double kMostLegend = 0.25;
+    const double unit = workspace_->style().pixelsPerPoint();
+    Drawing legend = pyramidLegend(from, canvas_->width() / unit - 12, workspace_->style().language);
+    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
+    legend_ = std::make_shared<const Drawing>(std::move(legend));
     canvas_->setLayers({}, legend_);
     const QSizeF room = canvas_->room();
     picture_ = pyramidPicture(from, room.width(), room.height());
+    // Where there is no room for all levels, the one of the current step is shown.
+    constexpr double kSmallest = 20;  // points
+    cramped_ = picture_.blocks.size() > 1 && picture_.blocks.back().box.height() < kSmallest;
+    if (cramped_) picture_ = pyramidPicture(from, 3 * room.width() + 300, 3 * room.height() + 200);
     levels_ = std::make_shared<const Drawing>(std::move(picture_.levels));
     refreshStep();
 }
@@ -137,7 +145,12 @@ void PyramidView::refreshStep() {
     // A step of a newer ray than the one shown: its snapshot is on the way.
     auto marks = std::make_shared<const Drawing>(pyramidMarks(source(), picture_, workspace_->scenario().step));
     canvas_->setLayers({levels_, std::move(marks)}, legend_);
-    if (follow_->isChecked()) follow();
+    if (follow_->isChecked() || cramped_) {
+        follow();
+    } else if (wasCramped_) {
+        canvas_->resetZoom();
+    }
+    wasCramped_ = cramped_;
 }
 
 void PyramidView::showEmpty(relief::MessageId why) {

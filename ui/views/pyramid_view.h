@@ -50,6 +50,8 @@ class PyramidView : public QWidget {
     QLabel* readout_;
     std::shared_ptr<const Snapshot> shown_;
     PyramidPicture picture_;
+    bool cramped_ = false;     // no room for all levels
+    bool wasCramped_ = false;  // when it was last drawn
     std::shared_ptr<const Drawing> levels_;
     std::shared_ptr<const Drawing> legend_;
 };

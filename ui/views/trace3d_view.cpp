@@ -234,9 +234,7 @@ void Trace3dView::showStep(int step) {
         const auto at = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(steps.size()) - 1));
         addStep(steps[at], at);
         const auto number = [](double v) { return QString::fromStdString(relief::numberText(v, 3)); };
-        note_->setText(tr("step %1 of %2 · patch %3 × %4, slab %5 texels")
-                           .arg(at + 1)
-                           .arg(steps.size())
+        note_->setText(tr("%1 × %2, slab %3 texels")
                            .arg(number(scene_->patch.width()), number(scene_->patch.height()),
                                 number(shown_->request->field.slabTexels())));
         if (following_) camera_.setFocus(scene_->onRay(std::min(steps[at].lambdaAfter, scene_->end)));
