@@ -3,6 +3,9 @@
 #include <memory>
 
 #include <gtest/gtest.h>
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
 #include <QSettings>
 #include <QTemporaryDir>
 
@@ -24,5 +27,10 @@ int main(int count, char** values) {
     QApplication application(count, values);
     reliefui::dressApplication(application);
     reliefui::haveDisplay() = true;
-    return RUN_ALL_TESTS();
+    const int failed = RUN_ALL_TESTS();
+#ifdef __SANITIZE_ADDRESS__
+    // Now, while the display's drivers are loaded: what they leak could not be told from ours when they are gone.
+    __lsan_do_leak_check();
+#endif
+    return failed;
 }
