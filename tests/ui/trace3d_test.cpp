@@ -79,6 +79,7 @@ TEST_F(WindowTest, TheTraceOfTheSkySaysSo) {
     auto* const canvas = canvasOf(*window_);
     workspace_->choosePixel(0, 0);
     ASSERT_NO_FATAL_FAILURE(waitForFull());
+    ASSERT_EQ(snapshot()->trace.pixel, (relief::PixelChoice{0, 0}));
     ASSERT_FALSE(snapshot()->trace.onRelief);
     const QImage shown = grab(canvas);
     EXPECT_EQ(pixelsLike(shown, toColor(workspace_->style().color(Role::Ray))), 0);

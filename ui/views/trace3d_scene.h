@@ -14,7 +14,7 @@
 namespace reliefui {
 
 // Samples of the relief along one side of the patch, at most: larger patches are decimated.
-inline constexpr int kPatchSamples = 192;
+inline constexpr int kPatchSamples = 128;
 
 using Place = std::array<double, 3>;
 
