@@ -58,7 +58,8 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     setAccessibleName(tr("Trace in 3-D"));
     setFocusProxy(widget_);
     widget_->setFocusPolicy(Qt::StrongFocus);
-    window_->SetMultiSamples(4);
+    window_->SetMultiSamples(0);
+    renderer_->UseFXAAOn();
     window_->AddRenderer(renderer_);
     renderer_->SetAutomaticLightCreation(false);
     addLight(renderer_);
