@@ -1323,8 +1323,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>%1: рівень %2, %3</translation>
     </message>
     <message>
-        <source>step %1 of %2 · patch %3 × %4, slab %5 texels</source>
-        <translation>крок %1 з %2 · ділянка %3 × %4, шар %5 текселів</translation>
+        <source>%1 × %2, slab %3 texels</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
