@@ -1324,7 +1324,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>%1 × %2, slab %3 texels</source>
-        <translation type="unfinished" />
+        <translation>%1 × %2, шар %3 текселів</translation>
     </message>
 </context>
 <context>
