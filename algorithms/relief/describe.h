@@ -38,6 +38,10 @@ struct OptionField {
 // What tracers promise. Exact: the first hit. Conservative: never past the first hit. Approximate: no promise.
 enum class Guarantee : std::uint8_t { Exact, Conservative, Approximate };
 enum class MethodKind : std::uint8_t { Tracer, Shading, AnyHit };
+// Whose normal lights what a method found. Relief: the normal picture's if there is one, else the surface's, at the
+// hit. Plane: the polygon's. Heights: the surface's slope. NormalMap: the normal picture's, or one made from the
+// heights.
+enum class ShadingNormal : std::uint8_t { Relief, Plane, Heights, NormalMap };
 // Which rays a method (its maps) is valid for.
 enum class RayClass : std::uint8_t { ViewRays, AnyRays };
 
@@ -49,6 +53,7 @@ struct MethodDescription {
     MethodKind kind = MethodKind::Tracer;
     Guarantee guarantee = Guarantee::Approximate;
     RayClass rayClass = RayClass::ViewRays;
+    ShadingNormal shading = ShadingNormal::Relief;
     std::vector<Surface> surfaces{Surface::Bilinear, Surface::Columns};
     std::vector<std::string> maps;  // names of the maps needed
     std::vector<OptionDescription> options;

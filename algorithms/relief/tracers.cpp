@@ -7,8 +7,11 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "relief/exact.h"
+#include "relief/layers.h"
 #include "relief/max_pyramid.h"
 #include "relief/max_pyramid_paper.h"
+#include "relief/offset.h"
+#include "relief/offset_limited.h"
 
 namespace relief {
 
@@ -18,7 +21,12 @@ namespace {
 using TracerTypes = std::tuple<  //
     ExactTracer,                 //
     MaxPyramidTracer,            //
-    MaxPyramidPaperTracer>;
+    MaxPyramidPaperTracer,       //
+    OffsetTracer,                //
+    OffsetLimitedTracer,         //
+    LayersTracer,                //
+    LayersSecantTracer,          //
+    LayersBisectionTracer>;
 
 // Rays traced between two looks at the stop token.
 constexpr std::size_t kGrain = 1024;

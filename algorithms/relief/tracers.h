@@ -38,6 +38,8 @@ class Tracer {
 
     virtual const MethodDescription& description() const = 0;
     virtual const HeightField& field() const = 0;
+    // What it promises with these options: a method's description says what it promises at best.
+    virtual Guarantee guarantee() const { return description().guarantee; }
     // Memory of the maps it uses, beside the heights.
     virtual std::size_t bytes() const = 0;
     // Decision records that this ray takes at most.

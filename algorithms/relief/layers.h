@@ -1,0 +1,151 @@
+// layers, layers-secant, layers-bisection: the slab cut into N equal layers; the first layer at which the ray is at or
+// below the surface, then nothing, a secant or a bisection between it and the layer above.
+// McGuire 2005 and [DIST17] fig. 2 (layers), Tatarchuk 2006 (secant), Policarpo 2005 (bisection).
+//
+// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
+// Model: lambda_n = n / N, n = 0 .. N; looked at only there.
+// Guarantee: none; the answer lies on the surface's far side at most one layer behind a crossing, but a feature thinner
+// than the ray's run in one layer, (|a| + |b|) / N texels, can be missed altogether. Failure mode: thin features.
+// Cost: one height a layer, and one a bisection.
+#pragma once
+
+#include "relief/describe.h"
+#include "relief/maps/map_cache.h"
+#include "relief/sampled_surface.h"
+
+namespace relief {
+
+enum class LayerRefinement : std::uint8_t { None, Secant, Bisection };
+
+template <LayerRefinement kRefinement>
+class LayersTracerOf {
+  public:
+    struct Options {
+        int layers = 64;
+        int bisections = 8;
+
+        static std::vector<OptionField<Options>> fields() {
+            std::vector<OptionField<Options>> all{
+                {{"layers", OptionKind::Integer, "layers", 1, 65536, 1, {}, "how many the slab is cut into"},
+                 &Options::layers}};
+            if (kRefinement == LayerRefinement::Bisection) {
+                all.push_back({{"bisections", OptionKind::Integer, "halvings", 1, 60, 1, {}, "of the last layer"},
+                               &Options::bisections});
+            }
+            return all;
+        }
+    };
+
+    static MethodDescription describe() {
+        MethodDescription method;
+        method.guarantee = Guarantee::Approximate;
+        switch (kRefinement) {
+            case LayerRefinement::None:
+                method.name = "layers";
+                method.title = "layers";
+                method.help = "Equal layers of depth; the first one below the surface.";
+                method.source = "McGuire 2005; [DIST17] fig. 2";
+                break;
+            case LayerRefinement::Secant:
+                method.name = "layers-secant";
+                method.title = "layers, secant";
+                method.help = "Equal layers, then a straight line between the last two.";
+                method.source = "Tatarchuk 2006";
+                break;
+            case LayerRefinement::Bisection:
+                method.name = "layers-bisection";
+                method.title = "layers, bisection";
+                method.help = "Equal layers, then halving the last one.";
+                method.source = "Policarpo 2005";
+                break;
+        }
+        return method;
+    }
+    static LayersTracerOf make(const HeightField& field, const Options& options, MapCache&, Work&) {
+        return {field, options};
+    }
+
+    LayersTracerOf(HeightField field, Options options) : field_(std::move(field)), options_(options) {}
+
+    template <class Sink>
+    Hit trace(const ViewRay& ray, Sink& sink) const;
+
+    const HeightField& field() const { return field_; }
+    std::size_t bytes() const { return 0; }
+    double stepBound(const ViewRay&) const { return options_.layers + options_.bisections + 4.0; }
+
+  private:
+    struct Bracket {
+        double above, gapAbove;  // the last layer above the surface, and how far (negative)
+        double below, gapBelow;  // the first one not above
+    };
+    template <class Sink>
+    double refined(const SampledSurface& surface, Bracket bracket, Sink& sink) const;
+
+    HeightField field_;
+    Options options_;
+};
+
+using LayersTracer = LayersTracerOf<LayerRefinement::None>;
+using LayersSecantTracer = LayersTracerOf<LayerRefinement::Secant>;
+using LayersBisectionTracer = LayersTracerOf<LayerRefinement::Bisection>;
+
+template <LayerRefinement kRefinement>
+template <class Sink>
+double LayersTracerOf<kRefinement>::refined(const SampledSurface& surface, Bracket bracket, Sink& sink) const {
+    if constexpr (kRefinement == LayerRefinement::Secant) {
+        const double share = bracket.gapAbove / (bracket.gapAbove - bracket.gapBelow);
+        const double lambda = bracket.above + share * (bracket.below - bracket.above);
+        sink.step([&] {
+            return surface.record(Phase::Refine, Decision::Refine, bracket.above, bracket.below,
+                                  bracket.gapBelow + 1 - bracket.below, lambda);
+        });
+        return lambda;
+    }
+    if constexpr (kRefinement == LayerRefinement::Bisection) {
+        for (int n = 0; n < options_.bisections; ++n) {
+            const double middle = 0.5 * (bracket.above + bracket.below);
+            const double gap = surface.gapAt(middle);
+            sink.read(surface.readsEach());
+            (gap < 0 ? bracket.above : bracket.below) = middle;
+            sink.step([&] {
+                return surface.record(Phase::Refine, Decision::Refine, bracket.above, bracket.below, gap + 1 - middle,
+                                      middle);
+            });
+        }
+    }
+    return bracket.below;
+}
+
+template <LayerRefinement kRefinement>
+template <class Sink>
+Hit LayersTracerOf<kRefinement>::trace(const ViewRay& ray, Sink& sink) const {
+    if (!ray.finite()) return Hit::none(Outcome::Miss);
+    const SampledSurface surface(field_, ray);
+    sink.step([&] { return surface.record(Phase::Start, Decision::Start, 0, 0, 1, 0); });
+    double above = 0;
+    double gapAbove = 0;
+    for (int n = 0; n <= options_.layers; ++n) {
+        const double lambda = static_cast<double>(n) / options_.layers;
+        if (!surface.inside(lambda)) {
+            sink.step([&] { return surface.record(Phase::Search, Decision::Miss, above, lambda, 0, lambda); });
+            return Hit::none(Outcome::Miss);
+        }
+        const double gap = surface.gapAt(lambda);
+        sink.read(surface.readsEach());
+        // At the bottom of the slab nothing is left below the ray, whatever rounding says.
+        if (gap >= 0 || n == options_.layers) {
+            const double hit = n == 0 ? 0.0 : refined(surface, {above, gapAbove, lambda, std::max(gap, 0.0)}, sink);
+            sink.step(
+                [&] { return surface.record(Phase::Search, Decision::Hit, above, lambda, gap + 1 - lambda, hit); });
+            return Hit::at(ray, hit);
+        }
+        sink.step(
+            [&] { return surface.record(Phase::Search, Decision::Advance, above, lambda, gap + 1 - lambda, lambda); });
+        above = lambda;
+        gapAbove = gap;
+    }
+    return Hit::none(Outcome::Limit);
+}
+
+}  // namespace relief

@@ -1,0 +1,64 @@
+// What methods that look at the surface only at points share: a height at a place on the ray, and the picture's edge.
+#pragma once
+
+#include <cmath>
+
+#include "relief/height_field.h"
+#include "relief/ray.h"
+#include "relief/step_log.h"
+
+namespace relief {
+
+class SampledSurface {
+  public:
+    SampledSurface(const HeightField& field, const ViewRay& ray) : field_(field), ray_(ray) {}
+
+    double heightAt(double lambda) const { return field_.at(ray_.s0 + lambda * ray_.a, ray_.t0 + lambda * ray_.b); }
+    // Surface minus ray: 0 or more where the ray has reached the surface.
+    double gapAt(double lambda) const { return heightAt(lambda) - (1 - lambda); }
+    // Under border only what lies on the picture counts.
+    bool inside(double lambda) const {
+        if (field_.address() != Address::Border) return true;
+        const double s = ray_.s0 + lambda * ray_.a;
+        const double t = ray_.t0 + lambda * ray_.b;
+        return s >= 0 && s <= field_.width() && t >= 0 && t <= field_.height();
+    }
+    std::uint32_t readsEach() const { return field_.surface() == Surface::Bilinear ? 4 : 1; }
+
+    // The texel under the ray there, as logs name it.
+    Step record(Phase phase, Decision decision, double in, double out, double value, double after) const {
+        Step step;
+        step.phase = phase;
+        step.decision = decision;
+        const double s = std::floor(ray_.s0 + out * ray_.a);
+        const double t = std::floor(ray_.t0 + out * ray_.b);
+        const double w = field_.width();
+        const double h = field_.height();
+        if (field_.address() == Address::Repeat) {
+            step.periodX = periods(s, w);
+            step.periodY = periods(t, h);
+            step.i = static_cast<std::int64_t>(s - static_cast<double>(step.periodX) * w);
+            step.j = static_cast<std::int64_t>(t - static_cast<double>(step.periodY) * h);
+        } else {
+            step.i = static_cast<std::int64_t>(std::clamp(s, 0.0, w - 1));
+            step.j = static_cast<std::int64_t>(std::clamp(t, 0.0, h - 1));
+        }
+        step.lambdaIn = in;
+        step.lambdaOut = out;
+        step.value = value;
+        step.lambdaAfter = after;
+        return step;
+    }
+
+  private:
+    // Of a texel so far off that its number has no digits left, the period means nothing either.
+    static std::int64_t periods(double index, double size) {
+        const double n = std::floor(index / size);
+        return std::abs(n) < 0x1p53 ? static_cast<std::int64_t>(n) : 0;
+    }
+
+    const HeightField& field_;
+    const ViewRay& ray_;
+};
+
+}  // namespace relief
