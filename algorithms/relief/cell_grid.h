@@ -61,6 +61,15 @@ struct AxisCell {
     std::int64_t base = 0;
 };
 
+// A coordinate taken into [0, size), the first period.
+inline double reduceToPeriod(double x, double size) {
+    if (x >= 0 && x < size) return x;
+    const double rest = std::fmod(x, size);
+    const double positive = rest < 0 ? rest + size : rest;
+    // -1e-30 + size rounds to size: the same place, one period on.
+    return positive >= size ? 0.0 : positive;
+}
+
 // One axis of one ray: x(lambda) = start + lambda * run.
 struct RayAxis {
     double start = 0;
@@ -70,7 +79,7 @@ struct RayAxis {
 
     RayAxis() = default;
     RayAxis(const GridAxis& axis, double origin, double runValue) {
-        const double reduced = axis.wraps ? reduce(origin, axis.texels) : origin;
+        const double reduced = axis.wraps ? reduceToPeriod(origin, axis.texels) : origin;
         start = reduced + axis.shift;
         // Below this the inverse would overflow; over lambda in [0, 1] such a run moves nothing.
         constexpr double kSmallestRun = 1e-300;
@@ -107,15 +116,6 @@ struct RayAxis {
         }
         cell.index = static_cast<int>(index);
         return cell;
-    }
-
-  private:
-    static double reduce(double x, double size) {
-        if (x >= 0 && x < size) return x;
-        const double rest = std::fmod(x, size);
-        const double positive = rest < 0 ? rest + size : rest;
-        // -1e-30 + size rounds to size: the same place, one period on.
-        return positive >= size ? 0.0 : positive;
     }
 };
 

@@ -119,6 +119,20 @@ Options parseOptions(const std::string& method, const OptionValues& values) {
     return options;
 }
 
+// The field's value as text. Not inlined: g++ 12 otherwise warns of the text member that this struct has none of.
+template <class Options>
+[[gnu::noinline]] std::string optionText(const OptionField<Options>& field, const Options& options) {
+    return std::visit(
+        [&](auto member) -> std::string {
+            const auto& value = options.*member;
+            if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+                return value;
+            else
+                return MessageValue("", value).text;
+        },
+        field.member);
+}
+
 // Descriptions and defaults of the fields, for the method's own description.
 template <class Options>
 void describeOptions(MethodDescription& method) {
@@ -126,15 +140,7 @@ void describeOptions(MethodDescription& method) {
     const Options defaults;
     for (const auto& field : Options::fields()) {
         method.options.push_back(field.description);
-        method.defaults[field.description.name] = std::visit(
-            [&](auto member) -> std::string {
-                const auto& value = defaults.*member;
-                if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
-                    return value;
-                else
-                    return MessageValue("", value).text;
-            },
-            field.member);
+        method.defaults[field.description.name] = optionText(field, defaults);
     }
 }
 

@@ -81,6 +81,32 @@ inline std::optional<double> firstRoot(double fIn, double fOut, double c) {
 
 }  // namespace leaf_detail
 
+// The bilinear surface over a stay in one cell: its height where the ray comes in and goes out, and the curvature of
+// the parabola between, height(w) = heightIn + (heightOut - heightIn - c) w + c w^2, w from 0 to 1.
+struct Patch {
+    double heightIn;
+    double heightOut;
+    double curvature;
+
+    Patch(const FloatImage& heights, const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy, Stay stay) {
+        const int i0 = grid.x.nodeBefore(cx.index);
+        const int i1 = grid.x.nodeAfter(cx.index);
+        const int j0 = grid.y.nodeBefore(cy.index);
+        const int j1 = grid.y.nodeAfter(cy.index);
+        const double h00 = heights(i0, j0);
+        const double h10 = heights(i1, j0);
+        const double h01 = heights(i0, j1);
+        const double h11 = heights(i1, j1);
+        const double uIn = leaf_detail::within(ray.x, cx, stay.in);
+        const double vIn = leaf_detail::within(ray.y, cy, stay.in);
+        const double uOut = leaf_detail::within(ray.x, cx, stay.out);
+        const double vOut = leaf_detail::within(ray.y, cy, stay.out);
+        heightIn = leaf_detail::lerpPatch(h00, h10, h01, h11, uIn, vIn);
+        heightOut = leaf_detail::lerpPatch(h00, h10, h01, h11, uOut, vOut);
+        curvature = (uOut - uIn) * (vOut - vIn) * ((h11 - h10) - (h01 - h00));
+    }
+};
+
 // Lambda of the hit in this cell, or nothing. cx, cy as the traversal names them; the interval is computed here.
 template <Surface kSurface>
 std::optional<double> leafHit(const FloatImage& heights, const CellGrid& grid, const GridRay& ray, AxisCell cx,
@@ -94,23 +120,10 @@ std::optional<double> leafHit(const FloatImage& heights, const CellGrid& grid, c
         if (top <= stay.out) return std::max(top, stay.in);
         return std::nullopt;
     } else {
-        const int i0 = grid.x.nodeBefore(cx.index);
-        const int i1 = grid.x.nodeAfter(cx.index);
-        const int j0 = grid.y.nodeBefore(cy.index);
-        const int j1 = grid.y.nodeAfter(cy.index);
-        const double h00 = heights(i0, j0);
-        const double h10 = heights(i1, j0);
-        const double h01 = heights(i0, j1);
-        const double h11 = heights(i1, j1);
-        const double uIn = leaf_detail::within(ray.x, cx, stay.in);
-        const double vIn = leaf_detail::within(ray.y, cy, stay.in);
-        const double fIn = leaf_detail::lerpPatch(h00, h10, h01, h11, uIn, vIn) - (1 - stay.in);
+        const Patch patch(heights, grid, ray, cx, cy, stay);
+        const double fIn = patch.heightIn - (1 - stay.in);
         if (!(fIn < 0)) return stay.in;
-        const double uOut = leaf_detail::within(ray.x, cx, stay.out);
-        const double vOut = leaf_detail::within(ray.y, cy, stay.out);
-        const double fOut = leaf_detail::lerpPatch(h00, h10, h01, h11, uOut, vOut) - (1 - stay.out);
-        const double twist = (h11 - h10) - (h01 - h00);
-        const auto w = leaf_detail::firstRoot(fIn, fOut, (uOut - uIn) * (vOut - vIn) * twist);
+        const auto w = leaf_detail::firstRoot(fIn, patch.heightOut - (1 - stay.out), patch.curvature);
         if (!w) return std::nullopt;
         const double lambda = stay.in + *w * (stay.out - stay.in);
         return std::min(lambda, stay.out);

@@ -1,9 +1,10 @@
 // What methods that look at the surface only at points share: a height at a place on the ray, and the picture's edge.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
-#include "relief/height_field.h"
+#include "relief/cell_grid.h"
 #include "relief/ray.h"
 #include "relief/step_log.h"
 
@@ -11,7 +12,12 @@ namespace relief {
 
 class SampledSurface {
   public:
-    SampledSurface(const HeightField& field, const ViewRay& ray) : field_(field), ray_(ray) {}
+    // Under repeat the origin is taken into the first period: far off, digits would be lost.
+    SampledSurface(const HeightField& field, const ViewRay& ray) : field_(field), ray_(ray) {
+        if (field.address() != Address::Repeat) return;
+        ray_.s0 = reduceToPeriod(ray.s0, field.width());
+        ray_.t0 = reduceToPeriod(ray.t0, field.height());
+    }
 
     double heightAt(double lambda) const { return field_.at(ray_.s0 + lambda * ray_.a, ray_.t0 + lambda * ray_.b); }
     // Surface minus ray: 0 or more where the ray has reached the surface.
@@ -58,7 +64,7 @@ class SampledSurface {
     }
 
     const HeightField& field_;
-    const ViewRay& ray_;
+    ViewRay ray_;
 };
 
 }  // namespace relief

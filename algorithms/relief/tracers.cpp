@@ -3,9 +3,7 @@
 #include <atomic>
 #include <tuple>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "relief/block_work.h"
 #include "relief/exact.h"
 #include "relief/layers.h"
 #include "relief/max_pyramid.h"
@@ -27,33 +25,6 @@ using TracerTypes = std::tuple<  //
     LayersTracer,                //
     LayersSecantTracer,          //
     LayersBisectionTracer>;
-
-// Rays traced between two looks at the stop token.
-constexpr std::size_t kGrain = 1024;
-
-template <class Body>
-void overBlock(std::size_t count, Work& work, const Body& body) {
-    const auto range = [&](const tbb::blocked_range<std::size_t>& r) {
-        if (work.stopped()) return;
-        body(r.begin(), r.end());
-    };
-    if (count <= kGrain) {
-        range({0, count});
-    } else {
-        work.arena().execute([&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain), range); });
-    }
-    work.throwIfStopped();
-}
-
-template <class T>
-const MethodDescription& descriptionOf() {
-    static const MethodDescription description = [] {
-        MethodDescription d = T::describe();
-        describeOptions<typename T::Options>(d);
-        return d;
-    }();
-    return description;
-}
 
 template <class T>
 class TracerOf final : public Tracer {
@@ -99,7 +70,7 @@ class TracerOf final : public Tracer {
         LogSink sink;
         sink.steps = std::move(log.steps);
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (i % kGrain == 0) work.throwIfStopped();
+            if (i % kRayGrain == 0) work.throwIfStopped();
             sink.reads = 0;
             const std::size_t before = sink.steps.size();
             hits.set(i, tracer_.trace(rays[i], sink));

@@ -4,11 +4,13 @@
 
 #include "images/pyramid.h"
 #include "relief/cell_grid.h"
+#include "relief/describe.h"
 #include "relief/maps/map_cache.h"
 
 namespace relief {
 
 struct MaxPyramidMap {
+    static constexpr RayClass kRays = RayClass::AnyRays;
     Pyramid pyramid;
 
     std::size_t bytes() const { return pyramid.bytes(); }
