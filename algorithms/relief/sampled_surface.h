@@ -36,6 +36,7 @@ class SampledSurface {
         Step step;
         step.phase = phase;
         step.decision = decision;
+        step.primitive = Primitive::Point;
         const double s = std::floor(ray_.s0 + out * ray_.a);
         const double t = std::floor(ray_.t0 + out * ray_.b);
         const double w = field_.width();

@@ -23,12 +23,17 @@ constexpr std::string_view phaseName(Phase phase) {
     return kPhaseNames[static_cast<std::size_t>(phase)];
 }
 
+// What a step looked at, which drawings and sentences show as such: the stored value of a texel (or the surface within
+// a cell), or the surface at one point of the ray.
+enum class Primitive : std::uint8_t { Texel, Point };
+
 // One decision. Level and texel (i, j) of a pyramid, or voxel (i, j, k); level 0 cells of clamp and border run from -1.
 // [lambdaIn, lambdaOut]: the stretch of the ray that the decision is about; the ray's heights there are 1 - lambda.
 // value: the stored value that decided (height, maximum, distance). lambdaAfter: where the tracer went on.
 struct Step {
     Phase phase = Phase::Search;
     Decision decision = Decision::Test;
+    Primitive primitive = Primitive::Texel;
     int level = 0;
     std::int64_t i = 0;
     std::int64_t j = 0;

@@ -1,8 +1,11 @@
 #include "scenario/step_sentence.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+
+#include "relief/tracers.h"
 
 namespace relief {
 
@@ -25,14 +28,37 @@ Message aboutTexel(MessageId id, const Step& step) {
                         {"after", fixedText(1 - step.lambdaAfter, decimals)}});
 }
 
+// Of a look at one point of the surface: layer, heights of ray and surface, place of the answer.
+Message aboutPoint(MessageId id, const Step& step, const StepContext& context) {
+    const int decimals = std::max(tellingDecimals(step.value, step.zOut()), kHeightDecimals);
+    const auto height = [&](double z) { return fixedText(z, decimals); };
+    std::vector<MessageValue> values{{"layer", layerOf(step, context.layers)},
+                                     {"layers", context.layers},
+                                     {"value", height(step.value)},
+                                     {"in", height(step.zIn())},
+                                     {"out", height(step.zOut())},
+                                     {"after", height(1 - step.lambdaAfter)}};
+    const Hit hit = context.ray ? Hit::at(*context.ray, step.lambdaAfter) : Hit();
+    values.emplace_back("s", fixedText(hit.s, kTexelDecimals));
+    values.emplace_back("t", fixedText(hit.t, kTexelDecimals));
+    return Message(id, std::move(values));
+}
+
 Message startSentence(const Step& step, const StepContext& context) {
-    if (context.hierarchy) {
+    if (step.lambdaIn > 0) {
+        return Message(MessageId::StepStartInside, {{"in", fixedText(step.zIn(), kHeightDecimals)}});
+    }
+    if (context.hierarchy && step.primitive == Primitive::Texel) {
         return Message(MessageId::StepStartHighest, {{"value", fixedText(step.value, kHeightDecimals)}});
     }
     return Message(MessageId::StepStart, {{"i", step.i}, {"j", step.j}});
 }
 
-Message advanceSentence(const Step& step) {
+Message advanceSentence(const Step& step, const StepContext& context) {
+    if (step.primitive == Primitive::Point) {
+        const bool layer = layerOf(step, context.layers) >= 0;
+        return aboutPoint(layer ? MessageId::StepLayerAbove : MessageId::StepPointAbove, step, context);
+    }
     const auto height = fixedText(1 - step.lambdaAfter, kHeightDecimals);
     if (step.phase == Phase::Start) {
         return Message(MessageId::StepAdvanceHighest,
@@ -41,7 +67,26 @@ Message advanceSentence(const Step& step) {
     return Message(MessageId::StepAdvance, {{"after", height}});
 }
 
+// A straight line's answer lies within the stretch; a halving's is one of the ends that are left.
+Message refineSentence(const Step& step, const StepContext& context) {
+    if (step.primitive == Primitive::Texel) return aboutTexel(MessageId::StepRefine, step);
+    if (step.lambdaAfter == step.lambdaIn) return aboutPoint(MessageId::StepHalvedAbove, step, context);
+    const bool belowEnd = step.lambdaAfter == step.lambdaOut;
+    // A line ends there too where the surface is met exactly on the layer.
+    const bool met = step.value == step.zOut();
+    return aboutPoint(belowEnd && !met ? MessageId::StepHalvedBelow : MessageId::StepSecant, step, context);
+}
+
+Message pointHitSentence(const Step& step, const StepContext& context) {
+    if (context.before == Decision::Start && step.lambdaIn == 0) {
+        return aboutPoint(MessageId::StepOffsetHit, step, context);
+    }
+    const bool layer = layerOf(step, context.layers) >= 0;
+    return aboutPoint(layer ? MessageId::StepLayerHit : MessageId::StepPointHit, step, context);
+}
+
 Message hitSentence(const Step& step, const StepContext& context) {
+    if (step.primitive == Primitive::Point) return pointHitSentence(step, context);
     const auto height = fixedText(1 - step.lambdaAfter, kHeightDecimals);
     const bool atOnce = context.hierarchy && context.before &&
                         (*context.before == Decision::Start || *context.before == Decision::Advance);
@@ -86,6 +131,39 @@ int tellingDecimals(double a, double b) {
     return decimals;
 }
 
+std::int64_t layerOf(const Step& step, int layers) {
+    // A layer's lambda is n / N, rounded once.
+    constexpr double kNear = 1e-9;
+    if (layers < 1 || step.primitive != Primitive::Point) return -1;
+    const double n = step.lambdaOut * layers;
+    return std::abs(n - std::round(n)) <= kNear * layers ? static_cast<std::int64_t>(std::round(n)) : -1;
+}
+
+Message decisionTitle(Decision decision) {
+    constexpr std::array kTitles{MessageId::DecisionStart,  MessageId::DecisionSkip,    MessageId::DecisionDescend,
+                                 MessageId::DecisionAscend, MessageId::DecisionAdvance, MessageId::DecisionTest,
+                                 MessageId::DecisionRefine, MessageId::DecisionHit,     MessageId::DecisionMiss,
+                                 MessageId::DecisionLimit};
+    static_assert(kTitles.size() == kDecisionNames.size());
+    return Message(kTitles[static_cast<std::size_t>(decision)]);
+}
+
+StepContext stepContext(const MethodChoice& method, const ViewRay& ray, const std::vector<Step>& steps,
+                        std::size_t index) {
+    const MethodDescription& description = findTracer(method.name);
+    StepContext context;
+    context.hierarchy =
+        std::find(description.maps.begin(), description.maps.end(), "max-pyramid") != description.maps.end();
+    if (index > 0) context.before = steps[index - 1].decision;
+    context.ray = ray;
+    const auto given = method.options.find("layers");
+    const auto standard = description.defaults.find("layers");
+    const bool known = standard != description.defaults.end();
+    const std::string text = known ? (given != method.options.end() ? given->second : standard->second) : "0";
+    context.layers = static_cast<int>(parseNumber(text, "layers"));
+    return context;
+}
+
 Message stepSentence(const Step& step, const StepContext& context) {
     switch (step.decision) {
         case Decision::Start:
@@ -97,11 +175,11 @@ Message stepSentence(const Step& step, const StepContext& context) {
         case Decision::Ascend:
             return aboutTexel(MessageId::StepAscend, step);
         case Decision::Advance:
-            return advanceSentence(step);
+            return advanceSentence(step, context);
         case Decision::Test:
             return aboutTexel(MessageId::StepTest, step);
         case Decision::Refine:
-            return aboutTexel(MessageId::StepRefine, step);
+            return refineSentence(step, context);
         case Decision::Hit:
             return hitSentence(step, context);
         case Decision::Miss:

@@ -110,7 +110,7 @@ QString StepModel::text(const relief::Step& step, int row, int column) const {
         case Value:
             return number(step.value);
         case Decision:
-            return QString::fromUtf8(relief::decisionName(step.decision).data());
+            return QString::fromStdString(relief::sentence(relief::decisionTitle(step.decision), style_.language));
         default:
             return number(step.lambdaAfter);
     }
@@ -235,11 +235,7 @@ void StepTable::followStep(int step) {
     table_->setCurrentIndex(model_->index(row, 0));
     table_->scrollTo(model_->index(row, 0));
     following_ = false;
-    relief::StepContext context;
-    const auto& maps = relief::findTracer(snapshot->scenario.method.name).maps;
-    context.hierarchy = std::find(maps.begin(), maps.end(), "max-pyramid") != maps.end();
-    if (row > 0) context.before = trace.steps[at - 1].decision;
-    context.ray = trace.ray;
+    const relief::StepContext context = relief::stepContext(snapshot->scenario.method, trace.ray, trace.steps, at);
     const relief::Message message = relief::stepSentence(trace.steps[at], context);
     sentence_->setText(QString::fromStdString(relief::sentence(message, workspace_->style().language)));
 }

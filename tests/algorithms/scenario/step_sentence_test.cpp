@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "relief/tracers.h"
+
 namespace relief {
 namespace {
 
@@ -16,6 +18,65 @@ Step step(Decision decision) {
     s.value = 0.7;
     s.lambdaAfter = 0.18;
     return s;
+}
+
+void expectSaid(const Message& message) {
+    for (const Language language : {Language::English, Language::Ukrainian}) {
+        const std::string text = sentence(message, language);
+        EXPECT_FALSE(text.empty());
+        EXPECT_EQ(text.find('{'), std::string::npos) << text;
+    }
+    EXPECT_NE(sentence(message), sentence(message, Language::Ukrainian));
+}
+
+// What the methods themselves logged, said in full.
+std::vector<std::string> said(const MethodChoice& method, const ViewRay& ray) {
+    // One row of eight texels, a wall from s = 4 on; columns, so that heights are the texels' own.
+    auto heights = std::make_shared<FloatImage>(8, 1);
+    for (int x = 0; x < 8; ++x) (*heights)(x, 0) = x < 4 ? 0.25F : 0.75F;
+    Work work;
+    MapCache cache;
+    const auto tracer = makeTracer(method, HeightField(heights, Surface::Columns, Address::Clamp, 0.25), cache, work);
+    RayBlock rays;
+    rays.push(ray);
+    HitBlock hits;
+    StepLog log;
+    tracer->trace(rays, hits, log, work);
+    std::vector<std::string> sentences;
+    for (std::size_t k = 0; k < log.steps.size(); ++k) {
+        sentences.push_back(sentence(stepSentence(log.steps[k], stepContext(method, ray, log.steps, k))));
+    }
+    return sentences;
+}
+
+TEST(StepSentence, saysWhatSamplingMethodsDid) {
+    const ViewRay ray{0.5, 0.5, 8, 0};
+    const auto layers = said({"layers", {{"layers", "4"}}}, ray);
+    ASSERT_EQ(layers.size(), 4U);
+    EXPECT_EQ(layers[0], "Start: the ray enters the slab through its top plane, in texel (0,0).");
+    EXPECT_EQ(layers[2],
+              "Layer 1 of 4: the ray is at 0.750, the surface under it at 0.250: still above, on to the next layer.");
+    EXPECT_EQ(layers[3],
+              "Layer 2 of 4: the ray is at 0.500, the surface at 0.750: no longer above it. Hit, placed at height "
+              "0.500, at (4.50, 0.50).");
+    const auto offset = said({"offset", {}}, ray);
+    ASSERT_EQ(offset.size(), 2U);
+    EXPECT_EQ(offset[1],
+              "One height is read, where the ray enters: 0.250. The ray is taken straight to height 0.250, at (6.50, "
+              "0.50), without a look at what lies between.");
+    const auto secant = said({"layers-secant", {{"layers", "4"}}}, ray);
+    ASSERT_EQ(secant.size(), 5U);
+    EXPECT_EQ(secant[3],
+              "Between heights 0.750 and 0.500 the ray goes below the surface: a straight line between the two layers "
+              "puts the crossing at height 0.583.");
+    const auto halved = said({"layers-bisection", {{"layers", "4"}, {"bisections", "2"}}}, ray);
+    ASSERT_EQ(halved.size(), 6U);
+    EXPECT_EQ(halved[3],
+              "Half way, at height 0.625, the surface is at 0.250: the ray is still above it, the crossing lies "
+              "between 0.625 and 0.500.");
+    EXPECT_EQ(halved[4],
+              "Half way, at height 0.562, the surface is at 0.750: the ray is no longer above it, the crossing lies "
+              "between 0.625 and 0.562.");
 }
 
 TEST(StepSentence, saysTheSkipOfTheSketch) {
@@ -43,13 +104,12 @@ TEST(StepSentence, everyDecisionInBothLanguagesWithNoValueLeftOpen) {
                     for (const auto before : {std::optional<Decision>{}, std::optional{Decision::Start}}) {
                         Step s = step(static_cast<Decision>(d));
                         s.phase = phase;
-                        const Message message = stepSentence(s, {hierarchy, before, ray});
-                        for (const Language language : {Language::English, Language::Ukrainian}) {
-                            const std::string text = sentence(message, language);
-                            EXPECT_FALSE(text.empty());
-                            EXPECT_EQ(text.find('{'), std::string::npos) << text;
+                        for (const Primitive primitive : {Primitive::Texel, Primitive::Point}) {
+                            s.primitive = primitive;
+                            for (const int layers : {0, 50}) {
+                                expectSaid(stepSentence(s, {hierarchy, before, ray, layers}));
+                            }
                         }
-                        EXPECT_NE(sentence(message), sentence(message, Language::Ukrainian));
                     }
                 }
             }
