@@ -127,6 +127,14 @@ RayBlock parseRays(std::string_view text, const std::string& fileName) {
     return rays;
 }
 
+ViewRay parseRayText(const std::string& text, const std::string& option) {
+    try {
+        return parseRay(text, option, 1);
+    } catch (const InputError&) {
+        throw InputError(option, Message(MessageId::NotARay, {{"text", quoted(text)}}));
+    }
+}
+
 std::string_view outcomeName(Outcome outcome) {
     switch (outcome) {
         case Outcome::Hit:

@@ -19,6 +19,8 @@ inline constexpr std::string_view kStepsHeader =
 // Header first, then one ray a line. fileName: for messages. Throws InputError with the line's number: another header,
 // not four numbers, a number that is not finite. Blank lines are accepted at the end only.
 RayBlock parseRays(std::string_view text, const std::string& fileName);
+// One ray as on the command line, "s0,t0,a,b"; throws InputError naming the option.
+ViewRay parseRayText(const std::string& text, const std::string& option);
 
 // "hit", "miss", "limit"; a ray that was never asked for (a pixel without polygon) is a miss.
 std::string_view outcomeName(Outcome outcome);

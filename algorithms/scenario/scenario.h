@@ -99,5 +99,7 @@ FrameRequest frameRequest(const Scenario& scenario, const Assets& assets);
 
 // The relief trace command of the scenario's chosen pixel, quoted for a shell.
 std::string traceCommand(const Scenario& scenario);
+// The one that traces this ray over the scenario's heights with its method; the view does not matter.
+std::string traceCommand(const Scenario& scenario, const ViewRay& ray);
 
 }  // namespace relief

@@ -17,14 +17,15 @@ std::string triple(const glm::dvec3& v) {
     return numberText(v.x) + "," + numberText(v.y) + "," + numberText(v.z);
 }
 
-}  // namespace
+void addFlag(std::string& line, const std::string& flag, const std::string& value) {
+    line += " " + flag + " " + quoted(value);
+}
 
-std::string traceCommand(const Scenario& scenario) {
+// "relief trace" with heights and method.
+std::string commandBegin(const Scenario& scenario) {
     const Scenario defaults;
     std::string line = "relief trace";
-    const auto add = [&](const std::string& flag, const std::string& value) {
-        line += " " + flag + " " + quoted(value);
-    };
+    const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
     const Pictures& pictures = scenario.pictures;
     if (!pictures.height.empty()) {
         add("--height", pictures.height);
@@ -40,6 +41,14 @@ std::string traceCommand(const Scenario& scenario) {
     if (scenario.reliefDepth != defaults.reliefDepth) add("--relief-depth", numberText(scenario.reliefDepth));
     if (scenario.address != defaults.address) add("--address", std::string(addressName(scenario.address)));
     if (scenario.surface != defaults.surface) add("--surface", std::string(surfaceName(scenario.surface)));
+    return line;
+}
+
+}  // namespace
+
+std::string traceCommand(const Scenario& scenario) {
+    std::string line = commandBegin(scenario);
+    const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
     add("--scene", std::string(sceneName(scenario.scene)));
     const Camera& camera = scenario.camera;
     if (camera.kind == Camera::Kind::Orbit && camera.target == glm::dvec3(0)) {
@@ -55,6 +64,13 @@ std::string traceCommand(const Scenario& scenario) {
     add("--size", std::to_string(scenario.width) + "x" + std::to_string(scenario.height));
     const PixelChoice pixel = scenario.pixel.value_or(PixelChoice{});
     add("--pixel", std::to_string(pixel.x) + "," + std::to_string(pixel.y));
+    return line;
+}
+
+std::string traceCommand(const Scenario& scenario, const ViewRay& ray) {
+    std::string line = commandBegin(scenario);
+    addFlag(line, "--ray",
+            numberText(ray.s0) + "," + numberText(ray.t0) + "," + numberText(ray.a) + "," + numberText(ray.b));
     return line;
 }
 

@@ -1,4 +1,5 @@
-// relief trace --height FILE --tracer NAME (--rays FILE.csv | --pixel X,Y ...) [-o HITS.csv] [--steps FILE.csv|json]
+// relief trace --height FILE --tracer NAME (--rays FILE.csv | --ray S0,T0,A,B ... | --pixel X,Y ...) [-o HITS.csv]
+// [--steps FILE.csv|json]
 #include <algorithm>
 
 #include "options_common.h"
@@ -16,7 +17,7 @@ constexpr std::size_t kLoggedBlock = 4096;
 struct TraceOptions {
     ScenarioOptions scenario;
     OptionText rays, output, steps;
-    std::vector<std::string> pixels;
+    std::vector<std::string> single, pixels;
     RunOptions run;
 };
 
@@ -35,6 +36,13 @@ Asked raysOfFile(const std::string& path, Session& session) {
     const bool standardInput = path == "-";
     const std::string text = standardInput ? readStandardInput(session.stop()) : readTextFile(path);
     asked.rays = parseRays(text, standardInput ? "standard input" : path);
+    asked.answers = asked.rays.size();
+    return asked;
+}
+
+Asked raysOfTexts(const std::vector<std::string>& texts) {
+    Asked asked;
+    for (const std::string& text : texts) asked.rays.push(parseRayText(text, "--ray"));
     asked.answers = asked.rays.size();
     return asked;
 }
@@ -100,26 +108,37 @@ void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bo
     output.write(text);
 }
 
+void refuseTwoSources(const TraceOptions& options) {
+    const auto refuse = [](const std::string& one, const std::string& other) {
+        throw InputError(one, Message(MessageId::ArgumentsExclude, {{"other", other}}));
+    };
+    if (options.rays && !options.pixels.empty()) refuse("--rays", "--pixel");
+    if (options.rays && !options.single.empty()) refuse("--rays", "--ray");
+    if (!options.single.empty() && !options.pixels.empty()) refuse("--ray", "--pixel");
+}
+
 int runTrace(const TraceOptions& options, Session& session) {
     options.run.apply(session);
     const std::string output = options.output.value_or("-");
     if (output != "-") checkOutputFolder(output);
     if (options.steps) checkOutput(*options.steps, {"csv", "json"});
-    if (options.rays && !options.pixels.empty()) {
-        throw InputError("--rays", Message(MessageId::ArgumentsExclude, {{"other", "--pixel"}}));
-    }
+    refuseTwoSources(options);
     Scenario scenario = options.scenario.scenario();
     // Only the heights matter to a ray.
     scenario.pictures.color.clear();
     scenario.pictures.normal.clear();
-    const std::vector<PixelChoice> pixels = options.rays ? std::vector<PixelChoice>{} : chosenPixels(options, scenario);
+    const bool given = options.rays || !options.single.empty();
+    const std::vector<PixelChoice> pixels = given ? std::vector<PixelChoice>{} : chosenPixels(options, scenario);
+    const Asked single = raysOfTexts(options.single);
 
     Work& work = session.work();
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work);
     noteHeights(session, assets, scenario);
     const FrameRequest request = frameRequest(scenario, assets);
-    const Asked asked = options.rays ? raysOfFile(*options.rays, session) : raysOfPixels(pixels, request);
+    const Asked asked = options.rays              ? raysOfFile(*options.rays, session)
+                        : !options.single.empty() ? single
+                                                  : raysOfPixels(pixels, request);
 
     MapCache maps;
     const auto tracer = makeTracer(scenario.method, request.field, maps, work);
@@ -148,10 +167,11 @@ void addTraceCommand(CLI::App& program, Commands& commands) {
         "Answers where rays meet the relief: one line a ray, in the order given, with the header "
         "outcome,lambda,s,t,steps. The outcome is hit, miss or limit; lambda is the descent (0 the top plane, 1 the "
         "bottom), s and t are texels. Rays come from a file with the header s0,t0,a,b (where the ray enters the top "
-        "plane, its run a unit of descent, texels), or are those of pixels of a view.",
+        "plane, its run a unit of descent, texels), from the command line, or are those of pixels of a view.",
         "  relief trace --height heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv");
     options->scenario.add(*parser, ScenarioOptions::Look::No);
     addText(*parser, "--rays", options->rays, "FILE.csv", "rays, header s0,t0,a,b; - for standard input", "Rays");
+    addTexts(*parser, "--ray", options->single, "S0,T0,A,B", "one ray; may be repeated", "Rays");
     addTexts(*parser, "--pixel", options->pixels, "X,Y",
              "the ray of this pixel of the view, 0,0 at the top left; may be repeated. A pixel that sees no polygon is "
              "a miss",

@@ -86,6 +86,19 @@ TEST_P(TraceTest, LineEndsMarksAndStandardInput) {
     EXPECT_EQ(read("hits.csv"), expected);
 }
 
+TEST_P(TraceTest, RaysOfTheCommandLine) {
+    const std::string field = height();
+    const std::string rays = write("rays.csv", "s0,t0,a,b\n-1000.5,1e3,1e5,3e-1\n5,5,1e-310,-0\n");
+    const std::string expected = runFine({"trace", "--height", field, "--rays", rays});
+    EXPECT_EQ(runFine({"trace", "--height", field, "--ray", "-1000.5,1e3,1e5,3e-1", "--ray", "5,5,1e-310,-0"}),
+              expected);
+    for (const std::string wrong : {"1,2,3", "1,2,3,4,5", "1,2,3,nan", "1,2,3,1e999", "1,2,3,x", ""}) {
+        expectRefusal({"trace", "--height", field, "--ray", wrong}, 2, {"--ray", "S0,T0,A,B"});
+    }
+    expectRefusal({"trace", "--height", field, "--ray", "1,2,3,4", "--pixel", "1,1"}, 2, {"--ray", "--pixel"});
+    expectRefusal({"trace", "--height", field, "--ray", "1,2,3,4", "--rays", rays}, 2, {"--ray", "--rays"});
+}
+
 TEST_P(TraceTest, BadRaysAreNamedByLine) {
     const std::string field = height();
     write("hits.csv", "old\n");

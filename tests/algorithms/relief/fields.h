@@ -4,33 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "images/reliefs.h"
+#include "measuring/random_rays.h"
 #include "relief/tracers.h"
 
 namespace relief::test {
-
-// splitmix64 (Steele, Lea, Flood 2014).
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t bits() {
-        state_ += 0x9e3779b97f4a7c15ULL;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31U);
-    }
-    double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
-    double between(double low, double high) { return low + (high - low) * unit(); }
-    int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
-
-  private:
-    std::uint64_t state_;
-};
 
 using Heights = std::shared_ptr<const FloatImage>;
 
@@ -47,23 +28,6 @@ inline Heights randomHeights(int width, int height, std::uint64_t seed) {
 
 inline Heights constantHeights(int width, int height, float value) {
     return share(FloatImage(width, height, value));
-}
-
-// Entry uniform over the picture, azimuth uniform, elevation uniform in [lowest, 90] degrees over a slab of
-// reliefDepth texture widths.
-inline ViewRay randomRay(Random& random, const HeightField& field, double lowestElevation) {
-    const double azimuth = random.between(0, 2 * std::numbers::pi);
-    const double elevation = random.between(lowestElevation, 90) * std::numbers::pi / 180;
-    const double run = field.slabTexels() / std::tan(elevation);
-    return {random.between(0, field.width()), random.between(0, field.height()), run * std::cos(azimuth),
-            run * std::sin(azimuth)};
-}
-
-inline RayBlock randomRays(std::uint64_t seed, const HeightField& field, std::size_t count, double lowestElevation) {
-    Random random(seed);
-    RayBlock rays(count);
-    for (std::size_t i = 0; i < count; ++i) rays.set(i, randomRay(random, field, lowestElevation));
-    return rays;
 }
 
 inline const std::vector<Surface>& allSurfaces() {
