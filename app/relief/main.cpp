@@ -79,6 +79,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addRenderCommand(program, commands);
     addTraceCommand(program, commands);
     addCompareCommand(program, commands);
+    addStressCommand(program, commands);
 }
 
 int parseAndRun(int count, char** arguments, Session& session) {

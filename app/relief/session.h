@@ -62,5 +62,6 @@ void addListCommand(CLI::App& program, Commands& commands);
 void addRenderCommand(CLI::App& program, Commands& commands);
 void addTraceCommand(CLI::App& program, Commands& commands);
 void addCompareCommand(CLI::App& program, Commands& commands);
+void addStressCommand(CLI::App& program, Commands& commands);
 
 }  // namespace relief::app

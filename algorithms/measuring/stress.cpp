@@ -1,0 +1,180 @@
+#include "measuring/stress.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <thread>
+
+#include "images/files.h"
+#include "measuring/stress_case.h"
+#include "scenario/scenario.h"
+
+namespace relief {
+
+namespace {
+
+using namespace stress_detail;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kLookEvery{100};
+// Violations listed of one method and check: one fault would push out all others.
+constexpr std::size_t kListedAlike = 5;
+
+double secondsSince(Clock::time_point begun) {
+    return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+std::vector<MethodGroup> grouped(const std::vector<MeasuredMethod>& methods) {
+    std::vector<MethodGroup> groups;
+    for (const MeasuredMethod& method : methods) {
+        const auto group = std::find_if(groups.begin(), groups.end(),
+                                        [&](const MethodGroup& g) { return g.name == method.choice.name; });
+        if (group == groups.end()) {
+            groups.push_back({method.choice.name, {method}});
+        } else {
+            group->forms.push_back(method);
+        }
+    }
+    return groups;
+}
+
+// The command; the map is written where no recipe makes it.
+std::string reproduction(const Case& of, const MethodChoice& method, const ViewRay& ray, const StressOptions& options) {
+    Scenario scenario;
+    Pictures& pictures = scenario.pictures;
+    if (of.made.recipe.empty()) {
+        const std::string name = "stress_" + std::to_string(options.seed) + "_" + std::to_string(of.number) + ".exr";
+        pictures.height = options.folder == "." ? name : options.folder + "/" + name;
+        pictures.reading.range.kind = HeightRange::Kind::Full;
+        writeHeight(pictures.height, of.field.heights(), true);
+    } else {
+        pictures.recipe = of.made.recipe;
+        pictures.recipeWidth = of.field.width();
+        pictures.recipeHeight = of.field.height();
+        pictures.seed = of.made.recipeSeed;
+    }
+    scenario.reliefDepth = of.field.reliefDepth();
+    scenario.address = of.field.address();
+    scenario.surface = of.field.surface();
+    scenario.method = method;
+    return traceCommand(scenario, ray);
+}
+
+class StressRun {
+  public:
+    StressRun(const StressOptions& options, Work& work)
+        : options_(options),
+          groups_(grouped(options.methods.empty() ? methodVariants() : options.methods)),
+          watched_(static_cast<std::size_t>(std::max(1, work.arena().max_concurrency()))),
+          work_(work) {}
+
+    StressReport run() {
+        work_.progress().begin("stress", static_cast<std::int64_t>(options_.seconds * 1000));
+        std::jthread watch([this](const std::stop_token& end) { watchOver(end); });
+        {
+            std::vector<std::jthread> workers;
+            for (Watched& watched : watched_) workers.emplace_back([this, &watched] { workOn(watched); });
+        }
+        watch.request_stop();
+        watch.join();
+        if (failure_) std::rethrow_exception(failure_);
+        report_.seconds = secondsSince(begun_);
+        report_.interrupted = work_.stopped();
+        for (auto& [number, result] : results_) add(number, result);
+        return std::move(report_);
+    }
+
+  private:
+    void workOn(Watched& watched) {
+        try {
+            while (!work_.stopped() && !failed_) {
+                const std::uint64_t number = next_.fetch_add(1);
+                if (number >= kStressCasesAtLeast && secondsSince(begun_) >= options_.seconds) return;
+                CaseResult result = runCase(makeCase(options_.seed, number), options_.seed, groups_, watched, work_);
+                const std::lock_guard lock(mutex_);
+                results_[number] = std::move(result);
+            }
+        } catch (const Cancelled&) {
+            // The report says so.
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            if (!failed_.exchange(true)) failure_ = std::current_exception();
+        }
+    }
+
+    void watchOver(const std::stop_token& end) {
+        std::mutex mutex;
+        std::condition_variable_any wake;
+        std::unique_lock lock(mutex);
+        bool told = false;
+        std::int64_t shown = 0;
+        while (!wake.wait_for(lock, end, kLookEvery, [&] { return end.stop_requested(); })) {
+            const auto now = static_cast<std::int64_t>(std::min(secondsSince(begun_), options_.seconds) * 1000);
+            work_.progress().advance(now - std::exchange(shown, now));
+            for (Watched& watched : watched_) {
+                watched.look([&](const Running& running) {
+                    if (told || !options_.onHang || secondsSince(running.since) < options_.hangSeconds) return;
+                    told = true;
+                    const MethodChoice& method = running.method->choice;
+                    options_.onHang({{"hang", "no answer for " + numberText(options_.hangSeconds) + " s"},
+                                     methodText(method),
+                                     std::string(running.rays),
+                                     running.of->map,
+                                     reproduction(*running.of, method, running.ray, options_)});
+                });
+            }
+        }
+    }
+
+    void add(std::uint64_t number, CaseResult& result) {
+        ++report_.cases;
+        ++report_.maps[result.map];
+        report_.sizes.insert(result.size);
+        report_.violationCount += result.violations;
+        for (auto& [name, part] : result.methods) {
+            StressMethodCoverage& whole = report_.methods[name];
+            for (const auto& [family, rays] : part.rays) whole.rays[family] += rays;
+            whole.forms.merge(part.forms);
+            whole.logs += part.logs;
+            if (part.worstBound > whole.worstBound) {
+                whole.worstBound = part.worstBound;
+                whole.worstWhere = part.worstWhere;
+            }
+        }
+        for (const Found& found : result.found) {
+            if (report_.violations.size() == options_.listed) return;
+            if (alike_[found.method.name + " " + found.fault.check]++ >= kListedAlike) continue;
+            report_.violations.push_back(
+                {found.fault, methodText(found.method), std::string(found.rays), result.map,
+                 reproduction(makeCase(options_.seed, number), found.method, found.ray, options_)});
+        }
+    }
+
+    const StressOptions& options_;
+    std::vector<MethodGroup> groups_;
+    std::deque<Watched> watched_;
+    Work& work_;
+    Clock::time_point begun_ = Clock::now();
+    std::atomic<std::uint64_t> next_{0};
+    std::mutex mutex_;
+    std::map<std::uint64_t, CaseResult> results_;
+    std::atomic<bool> failed_{false};
+    std::exception_ptr failure_;
+    StressReport report_;
+    std::map<std::string, std::size_t> alike_;
+};
+
+}  // namespace
+
+std::uint64_t StressMethodCoverage::total() const {
+    std::uint64_t sum = 0;
+    for (const auto& [family, count] : rays) sum += count;
+    return sum;
+}
+
+StressReport stress(const StressOptions& options, Work& work) {
+    return StressRun(options, work).run();
+}
+
+}  // namespace relief

@@ -1,0 +1,46 @@
+// Height maps and rays that break tracers: families with a name each, seeded. What relief stress runs through.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "measuring/random_rays.h"
+#include "relief/height_field.h"
+
+namespace relief {
+
+// A map and how the command line names it.
+struct StressMap {
+    std::shared_ptr<const FloatImage> heights;
+    std::string recipe;  // of images/reliefs.h; empty: only a file can hold it
+    std::uint64_t recipeSeed = 0;
+};
+
+struct StressMapFamily {
+    std::string_view name;
+    // Heights in [0, 1] of that size, at least 1 x 1.
+    StressMap (*make)(int width, int height, Random& random);
+};
+// All zero, all one, one level, denormal heights, a spike, a pit, needles, checkers, plateaus, heights one rounding
+// apart, noise, ramps, extremes side by side, and the recipes.
+const std::vector<StressMapFamily>& stressMapFamilies();
+
+struct StressSize {
+    int width;
+    int height;
+};
+// From 1 x 1 to 16384 x 3.
+const std::vector<StressSize>& stressSizes();
+
+struct StressRayFamily {
+    std::string_view name;
+    int rays;   // of a case
+    int every;  // in each n-th case: rays that take long are rarer
+    ViewRay (*make)(const HeightField& field, Random& random);
+};
+// Finite rays; flat ones up to the domain's limit (kMaxRun) and beyond.
+const std::vector<StressRayFamily>& stressRayFamilies();
+
+}  // namespace relief

@@ -1,0 +1,101 @@
+// relief stress [--seconds N] [--seed S] [-o FOLDER]
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "measuring/stress.h"
+#include "options_common.h"
+#include "output.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr int kViolated = 1;
+constexpr double kSecondsAtMost = 30.0 * 24 * 3600;
+
+struct StressCommandOptions {
+    OptionText seconds, seed, folder, tracers;
+    RunOptions run;
+};
+
+double parseSeconds(const std::string& text) {
+    const double seconds = parseNumber(text, "--seconds");
+    if (!(seconds >= 0 && seconds <= kSecondsAtMost)) {
+        throw InputError("--seconds", Message(MessageId::NumberOutOfRange,
+                                              {{"value", text}, {"range", "0 to " + numberText(kSecondsAtMost)}}));
+    }
+    return seconds;
+}
+
+// Only these methods, in the forms given; a plain name stands for all its forms.
+std::vector<MeasuredMethod> chosenMethods(const std::string& text) {
+    std::vector<MeasuredMethod> chosen;
+    for (const std::string& part : splitText(text, ',')) {
+        const MethodChoice choice = parseMethodChoice(part, "--tracers");
+        if (!choice.options.empty()) {
+            chosen.push_back(measuredMethod(choice));
+            continue;
+        }
+        for (MeasuredMethod& method : methodVariants()) {
+            if (method.choice.name == choice.name) chosen.push_back(std::move(method));
+        }
+    }
+    return chosen;
+}
+
+int runStress(const StressCommandOptions& given, Session& session) {
+    given.run.apply(session);
+    StressOptions options;
+    if (given.seconds) options.seconds = parseSeconds(*given.seconds);
+    if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
+    if (given.tracers) options.methods = chosenMethods(*given.tracers);
+    if (given.folder) {
+        options.folder = *given.folder;
+        if (!std::filesystem::is_directory(options.folder)) {
+            throw WorkError(options.folder, Message(MessageId::OutputFolderMissing, {{"folder", options.folder}}));
+        }
+    }
+    options.onHang = [&session, &options](const StressViolation& violation) {
+        sayLine(
+            sentence(Message(MessageId::StressHang, {{"seconds", options.hangSeconds}, {"command", violation.command}}),
+                     session.language()));
+        // The tracer holds its thread: nothing can be ended in order.
+        _exit(kViolated);
+    };
+    const StressReport report = stress(options, session.work());
+    session.eraseBar();
+    // Interrupted, what was covered is still worth reading.
+    writeStandardOutput(stressText(report, options.seed));
+    if (report.violationCount > 0) {
+        sayLine(sentence(Message(MessageId::StressViolations, {{"count", report.violationCount}}), session.language()));
+        return kViolated;
+    }
+    if (report.interrupted) throw Cancelled();
+    return 0;
+}
+
+}  // namespace
+
+void addStressCommand(CLI::App& program, Commands& commands) {
+    auto options = std::make_shared<StressCommandOptions>();
+    CLI::App* parser = addCommand(
+        program, "stress", "look for rays and maps that break a tracer",
+        "Runs every tracer, with its options at their ends, over maps and rays that are hard to get right (grazing to "
+        "the domain's limit and beyond, along and through cell borders, huge and denormal numbers, far starts, "
+        "plateaus at the ray's height, spikes, sizes from 1 x 1 to 16384 x 3) and holds each to what it promises: no "
+        "NaN, no more steps than stated, no miss where nothing can be missed, exact methods bit for bit, conservative "
+        "ones never too late, the same answer with and without a log. The cases hang on the seed alone. Each "
+        "violation is a line that ends with the command that shows it; the exit status is then 1.",
+        "  relief stress --seconds 60 --seed 7");
+    addText(*parser, "--seconds", options->seconds, "N", "how long, default 20", "Run");
+    addText(*parser, "--seed", options->seed, "S", "of maps and rays, default 1", "Run");
+    addText(*parser, "--tracers", options->tracers, "NAME,...",
+            "only these methods; NAME:OPTION=VALUE for one form of a method; default: all in all forms", "Run");
+    addText(*parser, "-o,--output", options->folder, "FOLDER",
+            "where maps that no recipe makes are written if they break a tracer; default: here", "Output");
+    options->run.add(*parser);
+    commands.push_back({parser, [options](Session& session) { return runStress(*options, session); }});
+}
+
+}  // namespace relief::app
