@@ -61,6 +61,19 @@ struct AxisCell {
     std::int64_t base = 0;
 };
 
+// To the neighbour on that side; false: there is none (clamp, border), the cell stays as it is.
+inline bool stepCell(const GridAxis& axis, int side, AxisCell& cell) {
+    const int next = cell.index + side;
+    if (next >= 0 && next < axis.cells) {
+        cell.index = next;
+        return true;
+    }
+    if (!axis.wraps) return false;
+    cell.base += side * static_cast<std::int64_t>(axis.cells);
+    cell.index = side > 0 ? 0 : axis.cells - 1;
+    return true;
+}
+
 // A coordinate taken into [0, size), the first period.
 inline double reduceToPeriod(double x, double size) {
     if (x >= 0 && x < size) return x;
@@ -115,6 +128,28 @@ struct RayAxis {
             cell.base = -axis.cells;
         }
         cell.index = static_cast<int>(index);
+        return cell;
+    }
+
+    // The cell in which the ray is at and just after lambda: a guess from the position, set right by the comparisons
+    // that every walk makes.
+    AxisCell cellAt(const GridAxis& axis, double lambda) const {
+        if (side == 0 || !(lambda > 0)) return startCell(axis);
+        const double place = std::floor(start + lambda * run);
+        AxisCell cell;
+        if (axis.wraps) {
+            cell.base = static_cast<std::int64_t>(std::floor(place / axis.cells)) * axis.cells;
+            cell.index = static_cast<int>(place - static_cast<double>(cell.base));
+        } else {
+            cell.index = static_cast<int>(std::clamp(place, 0.0, axis.cells - 1.0));
+        }
+        constexpr int kRepairs = 4;  // the guess is a cell off at most
+        for (int n = 0; n < kRepairs && leave(axis, cell.index, cell.index + 1, cell.base) <= lambda; ++n) {
+            if (!stepCell(axis, side, cell)) return cell;
+        }
+        for (int n = 0; n < kRepairs && enter(axis, cell.index, cell.index + 1, cell.base) > lambda; ++n) {
+            if (!stepCell(axis, -side, cell)) return cell;
+        }
         return cell;
     }
 };

@@ -84,9 +84,9 @@ double parseNumber(std::string_view text, const std::string& subject);
 // Checks the text against kind, range and choices; throws InputError naming the option.
 void checkOption(const OptionDescription& option, const std::string& text);
 
-// Checks the text and puts its value into the member.
+// Checks the text and puts its value into the member. Not inlined: see optionText.
 template <class Options>
-void assignOption(const OptionField<Options>& field, const std::string& text, Options& options) {
+[[gnu::noinline]] void assignOption(const OptionField<Options>& field, const std::string& text, Options& options) {
     checkOption(field.description, text);
     if (const auto* integer = std::get_if<int Options::*>(&field.member)) {
         options.*(*integer) = static_cast<int>(parseNumber(text, field.description.name));
@@ -97,12 +97,21 @@ void assignOption(const OptionField<Options>& field, const std::string& text, Op
     }
 }
 
+// Options of a method inside another one: "inner.layers".
+inline constexpr std::string_view kInnerPrefix = "inner.";
+
 // The plain struct from what was given; unknown names and values out of range are errors.
 template <class Options>
 Options parseOptions(const std::string& method, const OptionValues& values) {
     Options options;
     const auto fields = Options::fields();
     for (const auto& [name, text] : values) {
+        if constexpr (requires { options.innerOptions; }) {
+            if (name.starts_with(kInnerPrefix)) {
+                options.innerOptions[name.substr(kInnerPrefix.size())] = text;
+                continue;
+            }
+        }
         const OptionField<Options>* found = nullptr;
         std::string known;
         for (const auto& field : fields) {

@@ -35,9 +35,16 @@ class ExactTracer {
 
     template <class Sink>
     Hit trace(const ViewRay& ray, Sink& sink) const {
-        return field_.surface() == Surface::Bilinear ? walk<Surface::Bilinear>(ray, sink)
-                                                     : walk<Surface::Columns>(ray, sink);
+        return field_.surface() == Surface::Bilinear ? walk<Surface::Bilinear, true>(ray, {}, sink)
+                                                     : walk<Surface::Columns, true>(ray, {}, sink);
     }
+    // The cells of a segment that begins and ends on their borders.
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return field_.surface() == Surface::Bilinear ? walk<Surface::Bilinear, false>(ray, segment, sink)
+                                                     : walk<Surface::Columns, false>(ray, segment, sink);
+    }
+    double segmentRecords() const { return 3; }
 
     const HeightField& field() const { return field_; }
     std::size_t bytes() const { return 0; }
@@ -45,33 +52,20 @@ class ExactTracer {
     double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 3; }
 
   private:
-    template <Surface kSurface, class Sink>
-    Hit walk(const ViewRay& viewRay, Sink& sink) const;
+    // kWhole: the whole ray, with records of its start and of a miss.
+    template <Surface kSurface, bool kWhole, class Sink>
+    Hit walk(const ViewRay& viewRay, Segment segment, Sink& sink) const;
 
     HeightField field_;
     CellGrid grid_;
 };
 
-namespace exact_detail {
-
-// To the neighbour in the ray's direction; false: there is none (border).
-inline bool moveOn(const GridAxis& axis, int side, AxisCell& cell) {
-    cell.index += side;
-    if (cell.index >= 0 && cell.index < axis.cells) return true;
-    if (!axis.wraps) return false;
-    cell.base += side * static_cast<std::int64_t>(axis.cells);
-    cell.index = side > 0 ? 0 : axis.cells - 1;
-    return true;
-}
-
-}  // namespace exact_detail
-
-template <Surface kSurface, class Sink>
-Hit ExactTracer::walk(const ViewRay& viewRay, Sink& sink) const {
+template <Surface kSurface, bool kWhole, class Sink>
+Hit ExactTracer::walk(const ViewRay& viewRay, Segment segment, Sink& sink) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);
     const GridRay ray(grid_, viewRay);
-    AxisCell cx = ray.x.startCell(grid_.x);
-    AxisCell cy = ray.y.startCell(grid_.y);
+    AxisCell cx = ray.x.cellAt(grid_.x, segment.in);
+    AxisCell cy = ray.y.cellAt(grid_.y, segment.in);
     const auto record = [&](Decision decision, double in, double out, double after) {
         return [&, decision, in, out, after] {
             Step step;
@@ -88,12 +82,14 @@ Hit ExactTracer::walk(const ViewRay& viewRay, Sink& sink) const {
             return step;
         };
     };
-    sink.step(record(Decision::Start, 0, 0, 0));
-    if (ray.entersOutside(grid_)) {
-        sink.step(record(Decision::Miss, 0, 0, 0));
-        return Hit::none(Outcome::Miss);
+    if constexpr (kWhole) {
+        sink.step(record(Decision::Start, 0, 0, 0));
+        if (ray.entersOutside(grid_)) {
+            sink.step(record(Decision::Miss, 0, 0, 0));
+            return Hit::none(Outcome::Miss);
+        }
     }
-    double lambda = 0;
+    double lambda = segment.in;
     for (double left = ray.cellBound(); left > 0; --left) {
         const double outX = ray.x.leave(grid_.x, cx.index, cx.index + 1, cx.base);
         const double outY = ray.y.leave(grid_.y, cy.index, cy.index + 1, cy.base);
@@ -107,13 +103,14 @@ Hit ExactTracer::walk(const ViewRay& viewRay, Sink& sink) const {
         lambda = out;
         const AxisCell lastX = cx;
         const AxisCell lastY = cy;
-        bool inside = out < 1;
-        if (outX <= outY) inside = exact_detail::moveOn(grid_.x, ray.x.side, cx) && inside;
-        if (outY <= outX) inside = exact_detail::moveOn(grid_.y, ray.y.side, cy) && inside;
+        bool inside = out < segment.out;
+        if (inside && outX <= outY) inside = stepCell(grid_.x, ray.x.side, cx);
+        if (inside && outY <= outX) inside = stepCell(grid_.y, ray.y.side, cy);
         if (!inside) {
             cx = lastX;
             cy = lastY;
-            sink.step(record(Decision::Miss, std::min(out, 1.0), std::min(out, 1.0), std::min(out, 1.0)));
+            const double end = std::min(out, 1.0);
+            if constexpr (kWhole) sink.step(record(Decision::Miss, end, end, end));
             return Hit::none(Outcome::Miss);
         }
     }

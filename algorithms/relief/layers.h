@@ -68,7 +68,18 @@ class LayersTracerOf {
     LayersTracerOf(HeightField field, Options options) : field_(std::move(field)), options_(options) {}
 
     template <class Sink>
-    Hit trace(const ViewRay& ray, Sink& sink) const;
+    Hit trace(const ViewRay& ray, Sink& sink) const {
+        if (!ray.finite()) return Hit::none(Outcome::Miss);
+        const SampledSurface surface(field_, ray);
+        sink.step([&] { return surface.record(Phase::Start, Decision::Start, 0, 0, 1, 0); });
+        return search(ray, surface, {}, true, sink);
+    }
+    // The same distance between layers, counted from the segment's begin; its end is looked at, too.
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return search(ray, SampledSurface(field_, ray), segment, false, sink);
+    }
+    double segmentRecords() const { return 3.0 + options_.bisections; }
 
     const HeightField& field() const { return field_; }
     std::size_t bytes() const { return 0; }
@@ -79,6 +90,8 @@ class LayersTracerOf {
         double above, gapAbove;  // the last layer above the surface, and how far (negative)
         double below, gapBelow;  // the first one not above
     };
+    template <class Sink>
+    Hit search(const ViewRay& ray, const SampledSurface& surface, Segment segment, bool whole, Sink& sink) const;
     template <class Sink>
     double refined(const SampledSurface& surface, Bracket bracket, Sink& sink) const;
 
@@ -119,33 +132,33 @@ double LayersTracerOf<kRefinement>::refined(const SampledSurface& surface, Brack
 
 template <LayerRefinement kRefinement>
 template <class Sink>
-Hit LayersTracerOf<kRefinement>::trace(const ViewRay& ray, Sink& sink) const {
-    if (!ray.finite()) return Hit::none(Outcome::Miss);
-    const SampledSurface surface(field_, ray);
-    sink.step([&] { return surface.record(Phase::Start, Decision::Start, 0, 0, 1, 0); });
-    double above = 0;
+Hit LayersTracerOf<kRefinement>::search(const ViewRay& ray, const SampledSurface& surface, Segment segment, bool whole,
+                                        Sink& sink) const {
+    double above = segment.in;
     double gapAbove = 0;
     for (int n = 0; n <= options_.layers; ++n) {
-        const double lambda = static_cast<double>(n) / options_.layers;
+        const double lambda = std::min(segment.in + static_cast<double>(n) / options_.layers, segment.out);
+        const auto record = [&](Decision decision, double height, double after) {
+            return surface.record(Phase::Search, decision, above, lambda, height, after);
+        };
         if (!surface.inside(lambda)) {
-            sink.step([&] { return surface.record(Phase::Search, Decision::Miss, above, lambda, 0, lambda); });
+            if (whole) sink.step([&] { return record(Decision::Miss, 0, lambda); });
             return Hit::none(Outcome::Miss);
         }
         const double gap = surface.gapAt(lambda);
         sink.read(surface.readsEach());
         // At the bottom of the slab nothing is left below the ray, whatever rounding says.
-        if (gap >= 0 || n == options_.layers) {
-            const double hit = n == 0 ? 0.0 : refined(surface, {above, gapAbove, lambda, std::max(gap, 0.0)}, sink);
-            sink.step(
-                [&] { return surface.record(Phase::Search, Decision::Hit, above, lambda, gap + 1 - lambda, hit); });
+        if (gap >= 0 || lambda >= 1) {
+            const double hit = n == 0 ? lambda : refined(surface, {above, gapAbove, lambda, std::max(gap, 0.0)}, sink);
+            sink.step([&] { return record(Decision::Hit, gap + 1 - lambda, hit); });
             return Hit::at(ray, hit);
         }
-        sink.step(
-            [&] { return surface.record(Phase::Search, Decision::Advance, above, lambda, gap + 1 - lambda, lambda); });
+        sink.step([&] { return record(Decision::Advance, gap + 1 - lambda, lambda); });
         above = lambda;
         gapAbove = gap;
+        if (lambda >= segment.out) break;
     }
-    return Hit::none(Outcome::Limit);
+    return Hit::none(Outcome::Miss);
 }
 
 }  // namespace relief

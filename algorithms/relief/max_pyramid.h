@@ -3,8 +3,8 @@
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing; any ray that descends.
 // Model: a node whose maximum is below the ray all along its stay is skipped; otherwise its children are asked; the one
 // leaf decides at level 0. After a step that leaves the parent, the walk goes up one level.
-// Guarantee: exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at grazing angles,
-// where little can be skipped. Cost: O(log) steps a ray on even surfaces, one stored maximum a step.
+// Guarantee: with base level 0 exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at
+// grazing angles, where little can be skipped. Cost: O(log) steps a ray on even surfaces, one stored maximum a step.
 // Twin: max_pyramid_paper.h is the text to read; this one is the text to run.
 #pragma once
 
@@ -27,21 +27,26 @@ class MaxPyramidTracer {
         return method;
     }
     struct Options {
-        static std::vector<OptionField<Options>> fields() { return {}; }
+        int base = 0;
+
+        static std::vector<OptionField<Options>> fields() { return {baseLevelField(&Options::base)}; }
     };
-    static MaxPyramidTracer make(const HeightField& field, const Options&, MapCache& cache, Work& work) {
-        return MaxPyramidTracer(field, maxPyramidMap(field, cache, work));
+    static MaxPyramidTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+        const BaseField base = baseField(field, options.base, cache, work);
+        return MaxPyramidTracer(PyramidWalk(base, field, maxPyramidMap(base.field, cache, work)));
     }
 
-    MaxPyramidTracer(HeightField field, std::shared_ptr<const MaxPyramidMap> map)
-        : walk_(std::move(field), std::move(map)) {}
+    explicit MaxPyramidTracer(PyramidWalk walk) : walk_(std::move(walk)) {}
 
     template <class Sink>
     Hit trace(const ViewRay& viewRay, Sink& sink) const;
 
-    const HeightField& field() const { return walk_.field(); }
+    const HeightField& field() const { return walk_.wholeField(); }
     std::size_t bytes() const { return walk_.bytes(); }
-    double stepBound(const ViewRay& ray) const { return walk_.stepBound(GridRay(walk_.grid(), ray)); }
+    double stepBound(const ViewRay& ray) const { return walk_.stepBound(walk_.gridRay(ray)); }
+    // A base level above 0 is another surface.
+    Guarantee guarantee() const { return walk_.baseLevel() == 0 ? Guarantee::Exact : Guarantee::Approximate; }
+    const PyramidWalk& pyramidWalk() const { return walk_; }
 
   private:
     PyramidWalk walk_;
@@ -50,7 +55,7 @@ class MaxPyramidTracer {
 template <class Sink>
 Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);
-    const GridRay ray(walk_.grid(), viewRay);
+    const GridRay ray = walk_.gridRay(viewRay);
     const PyramidStart start = pyramidStart(walk_, ray, sink);
     if (start.outcome != Outcome::Unset) return Hit::none(start.outcome);
     if (start.hit) return Hit::at(viewRay, *start.hit);

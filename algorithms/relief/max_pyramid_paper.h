@@ -5,11 +5,11 @@
 //   1. The highest point first: the ray is advanced to its height; if the start is as high, it is the hit.
 //   2. Down a level: coordinates double, V(i+1) = 2 V(i); step through the texels that the ray crosses.
 //   3. A texel whose maximum is strictly below the ray all along its stay is free: skipped.
-//   4. Otherwise the same one level lower, down to the base level.
+//   4. Otherwise the same one level lower, down to the base level (option; 0: the heights themselves).
 //   5. No hit confirmed in it ("the higher point is not on the ray's projection"): back to the level above, go on.
 //   6. Done when the base level confirms the hit.
-// Guarantee: exact, the same bits as `exact`. Failure mode and cost: see max_pyramid.h, its fast twin.
-// Departures: a line crosses one, two or three of four children, where the paper says at most two.
+// Guarantee: with base level 0 exact, the same bits as `exact`. Failure mode and cost: see max_pyramid.h, its fast
+// twin. Departures: a line crosses one, two or three of four children, where the paper says at most two.
 #pragma once
 
 #include "relief/describe.h"
@@ -31,21 +31,26 @@ class MaxPyramidPaperTracer {
         return method;
     }
     struct Options {
-        static std::vector<OptionField<Options>> fields() { return {}; }
+        int base = 0;
+
+        static std::vector<OptionField<Options>> fields() { return {baseLevelField(&Options::base)}; }
     };
-    static MaxPyramidPaperTracer make(const HeightField& field, const Options&, MapCache& cache, Work& work) {
-        return MaxPyramidPaperTracer(field, maxPyramidMap(field, cache, work));
+    static MaxPyramidPaperTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+        const BaseField base = baseField(field, options.base, cache, work);
+        return MaxPyramidPaperTracer(PyramidWalk(base, field, maxPyramidMap(base.field, cache, work)));
     }
 
-    MaxPyramidPaperTracer(HeightField field, std::shared_ptr<const MaxPyramidMap> map)
-        : walk_(std::move(field), std::move(map)) {}
+    explicit MaxPyramidPaperTracer(PyramidWalk walk) : walk_(std::move(walk)) {}
 
     template <class Sink>
     Hit trace(const ViewRay& viewRay, Sink& sink) const;
 
-    const HeightField& field() const { return walk_.field(); }
+    const HeightField& field() const { return walk_.wholeField(); }
     std::size_t bytes() const { return walk_.bytes(); }
-    double stepBound(const ViewRay& ray) const { return walk_.stepBound(GridRay(walk_.grid(), ray)); }
+    double stepBound(const ViewRay& ray) const { return walk_.stepBound(walk_.gridRay(ray)); }
+    // A base level above 0 is another surface.
+    Guarantee guarantee() const { return walk_.baseLevel() == 0 ? Guarantee::Exact : Guarantee::Approximate; }
+    const PyramidWalk& pyramidWalk() const { return walk_; }
 
   private:
     struct State {
@@ -66,7 +71,7 @@ class MaxPyramidPaperTracer {
 template <class Sink>
 Hit MaxPyramidPaperTracer::trace(const ViewRay& viewRay, Sink& sink) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);
-    const GridRay ray(walk_.grid(), viewRay);
+    const GridRay ray = walk_.gridRay(viewRay);
     const PyramidStart start = pyramidStart(walk_, ray, sink);
     if (start.outcome != Outcome::Unset) return Hit::none(start.outcome);
     if (start.hit) return Hit::at(viewRay, *start.hit);

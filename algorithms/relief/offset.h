@@ -35,6 +35,11 @@ class OffsetTracer {
     Hit trace(const ViewRay& ray, Sink& sink) const {
         return shifted(field_, ray, 1.0, sink);
     }
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return shiftedWithin(field_, ray, segment, 1.0, sink);
+    }
+    double segmentRecords() const { return 3; }
 
     // The answer of both offset methods: lambda = (1 - h(T0)) * share.
     template <class Sink>
@@ -53,6 +58,21 @@ class OffsetTracer {
         if (!surface.inside(lambda)) return miss(lambda);
         sink.step([&] { return surface.record(Phase::Search, Decision::Hit, 0, lambda, height, lambda); });
         return Hit::at(ray, lambda);
+    }
+
+    // The same from where a segment begins; nothing if the height found there is reached beyond its end.
+    template <class Sink>
+    static Hit shiftedWithin(const HeightField& field, const ViewRay& ray, Segment segment, double share, Sink& sink) {
+        const SampledSurface surface(field, ray);
+        if (!surface.inside(segment.in)) return Hit::none(Outcome::Miss);
+        const double height = surface.heightAt(segment.in);
+        sink.read(surface.readsEach());
+        const double reached = std::max(1 - height, segment.in);
+        const bool hit = reached <= segment.out;
+        const double lambda = hit ? segment.in + (reached - segment.in) * share : segment.out;
+        const Decision decision = hit ? Decision::Hit : Decision::Advance;
+        sink.step([&] { return surface.record(Phase::Search, decision, segment.in, lambda, height, lambda); });
+        return hit ? Hit::at(ray, lambda) : Hit::none(Outcome::Miss);
     }
 
     const HeightField& field() const { return field_; }

@@ -33,17 +33,25 @@ class OffsetLimitedTracer {
 
     template <class Sink>
     Hit trace(const ViewRay& ray, Sink& sink) const {
-        const double length = std::hypot(std::hypot(ray.a, ray.b), field_.slabTexels());
-        // A vertical ray through a slab without thickness: there is nothing to limit.
-        const double share = length > 0 ? field_.slabTexels() / length : 1.0;
-        return OffsetTracer::shifted(field_, ray, share, sink);
+        return OffsetTracer::shifted(field_, ray, share(ray), sink);
     }
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return OffsetTracer::shiftedWithin(field_, ray, segment, share(ray), sink);
+    }
+    double segmentRecords() const { return 3; }
 
     const HeightField& field() const { return field_; }
     std::size_t bytes() const { return 0; }
     double stepBound(const ViewRay&) const { return 2; }
 
   private:
+    double share(const ViewRay& ray) const {
+        const double length = std::hypot(std::hypot(ray.a, ray.b), field_.slabTexels());
+        // A vertical ray through a slab without thickness: there is nothing to limit.
+        return length > 0 ? field_.slabTexels() / length : 1.0;
+    }
+
     HeightField field_;
 };
 

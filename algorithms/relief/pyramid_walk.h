@@ -5,8 +5,10 @@
 
 #include <array>
 
+#include "relief/describe.h"
 #include "relief/leaf.h"
 #include "relief/maps/max_pyramid_map.h"
+#include "relief/maps/mean_levels_map.h"
 #include "relief/step_log.h"
 
 namespace relief {
@@ -22,11 +24,33 @@ struct PyramidNode {
 class PyramidWalk {
   public:
     PyramidWalk(HeightField field, std::shared_ptr<const MaxPyramidMap> map)
-        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {
+        : PyramidWalk({field, 0, 1, 1}, field, std::move(map)) {}
+    // Over a base level: rays and answers are the whole field's, cells and heights the base level's.
+    PyramidWalk(BaseField base, HeightField whole, std::shared_ptr<const MaxPyramidMap> map)
+        : field_(std::move(base.field)),
+          whole_(std::move(whole)),
+          map_(std::move(map)),
+          grid_(field_),
+          base_(base.level),
+          perS_(base.perS),
+          perT_(base.perT) {
         for (int l = 0; l <= map_->top(); ++l) levels_[static_cast<std::size_t>(l)] = &map_->pyramid.level(l);
     }
 
+    // The field that is traced, and the one that was asked about (another only with a base level).
     const HeightField& field() const { return field_; }
+    const HeightField& wholeField() const { return whole_; }
+    int baseLevel() const { return base_; }
+    const std::shared_ptr<const MaxPyramidMap>& map() const { return map_; }
+
+    GridRay gridRay(const ViewRay& ray) const {
+        if (base_ == 0) return GridRay(grid_, ray);
+        // The period of the whole field comes first: the base level's texels need not divide it.
+        const bool wraps = field_.address() == Address::Repeat;
+        const double s = wraps ? reduceToPeriod(ray.s0, whole_.width()) : ray.s0;
+        const double t = wraps ? reduceToPeriod(ray.t0, whole_.height()) : ray.t0;
+        return GridRay(grid_, {s * perS_, t * perT_, ray.a * perS_, ray.b * perT_});
+    }
     const CellGrid& grid() const { return grid_; }
     int top() const { return map_->top(); }
     double highest() const { return map_->highest(); }
@@ -99,15 +123,19 @@ class PyramidWalk {
         return static_cast<double>(maximum) + kExclusionMargin < 1 - lambdaOut;
     }
 
-    // Records at most: a descent for each ascent, an ascent at most for each step on, a step on at most a cell.
-    double stepBound(const GridRay& ray) const { return 4 * ray.cellBound() + 4.0 * (top() + 2); }
+    // Records at most. A line crosses at most cells / 2^l + 2 nodes of level l, and one more for each seam between
+    // periods, which cuts the nodes of all levels; a node is left once, and perhaps descended into and climbed out of.
+    double stepBound(const GridRay& ray) const {
+        const double seams = std::min(ray.cellBound(), periods(grid_.x, ray.x) + periods(grid_.y, ray.y));
+        return 4 * ray.cellBound() + 2 * (seams + 3) * (top() + 2);
+    }
 
     Step record(Decision decision, int level, const PyramidNode& node, double in, double out, double value,
                 double after) const {
         Step step;
         step.phase = decision == Decision::Start || decision == Decision::Advance ? Phase::Start : Phase::Search;
         step.decision = decision;
-        step.level = level;
+        step.level = base_ + level;
         step.i = node.x.index + (level == 0 ? grid_.x.firstName : 0);
         step.j = node.y.index + (level == 0 ? grid_.y.firstName : 0);
         step.periodX = node.x.base / grid_.x.cells;
@@ -120,6 +148,10 @@ class PyramidWalk {
     }
 
   private:
+    static double periods(const GridAxis& axis, const RayAxis& ray) {
+        return axis.wraps ? std::abs(ray.run) / axis.cells + 1 : 0;
+    }
+
     static double leave(const GridAxis& axis, const RayAxis& ray, int level, AxisCell node) {
         const int low = node.index << level;
         const int high = std::min(low + (1 << level), axis.cells);
@@ -169,10 +201,29 @@ class PyramidWalk {
     }
 
     HeightField field_;
+    HeightField whole_;
     std::shared_ptr<const MaxPyramidMap> map_;
     CellGrid grid_;
+    int base_;
+    double perS_;
+    double perT_;
     std::array<const FloatImage*, kMaxLevels> levels_{};
 };
+
+// The option that both forms have.
+template <class Options>
+OptionField<Options> baseLevelField(int Options::*member) {
+    return {{"base",
+             OptionKind::Integer,
+             "level",
+             0,
+             kMaxLevels - 1,
+             1,
+             {},
+             "base level: above 0, the mean pyramid's level is traced instead of the heights (the last if there are "
+             "fewer)"},
+            member};
+}
 
 // Step 1 of the procedure, for both forms. The ray is taken to the height of the highest point; `lambda` is where.
 // If the whole cell there is as high, nothing can hide the start: its leaf is asked at once.

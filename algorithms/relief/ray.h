@@ -28,6 +28,12 @@ struct ViewRay {
     bool operator==(const ViewRay&) const = default;
 };
 
+// A stretch of a ray that an outer method has left to an inner one: begins at, and tests, `in`.
+struct Segment {
+    double in = 0;
+    double out = 1;
+};
+
 // Unset: this ray was never asked for (pixel without polygon).
 enum class Outcome : std::uint8_t { Unset, Hit, Miss, Limit };
 

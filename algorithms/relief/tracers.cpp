@@ -1,10 +1,13 @@
 #include "relief/tracers.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <tuple>
 
 #include "relief/block_work.h"
 #include "relief/exact.h"
+#include "relief/hybrid.h"
 #include "relief/layers.h"
 #include "relief/max_pyramid.h"
 #include "relief/max_pyramid_paper.h"
@@ -24,7 +27,18 @@ using TracerTypes = std::tuple<  //
     OffsetLimitedTracer,         //
     LayersTracer,                //
     LayersSecantTracer,          //
-    LayersBisectionTracer>;
+    LayersBisectionTracer,       //
+    HybridTracer>;
+
+// Methods that work inside segments have traceSegment.
+template <class T>
+concept SegmentTracer = requires(const T& tracer, NullSink& sink) {
+    tracer.traceSegment(ViewRay{}, Segment{}, sink);
+};
+template <class T>
+concept PyramidTracer = requires(const T& tracer) {
+    tracer.pyramidWalk();
+};
 
 template <class T>
 class TracerOf final : public Tracer {
@@ -35,6 +49,32 @@ class TracerOf final : public Tracer {
     const HeightField& field() const override { return tracer_.field(); }
     std::size_t bytes() const override { return tracer_.bytes(); }
     double stepBound(const ViewRay& ray) const override { return tracer_.stepBound(ray); }
+    Guarantee guarantee() const override {
+        if constexpr (requires { tracer_.guarantee(); }) return tracer_.guarantee();
+        return description().guarantee;
+    }
+    std::shared_ptr<const MaxPyramidMap> pyramid() const override {
+        if constexpr (PyramidTracer<T>) return tracer_.pyramidWalk().map();
+        return nullptr;
+    }
+    int baseLevel() const override {
+        if constexpr (PyramidTracer<T>) return tracer_.pyramidWalk().baseLevel();
+        return 0;
+    }
+
+    Hit traceSegment(const ViewRay& ray, Segment segment, NullSink& sink) const override {
+        return within(ray, segment, sink);
+    }
+    Hit traceSegment(const ViewRay& ray, Segment segment, CountSink& sink) const override {
+        return within(ray, segment, sink);
+    }
+    Hit traceSegment(const ViewRay& ray, Segment segment, LogSink& sink) const override {
+        return within(ray, segment, sink);
+    }
+    double segmentRecords() const override {
+        if constexpr (SegmentTracer<T>) return tracer_.segmentRecords();
+        return 0;
+    }
 
     void trace(const RayBlock& rays, HitBlock& hits, NullSink&, Work& work) const override {
         hits.resize(rays.size());
@@ -83,6 +123,13 @@ class TracerOf final : public Tracer {
     }
 
   private:
+    template <class Sink>
+    Hit within(const ViewRay& ray, Segment segment, Sink& sink) const {
+        if constexpr (SegmentTracer<T>) return tracer_.traceSegment(ray, segment, sink);
+        assert(false && "this method does not work inside segments");
+        return Hit::none(Outcome::Limit);
+    }
+
     T tracer_;
 };
 
@@ -96,6 +143,14 @@ void forEachTracer(const Visit& visit) {
 }
 
 }  // namespace
+
+std::vector<std::string> innerTracerNames() {
+    std::vector<std::string> names;
+    forEachTracer([&]<class T>() {
+        if constexpr (SegmentTracer<T>) names.push_back(T::describe().name);
+    });
+    return names;
+}
 
 const std::vector<MethodDescription>& tracerList() {
     static const std::vector<MethodDescription> list = [] {
@@ -116,8 +171,44 @@ const MethodDescription& findTracer(const std::string& name) {
                      Message(MessageId::UnknownName, {{"what", "tracer"}, {"name", name}, {"known", known}}));
 }
 
+std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice) {
+    const MethodDescription& method = findTracer(choice.name);
+    std::vector<ChoiceOption> all;
+    for (const OptionDescription& option : method.options) {
+        all.push_back({option, method.defaults.at(option.name)});
+        if (option.kind != OptionKind::Method) continue;
+        const auto given = choice.options.find(option.name);
+        const std::string name = given == choice.options.end() ? method.defaults.at(option.name) : given->second;
+        const std::vector<std::string> names = option.choices;
+        if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+        for (ChoiceOption inner : choiceOptions({name, {}})) {
+            inner.description.name = std::string(kInnerPrefix) + inner.description.name;
+            all.push_back(std::move(inner));
+        }
+    }
+    return all;
+}
+
+void checkMethod(const MethodChoice& choice, const std::string& subject) {
+    const std::vector<ChoiceOption> options = choiceOptions(choice);
+    for (const auto& [name, text] : choice.options) {
+        std::string known;
+        const OptionDescription* found = nullptr;
+        for (const ChoiceOption& option : options) {
+            known += (known.empty() ? "" : ", ") + option.description.name;
+            if (option.description.name == name) found = &option.description;
+        }
+        if (found == nullptr) {
+            throw InputError(subject, Message(MessageId::UnknownName, {{"what", "option of " + choice.name},
+                                                                       {"name", name},
+                                                                       {"known", known.empty() ? "-" : known}}));
+        }
+        checkOption(*found, text);
+    }
+}
+
 std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work) {
-    findTracer(choice.name);
+    checkMethod(choice, "--set");
     std::unique_ptr<Tracer> made;
     forEachTracer([&]<class T>() {
         if (made || descriptionOf<T>().name != choice.name) return;

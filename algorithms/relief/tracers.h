@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "relief/describe.h"
-#include "relief/maps/map_cache.h"
+#include "relief/maps/max_pyramid_map.h"
 #include "relief/ray.h"
 #include "relief/step_log.h"
 
@@ -45,6 +45,17 @@ class Tracer {
     // Decision records that this ray takes at most.
     virtual double stepBound(const ViewRay& ray) const = 0;
 
+    // The pyramid that it walks, over its base level; null if it walks none.
+    virtual std::shared_ptr<const MaxPyramidMap> pyramid() const { return nullptr; }
+    virtual int baseLevel() const { return 0; }
+
+    // Whether the first hit lies within a stretch of the ray; Miss: nothing there. Only for innerTracerNames(). With
+    // records, for each segment at most segmentRecords() more than the share of the whole ray.
+    virtual Hit traceSegment(const ViewRay& ray, Segment segment, NullSink& sink) const = 0;
+    virtual Hit traceSegment(const ViewRay& ray, Segment segment, CountSink& sink) const = 0;
+    virtual Hit traceSegment(const ViewRay& ray, Segment segment, LogSink& sink) const = 0;
+    virtual double segmentRecords() const = 0;
+
     // Traces the block; hits is resized. All three give identical bits in outcome, lambda, s, t, whatever the sink and
     // the number of threads. Big blocks run in parallel in the work's arena; throws Cancelled.
     virtual void trace(const RayBlock& rays, HitBlock& hits, NullSink& sink, Work& work) const = 0;
@@ -52,10 +63,22 @@ class Tracer {
     virtual void trace(const RayBlock& rays, HitBlock& hits, StepLog& sink, Work& work) const = 0;
 };
 
+// Those that can work inside the segments of `hybrid`.
+std::vector<std::string> innerTracerNames();
+
 // Every tracer there is, in the order of lists.
 const std::vector<MethodDescription>& tracerList();
 // Throws InputError("--tracer", ...) with the known names.
 const MethodDescription& findTracer(const std::string& name);
+
+// The options that a choice can have: the method's own and, as inner.NAME, those of the method inside it.
+struct ChoiceOption {
+    OptionDescription description;  // its name with the prefix
+    std::string defaultValue;
+};
+std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice);
+// Throws InputError(subject, ...) for an unknown method or option, or a value out of range.
+void checkMethod(const MethodChoice& choice, const std::string& subject);
 
 // Builds the maps it needs (from the cache if they are there). Throws InputError for unknown names and options.
 std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work);

@@ -98,19 +98,7 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
         throw InputError(subject,
                          Message(MessageId::OutOfRange, {{"what", "sky"}, {"value", channel}, {"range", "0 to 1000"}}));
     }
-    const MethodDescription& method = findTracer(scenario.method.name);
-    for (const auto& [name, text] : scenario.method.options) {
-        bool known = false;
-        for (const OptionDescription& option : method.options) {
-            if (option.name != name) continue;
-            checkOption(option, text);
-            known = true;
-        }
-        if (known) continue;
-        throw InputError(subject,
-                         Message(MessageId::UnknownName,
-                                 {{"what", "option of " + method.name}, {"name", name}, {"known", "see relief list"}}));
-    }
+    checkMethod(scenario.method, subject);
     findFilter(scenario.filter.name);
     pinholeCamera(scenario.camera, scenario.width, scenario.height);
     if (scenario.pixel && (scenario.pixel->x < 0 || scenario.pixel->y < 0 || scenario.pixel->x >= scenario.width ||

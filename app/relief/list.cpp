@@ -6,7 +6,7 @@
 #include "images/reliefs.h"
 #include "options_common.h"
 #include "output.h"
-#include "relief/tracers.h"
+#include "relief/any_hit.h"
 
 namespace relief::app {
 
@@ -69,6 +69,7 @@ Json methodJson(const MethodDescription& method) {
 std::string listJson() {
     Json json{{"version", RELIEF_VERSION}};
     for (const MethodDescription& method : tracerList()) json["tracers"].push_back(methodJson(method));
+    for (const MethodDescription& method : anyHitList()) json["any_hit"].push_back(methodJson(method));
     for (const FilterDescription& filter : filterList()) {
         json["filters"].push_back({{"name", filter.name}, {"help", filter.help}});
     }
@@ -131,6 +132,8 @@ std::string methodText(const MethodDescription& method) {
 std::string listText() {
     std::string out = "Tracers: how rays meet the relief (--tracer NAME)\n";
     for (const MethodDescription& method : tracerList()) out += methodText(method);
+    out += "\nAny-hit queries: whether something is in the way, for shadows and back-tracing\n";
+    for (const MethodDescription& method : anyHitList()) out += methodText(method);
     out += "\nFilters: how colours are sampled (--filter NAME)\n";
     for (const FilterDescription& filter : filterList()) out += entry(filter.name, filter.help, 2, 14);
     out += "\nReliefs: procedural height maps (relief make NAME, --relief NAME)\n";

@@ -91,24 +91,13 @@ std::string filterNames() {
     return names;
 }
 
-// Name and value are checked here, where the option that carried them is known.
+// "NAME=VALUE".
 void applyMethodOption(MethodChoice& method, const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
         throw InputError("--set", Message(MessageId::NotASetting, {{"text", text}, {"example", "layers=64"}}));
     }
-    const std::string name = text.substr(0, equals);
-    std::string known;
-    for (const OptionDescription& option : findTracer(method.name).options) {
-        known += (known.empty() ? "" : ", ") + option.name;
-        if (option.name != name) continue;
-        checkOption(option, text.substr(equals + 1));
-        method.options[name] = text.substr(equals + 1);
-        return;
-    }
-    throw InputError("--set", Message(MessageId::UnknownName, {{"what", "option of " + method.name},
-                                                               {"name", name},
-                                                               {"known", known.empty() ? "-" : known}}));
+    method.options[text.substr(0, equals)] = text.substr(equals + 1);
 }
 
 }  // namespace
@@ -198,6 +187,7 @@ void ScenarioOptions::applyMethod(Scenario& scenario) const {
     // Options belong to their method: another method does not inherit them.
     if (tracer_ && *tracer_ != scenario.method.name) scenario.method = {findTracer(*tracer_).name, {}};
     for (const std::string& setting : settings_) applyMethodOption(scenario.method, setting);
+    if (!settings_.empty()) checkMethod(scenario.method, "--set");
     if (reliefDepth_) {
         const std::string option = "--relief-depth";
         setScenarioNumber(scenario, "relief-depth", parseNumber(*reliefDepth_, option), option);

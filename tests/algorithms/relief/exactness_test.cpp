@@ -78,6 +78,7 @@ TEST(Exactness, millionRaysGiveIdenticalBitsInEveryExactTracer) {
     const std::size_t perField = wanted / (maps.size() * 6) + 1;
     MapCache cache;
     Work work;
+    const std::vector<MethodChoice> exactChoices = choicesThatPromise(Guarantee::Exact);
     std::size_t total = 0;
     for (const auto& [name, heights] : maps) {
         for (const Surface surface : allSurfaces()) {
@@ -88,13 +89,12 @@ TEST(Exactness, millionRaysGiveIdenticalBitsInEveryExactTracer) {
                 HitBlock truth;
                 BlockCounts counts;
                 makeTracer({"exact", {}}, field, cache, work)->trace(rays, truth, counts, work);
-                for (const MethodDescription& method : tracerList()) {
-                    if (method.guarantee != Guarantee::Exact || method.name == "exact") continue;
+                for (const MethodChoice& choice : exactChoices) {
                     HitBlock hits;
-                    makeTracer({method.name, {}}, field, cache, work)->trace(rays, hits, counts, work);
+                    makeTracer(choice, field, cache, work)->trace(rays, hits, counts, work);
                     for (std::size_t i = 0; i < rays.size(); ++i) {
                         ASSERT_TRUE(sameBits(truth[i], hits[i]))
-                            << method.name << " ray " << describe(rays[i]) << ": " << numberText(truth[i].lambda)
+                            << describe(choice) << " ray " << describe(rays[i]) << ": " << numberText(truth[i].lambda)
                             << " against " << numberText(hits[i].lambda);
                         ASSERT_NE(hits[i].outcome, Outcome::Limit);
                     }
@@ -161,6 +161,7 @@ std::vector<ViewRay> awkwardRays(int width, int height) {
 TEST(Exactness, awkwardRaysAgreeInEveryTracer) {
     MapCache cache;
     Work work;
+    const std::vector<MethodChoice> exactChoices = choicesThatPromise(Guarantee::Exact);
     for (const auto& [w, h] :
          std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {7, 1}, {5, 3}, {8, 8}, {33, 17}, {1023, 511}}) {
         for (const Heights& heights : {randomHeights(w, h, 81), constantHeights(w, h, 0), constantHeights(w, h, 1),
@@ -174,12 +175,12 @@ TEST(Exactness, awkwardRaysAgreeInEveryTracer) {
                     HitBlock truth;
                     NullSink sink;
                     makeTracer({"exact", {}}, field, cache, work)->trace(rays, truth, sink, work);
-                    for (const MethodDescription& method : tracerList()) {
-                        if (method.guarantee != Guarantee::Exact) continue;
+                    for (const MethodChoice& choice : exactChoices) {
                         HitBlock hits;
-                        makeTracer({method.name, {}}, field, cache, work)->trace(rays, hits, sink, work);
+                        makeTracer(choice, field, cache, work)->trace(rays, hits, sink, work);
                         for (std::size_t i = 0; i < rays.size(); ++i) {
-                            ASSERT_TRUE(sameBits(truth[i], hits[i])) << method.name << " ray " << describe(rays[i]);
+                            ASSERT_TRUE(sameBits(truth[i], hits[i]))
+                                << describe(choice) << " ray " << describe(rays[i]);
                             if (address != Address::Border) {
                                 ASSERT_EQ(hits.outcome[i], Outcome::Hit);
                             }
@@ -217,9 +218,8 @@ TEST(Exactness, flatRays) {
     FloatImage low(64, 64, 0.0F);
     low(5, 9) = 1e-4F;
     const HeightField field(share(std::move(low)));
-    for (const MethodDescription& method : tracerList()) {
-        if (method.guarantee != Guarantee::Exact) continue;
-        const auto tracer = makeTracer({method.name, {}}, field, cache, work);
+    for (const MethodChoice& choice : choicesThatPromise(Guarantee::Exact)) {
+        const auto tracer = makeTracer(choice, field, cache, work);
         const auto exact = makeTracer({"exact", {}}, field, cache, work);
         RayBlock rays;
         rays.push({0.3, 0.7, kMaxRun, 0.01});
@@ -232,8 +232,8 @@ TEST(Exactness, flatRays) {
         tracer->trace(rays, hits, sink, work);
         exact->trace(rays, truth, sink, work);
         for (std::size_t i = 0; i < 2; ++i) {
-            EXPECT_EQ(hits.outcome[i], Outcome::Hit) << method.name;
-            EXPECT_TRUE(sameBits(hits[i], truth[i])) << method.name;
+            EXPECT_EQ(hits.outcome[i], Outcome::Hit) << describe(choice);
+            EXPECT_TRUE(sameBits(hits[i], truth[i])) << describe(choice);
         }
         for (std::size_t i = 2; i < rays.size(); ++i) {
             EXPECT_NE(hits.outcome[i], Outcome::Unset);

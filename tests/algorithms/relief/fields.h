@@ -39,6 +39,39 @@ inline const std::vector<Address>& allAddresses() {
     return all;
 }
 
+// Every listed tracer as it is, and with the options that change what it does or promises.
+inline std::vector<MethodChoice> allChoices() {
+    std::vector<MethodChoice> all;
+    for (const MethodDescription& method : tracerList()) {
+        if (method.kind != MethodKind::Tracer) continue;
+        all.push_back({method.name, {}});
+        for (const OptionDescription& option : method.options) {
+            if (option.name == "base") all.push_back({method.name, {{"base", "1"}}});
+            if (option.kind != OptionKind::Method) continue;
+            for (const std::string& inner : option.choices) {
+                for (const char* level : {"0", "2"}) all.push_back({method.name, {{"inner", inner}, {"level", level}}});
+            }
+        }
+    }
+    return all;
+}
+// Those that promise as much.
+inline std::vector<MethodChoice> choicesThatPromise(Guarantee wanted) {
+    MapCache cache;
+    Work work(1);
+    const HeightField field(constantHeights(4, 4, 0.5F));
+    std::vector<MethodChoice> some;
+    for (const MethodChoice& choice : allChoices()) {
+        if (makeTracer(choice, field, cache, work)->guarantee() == wanted) some.push_back(choice);
+    }
+    return some;
+}
+
+inline std::string describe(const MethodChoice& choice) {
+    std::string text = choice.name;
+    for (const auto& [name, value] : choice.options) text += " " + name + "=" + value;
+    return text;
+}
 inline std::string describe(const HeightField& field) {
     return std::to_string(field.width()) + " x " + std::to_string(field.height()) + " " +
            std::string(surfaceName(field.surface())) + " " + std::string(addressName(field.address())) + " depth " +

@@ -1,0 +1,37 @@
+#include "relief/maps/mean_levels_map.h"
+
+#include <algorithm>
+
+#include "images/pyramid.h"
+
+namespace relief {
+
+std::size_t MeanLevelsMap::bytes() const {
+    std::size_t total = 0;
+    for (std::size_t l = 1; l < levels.size(); ++l) total += levels[l]->pixels().size() * sizeof(float);
+    return total;
+}
+
+std::shared_ptr<const MeanLevelsMap> meanLevelsMap(const HeightField& field, MapCache& cache, Work& work) {
+    return cache.get<MeanLevelsMap>({"mean-levels", field.sharedHeights()}, work, [&](Work& w) {
+        const Pyramid pyramid(PyramidKind::Mean, field.heights(), w);
+        MeanLevelsMap map;
+        map.levels.push_back(field.sharedHeights());
+        for (int l = 1; l < pyramid.levels(); ++l) {
+            map.levels.push_back(std::make_shared<const FloatImage>(pyramid.level(l)));
+        }
+        return map;
+    });
+}
+
+BaseField baseField(const HeightField& field, int level, MapCache& cache, Work& work) {
+    const int base = std::min(level, Pyramid::levelCount(field.width(), field.height()) - 1);
+    if (base <= 0) return {field, 0, 1, 1};
+    const auto map = meanLevelsMap(field, cache, work);
+    const auto& heights = map->levels[static_cast<std::size_t>(base)];
+    return {HeightField(heights, field.surface(), field.address(), field.reliefDepth()), base,
+            static_cast<double>(heights->width()) / field.width(),
+            static_cast<double>(heights->height()) / field.height()};
+}
+
+}  // namespace relief

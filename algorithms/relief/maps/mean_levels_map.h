@@ -1,0 +1,36 @@
+// The mean pyramid's levels as height maps of their own: what a base level k > 0 traces. [MIP18] fig. 2.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "images/image.h"
+#include "relief/describe.h"
+#include "relief/height_field.h"
+#include "relief/maps/map_cache.h"
+
+namespace relief {
+
+struct MeanLevelsMap {
+    static constexpr RayClass kRays = RayClass::AnyRays;
+    std::vector<std::shared_ptr<const FloatImage>> levels;  // [0]: the heights themselves
+
+    std::size_t bytes() const;
+};
+
+// From the cache, or built (O(texels), in parallel).
+std::shared_ptr<const MeanLevelsMap> meanLevelsMap(const HeightField& field, MapCache& cache, Work& work);
+
+// A height field at a base level: its own texels are larger, `perS` and `perT` of them to a texel of the whole field
+// (W_k / W; 1 at level 0). Lambda is the same in both.
+struct BaseField {
+    HeightField field;
+    int level = 0;
+    double perS = 1;
+    double perT = 1;
+};
+
+// Level: clamped to the last there is. Level 0 builds nothing.
+BaseField baseField(const HeightField& field, int level, MapCache& cache, Work& work);
+
+}  // namespace relief
