@@ -32,7 +32,6 @@ MethodChoice parseMethodChoice(const std::string& text, const std::string& optio
     std::size_t at = std::min(text.find(':'), text.size());
     MethodChoice choice{text.substr(0, at), {}};
     if (choice.name.empty()) throw InputError(option, Message(MessageId::MethodSpelling, {{"text", text}}));
-    const MethodDescription& method = findTracer(choice.name);
     while (at < text.size()) {
         const std::size_t end = std::min(text.find(':', at + 1), text.size());
         const std::string part = text.substr(at + 1, end - at - 1);
@@ -41,29 +40,18 @@ MethodChoice parseMethodChoice(const std::string& text, const std::string& optio
         if (equals == std::string::npos || equals == 0) {
             throw InputError(option, Message(MessageId::MethodSpelling, {{"text", text}}));
         }
-        const std::string name = part.substr(0, equals);
-        const auto found = std::find_if(method.options.begin(), method.options.end(),
-                                        [&](const OptionDescription& o) { return o.name == name; });
-        if (found == method.options.end()) {
-            std::string known;
-            for (const OptionDescription& o : method.options) known += (known.empty() ? "" : ", ") + o.name;
-            throw InputError(option, Message(MessageId::UnknownName, {{"what", "option of " + method.name},
-                                                                      {"name", name},
-                                                                      {"known", known.empty() ? "-" : known}}));
-        }
-        checkOption(*found, part.substr(equals + 1));
-        choice.options[name] = part.substr(equals + 1);
+        choice.options[part.substr(0, equals)] = part.substr(equals + 1);
     }
+    checkMethod(choice, option);
     return choice;
 }
 
 std::string optionsText(const MethodChoice& choice, bool all) {
     OptionValues values = choice.options;
     if (all) {
-        const auto& list = tracerList();
-        const auto method =
-            std::find_if(list.begin(), list.end(), [&](const MethodDescription& m) { return m.name == choice.name; });
-        if (method != list.end()) values.insert(method->defaults.begin(), method->defaults.end());
+        for (const ChoiceOption& option : choiceOptions(choice)) {
+            values.emplace(option.description.name, option.defaultValue);
+        }
     }
     std::string text;
     for (const auto& [name, value] : values) text += (text.empty() ? "" : ":") + name + "=" + value;

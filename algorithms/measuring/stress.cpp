@@ -81,7 +81,8 @@ class StressRun {
         if (failure_) std::rethrow_exception(failure_);
         report_.seconds = secondsSince(begun_);
         report_.interrupted = work_.stopped();
-        for (auto& [number, result] : results_) add(number, result);
+        // Interrupted, some are missing in between.
+        for (auto& [number, result] : waiting_) add(number, result);
         return std::move(report_);
     }
 
@@ -92,14 +93,23 @@ class StressRun {
                 const std::uint64_t number = next_.fetch_add(1);
                 if (number >= kStressCasesAtLeast && secondsSince(begun_) >= options_.seconds) return;
                 CaseResult result = runCase(makeCase(options_.seed, number), options_.seed, groups_, watched, work_);
-                const std::lock_guard lock(mutex_);
-                results_[number] = std::move(result);
+                keep(number, std::move(result));
             }
         } catch (const Cancelled&) {
             // The report says so.
         } catch (...) {
             const std::lock_guard lock(mutex_);
             if (!failed_.exchange(true)) failure_ = std::current_exception();
+        }
+    }
+
+    // Adds it when those before it are added: the report does not hang on who is done first.
+    void keep(std::uint64_t number, CaseResult result) {
+        const std::lock_guard lock(mutex_);
+        waiting_[number] = std::move(result);
+        while (!waiting_.empty() && waiting_.begin()->first == added_) {
+            add(added_++, waiting_.begin()->second);
+            waiting_.erase(waiting_.begin());
         }
     }
 
@@ -116,15 +126,26 @@ class StressRun {
                 watched.look([&](const Running& running) {
                     if (told || !options_.onHang || secondsSince(running.since) < options_.hangSeconds) return;
                     told = true;
-                    const MethodChoice& method = running.method->choice;
-                    options_.onHang({{"hang", "no answer for " + numberText(options_.hangSeconds) + " s"},
-                                     methodText(method),
-                                     std::string(running.rays),
-                                     running.of->map,
-                                     reproduction(*running.of, method, running.ray, options_)});
+                    tellHang(running);
                 });
             }
         }
+    }
+
+    void tellHang(const Running& running) {
+        const MethodChoice& method = running.method->choice;
+        StressViolation violation{{"hang", "no answer for " + numberText(options_.hangSeconds) + " s"},
+                                  methodText(method),
+                                  std::string(running.rays),
+                                  running.of->map,
+                                  ""};
+        try {
+            violation.command = reproduction(*running.of, method, running.ray, options_);
+        } catch (const WorkError& error) {
+            // The map cannot be written: the ray at least is said.
+            violation.command = error.what();
+        }
+        options_.onHang(violation);
     }
 
     void add(std::uint64_t number, CaseResult& result) {
@@ -158,7 +179,8 @@ class StressRun {
     Clock::time_point begun_ = Clock::now();
     std::atomic<std::uint64_t> next_{0};
     std::mutex mutex_;
-    std::map<std::uint64_t, CaseResult> results_;
+    std::map<std::uint64_t, CaseResult> waiting_;
+    std::uint64_t added_ = 0;
     std::atomic<bool> failed_{false};
     std::exception_ptr failure_;
     StressReport report_;

@@ -64,7 +64,7 @@ Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink) const {
     int level = top;
     PyramidNode node = start.node;
     double lambda = start.lambda;
-    for (double left = walk_.stepBound(ray); left > 0; --left) {
+    for (double left = walk_.nodeBound(ray); left > 0; --left) {
         const float maximum = walk_.maximum(level, node);
         const PyramidWalk::Exit exit = walk_.exit(ray, level, node);
         const double out = std::min(exit.first(), 1.0);

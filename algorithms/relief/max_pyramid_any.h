@@ -112,7 +112,7 @@ Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
         sink.step([&] { return record(Decision::Miss, level, node, 0, 0, 0, 0); });
         return Sight::Clear;
     }
-    for (double left = walk_.stepBound(course); left > 0; --left) {
+    for (double left = walk_.nodeBound(course); left > 0; --left) {
         const float maximum = walk_.maximum(level, node);
         const PyramidWalk::Exit exit = walk_.exit(course, level, node);
         const double out = std::clamp(exit.first(), mu, end);

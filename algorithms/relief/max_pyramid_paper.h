@@ -55,7 +55,7 @@ class MaxPyramidPaperTracer {
   private:
     struct State {
         double lambda = 0;
-        double left = 0;  // records until the step limit
+        double left = 0;  // nodes until the step limit
         Outcome outcome = Outcome::Unset;
         double hit = 0;
     };
@@ -77,7 +77,7 @@ Hit MaxPyramidPaperTracer::trace(const ViewRay& viewRay, Sink& sink) const {
     if (start.hit) return Hit::at(viewRay, *start.hit);
     State state;
     state.lambda = start.lambda;
-    state.left = walk_.stepBound(ray);
+    state.left = walk_.nodeBound(ray);
     level(ray, walk_.top(), start.node, state, sink);
     return state.outcome == Outcome::Hit ? Hit::at(viewRay, state.hit) : Hit::none(state.outcome);
 }

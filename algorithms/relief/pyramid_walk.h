@@ -123,12 +123,14 @@ class PyramidWalk {
         return static_cast<double>(maximum) + kExclusionMargin < 1 - lambdaOut;
     }
 
-    // Records at most. A line crosses at most cells / 2^l + 2 nodes of level l, and one more for each seam between
-    // periods, which cuts the nodes of all levels; a node is left once, and perhaps descended into and climbed out of.
-    double stepBound(const GridRay& ray) const {
+    // Nodes that a line visits at most, each once. It crosses at most run / 2^l + 2 lines of level l on an axis, and on
+    // all levels the seams between periods, which cut their nodes.
+    double nodeBound(const GridRay& ray) const {
         const double seams = std::min(ray.cellBound(), periods(grid_.x, ray.x) + periods(grid_.y, ray.y));
-        return 4 * ray.cellBound() + 2 * (seams + 3) * (top() + 2);
+        return 2 * ray.cellBound() + (seams + 5) * (top() + 1);
     }
+    // Records at most: a node is left once, and perhaps descended into and climbed out of; the start and the end.
+    double stepBound(const GridRay& ray) const { return 2 * nodeBound(ray) + 5; }
 
     Step record(Decision decision, int level, const PyramidNode& node, double in, double out, double value,
                 double after) const {
