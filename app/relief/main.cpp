@@ -79,6 +79,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addRenderCommand(program, commands);
     addTraceCommand(program, commands);
     addCompareCommand(program, commands);
+    addBenchCommand(program, commands);
     addStressCommand(program, commands);
 }
 

@@ -51,6 +51,8 @@ SizeText parseSize(const std::string& text, const std::string& option, int large
 PixelChoice parsePixel(const std::string& text, const std::string& option);
 std::int64_t parseWhole(const std::string& text, const std::string& option, std::int64_t low, std::int64_t high);
 std::uint64_t parseSeed(const std::string& text, const std::string& option);
+// "bricks", "bricks:512x256", "bricks:512x256:7" of --relief.
+void applyRecipe(Pictures& pictures, const std::string& text);
 std::vector<std::string> splitText(const std::string& text, char separator);
 
 // --threads, --quiet

@@ -50,7 +50,29 @@ glm::dvec3 parsePoint(const std::string& text, const std::string& option) {
     return {parseNumber(parts[0], option), parseNumber(parts[1], option), parseNumber(parts[2], option)};
 }
 
-// "bricks", "bricks:512x256", "bricks:512x256:7".
+std::string tracerNames() {
+    std::string names;
+    for (const MethodDescription& method : tracerList()) names += (names.empty() ? "" : ", ") + method.name;
+    return names;
+}
+
+std::string filterNames() {
+    std::string names;
+    for (const FilterDescription& filter : filterList()) names += (names.empty() ? "" : ", ") + filter.name;
+    return names;
+}
+
+// "NAME=VALUE".
+void applyMethodOption(MethodChoice& method, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw InputError("--set", Message(MessageId::NotASetting, {{"text", text}, {"example", "layers=64"}}));
+    }
+    method.options[text.substr(0, equals)] = text.substr(equals + 1);
+}
+
+}  // namespace
+
 void applyRecipe(Pictures& pictures, const std::string& text) {
     const std::vector<std::string> parts = splitText(text, ':');
     std::string known;
@@ -78,29 +100,6 @@ void applyRecipe(Pictures& pictures, const std::string& text) {
     }
     if (parts.size() > 2) pictures.seed = parseSeed(parts[2], "--relief");
 }
-
-std::string tracerNames() {
-    std::string names;
-    for (const MethodDescription& method : tracerList()) names += (names.empty() ? "" : ", ") + method.name;
-    return names;
-}
-
-std::string filterNames() {
-    std::string names;
-    for (const FilterDescription& filter : filterList()) names += (names.empty() ? "" : ", ") + filter.name;
-    return names;
-}
-
-// "NAME=VALUE".
-void applyMethodOption(MethodChoice& method, const std::string& text) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        throw InputError("--set", Message(MessageId::NotASetting, {{"text", text}, {"example", "layers=64"}}));
-    }
-    method.options[text.substr(0, equals)] = text.substr(equals + 1);
-}
-
-}  // namespace
 
 void ScenarioOptions::add(CLI::App& parser, Look look) {
     addText(parser, "SCENARIO", file_, "",

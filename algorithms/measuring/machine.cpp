@@ -1,0 +1,38 @@
+#include "measuring/machine.h"
+
+#include <fstream>
+
+#ifndef RELIEF_COMMIT
+#define RELIEF_COMMIT "unknown"
+#endif
+
+namespace relief {
+
+std::string compilerText() {
+#if defined(__clang__)
+    return "Clang " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__) + "." +
+           std::to_string(__clang_patchlevel__);
+#elif defined(__GNUC__)
+    return "GCC " + std::to_string(__GNUC__) + "." + std::to_string(__GNUC_MINOR__) + "." +
+           std::to_string(__GNUC_PATCHLEVEL__);
+#else
+    return "unknown";
+#endif
+}
+
+std::string cpuText() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with("model name")) continue;
+        const std::size_t colon = line.find(':');
+        const std::size_t begin = colon == std::string::npos ? colon : line.find_first_not_of(" \t", colon + 1);
+        if (begin != std::string::npos) return line.substr(begin);
+    }
+    return "unknown";
+}
+
+std::string commitText() {
+    return RELIEF_COMMIT;
+}
+
+}  // namespace relief

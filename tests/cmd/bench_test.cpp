@@ -1,0 +1,98 @@
+// relief bench and relief stress: tables for scripts, exit status, what is left behind.
+#include <algorithm>
+#include <cstdlib>
+
+#include <nlohmann/json.hpp>
+
+#include "command_test.h"
+
+namespace relief::test {
+
+class MeasureTest : public CommandTest {
+  protected:
+    std::vector<std::string> bench(const std::vector<std::string>& more) const {
+        std::vector<std::string> all{"bench", "tracers", "--rays", "500", "--rounds", "2", "--elevations", "60,random"};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Places, MeasureTest, testing::ValuesIn(places()), placeName);
+
+TEST_P(MeasureTest, TablesInFilesAndOnStandardOutput) {
+    const std::string field = makeRelief("bricks", "height.png", {"--size", "32x24"});
+    const std::vector<std::string> what{"--height",      field,       "--relief",
+                                        "hills:16x16:3", "--tracers", "exact,max-pyramid,layers:layers=12"};
+    const auto with = [&](const std::string& output) {
+        std::vector<std::string> all = bench(what);
+        all.insert(all.end(), {"-o", output});
+        return all;
+    };
+    const auto out = lines(runFine(bench(what)));
+    ASSERT_EQ(out.size(), 1 + 2 * 2 * 3U);
+    EXPECT_EQ(runFine(with(path("b.csv"))), "");
+    const auto csv = lines(read("b.csv"));
+    ASSERT_EQ(csv.size(), out.size());
+    EXPECT_EQ(csv[0], out[0]);
+    EXPECT_EQ(fields(csv[1])[0], field);
+    EXPECT_EQ(fields(csv[7])[0], "hills:16x16:3");
+    EXPECT_EQ(fields(csv[3])[6], "layers=12");
+    for (std::size_t r = 1; r < csv.size(); ++r) {
+        const auto row = fields(csv[r]);
+        // Rates and build times differ from run to run; rays, errors and steps do not.
+        const auto other = fields(out[r]);
+        for (const std::size_t column : {5U, 7U, 12U, 15U, 16U, 18U}) EXPECT_EQ(row[column], other[column]) << csv[r];
+        if (row[5] == "max-pyramid") {
+            EXPECT_EQ(row[15], "0") << csv[r];
+        }
+    }
+    EXPECT_EQ(runFine(with(path("b.json"))), "");
+    const auto json = nlohmann::json::parse(read("b.json"));
+    ASSERT_EQ(json.size(), csv.size() - 1);
+    EXPECT_EQ(json[2]["method"], "layers");
+    EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "b.json", "height.png"})) << "no .part is left";
+}
+
+TEST_P(MeasureTest, BrokenOffRunsKeepTheirRows) {
+    RunSetup setup;
+    setup.interruptAfterMilliseconds = 4000;
+    const Result result = run({"bench", "tracers", "--relief", "hills:16x16", "--tracers", "offset,exact", "--rays",
+                               "2000", "--rounds", "1000", "--elevations",
+                               "80,60,50,40,30,25,20,19,18,17,16,15,14,13,12,11,10,9,8,7,6,5,4,3,2,1,0.9,0.8,0.7,0.6,"
+                               "0.5,0.4,0.3,0.2,0.1",
+                               "-o", path("b.csv")},
+                              setup);
+    EXPECT_EQ(result.status, 130) << result.err;
+    EXPECT_EQ(files(), (std::vector<std::string>{"b.csv.part"}));
+    const auto rows = lines(read("b.csv.part"));
+    ASSERT_GE(rows.size(), 1U);
+    EXPECT_EQ(rows[0].substr(0, 20), "height,size,surface,");
+    for (const std::string& row : rows) EXPECT_EQ(fields(row).size(), 27U) << row;
+}
+
+TEST_P(MeasureTest, WrongRequestsAreRefused) {
+    expectRefusal({"bench"}, 2, {"KIND"});
+    expectRefusal({"bench", "cars"}, 2, {"\"cars\"", "tracers"});
+    expectRefusal(bench({"--tracers", "exact,none"}), 2, {"\"none\"", "max-pyramid"});
+    expectRefusal(bench({"--tracers", "layers:layers=0"}), 2, {"layers", "65536"});
+    expectRefusal({"bench", "tracers", "--elevations", "60,0"}, 2, {"--elevations", "\"0\""});
+    expectRefusal(bench({"-o", path("b.txt")}), 2, {".csv"});
+    expectRefusal(bench({"-o", path("no/b.csv")}), 1, {path("no/b.csv")});
+    expectRefusal(bench({"--height", path("none.png")}), 2, {path("none.png")});
+    expectRefusal(bench({"--relief", "none"}), 2, {"--relief"});
+    expectRefusal({"stress", "--seconds", "-1"}, 2, {"--seconds"});
+    expectRefusal({"stress", "--seed", "x"}, 2, {"--seed"});
+    expectRefusal({"stress", "--tracers", "none"}, 2, {"\"none\""});
+    expectRefusal({"stress", "-o", path("no")}, 1, {path("no")});
+}
+
+TEST_P(MeasureTest, StressSaysWhatItCovered) {
+    const std::string out = runFine({"stress", "--seconds", "0", "--seed", "5", "--tracers", "exact,layers:layers=3"});
+    EXPECT_EQ(out.substr(0, 8), "seed 5: ");
+    EXPECT_NE(out.find("violations: 0\n"), std::string::npos) << out;
+    for (const std::string part : {"at-limit", "through-corners", "steps/bound", "maps (cases)", "\n  layers "}) {
+        EXPECT_NE(out.find(part), std::string::npos) << part;
+    }
+    EXPECT_TRUE(files().empty());
+}
+
+}  // namespace relief::test
