@@ -674,6 +674,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 
 Рельєфне текстурування за картами висот у вікні, яке пояснює, чому піксель має саме такий вигляд.</translation>
     </message>
+    <message>
+        <source>Profile</source>
+        <translation>Профіль</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -800,6 +804,89 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>none</source>
         <translation>немає</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::ProfileView</name>
+    <message>
+        <source>Profile</source>
+        <translation>Профіль</translation>
+    </message>
+    <message>
+        <source>all levels</source>
+        <translation>усі рівні</translation>
+    </message>
+    <message>
+        <source>The maxima of all levels, not only of those that the ray asked</source>
+        <translation>Максимуми всіх рівнів, а не лише тих, які запитував промінь</translation>
+    </message>
+    <message>
+        <source>near the ray</source>
+        <translation>біля променя</translation>
+    </message>
+    <message>
+        <source>Only the heights that the ray comes through</source>
+        <translation>Лише висоти, через які проходить промінь</translation>
+    </message>
+    <message>
+        <source>true aspect</source>
+        <translation>справжні пропорції</translation>
+    </message>
+    <message>
+        <source>A texel as long across as upwards: the relief's true shape</source>
+        <translation>Тексель однаковий уздовж і вгору: справжня форма рельєфу</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>усе</translation>
+    </message>
+    <message>
+        <source>Show all of the ray (R); wheel zooms, drag moves, click chooses a step</source>
+        <translation>Показати весь промінь (R); колесо наближає, перетягування зсуває, клацання вибирає крок</translation>
+    </message>
+    <message>
+        <source>λ %1</source>
+        <translation>λ %1</translation>
+    </message>
+    <message>
+        <source>%1 texels, λ %2</source>
+        <translation>%1 текселів, λ %2</translation>
+    </message>
+    <message>
+        <source> · surface %1</source>
+        <translation> · поверхня %1</translation>
+    </message>
+    <message>
+        <source> · beyond the edge</source>
+        <translation> · за краєм</translation>
+    </message>
+    <message>
+        <source> · ray %1 · texel (%2, %3)</source>
+        <translation> · промінь %1 · тексель (%2, %3)</translation>
+    </message>
+    <message>
+        <source> · step %1</source>
+        <translation> · крок %1</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Копіювати значення</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Копіювати картинку</translation>
+    </message>
+    <message>
+        <source>Export figure…</source>
+        <translation>Експортувати рисунок…</translation>
+    </message>
+    <message>
+        <source>Export the profile</source>
+        <translation>Експорт профілю</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Рисунки</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <string_view>
 
-#include "errors.h"
+#include "relief/describe.h"
 
 namespace relief::app {
 
@@ -50,6 +50,16 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.checkDisplay = true;
         } else if (argument == "--screenshot") {
             parsed.screenshot = value();
+        } else if (argument == "--export") {
+            parsed.figure = value();
+        } else if (argument == "-o") {
+            parsed.output = value();
+        } else if (argument == "--width") {
+            parsed.widthMm = parseNumber(value(), argument);
+        } else if (argument == "--dpi") {
+            parsed.dpi = parseNumber(value(), argument);
+        } else if (argument == "--dark") {
+            parsed.dark = true;
         } else if (argument == "--size") {
             const std::string size = value();
             if (!parseSize(size, parsed.width, parsed.height)) {
@@ -59,6 +69,11 @@ Arguments parseArguments(int count, char** arguments) {
             throw InputError(argument, Message(MessageId::ArgumentUnknown, {{"help", kHelp}}));
         }
     }
+    const auto needs = [](bool missing, const char* option, const char* other) {
+        if (missing) throw InputError(option, Message(MessageId::NeedsArgument, {{"other", other}}));
+    };
+    needs(!parsed.figure.empty() && parsed.output.empty(), "--export", "-o FILE");
+    needs(!parsed.output.empty() && parsed.figure.empty(), "-o", "--export VIEW");
     return parsed;
 }
 
@@ -73,11 +88,17 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
 
   --size WxH            size of the window, pixels
   --screenshot FILE     open the window, save it as a PNG, and end
+  --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
+                        VIEW: profile, pyramid, result
+  --width MM            of the figure (160)
+  --dpi N               pixels an inch of a PNG (300)
+  --dark                light on dark, as in the window
   --check-display       only say whether a window can be opened: exit status 0, or 2
   --version, --help
 
 Exit status: 0 done, 1 the work failed, 2 bad usage or input, or no display.
-Example: reliefscope datasets/gray_rocks/height.png
+Examples: reliefscope datasets/gray_rocks/height.png
+          reliefscope scenario.json --export profile -o profile.svg --width 120
 )";
 }
 

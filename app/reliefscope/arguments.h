@@ -13,6 +13,11 @@ struct Arguments {
     std::string screenshot;  // where to; empty: none
     int width = 0;           // of the window; 0: as it likes
     int height = 0;
+    std::string figure;  // the view to export; empty: the window is opened
+    std::string output;  // where to
+    double widthMm = 160;
+    double dpi = 300;
+    bool dark = false;
 };
 
 // Throws InputError for what is not understood.

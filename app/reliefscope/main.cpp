@@ -7,16 +7,19 @@
 
 #include "arguments.h"
 #include "errors.h"
+#include "views/figure.h"
 #include "windows/display_check.h"
 #include "windows/main_window.h"
 #include "windows/program.h"
 #include "workspace/language.h"
+#include "workspace/snapshot_maker.h"
 #include "workspace/start_scenario.h"
 
 namespace relief::app {
 
 namespace {
 
+constexpr int kWorkFailed = 1;
 constexpr int kBadUsage = 2;
 
 struct Start {
@@ -50,16 +53,42 @@ Start chosenStart(const std::string& file, const std::string& datasets) {
     return start;
 }
 
+// The folder of the shipped pictures.
+std::string shippedPictures() {
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    return reliefui::datasetsFolder(program.parent_path().string());
+}
+
+int exportFigure(int count, char** values, const Arguments& arguments) {
+    reliefui::FigureRequest request;
+    request.view = arguments.figure;
+    request.widthMm = arguments.widthMm;
+    request.dpi = arguments.dpi;
+    request.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
+    request.style.language = reliefui::uiLanguage();
+    reliefui::checkFigure(request, arguments.output);
+    Start start = chosenStart(arguments.file, shippedPictures());
+    reliefui::prepareFigures();
+    QApplication application(count, values);
+    reliefui::dressApplication(application);
+    reliefui::SnapshotMaker maker(std::move(start.pictures));
+    reliefui::SnapshotOrder order;
+    order.scenario = start.scenario;
+    Work work;
+    reliefui::writeFigure(*maker.make(order, work), request, arguments.output);
+    return 0;
+}
+
 int run(int count, char** values, const Arguments& arguments) {
+    if (!arguments.figure.empty()) return exportFigure(count, values, arguments);
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {
         std::fprintf(stderr, "relief: no window can be opened: %s\n", problem.c_str());
         return kBadUsage;
     }
     if (arguments.checkDisplay) return 0;
-    std::error_code error;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::string datasets = reliefui::datasetsFolder(program.parent_path().string());
+    const std::string datasets = shippedPictures();
     Start start = chosenStart(arguments.file, datasets);
 
     reliefui::prepareWindows();
@@ -95,6 +124,9 @@ int main(int count, char** values) {
             return 0;
         }
         return run(count, values, arguments);
+    } catch (const relief::WorkError& error) {
+        std::fprintf(stderr, "relief: %s\n", error.text(reliefui::uiLanguage()).c_str());
+        return kWorkFailed;
     } catch (const relief::InputError& error) {
         std::fprintf(stderr, "relief: %s\n", error.text(reliefui::uiLanguage()).c_str());
         return kBadUsage;

@@ -6,7 +6,8 @@
 namespace reliefui {
 
 std::string idText(const ItemId& id) {
-    constexpr std::array<std::string_view, 7> kNames{"", "level", "texel", "step", "ray", "hit", "legend"};
+    constexpr std::array<std::string_view, 9> kNames{"",    "level",  "texel",   "step", "ray",
+                                                     "hit", "legend", "surface", "layer"};
     std::string text(kNames[static_cast<std::size_t>(id.kind)]);
     const auto part = [&](std::int64_t number) {
         text += '/';
@@ -22,6 +23,7 @@ std::string idText(const ItemId& id) {
             part(id.j);
             break;
         case ItemKind::Step:
+        case ItemKind::Layer:
             part(id.i);
             break;
         default:

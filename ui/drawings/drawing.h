@@ -49,11 +49,11 @@ struct Box {
 };
 
 // What an item stands for, the same from one build of the drawing to the next.
-enum class ItemKind : std::uint8_t { None, Level, Texel, Step, Ray, Hit, Legend };
+enum class ItemKind : std::uint8_t { None, Level, Texel, Step, Ray, Hit, Legend, Surface, Layer };
 struct ItemId {
     ItemKind kind = ItemKind::None;
     int level = 0;
-    std::int64_t i = 0;  // of a texel; the number of a step, from 0
+    std::int64_t i = 0;  // of a texel; the number of a step or a layer, from 0
     std::int64_t j = 0;
 
     explicit operator bool() const { return kind != ItemKind::None; }
@@ -76,6 +76,11 @@ enum class Role : std::uint8_t {
     Hit,
     Miss,
     Overshoot,
+    Surface,
+    Plateau,
+    Layer,
+    Sample,
+    Background,
     HeightFill,
     Grid,
     Frame,
@@ -133,6 +138,12 @@ struct Cells {
     std::int64_t firstJ = 0;
 };
 
+// What lies between a line (x ascending) and the horizontal at `base`.
+struct Area {
+    std::vector<Point> line;
+    double base = 0;
+};
+
 struct Polyline {
     std::vector<Point> points;
     bool arrow = false;  // at its end
@@ -176,13 +187,20 @@ struct Label {
     bool evades = false;  // drawn beside the room where it does not fit
 };
 
-using Primitive = std::variant<Rectangle, Cells, Polyline, Circle, Ring, Marker, Hatch, Label>;
+using Primitive = std::variant<Rectangle, Cells, Area, Polyline, Circle, Ring, Marker, Hatch, Label>;
+
+// Of a pyramid: lines of role Plateau have the colour of their level.
+struct LevelTint {
+    int level = 0;
+    int levels = 1;
+};
 
 struct Item {
     ItemId id;
     Role role = Role::Frame;
     Emphasis emphasis = Emphasis::Normal;
     Primitive primitive;
+    LevelTint tint{};
 };
 
 struct Drawing {
@@ -190,7 +208,7 @@ struct Drawing {
     std::vector<Item> items;
 
     void add(ItemId id, Role role, Primitive primitive, Emphasis emphasis = Emphasis::Normal) {
-        items.push_back({id, role, emphasis, std::move(primitive)});
+        items.push_back({id, role, emphasis, std::move(primitive), {}});
     }
 };
 

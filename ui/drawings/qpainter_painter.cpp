@@ -38,7 +38,7 @@ struct ItemPainter {
     const Box& screen;
     const Item& item;
 
-    Stroke stroke() const { return style.stroke(item.role, item.emphasis); }
+    Stroke stroke() const { return style.stroke(item); }
     QPen haloPen(double width) const {
         return QPen(qcolor(style.halo()), width + 2 * style.screenPixelsPerPoint * 0.7, Qt::SolidLine, Qt::FlatCap,
                     Qt::MiterJoin);
@@ -104,13 +104,24 @@ struct ItemPainter {
         painter.restore();
     }
 
+    void operator()(const Area& area) const {
+        if (area.line.size() < 2) return;
+        QPolygonF polygon;
+        polygon << qpoint(map.toScreen(Point{area.line.front().x, area.base}));
+        for (const Point& p : area.line) polygon << qpoint(map.toScreen(p));
+        polygon << qpoint(map.toScreen(Point{area.line.back().x, area.base}));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(qcolor(style.fill(item.role, item.emphasis)));
+        painter.drawPolygon(polygon);
+    }
+
     void operator()(const Polyline& line) const {
         if (line.points.size() < 2) return;
         QPolygonF polygon;
         for (const Point& p : line.points) polygon << qpoint(map.toScreen(p));
         const Stroke s = stroke();
         painter.setBrush(Qt::NoBrush);
-        if (item.emphasis != Emphasis::Faint && item.role != Role::Frame) {
+        if (hasHalo(item)) {
             painter.setPen(haloPen(s.width));
             painter.drawPolyline(polygon);
         }
@@ -154,9 +165,9 @@ struct ItemPainter {
         const double r = size / 2;
         painter.setPen(shapeFilled(m.shape) ? QPen(qcolor(style.halo()), s.width * 0.6)
                                             : QPen(qcolor(s.color), s.width));
-        painter.setBrush(shapeFilled(m.shape) ? QBrush(qcolor(style.color(item.role))) : QBrush(Qt::NoBrush));
+        painter.setBrush(shapeFilled(m.shape) ? QBrush(qcolor(s.color)) : QBrush(Qt::NoBrush));
         if (m.shape == Shape::Cross) {
-            painter.setPen(QPen(qcolor(style.color(item.role)), s.width * 1.5));
+            painter.setPen(QPen(qcolor(s.color), s.width * 1.5));
             painter.drawLine(at + QPointF(-r, -r), at + QPointF(r, r));
             painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
             return;
@@ -221,23 +232,39 @@ void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const 
     }
 }
 
+namespace {
+
+constexpr double kFigureMargin = 6;  // points
+
+// The legend is made in points; it shrinks rather than leave the page.
+double legendScale(const Drawing& legend, const Box& page, const Style& style) {
+    const double room = page.width() - 2 * kFigureMargin * style.pixelsPerPoint();
+    const double scale = style.pixelsPerPoint();
+    return legend.bounds.width() * scale > room ? room / legend.bounds.width() : scale;
+}
+
+double legendHeight(const Drawing& legend, const Box& page, const Style& style) {
+    if (legend.bounds.empty()) return 0;
+    return legend.bounds.height() * legendScale(legend, page, style) + kFigureMargin * style.pixelsPerPoint();
+}
+
+}  // namespace
+
+Box figureRoom(const Drawing& legend, const Box& page, const Style& style) {
+    const double margin = kFigureMargin * style.pixelsPerPoint();
+    return {page.x0 + margin, page.y0 + margin, page.x1 - margin, page.y1 - margin - legendHeight(legend, page, style)};
+}
+
 void paintFigure(QPainter& painter, const std::vector<const Drawing*>& layers, const Drawing& legend, const Box& page,
                  const Style& style) {
     painter.fillRect(qrect(page), qcolor(style.background()));
-    // The legend is made in points; it shrinks rather than leave the page.
     ViewMap legendMap;
-    legendMap.scale = style.pixelsPerPoint();
-    const double margin = 6 * style.pixelsPerPoint();
-    if (legend.bounds.width() * legendMap.scale > page.width() - 2 * margin) {
-        legendMap.scale = (page.width() - 2 * margin) / legend.bounds.width();
-    }
-    const double legendHeight = legend.bounds.empty() ? 0 : legend.bounds.height() * legendMap.scale + margin;
-    legendMap.dx = page.x0 + margin - legend.bounds.x0 * legendMap.scale;
-    legendMap.dy = page.y1 - legendHeight - legend.bounds.y0 * legendMap.scale;
+    legendMap.scale = legendScale(legend, page, style);
+    legendMap.dx = page.x0 + kFigureMargin * style.pixelsPerPoint() - legend.bounds.x0 * legendMap.scale;
+    legendMap.dy = page.y1 - legendHeight(legend, page, style) - legend.bounds.y0 * legendMap.scale;
     Box bounds;
     for (const Drawing* layer : layers) bounds = bounds.joined(layer->bounds);
-    const Box room{page.x0 + margin, page.y0 + margin, page.x1 - margin, page.y1 - margin - legendHeight};
-    const ViewMap map = ViewMap::fitting(bounds, room);
+    const ViewMap map = ViewMap::fitting(bounds, figureRoom(legend, page, style));
     for (const Drawing* layer : layers) paint(painter, *layer, map, style, page);
     paint(painter, legend, legendMap, style, page);
 }

@@ -89,6 +89,16 @@ Rgba Style::color(Role role) const {
             return dark ? Rgba{0x70, 0x74, 0x7A, 255} : Rgba{0x90, 0x90, 0x90, 255};
         case Role::Grid:
             return Rgba{0x80, 0x80, 0x80, 110};
+        case Role::Surface:
+            return dark ? Rgba{0xD2, 0xD2, 0xD2, 255} : Rgba{0x3C, 0x3C, 0x3C, 255};
+        case Role::Layer:
+            return dark ? Rgba{0xA0, 0xA4, 0xAA, 255} : Rgba{0x70, 0x74, 0x7A, 255};
+        case Role::Sample:
+            return dark ? Rgba{0xEC, 0xEC, 0xEC, 255} : Rgba{0x20, 0x20, 0x20, 255};
+        case Role::Plateau:
+            return levelLine({});
+        case Role::Background:
+            return background();
         case Role::HeightFill:
             return dark ? Rgba{0x8A, 0x8A, 0x8A, 255} : Rgba{0xB8, 0xB8, 0xB8, 255};
         case Role::Label:
@@ -117,11 +127,16 @@ Stroke Style::stroke(Role role, Emphasis emphasis) const {
             break;
         case Role::Grid:
         case Role::Frame:
+        case Role::Layer:
+        case Role::Sample:
             width = 0.6;
             break;
         case Role::Ascended:
         case Role::Miss:
             dash = {3, 2.2};
+            break;
+        case Role::Plateau:
+            width = 1.5;
             break;
         case Role::Overshoot:
             dash = {5, 2};
@@ -135,6 +150,30 @@ Stroke Style::stroke(Role role, Emphasis emphasis) const {
     if (emphasis == Emphasis::Faint) stroke.color.a = static_cast<std::uint8_t>(stroke.color.a * 0.62);
     for (const double part : dash) stroke.dash.push_back(part * unit);
     return stroke;
+}
+
+Stroke Style::stroke(const Item& item) const {
+    Stroke own = stroke(item.role, item.emphasis);
+    if (item.role != Role::Plateau) return own;
+    const std::uint8_t alpha = own.color.a;
+    own.color = levelLine(item.tint);
+    own.color.a = alpha;
+    // Coarse ones are wider: seen also where a fine one of the same height lies on them.
+    constexpr double kWider = 1.0;
+    own.width *= 1 + kWider * item.tint.level / std::max(item.tint.levels - 1, 1);
+    return own;
+}
+
+Rgba Style::levelLine(const LevelTint& tint) const {
+    // The ends of the map are nearly white and nearly black.
+    constexpr double kDarkFrom = 0.16;
+    constexpr double kDarkTo = 0.68;
+    constexpr double kLightFrom = 0.40;
+    constexpr double kLightTo = 1.0;
+    const double t = tint.levels > 1 ? static_cast<double>(tint.level) / (tint.levels - 1) : 0.0;
+    const bool dark = theme == Theme::Dark;
+    const double from = dark ? kDarkFrom : kLightFrom;
+    return mapped(ColorMap::Level, from + t * ((dark ? kDarkTo : kLightTo) - from));
 }
 
 Rgba Style::fill(Role role, Emphasis emphasis) const {

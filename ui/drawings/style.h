@@ -48,9 +48,13 @@ struct Style {
     Rgba color(Role role) const;
     Rgba halo() const;  // what is drawn around marks, so that they are seen on any ground
     Stroke stroke(Role role, Emphasis emphasis) const;
+    Stroke stroke(const Item& item) const;  // with its tint
     Rgba fill(Role role, Emphasis emphasis) const;
     // Black or white, whichever is read better on this ground.
     static Rgba textOn(Rgba ground);
+
+    // The colour of a line that stands for a level: the part of the level map that is seen on this background.
+    Rgba levelLine(const LevelTint& tint) const;
 
     // t in [0, 1], clamped; NaN is shown as no colour of the map.
     Rgba mapped(ColorMap map, double t) const;

@@ -94,6 +94,7 @@ struct Picker {
 
     ItemId operator()(const Rectangle& r) const { return here(screenBox(r, map, pixelsPerPoint).contains(at)); }
     ItemId operator()(const Cells& c) const { return texelUnder(item, c, map.toDrawing(at)); }
+    ItemId operator()(const Area&) const { return {}; }
     ItemId operator()(const Polyline& line) const {
         for (std::size_t k = 1; k < line.points.size(); ++k) {
             const Point a = map.toScreen(line.points[k - 1]);
@@ -197,6 +198,10 @@ std::vector<Point> shapePolygon(Shape shape, double size) {
         default:
             return {};
     }
+}
+
+bool hasHalo(const Item& item) {
+    return item.emphasis != Emphasis::Faint && item.role != Role::Frame && item.role != Role::Plateau;
 }
 
 bool shapeFilled(Shape shape) {

@@ -65,5 +65,7 @@ Box labelBox(const Label& label, const ViewMap& map, double width, double height
 // are round, and for Cross, which is two strokes.
 std::vector<Point> shapePolygon(Shape shape, double size);
 bool shapeFilled(Shape shape);
+// Whether a line is set off from what lies under it.
+bool hasHalo(const Item& item);
 
 }  // namespace reliefui

@@ -97,6 +97,7 @@ struct VtkContextPainter::Pass {
     void operator()(const Rectangle& r);
     void operator()(const Cells& cells);
     void smallCells(const Cells& cells, const CellRange& range);
+    void operator()(const Area& area);
     void operator()(const Polyline& l);
     void operator()(const Circle& c);
     void operator()(const Ring& r);
@@ -152,7 +153,7 @@ void VtkContextPainter::Pass::operator()(const Rectangle& r) {
     const Box box = whole.cut(screen.grown(100));
     if (r.fill) fillBox(box.cut(screen), style.fill(item->role, item->emphasis));
     if (r.fill && item->emphasis != Emphasis::Strong) return;
-    begin(style.stroke(item->role, item->emphasis));
+    begin(style.stroke(*item));
     outline(box);
 }
 
@@ -210,12 +211,28 @@ void VtkContextPainter::Pass::smallCells(const Cells& cells, const CellRange& ra
     }
 }
 
+void VtkContextPainter::Pass::operator()(const Area& area) {
+    if (area.line.size() < 2) return;
+    flush();
+    context().GetPen()->SetLineType(vtkPen::NO_PEN);
+    setBrush(style.fill(item->role, item->emphasis));
+    std::vector<float> strip;
+    const float base = flip(map.toScreen(Point{0, area.base}).y);
+    for (const Point& p : area.line) {
+        const Point at = map.toScreen(p);
+        for (const float number : {static_cast<float>(at.x), flip(at.y), static_cast<float>(at.x), base}) {
+            strip.push_back(number);
+        }
+    }
+    context().DrawQuadStrip(strip.data(), static_cast<int>(strip.size() / 2));
+}
+
 void VtkContextPainter::Pass::operator()(const Polyline& l) {
     if (l.points.size() < 2) return;
     std::vector<Point> points;
     for (const Point& p : l.points) points.push_back(map.toScreen(p));
-    const Stroke own = style.stroke(item->role, item->emphasis);
-    if (item->emphasis != Emphasis::Faint && item->role != Role::Frame) {
+    const Stroke own = style.stroke(*item);
+    if (hasHalo(*item)) {
         begin({style.halo(), own.width + 2 * style.screenPixelsPerPoint * 0.7, {}});
         polyline(points);
     }
@@ -232,14 +249,14 @@ void VtkContextPainter::Pass::operator()(const Polyline& l) {
 }
 
 void VtkContextPainter::Pass::operator()(const Circle& c) {
-    const Stroke own = style.stroke(item->role, item->emphasis);
+    const Stroke own = style.stroke(*item);
     const Point at = map.toScreen(c.center);
     if (c.fill) ring(at, c.radius * map.scale / 2, c.radius * map.scale, style.fill(item->role, item->emphasis));
     ring(at, c.radius * map.scale, own.width, own.color);
 }
 
 void VtkContextPainter::Pass::operator()(const Ring& r) {
-    const Stroke own = style.stroke(item->role, item->emphasis);
+    const Stroke own = style.stroke(*item);
     const double radius = r.radius * style.pixelsPerPoint();
     ring(map.toScreen(r.center), radius, own.width * 2.6, style.halo());
     ring(map.toScreen(r.center), radius, own.width, own.color);
@@ -248,8 +265,8 @@ void VtkContextPainter::Pass::operator()(const Ring& r) {
 void VtkContextPainter::Pass::operator()(const Marker& m) {
     const double size = m.size * style.pixelsPerPoint();
     const Point at = map.toScreen(m.at);
-    const Stroke own = style.stroke(item->role, Emphasis::Normal);
-    const Rgba color = style.color(item->role);
+    const Stroke own = style.stroke(*item);
+    const Rgba color = own.color;
     const double r = size / 2;
     if (m.shape == Shape::Cross) {
         begin({color, own.width * 1.5, {}});

@@ -133,6 +133,20 @@ QPointF DrawingCanvas::toWidget(Point drawing) const {
     return QPointF(at.x, at.y) / devicePixelRatioF();
 }
 
+Point DrawingCanvas::toDrawing(QPointF widget) const {
+    const QPointF at = widget * devicePixelRatioF();
+    return map_.toDrawing(Point{at.x(), at.y()});
+}
+
+Box DrawingCanvas::visible() const {
+    const double margin = kMargin * deviceStyle().pixelsPerPoint();
+    return map_.toDrawing(screenRoom().grown(margin / 2));
+}
+
+double DrawingCanvas::zoom() const {
+    return map_.scale / deviceStyle().pixelsPerPoint();
+}
+
 ItemId DrawingCanvas::itemAt(QPointF widget) const {
     const QPointF at = widget * devicePixelRatioF();
     const double unit = deviceStyle().pixelsPerPoint();
@@ -146,6 +160,7 @@ void DrawingCanvas::resetZoom() {
     home_ = true;
     map_ = ViewMap::fitting(bounds(), screenRoom());
     redraw();
+    Q_EMIT moved();
 }
 
 void DrawingCanvas::zoomTo(const Box& drawing) {
@@ -166,6 +181,7 @@ void DrawingCanvas::setMap(const ViewMap& map) {
     map_.dy += std::max(0.0, room.y0 + keep - now.y1) - std::max(0.0, now.y0 - (room.y1 - keep));
     home_ = false;
     redraw();
+    Q_EMIT moved();
 }
 
 void DrawingCanvas::redraw() {
@@ -203,6 +219,7 @@ void DrawingCanvas::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->localPos();
     if ((event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) == 0) {
         Q_EMIT hovered(itemAt(at));
+        Q_EMIT pointed(at);
         return;
     }
     const QPointF moved = at - pressed_;
@@ -228,6 +245,13 @@ void DrawingCanvas::wheelEvent(QWheelEvent* event) {
 void DrawingCanvas::leaveEvent(QEvent* event) {
     QVTKOpenGLNativeWidget::leaveEvent(event);
     Q_EMIT hovered({});
+    Q_EMIT left();
+}
+
+// What came while it was hidden was not drawn.
+void DrawingCanvas::showEvent(QShowEvent* event) {
+    QVTKOpenGLNativeWidget::showEvent(event);
+    redrawSoon_.start();
 }
 
 void DrawingCanvas::keyPressEvent(QKeyEvent* event) {

@@ -27,6 +27,10 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
     // Room for the drawing at its home zoom, in points.
     QSizeF room() const;
     QPointF toWidget(Point drawing) const;
+    Point toDrawing(QPointF widget) const;
+    // The part of the drawing that is seen, and points of the screen a unit of it.
+    Box visible() const;
+    double zoom() const;
     ItemId itemAt(QPointF widget) const;
     bool atHome() const { return home_; }
 
@@ -39,6 +43,9 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
     void clicked(const reliefui::ItemId& id);
     void hovered(const reliefui::ItemId& id);  // none: nothing is under the pointer
     void resized();
+    void moved();                         // zoomed or moved: another part is seen
+    void pointed(const QPointF& widget);  // the pointer is there
+    void left();                          // and now it is gone
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -47,6 +54,7 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:

@@ -7,12 +7,14 @@
 #include <QKeyEvent>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
 #include "views/drawing_canvas.h"
+#include "views/profile_view.h"
 #include "views/pyramid_view.h"
 #include "views/result_painting.h"
 #include "views/result_view.h"
@@ -34,6 +36,7 @@ namespace {
 constexpr double kSceneWidth = 0.20;
 constexpr double kTraceWidth = 0.36;
 constexpr double kStepsHeight = 0.23;
+constexpr int kMessageMs = 4000;
 
 QComboBox* makeLayerChooser(Workspace* workspace, QWidget* parent) {
     auto* const box = new QComboBox(parent);
@@ -114,6 +117,7 @@ QDockWidget* MainWindow::addPane(const QString& title, const QString& name, QWid
 
 void MainWindow::makePanes() {
     pyramid_ = new PyramidView(workspace_, this);
+    profile_ = new ProfileView(workspace_, this);
     trace_ = new Trace3dView(workspace_, this);
     auto* const time = new QWidget(this);
     auto* const column = new QVBoxLayout(time);
@@ -137,6 +141,9 @@ void MainWindow::makePanes() {
     addPane(tr("Steps"), QStringLiteral("steps-pane"), time, steps_->findChild<QTableView*>(),
             Qt::BottomDockWidgetArea);
     addPane(tr("Scene"), QStringLiteral("scene-pane"), scroll, panel, Qt::LeftDockWidgetArea);
+    addPane(tr("Profile"), QStringLiteral("profile-pane"), profile_, profile_->canvas(), Qt::RightDockWidgetArea);
+    connect(profile_, &ProfileView::saved, this,
+            [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); });
 }
 
 void MainWindow::makeMessages() {
@@ -174,7 +181,9 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::BottomDockWidgetArea, steps);
     addDockWidget(Qt::LeftDockWidgetArea, scene);
     splitDockWidget(trace, pyramid, Qt::Vertical);
+    tabifyDockWidget(pyramid, panes_[5].dock);
     for (const Pane& pane : panes_) pane.whole->show();
+    pyramid->raise();
     shareRoom();
     // Again when the window has its size: before that, docks are as small as they can be.
     QTimer::singleShot(0, this, &MainWindow::shareRoom);
@@ -231,7 +240,7 @@ void MainWindow::setProjector(bool on) {
     if (on) {
         beforeProjector_ = saveState();
         // Nobody reads controls from the last row; the panes need the room.
-        panes_.back().whole->hide();
+        panes_[4].whole->hide();
         showFullScreen();
     } else {
         showNormal();

@@ -14,6 +14,7 @@ namespace reliefui {
 
 class MessageBar;
 class PaneTitle;
+class ProfileView;
 class PyramidView;
 class ResultView;
 class StatusLine;
@@ -31,6 +32,7 @@ class MainWindow : public QMainWindow {
 
     ResultView* result() { return result_; }
     PyramidView* pyramid() { return pyramid_; }
+    ProfileView* profile() { return profile_; }
     Trace3dView* trace() { return trace_; }
     StepTable* steps() { return steps_; }
     MessageBar* messages() { return messages_; }
@@ -93,6 +95,7 @@ class MainWindow : public QMainWindow {
     QString datasets_;
     ResultView* result_ = nullptr;
     PyramidView* pyramid_ = nullptr;
+    ProfileView* profile_ = nullptr;
     Trace3dView* trace_ = nullptr;
     StepTable* steps_ = nullptr;
     StepBar* stepBar_ = nullptr;

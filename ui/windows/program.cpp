@@ -30,6 +30,15 @@ namespace {
 // After the first full picture: until the panes have drawn it as well.
 constexpr int kPanesDrawnMs = 800;
 
+// Qt complains about its absence.
+void giveRuntimeFolder() {
+    if (!qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) return;
+    const QString folder = QDir::tempPath() + QStringLiteral("/runtime-%1").arg(getuid());
+    QDir().mkpath(folder);
+    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    qputenv("XDG_RUNTIME_DIR", folder.toLocal8Bit());
+}
+
 void grab(MainWindow& window, const QString& path) {
     const bool done = window.grab().save(path, "PNG");
     if (!done) std::fprintf(stderr, "relief: %s: cannot be written\n", path.toUtf8().constData());
@@ -41,15 +50,15 @@ void grab(MainWindow& window, const QString& path) {
 void prepareWindows() {
     // VTK here draws through GLX: X11, also where a Wayland session would offer something else.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
-    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) {
-        const QString folder = QDir::tempPath() + QStringLiteral("/runtime-%1").arg(getuid());
-        QDir().mkpath(folder);
-        QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-        qputenv("XDG_RUNTIME_DIR", folder.toLocal8Bit());
-    }
+    giveRuntimeFolder();
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
     format.setSamples(0);
     QSurfaceFormat::setDefaultFormat(format);
+}
+
+void prepareFigures() {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    giveRuntimeFolder();
 }
 
 void dressApplication(QApplication& application) {

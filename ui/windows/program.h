@@ -11,6 +11,8 @@ class Workspace;
 
 // Before the QApplication: the surfaces of VTK, and what Qt would complain about on the standard error.
 void prepareWindows();
+// The same where only figures are drawn: no display is asked for.
+void prepareFigures();
 // After it: texts in the language of the locale, type, colours; numbers stay those of the C locale.
 void dressApplication(QApplication& application);
 

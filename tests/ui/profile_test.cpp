@@ -1,0 +1,463 @@
+// The profile as data: what is where on it, for every kind of ray; and what the figures in files hold.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "drawings/profile_drawing.h"
+#include "drawings/slice.h"
+#include "drawings/view_map.h"
+#include "images/reliefs.h"
+#include "relief/leaf.h"
+#include "relief/tracers.h"
+
+namespace reliefui {
+namespace {
+
+using relief::Address;
+using relief::Surface;
+
+constexpr double kWidth = 640;
+constexpr double kHeight = 360;
+// Heights and places on the drawing are computed in double from the same numbers.
+constexpr double kRounding = 1e-9;
+
+struct Traced {
+    relief::Work work;
+    relief::MapCache cache;
+    relief::HeightField field;
+    relief::HitBlock hits;
+    relief::StepLog log;
+    ProfileSource source;
+
+    Traced(const char* recipe, int width, int height, Surface surface, Address address)
+        : Traced(relief::makeRelief(recipe, width, height, 3), surface, address) {}
+    Traced(relief::FloatImage heights, Surface surface, Address address)
+        : field(std::make_shared<const relief::FloatImage>(std::move(heights)), surface, address) {
+        source.field = &field;
+        source.maxima = relief::maxPyramidMap(field, cache, work);
+    }
+    void trace(const relief::ViewRay& ray, const relief::MethodChoice& method) {
+        relief::RayBlock rays;
+        rays.push(ray);
+        log = {};
+        relief::makeTracer(method, field, cache, work)->trace(rays, hits, log, work);
+        source.hasRay = true;
+        source.ray = ray;
+        source.hit = hits[0];
+        source.steps = &log.steps;
+        const relief::MethodDescription& description = relief::findTracer(method.name);
+        source.atPoints = description.guarantee == relief::Guarantee::Approximate && description.maps.empty();
+        source.layers = method.options.count("layers") > 0 ? std::stoi(method.options.at("layers")) : 0;
+    }
+    relief::PyramidWalk walk() const { return {field, source.maxima}; }
+};
+
+int countOf(const Drawing& drawing, ItemKind kind) {
+    return static_cast<int>(std::count_if(drawing.items.begin(), drawing.items.end(),
+                                          [&](const Item& item) { return item.id.kind == kind; }));
+}
+
+bool finite(const Drawing& drawing) {
+    const auto good = [](Point p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+    for (const Item& item : drawing.items) {
+        if (const auto* line = std::get_if<Polyline>(&item.primitive)) {
+            if (!std::all_of(line->points.begin(), line->points.end(), good)) return false;
+        } else if (const auto* area = std::get_if<Area>(&item.primitive)) {
+            if (!std::all_of(area->line.begin(), area->line.end(), good)) return false;
+        } else if (const auto* marker = std::get_if<Marker>(&item.primitive)) {
+            if (!good(marker->at)) return false;
+        } else if (const auto* label = std::get_if<Label>(&item.primitive)) {
+            if (!good(label->at)) return false;
+        }
+    }
+    return true;
+}
+
+// The height that a line has at lambda; the line is steep at walls, so a little beside.
+double heightOn(const std::vector<Point>& line, double lambda) {
+    const auto next =
+        std::lower_bound(line.begin(), line.end(), lambda, [](const Point& p, double x) { return p.x < x; });
+    if (next == line.begin()) return next->y;
+    if (next == line.end()) return line.back().y;
+    const Point& b = *next;
+    const Point& a = *(next - 1);
+    return b.x > a.x ? a.y + (lambda - a.x) / (b.x - a.x) * (b.y - a.y) : b.y;
+}
+
+TEST(Slice, theSurfaceIsTheOneThatIsTraced) {
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+        for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+            const Traced t("fractal", 37, 20, surface, address);
+            for (int n = 0; n < 20; ++n) {
+                const double far = address == Address::Repeat ? 500 : 0;
+                const relief::ViewRay ray{unit(random) * 37 + far, unit(random) * 20 - far, unit(random) * 60 - 30,
+                                          unit(random) * 60 - 30};
+                SliceRange range;
+                range.columns = 4000;
+                range.rows = 1000;
+                const SurfaceLine line = surfaceAlong(t.walk(), ray, range);
+                ASSERT_FALSE(line.points.empty());
+                EXPECT_TRUE(std::is_sorted(line.points.begin(), line.points.end(),
+                                           [](const Point& p, const Point& q) { return p.x < q.x; }));
+                EXPECT_NEAR(line.points.back().x, lambdaInside(t.walk(), ray), kRounding);
+                const double quarterPixel = 0.25 / range.rows;
+                for (int k = 0; k < 300; ++k) {
+                    const double lambda = unit(random) * line.points.back().x;
+                    EXPECT_NEAR(heightOn(line.points, lambda), surfaceAt(t.field, ray, lambda),
+                                quarterPixel + kRounding)
+                        << lambda;
+                }
+            }
+        }
+    }
+}
+
+// A plateau is as high as the highest point of the surface under it, at least, and spans exactly the texel's stay.
+TEST(Slice, plateausLieOverTheSurfaceAndCoverTheRay) {
+    std::mt19937_64 random(12);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+        const Traced t("hills", 37, 20, Surface::Bilinear, address);
+        for (int n = 0; n < 20; ++n) {
+            const relief::ViewRay ray{unit(random) * 37, unit(random) * 20, unit(random) * 90 - 45,
+                                      unit(random) * 90 - 45};
+            SliceRange range;
+            range.columns = 1e6;
+            for (int level = 0; level <= t.walk().top(); ++level) {
+                double at = 0;
+                for (const Plateau& plateau : plateausAlong(t.walk(), ray, level, range)) {
+                    EXPECT_FALSE(plateau.joined);
+                    EXPECT_EQ(plateau.texel.level, level);
+                    EXPECT_EQ(plateau.texel.lambdaIn, at) << "no gap, no overlap";
+                    at = plateau.texel.lambdaOut;
+                    const double middle = (plateau.texel.lambdaIn + plateau.texel.lambdaOut) / 2;
+                    EXPECT_LE(surfaceAt(t.field, ray, middle), plateau.texel.value + kRounding);
+                }
+                EXPECT_NEAR(at, lambdaInside(t.walk(), ray), kRounding);
+            }
+        }
+    }
+}
+
+TEST(Slice, thinningKeepsHighestAndLowest) {
+    const Traced t("spikes", 256, 256, Surface::Columns, Address::Repeat);
+    const relief::ViewRay ray{3.3, 7.1, 7000, 3000};
+    SliceRange fine;
+    fine.columns = 1e6;
+    SliceRange coarse;
+    coarse.columns = 500;
+    const SurfaceLine all = surfaceAlong(t.walk(), ray, fine);
+    const SurfaceLine thin = surfaceAlong(t.walk(), ray, coarse);
+    EXPECT_FALSE(all.thinned);
+    EXPECT_TRUE(thin.thinned);
+    EXPECT_GT(all.points.size(), 15000u);
+    EXPECT_LE(thin.points.size(), 4 * 501u);
+    const auto lower = [](const Point& p, const Point& q) { return p.y < q.y; };
+    const auto [low, high] = std::minmax_element(all.points.begin(), all.points.end(), lower);
+    const auto [thinLow, thinHigh] = std::minmax_element(thin.points.begin(), thin.points.end(), lower);
+    EXPECT_EQ(low->y, thinLow->y);
+    EXPECT_EQ(high->y, thinHigh->y);
+}
+
+// The 8 x 8 example, a ray along row 5 of columns: every border, maximum and step is known from the map alone.
+TEST(ProfileDrawing, plateausOfTheExampleStandAtTheirMaxima) {
+    Traced t("paper8x8", 8, 8, Surface::Columns, Address::Repeat);
+    t.trace({0, 5.5, 8, 0}, {"max-pyramid-paper", {}});
+    ProfileOptions options;
+    options.levels = LevelsShown::All;
+    const ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+    const Drawing drawing = profileRelief(t.source, options, frame);
+    std::map<int, int> found;
+    for (const Item& item : drawing.items) {
+        if (item.role != Role::Plateau) continue;
+        ASSERT_EQ(item.id.kind, ItemKind::Texel);
+        const auto& line = std::get<Polyline>(item.primitive).points;
+        ASSERT_EQ(line.size(), 2u);
+        const int side = 1 << item.id.level;
+        float highest = 0;
+        for (int j = 0; j < side; ++j) {
+            for (int i = 0; i < side; ++i) {
+                highest = std::max(highest, t.field.texel(item.id.i * side + i, item.id.j * side + j));
+            }
+        }
+        EXPECT_EQ(item.id.j, 5 >> item.id.level);
+        EXPECT_NEAR(line[0].y, frame.yAt(static_cast<double>(highest)), kRounding) << idText(item.id);
+        EXPECT_NEAR(line[1].y, line[0].y, kRounding);
+        // Eight texels a unit of lambda.
+        EXPECT_NEAR(line[0].x, frame.xAt(static_cast<double>(item.id.i * side) / 8), 1e-6) << idText(item.id);
+        const double end = std::min(static_cast<double>((item.id.i + 1) * side) / 8, frame.lambdaEnd);
+        EXPECT_NEAR(line[1].x, frame.xAt(end), 1e-6) << idText(item.id);
+        ++found[item.id.level];
+    }
+    for (int level = 0; level <= 3; ++level) {
+        EXPECT_EQ(found[level], static_cast<int>(std::ceil(8 * frame.lambdaEnd / (1 << level)))) << level;
+    }
+}
+
+TEST(ProfileDrawing, everyStepHasItsMarkNearItsPlaceOnTheRay) {
+    Traced t("paper8x8", 8, 8, Surface::Bilinear, Address::Repeat);
+    t.trace({1.2, 5.1, 5, -2}, {"max-pyramid-paper", {}});
+    const ProfileOptions options;
+    const ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+    ASSERT_GT(t.log.steps.size(), 5u);
+    std::vector<ItemId> first;
+    for (const int step : {0, 3, static_cast<int>(t.log.steps.size()) - 1}) {
+        const Drawing marks = profileMarks(t.source, options, frame, step);
+        std::set<std::int64_t> found;
+        int rings = 0;
+        for (const Item& item : marks.items) {
+            rings += std::holds_alternative<Ring>(item.primitive) ? 1 : 0;
+            if (!std::holds_alternative<Marker>(item.primitive)) continue;
+            ASSERT_EQ(item.id.kind, ItemKind::Step);
+            const relief::Step& s = t.log.steps[static_cast<std::size_t>(item.id.i)];
+            EXPECT_TRUE(found.insert(item.id.i).second) << "once each";
+            EXPECT_EQ(item.role, roleOf(s.decision));
+            // In the middle of what the step is about, or a little beside it for want of room.
+            const double lambda = frame.lambdaAt(std::get<Marker>(item.primitive).at.x);
+            const double aside = 3 * 30 / frame.plot.width() * frame.lambdaEnd;
+            EXPECT_GE(lambda, std::min(s.lambdaIn, s.lambdaAfter) - aside);
+            EXPECT_LE(lambda, std::max(s.lambdaOut, s.lambdaAfter) + aside);
+        }
+        ASSERT_EQ(t.source.hit.outcome, relief::Outcome::Hit);
+        EXPECT_EQ(found.size(), t.log.steps.size() - 1) << "the last one is the ring";
+        EXPECT_EQ(rings, 1);
+        // The same things have the same ids, whichever step is chosen.
+        std::vector<ItemId> ids;
+        for (const Item& item : marks.items) {
+            if (std::holds_alternative<Marker>(item.primitive)) ids.push_back(item.id);
+        }
+        std::sort(ids.begin(), ids.end());
+        if (first.empty()) first = ids;
+        EXPECT_EQ(ids, first);
+    }
+}
+
+// Marks with their numbers, and names of levels, keep clear of each other.
+TEST(ProfileDrawing, numbersAndMarksDoNotOverlap) {
+    for (const char* const recipe : {"bricks", "city", "fractal"}) {
+        Traced t(recipe, 128, 128, Surface::Bilinear, Address::Repeat);
+        t.trace({12, 40, 60, -39}, {"max-pyramid-paper", {}});
+        const ProfileOptions options;
+        const ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+        const Drawing marks = profileMarks(t.source, options, frame, 2);
+        std::vector<Box> boxes;
+        for (const Item& item : marks.items) {
+            constexpr double kMark = 3.9;  // half of one
+            if (const auto* marker = std::get_if<Marker>(&item.primitive)) {
+                boxes.push_back(
+                    {marker->at.x - kMark, marker->at.y - kMark, marker->at.x + kMark, marker->at.y + kMark});
+            } else if (const auto* label = std::get_if<Label>(&item.primitive); label != nullptr && label->plate) {
+                const double x = label->at.x + label->offset.x;
+                boxes.push_back({x, label->at.y - kMark, x + 5, label->at.y + kMark});
+            }
+        }
+        ASSERT_GT(boxes.size(), 8u);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            for (std::size_t m = k + 1; m < boxes.size(); ++m) {
+                EXPECT_FALSE(boxes[k].overlaps(boxes[m])) << recipe << ": " << k << " and " << m;
+            }
+        }
+    }
+}
+
+TEST(ProfileDrawing, layersAndSamplesOfTheLayerMethod) {
+    Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
+    t.trace({12, 40, 9, -4}, {"layers", {{"layers", "10"}}});
+    ProfileOptions options;
+    const ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+    EXPECT_TRUE(profileLevels(t.source, options).empty());
+    const Drawing relief = profileRelief(t.source, options, frame);
+    EXPECT_EQ(countOf(relief, ItemKind::Layer), 11);
+    for (const Item& item : relief.items) {
+        if (item.id.kind != ItemKind::Layer) continue;
+        const auto& line = std::get<Polyline>(item.primitive).points;
+        EXPECT_NEAR(line[0].y, frame.yAt(1 - static_cast<double>(item.id.i) / 10), kRounding);
+    }
+    const Drawing marks = profileMarks(t.source, options, frame, 0);
+    int samples = 0;
+    for (const Item& item : marks.items) {
+        const auto* marker = std::get_if<Marker>(&item.primitive);
+        if (marker == nullptr || item.role != Role::Sample) continue;
+        const double lambda = frame.lambdaAt(marker->at.x);
+        EXPECT_NEAR(frame.heightAt(marker->at.y), surfaceAt(t.field, t.source.ray, lambda), 1e-6);
+        ++samples;
+    }
+    const auto read = std::count_if(t.log.steps.begin(), t.log.steps.end(), [](const relief::Step& s) {
+        return s.decision == relief::Decision::Advance || s.decision == relief::Decision::Hit;
+    });
+    EXPECT_EQ(samples, read);
+}
+
+TEST(ProfileDrawing, theOffsetMethodShowsItsOneSample) {
+    Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
+    for (const char* const method : {"offset", "offset-limited"}) {
+        t.trace({12, 40, 9, -4}, {method, {}});
+        const ProfileFrame frame = profileFrame(t.source, {}, kWidth, kHeight);
+        const Drawing marks = profileMarks(t.source, {}, frame, 1);
+        std::vector<Point> dots;
+        for (const Item& item : marks.items) {
+            const auto* marker = std::get_if<Marker>(&item.primitive);
+            if (marker != nullptr && item.role == Role::Sample) dots.push_back(marker->at);
+        }
+        ASSERT_EQ(dots.size(), 1u) << method;
+        EXPECT_NEAR(dots[0].x, frame.plot.x0, kRounding);
+        EXPECT_NEAR(frame.heightAt(dots[0].y), surfaceAt(t.field, t.source.ray, 0), kRounding);
+    }
+}
+
+// Vertical rays, the border, the step limit, a single texel, far starts: drawn, finite, and something is there.
+TEST(ProfileDrawing, raysOfEveryKindAreDrawn) {
+    struct Case {
+        int size;
+        Address address;
+        relief::ViewRay ray;
+        relief::Outcome outcome;
+    };
+    const std::vector<Case> cases{
+        {64, Address::Repeat, {20.5, 30.5, 0, 0}, relief::Outcome::Hit},
+        {64, Address::Border, {-3, 5, 20, 4}, relief::Outcome::Miss},
+        {64, Address::Border, {62, 30, 500, 0}, relief::Outcome::Miss},
+        {64, Address::Repeat, {1e6 + 0.3, -1e6, 40, 11}, relief::Outcome::Hit},
+        {64, Address::Clamp, {10, 10, -60, 3}, relief::Outcome::Hit},
+        {1, Address::Repeat, {0.2, 0.7, 5, 3}, relief::Outcome::Hit},
+        {1, Address::Clamp, {0.2, 0.7, 0, 0}, relief::Outcome::Hit},
+        {64, Address::Repeat, {3, 4, 3e6, 1e6}, relief::Outcome::Unset},
+    };
+    for (const Case& c : cases) {
+        for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+            Traced t("bricks", c.size, c.size, surface, c.address);
+            for (const char* const method : {"max-pyramid", "exact", "layers", "offset"}) {
+                t.trace(c.ray, {method, {}});
+                if (c.outcome != relief::Outcome::Unset && std::string(method) == "exact") {
+                    EXPECT_EQ(t.source.hit.outcome, c.outcome) << c.ray.s0;
+                }
+                for (const bool trueAspect : {false, true}) {
+                    ProfileOptions options;
+                    options.levels = LevelsShown::All;
+                    options.trueAspect = trueAspect;
+                    options.nearRay = trueAspect;
+                    const ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+                    EXPECT_EQ(frame.vertical, c.ray.a == 0 && c.ray.b == 0);
+                    const Drawing relief = profileRelief(t.source, options, frame);
+                    const Drawing axes = profileAxes(t.source, frame);
+                    const int last = static_cast<int>(t.log.steps.size()) - 1;
+                    for (const int step : {0, last / 2, last}) {
+                        const Drawing marks = profileMarks(t.source, options, frame, step);
+                        EXPECT_TRUE(finite(marks)) << method;
+                        EXPECT_GE(countOf(marks, ItemKind::Ray), 1) << method;
+                    }
+                    EXPECT_TRUE(finite(relief) && finite(axes)) << method;
+                    EXPECT_EQ(countOf(relief, ItemKind::Surface), 1);
+                    EXPECT_GT(axes.items.size(), 6u);
+                }
+            }
+        }
+    }
+}
+
+// The limit that the tracer gave up at is where the ray ends.
+TEST(ProfileDrawing, aGivenUpRayEndsWhereItWasGivenUp) {
+    Traced t(relief::FloatImage(16, 16, 0.25F), Surface::Bilinear, Address::Repeat);
+    t.trace({3, 4, 3e6, 1e6}, {"exact", {}});
+    ASSERT_EQ(t.source.hit.outcome, relief::Outcome::Limit);
+    const ProfileFrame frame = profileFrame(t.source, {}, kWidth, kHeight);
+    const Drawing marks = profileMarks(t.source, {}, frame, 0);
+    double end = -1;
+    for (const Item& item : marks.items) {
+        if (item.id.kind != ItemKind::Ray || item.role != Role::Ray) continue;
+        end = std::max(end, frame.lambdaAt(std::get<Polyline>(item.primitive).points.back().x));
+    }
+    EXPECT_NEAR(end, t.log.steps.back().lambdaAfter, 1e-9);
+}
+
+TEST(ProfileDrawing, aTexelIsAsLongAcrossAsUpwards) {
+    Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
+    t.trace({12, 40, 9, -4}, {"max-pyramid", {}});
+    ProfileOptions options;
+    options.trueAspect = true;
+    const ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+    const double across = frame.plot.width() / (frame.lambdaEnd * frame.run);
+    const double upwards = (frame.yAt(0) - frame.yAt(1)) / t.field.slabTexels();
+    EXPECT_NEAR(across, upwards, 1e-9 * across);
+}
+
+// Zoomed in, only what is seen is made, and all of it.
+TEST(ProfileDrawing, aZoomShowsCellsThatWereThinnedOut) {
+    Traced t("fractal", 256, 256, Surface::Bilinear, Address::Repeat);
+    t.trace({3.3, 7.1, 8000, 6000}, {"max-pyramid", {}});
+    t.source.hit = relief::Hit::none(relief::Outcome::Limit);  // all of it is shown
+    t.source.steps = nullptr;
+    const ProfileOptions options;
+    ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+    ASSERT_EQ(frame.lambdaEnd, 1);
+    const auto thinned = [](const Drawing& drawing) {
+        return std::any_of(drawing.items.begin(), drawing.items.end(), [](const Item& item) {
+            const auto* label = std::get_if<Label>(&item.primitive);
+            return label != nullptr && label->text.id == relief::MessageId::DrawThinned;
+        });
+    };
+    EXPECT_TRUE(thinned(profileRelief(t.source, options, frame)));
+    frame.zoom = 400;
+    const Point middle = frame.plot.center();
+    frame.visible = {middle.x - 0.8, middle.y - 0.4, middle.x + 0.8, middle.y + 0.4};
+    const Drawing near = profileRelief(t.source, options, frame);
+    EXPECT_FALSE(thinned(near));
+    for (const Item& item : near.items) {
+        if (item.id.kind != ItemKind::Surface) continue;
+        for (const Point& p : std::get<Polyline>(item.primitive).points) {
+            EXPECT_TRUE(p.x >= frame.visible.x0 - kRounding && p.x <= frame.visible.x1 + kRounding);
+        }
+    }
+}
+
+// Not asserted on time: the number of things drawn is what the time is made of.
+TEST(ProfileDrawing, aRayThroughTenThousandCellsIsFewThings) {
+    Traced t("fractal", 256, 256, Surface::Bilinear, Address::Repeat);
+    for (const char* const method : {"exact", "max-pyramid-paper"}) {
+        t.trace({3.3, 7.1, 60000, 40000}, {method, {}});
+        ProfileOptions options;
+        options.levels = LevelsShown::All;
+        ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+        frame.lambdaEnd = 0.1;  // ten thousand cells
+        const auto start = std::chrono::steady_clock::now();
+        const Drawing relief = profileRelief(t.source, options, frame);
+        const Drawing marks = profileMarks(t.source, options, frame, 0);
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+        RecordProperty(std::string("milliseconds-") + method, std::to_string(took.count()));
+        std::printf("%s: %zu steps, %zu + %zu things, %.1f ms\n", method, t.log.steps.size(), relief.items.size(),
+                    marks.items.size(), took.count());
+        EXPECT_LT(relief.items.size(), 9 * 2 * kWidth);
+        EXPECT_LT(marks.items.size(), 3000u);
+    }
+}
+
+TEST(ProfileDrawing, theReadingIsTheSurfaceUnderThePointer) {
+    Traced t("bricks", 64, 64, Surface::Columns, Address::Repeat);
+    t.trace({12, 40, 19, -4}, {"max-pyramid", {}});
+    const ProfileFrame frame = profileFrame(t.source, {}, kWidth, kHeight);
+    for (const double part : {0.05, 0.4, 0.9}) {
+        const double lambda = part * frame.lambdaEnd;
+        const ProfileReading at = profileReading(t.source, frame, frame.at(lambda, 0.5));
+        ASSERT_TRUE(at.inside);
+        EXPECT_NEAR(at.lambda, lambda, kRounding);
+        EXPECT_NEAR(at.across, lambda * std::hypot(19, 4), 1e-6);
+        EXPECT_EQ(at.i, static_cast<std::int64_t>(std::floor(12 + lambda * 19)));
+        EXPECT_EQ(at.j, static_cast<std::int64_t>(std::floor(40 - lambda * 4)));
+        EXPECT_EQ(at.surface, static_cast<double>(t.field.texel(at.i, at.j)));
+        if (at.step >= 0) {
+            const relief::Step& s = t.log.steps[static_cast<std::size_t>(at.step)];
+            EXPECT_TRUE(s.lambdaIn <= lambda && lambda < s.lambdaOut);
+        }
+    }
+    EXPECT_FALSE(profileReading(t.source, frame, {1, 1}).inside);
+}
+
+}  // namespace
+}  // namespace reliefui

@@ -1,0 +1,89 @@
+#include "drawings/legend_rows.h"
+
+#include "scenario/step_sentence.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::Decision;
+using relief::Message;
+using relief::MessageId;
+
+constexpr double kRow = 14;
+constexpr double kTextSize = 0.9;
+
+MessageId nameOf(Decision decision) {
+    constexpr std::array<MessageId, 10> kNames{MessageId::DrawStart,  MessageId::DrawSkip,    MessageId::DrawDescend,
+                                               MessageId::DrawAscend, MessageId::DrawAdvance, MessageId::DrawTest,
+                                               MessageId::DrawRefine, MessageId::DrawHit,     MessageId::DrawMiss,
+                                               MessageId::DrawLimit};
+    return kNames[static_cast<std::size_t>(decision)];
+}
+
+}  // namespace
+
+Point LegendRows::place(double width) {
+    if (x_ > 0 && x_ + width > width_) {
+        x_ = 0;
+        y_ += kRow;
+    }
+    const Point at{x_, y_ + kRow / 2};
+    right_ = std::max(right_, x_ + width);
+    x_ += width;
+    return at;
+}
+
+double LegendRows::textRoom(const Message& message) const {
+    constexpr double kLetter = 6.1;
+    std::size_t letters = 0;
+    for (const char c : relief::sentence(message, language_)) {
+        letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;  // not inside a UTF-8 letter
+    }
+    return static_cast<double>(letters) * kLetter * kTextSize;
+}
+
+void LegendRows::add(Role role, Primitive primitive, LevelTint tint) {
+    drawing_.items.push_back({{ItemKind::Legend, 0, 0, 0}, role, Emphasis::Normal, std::move(primitive), tint});
+}
+
+void LegendRows::text(Point at, Message message) {
+    Label label;
+    label.at = at;
+    label.text = std::move(message);
+    label.size = kTextSize;
+    add(Role::Legend, std::move(label));
+}
+
+void LegendRows::line(Role role, const Message& what, LevelTint tint, double length) {
+    const Point at = place(length + 4 + textRoom(what) + kBetween);
+    add(role, Polyline{{{at.x, at.y}, {at.x + length, at.y}}, false}, tint);
+    text({at.x + length + 4, at.y}, what);
+}
+
+void LegendRows::decisions(const std::array<bool, relief::kDecisionNames.size()>& seen) {
+    for (std::size_t d = 0; d < seen.size(); ++d) {
+        if (!seen[d]) continue;
+        const auto decision = static_cast<Decision>(d);
+        const Message name(nameOf(decision));
+        const Point at = place(kSign + textRoom(name) + kBetween);
+        add(roleOf(decision), Marker{{at.x + 5, at.y}, shapeOf(decision), 8});
+        text({at.x + kSign, at.y}, name);
+    }
+}
+
+Drawing LegendRows::take() {
+    drawing_.bounds = {0, 0, right_, y_ + kRow};
+    return std::move(drawing_);
+}
+
+std::array<bool, relief::kDecisionNames.size()> decisionsSeen(const std::vector<relief::Step>* steps, bool hit) {
+    std::array<bool, relief::kDecisionNames.size()> seen{};
+    if (steps != nullptr) {
+        for (const relief::Step& step : *steps) seen[static_cast<std::size_t>(step.decision)] = true;
+    }
+    seen[static_cast<std::size_t>(Decision::Hit)] = hit;
+    return seen;
+}
+
+}  // namespace reliefui

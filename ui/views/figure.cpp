@@ -1,0 +1,240 @@
+#include "views/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <QPdfWriter>
+#include <QSvgGenerator>
+
+#include "drawings/qpainter_painter.h"
+#include "images/files.h"
+#include "views/result_painting.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::InputError;
+using relief::Message;
+using relief::MessageId;
+
+constexpr double kMmPerInch = 25.4;
+constexpr double kPointsPerInch = 72;
+// Units of a page of vectors: fine enough for text, whose sizes are whole numbers of them.
+constexpr double kVectorDpi = 576;
+constexpr double kDrawingAspect = 0.56;  // height over width
+constexpr double kLeastMm = 20;
+constexpr double kMostMm = 2000;
+constexpr double kLeastDpi = 20;
+constexpr double kMostDpi = 2400;
+constexpr double kMostPixels = 30000;  // a side
+
+std::string endingOf(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+double aspectOf(const Snapshot& snapshot, const FigureRequest& request) {
+    if (request.view != "result") return kDrawingAspect;
+    return static_cast<double>(snapshot.layer.image.height()) / std::max(1, snapshot.layer.image.width());
+}
+
+// Nothing to draw: says so.
+Drawing emptyDrawing(MessageId why) {
+    Drawing drawing;
+    drawing.bounds = {0, 0, 300, 100};
+    Label label;
+    label.at = drawing.bounds.center();
+    label.text = Message(why);
+    label.anchor = Anchor::Center;
+    drawing.add({}, Role::Label, std::move(label));
+    return drawing;
+}
+
+void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
+    const QImage& image = snapshot.layer.image;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, true);
+    painter.drawImage(QRectF(page.x0, page.y0, page.width(), page.height()), image);
+    if (snapshot.scenario.pixel) {
+        const double side = page.width() / std::max(1, snapshot.scenario.width);
+        const Point at{page.x0 + (snapshot.scenario.pixel->x + 0.5) * side,
+                       page.y0 + (snapshot.scenario.pixel->y + 0.5) * side};
+        Drawing ring;
+        ring.add({}, Role::Hit, Ring{at, 5});
+        paint(painter, ring, ViewMap{}, style, page);
+    }
+}
+
+void paintPyramid(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
+    const PyramidSource source = pyramidSource(snapshot, true, true);
+    const double unit = style.pixelsPerPoint();
+    const Drawing legend = pyramidLegend(source, page.width() / unit - 12, style.language);
+    const Box room = figureRoom(legend, page, style);
+    const PyramidPicture picture = pyramidPicture(source, room.width() / unit, room.height() / unit);
+    const Drawing marks = pyramidMarks(source, picture, snapshot.scenario.step);
+    paintFigure(painter, {&picture.levels, &marks}, legend, page, style);
+}
+
+void paintProfile(QPainter& painter, const Snapshot& snapshot, const ProfileOptions& options, const Box& page,
+                  const Style& style) {
+    const ProfileSource source = profileSource(snapshot);
+    if (!source.hasRay) {
+        const Drawing empty = emptyDrawing(snapshot.scenario.pixel ? MessageId::DrawNoRelief : MessageId::DrawNoRay);
+        paintFigure(painter, {&empty}, {}, page, style);
+        return;
+    }
+    const double unit = style.pixelsPerPoint();
+    const Drawing legend = profileLegend(source, options, page.width() / unit - 12, style.language);
+    const Box room = figureRoom(legend, page, style);
+    const ProfileFrame frame = profileFrame(source, options, room.width() / unit, room.height() / unit);
+    const Drawing relief = profileRelief(source, options, frame);
+    const Drawing marks = profileMarks(source, options, frame, snapshot.scenario.step);
+    const Drawing axes = profileAxes(source, frame);
+    paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
+}
+
+void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
+               double unitsPerPoint) {
+    Style style = request.style;
+    style.projector = false;
+    style.screenPixelsPerPoint = unitsPerPoint;
+    painter.setClipRect(QRectF(page.x0, page.y0, page.width(), page.height()));
+    if (request.view == "result") {
+        paintResult(painter, snapshot, page, style);
+    } else if (request.view == "pyramid") {
+        paintPyramid(painter, snapshot, page, style);
+    } else {
+        paintProfile(painter, snapshot, request.profile, page, style);
+    }
+}
+
+void writeSvg(const Snapshot& snapshot, const FigureRequest& request, const std::string& file, const QSize& size) {
+    QSvgGenerator svg;
+    svg.setFileName(QString::fromStdString(file));
+    svg.setResolution(static_cast<int>(kVectorDpi));
+    svg.setSize(size);
+    svg.setViewBox(QRect({0, 0}, size));
+    svg.setTitle(QString::fromStdString(request.view));
+    QPainter painter(&svg);
+    paintView(painter, snapshot, request, {0, 0, double(size.width()), double(size.height())},
+              kVectorDpi / kPointsPerInch);
+}
+
+void writePdf(const Snapshot& snapshot, const FigureRequest& request, const std::string& file, const QSizeF& mm) {
+    QPdfWriter pdf(QString::fromStdString(file));
+    pdf.setResolution(static_cast<int>(kVectorDpi));
+    pdf.setPageSize(QPageSize(mm, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
+    pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
+    pdf.setTitle(QString::fromStdString(request.view));
+    pdf.setCreator(QStringLiteral("Reliefscope"));
+    QPainter painter(&pdf);
+    paintView(painter, snapshot, request, {0, 0, double(pdf.width()), double(pdf.height())},
+              kVectorDpi / kPointsPerInch);
+}
+
+void requireRange(const std::string& what, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    const std::string range = relief::numberText(low) + " to " + relief::numberText(high);
+    throw InputError(what, Message(MessageId::NumberOutOfRange, {{"value", value}, {"range", range}}));
+}
+
+}  // namespace
+
+PyramidSource pyramidSource(const Snapshot& s, bool overCells, bool nearRay) {
+    PyramidSource source;
+    source.field = &s.request->field;
+    source.overCells = overCells;
+    source.pyramid = overCells ? std::shared_ptr<const relief::Pyramid>(s.maxima, &s.maxima->pyramid) : s.means;
+    source.hasRay = s.trace.onRelief;
+    source.ray = s.trace.ray;
+    source.hit = s.trace.hit;
+    source.steps = &s.trace.steps;
+    source.nearRay = nearRay;
+    return source;
+}
+
+ProfileSource profileSource(const Snapshot& s) {
+    ProfileSource source;
+    source.field = &s.request->field;
+    source.maxima = s.maxima;
+    source.hasRay = s.trace.onRelief;
+    source.ray = s.trace.ray;
+    source.hit = s.trace.hit;
+    source.steps = &s.trace.steps;
+    for (const relief::MethodDescription& method : relief::tracerList()) {
+        if (method.name != s.scenario.method.name) continue;
+        source.atPoints = method.guarantee == relief::Guarantee::Approximate && method.maps.empty();
+        // Whatever method has layers says so by an option of this name.
+        const auto standard = method.defaults.find("layers");
+        if (standard == method.defaults.end()) continue;
+        const auto chosen = s.scenario.method.options.find("layers");
+        source.layers = std::stoi(chosen == s.scenario.method.options.end() ? standard->second : chosen->second);
+    }
+    return source;
+}
+
+const std::vector<std::string>& figureViews() {
+    static const std::vector<std::string> kViews{"profile", "pyramid", "result"};
+    return kViews;
+}
+
+void checkFigure(const FigureRequest& request, const std::string& path) {
+    const std::vector<std::string>& views = figureViews();
+    if (std::find(views.begin(), views.end(), request.view) == views.end()) {
+        std::string known;
+        for (const std::string& view : views) known += (known.empty() ? "" : ", ") + view;
+        throw InputError("--export",
+                         Message(MessageId::UnknownName, {{"what", "view"}, {"name", request.view}, {"known", known}}));
+    }
+    const std::string ending = endingOf(path);
+    if (ending != ".svg" && ending != ".pdf" && ending != ".png") {
+        throw InputError(path, Message(MessageId::FormatUnknown, {{"extension", ending}, {"known", "svg, pdf, png"}}));
+    }
+    requireRange("--width", request.widthMm, kLeastMm, kMostMm);
+    requireRange("--dpi", request.dpi, kLeastDpi, kMostDpi);
+    if (ending == ".png") {
+        requireRange("--width", request.widthMm, kLeastMm, std::floor(kMostPixels / request.dpi * kMmPerInch));
+    }
+}
+
+QImage figureImage(const Snapshot& snapshot, const FigureRequest& request, int width) {
+    const int height = std::max(1, static_cast<int>(std::lround(width * aspectOf(snapshot, request))));
+    QImage image(width, height, QImage::Format_RGB32);
+    image.fill(toColor(request.style.background()));
+    const double dpi = width / request.widthMm * kMmPerInch;
+    const auto dots = static_cast<int>(std::lround(dpi / kMmPerInch * 1000));
+    image.setDotsPerMeterX(dots);
+    image.setDotsPerMeterY(dots);
+    QPainter painter(&image);
+    paintView(painter, snapshot, request, {0, 0, double(width), double(height)}, dpi / kPointsPerInch);
+    return image;
+}
+
+void writeFigure(const Snapshot& snapshot, const FigureRequest& request, const std::string& path) {
+    checkFigure(request, path);
+    relief::AtomicFile file(path);
+    const std::string& target = file.temporaryPath();
+    const std::string ending = endingOf(path);
+    const QSizeF mm(request.widthMm, request.widthMm * aspectOf(snapshot, request));
+    const QSize units = (mm / kMmPerInch * kVectorDpi).toSize();
+    bool done = true;
+    if (ending == ".svg") {
+        writeSvg(snapshot, request, target, units);
+    } else if (ending == ".pdf") {
+        writePdf(snapshot, request, target, mm);
+    } else {
+        const int width = std::max(1, static_cast<int>(std::lround(request.widthMm / kMmPerInch * request.dpi)));
+        done = figureImage(snapshot, request, width).save(QString::fromStdString(target), "PNG");
+    }
+    // Qt says nothing about a full disk; an empty file is no figure.
+    std::error_code error;
+    if (!done || std::filesystem::file_size(target, error) == 0 || error) {
+        throw relief::WorkError(path, Message(MessageId::DiskFull));
+    }
+    file.commit();
+}
+
+}  // namespace reliefui

@@ -1,0 +1,40 @@
+// One pane as a figure in a file: the same drawings as on the screen, through QPainter. Needs no display and no window.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QImage>
+
+#include "drawings/profile_drawing.h"
+#include "drawings/pyramid_drawing.h"
+#include "drawings/style.h"
+#include "workspace/snapshot.h"
+
+namespace reliefui {
+
+// What panes draw of a snapshot.
+PyramidSource pyramidSource(const Snapshot& snapshot, bool overCells, bool nearRay);
+ProfileSource profileSource(const Snapshot& snapshot);
+
+struct FigureRequest {
+    std::string view;      // one of figureViews()
+    double widthMm = 160;  // the height follows from the view
+    double dpi = 300;      // of pixels
+    Style style;           // theme and language; points are the page's
+    ProfileOptions profile;
+};
+
+// "profile", "pyramid", "result".
+const std::vector<std::string>& figureViews();
+
+// SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown view, ending, width or resolution,
+// WorkError if it cannot be written.
+void checkFigure(const FigureRequest& request, const std::string& path);
+void writeFigure(const Snapshot& snapshot, const FigureRequest& request, const std::string& path);
+
+// The same as pixels, `width` of them wide.
+QImage figureImage(const Snapshot& snapshot, const FigureRequest& request, int width);
+
+}  // namespace reliefui

@@ -1,0 +1,276 @@
+#include "views/profile_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "scenario/step_sentence.h"
+#include "views/drawing_canvas.h"
+#include "views/figure.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kCopiedWidth = 1600;  // pixels
+
+QString number(double value, int decimals) {
+    return QString::fromStdString(relief::fixedText(value, decimals));
+}
+
+}  // namespace
+
+ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)), readout_(new QLabel(this)) {
+    setAccessibleName(tr("Profile"));
+    setFocusProxy(canvas_);
+    makeBar();
+    canvas_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(canvas_, &QWidget::customContextMenuRequested, this, &ProfileView::openMenu);
+    connect(canvas_, &DrawingCanvas::clicked, this, &ProfileView::choose);
+    connect(canvas_, &DrawingCanvas::pointed, this, &ProfileView::tell);
+    connect(canvas_, &DrawingCanvas::left, readout_, &QLabel::clear);
+    connect(canvas_, &DrawingCanvas::resized, this, &ProfileView::refresh);
+    connect(canvas_, &DrawingCanvas::moved, this, &ProfileView::redraw);
+    connect(workspace_, &Workspace::snapshotChanged, this, &ProfileView::refresh);
+    connect(workspace_, &Workspace::stepChanged, this, &ProfileView::refreshStep);
+    connect(workspace_, &Workspace::styleChanged, this, &ProfileView::refresh);
+    refresh();
+}
+
+void ProfileView::makeBar() {
+    auto* const bar = new QHBoxLayout;
+    bar->setContentsMargins(4, 2, 6, 2);
+    const auto add = [&](const QString& text, const QString& help, bool checkable) {
+        auto* const button = new QToolButton(this);
+        button->setText(text);
+        button->setToolTip(help);
+        button->setAccessibleName(help);
+        button->setCheckable(checkable);
+        button->setAutoRaise(true);
+        bar->addWidget(button);
+        return button;
+    };
+    allLevels_ = add(tr("all levels"), tr("The maxima of all levels, not only of those that the ray asked"), true);
+    near_ = add(tr("near the ray"), tr("Only the heights that the ray comes through"), true);
+    aspect_ = add(tr("true aspect"), tr("A texel as long across as upwards: the relief's true shape"), true);
+    auto* const fit =
+        add(tr("fit"), tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step"), false);
+    readout_->setObjectName(QStringLiteral("profile-readout"));
+    readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // A long readout must not widen the pane.
+    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    bar->addWidget(readout_, 1);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(bar);
+    column->addWidget(canvas_, 1);
+
+    connect(allLevels_, &QToolButton::toggled, this, [this](bool on) {
+        options_.levels = on ? LevelsShown::All : LevelsShown::Visited;
+        refresh();
+    });
+    connect(near_, &QToolButton::toggled, this, [this](bool on) {
+        options_.nearRay = on;
+        refresh();
+    });
+    connect(aspect_, &QToolButton::toggled, this, [this](bool on) {
+        options_.trueAspect = on;
+        refresh();
+    });
+    connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
+}
+
+QString ProfileView::readout() const {
+    return readout_->text();
+}
+
+void ProfileView::showAllLevels(bool all) {
+    allLevels_->setChecked(all);
+}
+
+void ProfileView::showNearRay(bool on) {
+    near_->setChecked(on);
+}
+
+void ProfileView::setTrueAspect(bool on) {
+    aspect_->setChecked(on);
+}
+
+void ProfileView::resetZoom() {
+    canvas_->resetZoom();
+}
+
+bool ProfileView::ready() const {
+    return shown_ && shown_->request && shown_->maxima && shown_->trace.onRelief;
+}
+
+ProfileSource ProfileView::source() const {
+    return profileSource(*shown_);
+}
+
+// A pane behind another tab counts as visible for Qt; it only lies outside the window.
+bool ProfileView::inSight() const {
+    return isVisible() && !visibleRegion().isEmpty();
+}
+
+void ProfileView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &ProfileView::refresh);
+}
+
+void ProfileView::refresh() {
+    // Out of sight nothing is drawn.
+    stale_ = !inSight();
+    if (stale_) return;
+    canvas_->setStyle(workspace_->style());
+    shown_ = workspace_->snapshot();
+    if (!ready()) {
+        showEmpty(!shown_ ? relief::MessageId::DrawNoPicture
+                          : (shown_->scenario.pixel ? relief::MessageId::DrawNoRelief : relief::MessageId::DrawNoRay));
+        return;
+    }
+    const ProfileSource from = source();
+    // The legend first: what it needs is not left to the plot. Where it would take too much it is left out.
+    constexpr double kMostLegend = 0.25;
+    const double unit = workspace_->style().pixelsPerPoint();
+    Drawing legend = profileLegend(from, options_, canvas_->width() / unit - 12, workspace_->style().language);
+    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
+    legend_ = std::make_shared<const Drawing>(std::move(legend));
+    canvas_->setLayers({}, legend_);
+    const QSizeF room = canvas_->room();
+    frame_ = profileFrame(from, options_, room.width(), room.height());
+    // Where it lies, so that the canvas knows what it shows.
+    auto bounds = std::make_shared<Drawing>();
+    bounds->bounds = frame_.whole;
+    canvas_->setLayers({std::move(bounds)}, legend_);
+    redraw();
+}
+
+void ProfileView::redraw() {
+    if (!ready() || !inSight()) return;
+    frame_.visible = canvas_->atHome() ? frame_.whole : canvas_->visible();
+    frame_.zoom = canvas_->atHome() ? 1 : canvas_->zoom();
+    const ProfileSource from = source();
+    relief_ = std::make_shared<const Drawing>(profileRelief(from, options_, frame_));
+    axes_ = std::make_shared<const Drawing>(profileAxes(from, frame_));
+    refreshStep();
+}
+
+void ProfileView::refreshStep() {
+    if (!inSight()) {
+        stale_ = true;
+        return;
+    }
+    if (!ready() || !relief_) return;
+    auto marks = std::make_shared<const Drawing>(profileMarks(source(), options_, frame_, workspace_->scenario().step));
+    canvas_->setLayers({relief_, axes_, std::move(marks)}, legend_);
+}
+
+void ProfileView::showEmpty(relief::MessageId why) {
+    relief_.reset();
+    axes_.reset();
+    auto drawing = std::make_shared<Drawing>();
+    drawing->bounds = {0, 0, 100, 100};
+    Label label;
+    label.at = {50, 50};
+    label.text = relief::Message(why);
+    label.anchor = Anchor::Center;
+    drawing->add({}, Role::Label, std::move(label));
+    canvas_->setLayers({std::move(drawing)}, nullptr);
+}
+
+void ProfileView::choose(const ItemId& id) {
+    if (!ready()) return;
+    const auto& steps = shown_->trace.steps;
+    const auto count = static_cast<std::int64_t>(steps.size());
+    if (id.kind == ItemKind::Step && id.i < count) workspace_->chooseStep(static_cast<int>(id.i));
+    if (id.kind == ItemKind::Hit && count > 0) workspace_->chooseStep(static_cast<int>(count - 1));
+    if (id.kind != ItemKind::Texel) return;
+    // Of all steps on this texel, the next one after the current, round and round.
+    const std::int64_t current =
+        std::clamp<std::int64_t>(workspace_->scenario().step, 0, std::max<std::int64_t>(count - 1, 0));
+    for (std::int64_t n = 1; n <= count; ++n) {
+        const std::int64_t k = (current + n) % count;
+        const relief::Step& step = steps[static_cast<std::size_t>(k)];
+        if (step.level == id.level && step.i == id.i && step.j == id.j) {
+            workspace_->chooseStep(static_cast<int>(k));
+            return;
+        }
+    }
+}
+
+void ProfileView::tell(const QPointF& widget) {
+    readout_->clear();
+    if (!ready() || !relief_) return;
+    const ProfileReading at = profileReading(source(), frame_, canvas_->toDrawing(widget));
+    if (!at.inside) return;
+    QString text = frame_.vertical ? tr("λ %1").arg(number(at.lambda, 3))
+                                   : tr("%1 texels, λ %2").arg(number(at.across, 2), number(at.lambda, 3));
+    text += at.onRelief ? tr(" · surface %1").arg(number(at.surface, 3)) : tr(" · beyond the edge");
+    text += tr(" · ray %1 · texel (%2, %3)").arg(number(at.rayHeight, 3)).arg(at.i).arg(at.j);
+    ItemId id = canvas_->itemAt(widget);
+    const int step = id.kind == ItemKind::Step ? static_cast<int>(id.i) : at.step;
+    if (step >= 0) text += tr(" · step %1").arg(step + 1);
+    readout_->setText(text);
+}
+
+void ProfileView::openMenu(const QPoint& at) {
+    QMenu menu(this);
+    tell(at);
+    const QString value = readout();
+    QAction* const copy =
+        menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
+    copy->setEnabled(!value.isEmpty());
+    menu.addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(picture(kCopiedWidth)); });
+    QAction* const save = menu.addAction(tr("Export figure…"), this, &ProfileView::askFigure);
+    save->setEnabled(ready());
+    menu.exec(canvas_->mapToGlobal(at));
+}
+
+QImage ProfileView::picture(int width) const {
+    if (!shown_ || !shown_->request) return {};
+    FigureRequest request;
+    request.view = "profile";
+    request.style = workspace_->style();
+    request.profile = options_;
+    Snapshot now = *shown_;
+    now.scenario.step = workspace_->scenario().step;
+    return figureImage(now, request, width);
+}
+
+void ProfileView::askFigure() {
+    QString path = QFileDialog::getSaveFileName(this, tr("Export the profile"), QStringLiteral("profile.svg"),
+                                                tr("Figures") + QStringLiteral(" (*.svg *.pdf *.png)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".svg");
+    saveFigure(path);
+}
+
+void ProfileView::saveFigure(const QString& path) {
+    if (!ready()) return;
+    FigureRequest request;
+    request.view = "profile";
+    // In print, dark lines on white.
+    request.style = workspace_->style();
+    request.style.theme = Theme::Light;
+    request.profile = options_;
+    Snapshot now = *shown_;
+    now.scenario.step = workspace_->scenario().step;
+    try {
+        writeFigure(now, request, path.toStdString());
+        Q_EMIT saved(path);
+    } catch (const relief::InputError& error) {
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(request.style.language)));
+    }
+}
+
+}  // namespace reliefui

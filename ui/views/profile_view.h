@@ -1,0 +1,74 @@
+// The slice along the chosen pixel's ray: surface, ray, maxima of the pyramid, layers, numbered steps. A click on a
+// step chooses it; wheel and drag zoom and move, R shows all again.
+#pragma once
+
+#include <memory>
+
+#include <QWidget>
+
+#include "drawings/profile_drawing.h"
+#include "workspace/workspace.h"
+
+class QLabel;
+class QToolButton;
+
+namespace reliefui {
+
+class DrawingCanvas;
+
+class ProfileView : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ProfileView(Workspace* workspace, QWidget* parent = nullptr);
+
+    DrawingCanvas* canvas() const { return canvas_; }
+    const ProfileFrame& frame() const { return frame_; }
+    const ProfileOptions& options() const { return options_; }
+    QString readout() const;
+    // The pane as a picture, as it is exported, with the options of the screen.
+    QImage picture(int width) const;
+
+  public slots:
+    void showAllLevels(bool all);
+    void showNearRay(bool on);
+    void setTrueAspect(bool on);
+    void resetZoom();
+    // SVG, PDF or PNG, by the ending; says when it is done, or why not.
+    void saveFigure(const QString& path);
+
+  signals:
+    void saved(const QString& path);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void makeBar();
+    void refresh();      // another map, ray, room or option
+    void redraw();       // another part is seen
+    void refreshStep();  // another step
+    void showEmpty(relief::MessageId why);
+    void choose(const ItemId& id);
+    void tell(const QPointF& widget);
+    void openMenu(const QPoint& at);
+    void askFigure();
+    bool ready() const;
+    bool inSight() const;
+    ProfileSource source() const;
+
+    Workspace* workspace_;
+    DrawingCanvas* canvas_;
+    QToolButton* allLevels_ = nullptr;
+    QToolButton* near_ = nullptr;
+    QToolButton* aspect_ = nullptr;
+    QLabel* readout_;
+    std::shared_ptr<const Snapshot> shown_;
+    ProfileOptions options_;
+    ProfileFrame frame_;
+    std::shared_ptr<const Drawing> relief_;
+    std::shared_ptr<const Drawing> axes_;
+    std::shared_ptr<const Drawing> legend_;
+    bool stale_ = true;  // changed while it was hidden
+};
+
+}  // namespace reliefui
