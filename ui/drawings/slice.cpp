@@ -171,7 +171,9 @@ std::vector<Plateau> plateausAlong(const PyramidWalk& walk, const relief::ViewRa
     const double to = std::min(range.to, lambdaInside(walk, viewRay));
     const double texels = std::ldexp(cellsIn(viewRay, {range.from, to, 1, 1}), -level);
     if (!(range.from < to) || !ray.inDomain() || texels > kSliceCells) return plateaus;
-    const double pixel = (range.to - range.from) / range.columns;
+    // Narrower ones are no longer told apart.
+    constexpr double kPixels = 2;
+    const double pixel = kPixels * (range.to - range.from) / range.columns;
     PyramidNode node = nodeAt(walk, ray, level, range.from);
     double in =
         std::max({0.0, enterAt(walk.grid().x, ray.x, level, node.x), enterAt(walk.grid().y, ray.y, level, node.y)});

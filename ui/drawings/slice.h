@@ -33,7 +33,7 @@ struct SurfaceLine {
 SurfaceLine surfaceAlong(const relief::PyramidWalk& walk, const relief::ViewRay& ray, const SliceRange& range);
 
 // A texel of a level that the ray crosses, as a step would name it, over its whole stay, not only what of it is in the
-// range; value: its maximum. joined: stands for several that are narrower than a pixel.
+// range; value: its maximum. joined: stands for several that are narrower than two pixels.
 struct Plateau {
     relief::Step texel;
     bool joined = false;
