@@ -70,6 +70,14 @@ class HybridTracer {
     const PyramidWalk& pyramidWalk() const { return walk_; }
 
   private:
+    // What a texel left to the inner method counts of a ray's cellBound(). Beyond the domain as many cells as a line
+    // can cross in it: there the bound is one of work, and the inner method's is counted, too.
+    double segmentCost(const GridRay& ray) const {
+        if (ray.inDomain()) return 1;
+        const double side = std::ldexp(1.0, level_);
+        return std::min<double>(side, walk_.grid().x.cells) + std::min<double>(side, walk_.grid().y.cells);
+    }
+
     PyramidWalk walk_;
     int level_;
     std::shared_ptr<const Tracer> inner_;
@@ -86,7 +94,9 @@ Hit HybridTracer::trace(const ViewRay& viewRay, Sink& sink) const {
     PyramidNode node = start.node;
     double lambda = start.lambda;
     for (int level = walk_.top(); level > level_; --level) node = walk_.child(ray, level, node, lambda);
-    for (double left = ray.cellBound(); left > 0; --left) {
+    const double cost = segmentCost(ray);
+    double left = ray.cellBound();
+    while (left > 0) {
         const float maximum = walk_.maximum(level_, node);
         const PyramidWalk::Exit exit = walk_.exit(ray, level_, node);
         const double out = std::min(exit.first(), 1.0);
@@ -96,11 +106,13 @@ Hit HybridTracer::trace(const ViewRay& viewRay, Sink& sink) const {
         };
         if (PyramidWalk::excluded(maximum, out)) {
             sink.step([&] { return record(Decision::Skip, lambda, out); });
+            --left;
         } else {
             sink.step([&] { return record(Decision::Descend, lambda, lambda); });
             const Hit hit = inner_->traceSegment(viewRay, {lambda, out}, sink);
             if (hit.outcome != Outcome::Miss) return hit;
             sink.step([&] { return record(Decision::Ascend, out, out); });
+            left -= cost;
         }
         lambda = out;
         const PyramidNode before = node;

@@ -14,6 +14,7 @@
 #include "images/reliefs.h"
 #include "measuring/stress_cases.h"
 #include "relief/cell_grid.h"
+#include "scenario/ray_files.h"
 
 namespace relief::test {
 namespace {
@@ -36,6 +37,39 @@ class StressTest : public ::testing::Test {
             if (v.fault.check == check) return &v;
         }
         return nullptr;
+    }
+
+    // What `exact` finds for a printed command, from nothing but its words.
+    static double exactLambda(const std::string& command) {
+        const auto word = [&](const std::string& flag, const std::string& otherwise) {
+            const std::size_t at = command.find(" " + flag + " ");
+            if (at == std::string::npos) return otherwise;
+            const std::size_t begin = at + flag.size() + 2;
+            return command.substr(begin, command.find(' ', begin) - begin);
+        };
+        Work work(1);
+        FloatImage heights;
+        const std::string recipe = word("--relief", "");
+        if (recipe.empty()) {
+            HeightReadOptions reading;
+            reading.range = parseHeightRange(word("--range", "auto"));
+            heights = readHeight(word("--height", ""), reading, work).heights;
+        } else {
+            const std::size_t x = recipe.find('x', recipe.find(':'));
+            const std::size_t colon = recipe.rfind(':');
+            heights = makeRelief(recipe.substr(0, recipe.find(':')),
+                                 std::stoi(recipe.substr(recipe.find(':') + 1, x - recipe.find(':') - 1)),
+                                 std::stoi(recipe.substr(x + 1, colon - x - 1)), std::stoull(recipe.substr(colon + 1)));
+        }
+        const HeightField field(std::make_shared<FloatImage>(std::move(heights)),
+                                parseSurface(word("--surface", "bilinear")), parseAddress(word("--address", "repeat")));
+        MapCache maps;
+        RayBlock rays;
+        rays.push(parseRayText(word("--ray", ""), "--ray"));
+        HitBlock hits;
+        NullSink null;
+        makeTracer({"exact", {}}, field, maps, work)->trace(rays, hits, null, work);
+        return hits.lambda[0];
     }
 
     relief::testing::TemporaryFolder folder_;
@@ -70,6 +104,7 @@ TEST_F(StressTest, StepBoundsHoldOnThinMapsAndBeyondTheDomain) {
         {"bricks", 5, 3, 931411, Surface::Columns, {2.055919, 1.792920881, 75208032.0864554, 196034780.3595006}},
         {"spikes", 16384, 3, 92947, Surface::Bilinear, {10570.749, 0.37296873, -1e+200, 9.315718026946779e+199}},
         {"spikes", 16384, 3, 92947, Surface::Bilinear, {13118.025225611165, 1.3913564, -65.5928651, -1057.4889}},
+        {"checker", 3, 16384, 1, Surface::Bilinear, {2.3759816, 8894.6315, 0, 4.470321658288422e+299}},
         {"pits", 1, 1000, 1, Surface::Bilinear, {0.3768749, 995.814957, 12.2685, 0}},
     };
     Work work(1);
@@ -121,6 +156,9 @@ TEST_F(StressTest, AHitThatIsTooLateIsShownWithItsCommand) {
     EXPECT_NE(bits->command.find("--tracer max-pyramid"), std::string::npos) << bits->command;
     EXPECT_NE(bits->command.find("--ray "), std::string::npos) << bits->command;
     EXPECT_NE(stressText(exact, 7).find(bits->command + "\n"), std::string::npos);
+
+    EXPECT_NE(bits->fault.detail.find("exact: lambda " + numberText(exactLambda(bits->command))), std::string::npos)
+        << bits->fault.detail << ": " << bits->command;
 
     const StressReport late = run({altered({"max-pyramid", {}}, later, Guarantee::Conservative)});
     EXPECT_NE(find(late, "overshoot"), nullptr);
