@@ -5,7 +5,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenu>
 #include <QTimer>
 #include <QToolButton>
@@ -28,7 +27,7 @@ QString number(double value, int decimals) {
 }  // namespace
 
 ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)), readout_(new QLabel(this)) {
+    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)) {
     setAccessibleName(tr("Profile"));
     setFocusProxy(canvas_);
     makeBar();
@@ -36,7 +35,7 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &QWidget::customContextMenuRequested, this, &ProfileView::openMenu);
     connect(canvas_, &DrawingCanvas::clicked, this, &ProfileView::choose);
     connect(canvas_, &DrawingCanvas::pointed, this, &ProfileView::tell);
-    connect(canvas_, &DrawingCanvas::left, readout_, &QLabel::clear);
+    connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &ProfileView::refresh);
     connect(canvas_, &DrawingCanvas::moved, this, &ProfileView::redraw);
     connect(workspace_, &Workspace::snapshotChanged, this, &ProfileView::refresh);
@@ -63,11 +62,7 @@ void ProfileView::makeBar() {
     aspect_ = add(tr("true aspect"), tr("A texel as long across as upwards: the relief's true shape"), true);
     auto* const fit =
         add(tr("fit"), tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step"), false);
-    readout_->setObjectName(QStringLiteral("profile-readout"));
-    readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    // A long readout must not widen the pane.
-    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    bar->addWidget(readout_, 1);
+    bar->addStretch(1);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -89,8 +84,9 @@ void ProfileView::makeBar() {
     connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
 }
 
-QString ProfileView::readout() const {
-    return readout_->text();
+void ProfileView::setReadout(const QString& text) {
+    readout_ = text;
+    Q_EMIT hovered(text);
 }
 
 void ProfileView::showAllLevels(bool all) {
@@ -209,10 +205,9 @@ void ProfileView::choose(const ItemId& id) {
 }
 
 void ProfileView::tell(const QPointF& widget) {
-    readout_->clear();
-    if (!ready() || !relief_) return;
+    if (!ready() || !relief_) return setReadout({});
     const ProfileReading at = profileReading(source(), frame_, canvas_->toDrawing(widget));
-    if (!at.inside) return;
+    if (!at.inside) return setReadout({});
     QString text = frame_.vertical ? tr("λ %1").arg(number(at.lambda, 3))
                                    : tr("%1 texels, λ %2").arg(number(at.across, 2), number(at.lambda, 3));
     text += at.onRelief ? tr(" · surface %1").arg(number(at.surface, 3)) : tr(" · beyond the edge");
@@ -220,7 +215,7 @@ void ProfileView::tell(const QPointF& widget) {
     ItemId id = canvas_->itemAt(widget);
     const int step = id.kind == ItemKind::Step ? static_cast<int>(id.i) : at.step;
     if (step >= 0) text += tr(" · step %1").arg(step + 1);
-    readout_->setText(text);
+    setReadout(text);
 }
 
 void ProfileView::openMenu(const QPoint& at) {

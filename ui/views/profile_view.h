@@ -9,7 +9,6 @@
 #include "drawings/profile_drawing.h"
 #include "workspace/workspace.h"
 
-class QLabel;
 class QToolButton;
 
 namespace reliefui {
@@ -24,7 +23,8 @@ class ProfileView : public QWidget {
     DrawingCanvas* canvas() const { return canvas_; }
     const ProfileFrame& frame() const { return frame_; }
     const ProfileOptions& options() const { return options_; }
-    QString readout() const;
+    // What is under the pointer.
+    QString readout() const { return readout_; }
     // The pane as a picture, as it is exported, with the options of the screen.
     QImage picture(int width) const;
 
@@ -38,6 +38,7 @@ class ProfileView : public QWidget {
 
   signals:
     void saved(const QString& path);
+    void hovered(const QString& readout);  // empty: nothing is under the pointer
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -50,6 +51,7 @@ class ProfileView : public QWidget {
     void showEmpty(relief::MessageId why);
     void choose(const ItemId& id);
     void tell(const QPointF& widget);
+    void setReadout(const QString& text);
     void openMenu(const QPoint& at);
     void askFigure();
     bool ready() const;
@@ -61,7 +63,7 @@ class ProfileView : public QWidget {
     QToolButton* allLevels_ = nullptr;
     QToolButton* near_ = nullptr;
     QToolButton* aspect_ = nullptr;
-    QLabel* readout_;
+    QString readout_;
     std::shared_ptr<const Snapshot> shown_;
     ProfileOptions options_;
     ProfileFrame frame_;

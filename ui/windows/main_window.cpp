@@ -142,6 +142,8 @@ void MainWindow::makePanes() {
             Qt::BottomDockWidgetArea);
     addPane(tr("Scene"), QStringLiteral("scene-pane"), scroll, panel, Qt::LeftDockWidgetArea);
     addPane(tr("Profile"), QStringLiteral("profile-pane"), profile_, profile_->canvas(), Qt::RightDockWidgetArea);
+    connect(profile_, &ProfileView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
+            &PaneTitle::setNote);
     connect(profile_, &ProfileView::saved, this,
             [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); });
 }
