@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kSurfaces{"bilinear", "columns"};
 constexpr std::array<std::string_view, 3> kAddresses{"repeat", "clamp", "border"};
 constexpr std::array<std::string_view, 3> kGuarantees{"exact", "conservative", "approximate"};
-constexpr std::array<std::string_view, 3> kKinds{"tracer", "shading", "any-hit"};
+constexpr std::array<std::string_view, 4> kKinds{"tracer", "shading", "any-hit", "mesh"};
 constexpr std::array<std::string_view, 2> kRayClasses{"view rays", "any rays"};
 
 template <class Enum, std::size_t N>

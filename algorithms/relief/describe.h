@@ -37,7 +37,9 @@ struct OptionField {
 
 // What tracers promise. Exact: the first hit. Conservative: never past the first hit. Approximate: no promise.
 enum class Guarantee : std::uint8_t { Exact, Conservative, Approximate };
-enum class MethodKind : std::uint8_t { Tracer, Shading, AnyHit };
+// Tracer: where rays meet the relief. Shading: the ray stays on the polygon. Mesh: the relief made of triangles, which
+// frames rasterise instead of tracing rays.
+enum class MethodKind : std::uint8_t { Tracer, Shading, AnyHit, Mesh };
 // Whose normal lights what a method found. Relief: the normal picture's if there is one, else the surface's, at the
 // hit. Plane: the polygon's. Heights: the surface's slope. NormalMap: the normal picture's, or one made from the
 // heights.

@@ -6,11 +6,15 @@
 #include <tuple>
 
 #include "relief/block_work.h"
+#include "relief/bump.h"
+#include "relief/displacement.h"
 #include "relief/exact.h"
+#include "relief/flat.h"
 #include "relief/hybrid.h"
 #include "relief/layers.h"
 #include "relief/max_pyramid.h"
 #include "relief/max_pyramid_paper.h"
+#include "relief/normal_map.h"
 #include "relief/offset.h"
 #include "relief/offset_limited.h"
 
@@ -28,7 +32,11 @@ using TracerTypes = std::tuple<  //
     LayersTracer,                //
     LayersSecantTracer,          //
     LayersBisectionTracer,       //
-    HybridTracer>;
+    HybridTracer,                //
+    FlatTracer,                  //
+    BumpTracer,                  //
+    NormalMapTracer,             //
+    DisplacementTracer>;
 
 // Methods that work inside segments have traceSegment.
 template <class T>
@@ -48,6 +56,10 @@ class TracerOf final : public Tracer {
     const MethodDescription& description() const override { return descriptionOf<T>(); }
     const HeightField& field() const override { return tracer_.field(); }
     std::size_t bytes() const override { return tracer_.bytes(); }
+    const DisplacementMesh* mesh() const override {
+        if constexpr (requires { tracer_.mesh(); }) return tracer_.mesh();
+        return nullptr;
+    }
     double stepBound(const ViewRay& ray) const override { return tracer_.stepBound(ray); }
     Guarantee guarantee() const override {
         if constexpr (requires { tracer_.guarantee(); }) return tracer_.guarantee();

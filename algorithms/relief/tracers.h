@@ -28,6 +28,8 @@ struct BlockCounts {
     std::uint64_t startHighest = 0;  // rays whose start was the highest point: no tracing was needed
 };
 
+class DisplacementMesh;
+
 // A method made ready for one height field: immutable, shared by threads.
 class Tracer {
   public:
@@ -42,6 +44,8 @@ class Tracer {
     virtual Guarantee guarantee() const { return description().guarantee; }
     // Memory of the maps it uses, beside the heights.
     virtual std::size_t bytes() const = 0;
+    // What a frame rasterises instead of tracing; null: it traces.
+    virtual const DisplacementMesh* mesh() const { return nullptr; }
     // Decision records that this ray takes at most.
     virtual double stepBound(const ViewRay& ray) const = 0;
 

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "relief/look_up_point.h"
 #include "rendering/visible_polygons.h"
 
 namespace relief {
@@ -70,14 +71,21 @@ double Frame::depth(int x, int y) const {
 
 glm::vec3 Frame::normal(int x, int y, const FrameRequest& request) const {
     const std::size_t i = index(x, y);
-    const HitBlock& block = hits->hits;
-    if (block.outcome[i] != Outcome::Hit) return glm::vec3(0);
+    const Hit hit = hits->hits[i];
+    if (hit.outcome != Outcome::Hit) return glm::vec3(0);
     const TexturedQuad& quad = polygons[rays->polygon[i]];
-    if (!request.normals) return glm::vec3(reliefNormal(quad, request.field.slope(block.s[i], block.t[i]), slabTexels));
-    const auto& map = *request.normals;
-    const glm::vec3 mapped =
-        sampleBilinear(map, block.s[i] * map.width() / request.field.width(),
-                       block.t[i] * map.height() / request.field.height(), request.field.address());
+    if (shading == ShadingNormal::Plane) return glm::vec3(quad.normal);
+    const glm::dvec2 place = lookUpPoint(request.field, rays->rays[i], hit);
+    glm::vec3 mapped(0);
+    if (shading == ShadingNormal::NormalMap && bakedNormals) {
+        mapped = bakedNormals->at(place.x, place.y, request.field.address());
+    } else if (request.normals && shading != ShadingNormal::Heights) {
+        const auto& map = *request.normals;
+        mapped = sampleBilinear(map, place.x * map.width() / request.field.width(),
+                                place.y * map.height() / request.field.height(), request.field.address());
+    } else {
+        return glm::vec3(reliefNormal(quad, request.field.slope(place.x, place.y), slabTexels));
+    }
     // Opposed vectors can cancel between texels.
     return glm::length(mapped) > 0 ? glm::vec3(mappedNormal(quad, mapped)) : glm::vec3(quad.normal);
 }

@@ -11,6 +11,7 @@
 
 #include "filtering/sampler.h"
 #include "images/files.h"
+#include "relief/maps/baked_normals.h"
 #include "relief/tracers.h"
 #include "rendering/camera.h"
 #include "rendering/lighting.h"
@@ -71,6 +72,8 @@ struct Frame {
     std::shared_ptr<const LightStage> light;
     std::vector<TexturedQuad> polygons;
     double slabTexels = 0;
+    ShadingNormal shading = ShadingNormal::Relief;
+    std::shared_ptr<const BakedNormals> bakedNormals;  // where the method shades by a normal map and none is given
     PinholeCamera camera;
     std::array<StageReport, kStages> stages;
     std::map<std::string, double> counters;  // polygons, polygons culled, pixels covered, rays traced, steps, ...
@@ -83,7 +86,7 @@ struct Frame {
     std::optional<ViewRay> ray(int x, int y) const;
     // Distance from the eye along the camera's forward direction to the hit, world units; NaN without a hit.
     double depth(int x, int y) const;
-    // Unit normal of the lit surface in world space; zero without a hit.
+    // Unit normal of the lit surface in world space, whichever the method shades by; zero without a hit.
     glm::vec3 normal(int x, int y, const FrameRequest& request) const;
 };
 

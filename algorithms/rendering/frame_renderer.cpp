@@ -5,7 +5,9 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "relief/look_up_point.h"
 #include "rendering/frame.h"
+#include "rendering/mesh_raster.h"
 #include "rendering/visible_polygons.h"
 
 namespace relief {
@@ -16,10 +18,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kTileWidth = 64;
 constexpr int kTileHeight = 16;
-
-struct Tile {
-    int x0, y0, x1, y1;
-};
 
 // What of a request differs from the last one.
 std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
@@ -72,24 +70,26 @@ struct Totals {
     std::atomic<std::int64_t> hits{0};
     std::atomic<std::int64_t> misses{0};
     std::atomic<std::int64_t> limits{0};
+    std::atomic<std::int64_t> triangles{0};
 };
 
 class TileWorker {
   public:
     TileWorker(const FrameRequest& request, const VisiblePolygons& visible, const Frame& frame, const Tracer& tracer,
-               const Buffers& buffers, std::uint32_t stale, Totals& totals)
+               const MeshRaster* raster, const Buffers& buffers, std::uint32_t stale, Totals& totals)
         : request_(request),
           visible_(visible),
           frame_(frame),
           tracer_(tracer),
+          raster_(raster),
           buffers_(buffers),
           stale_(stale),
           totals_(totals),
           toLight_(lightDirection(request.light)) {}
 
-    void run(const Tile& tile, Work& work) const {
+    void run(const PixelArea& tile, Work& work) const {
         timed(Stage::Rays, [&] { makeRays(tile); });
-        timed(Stage::Hits, [&] { traceRays(tile, work); });
+        timed(Stage::Hits, [&] { raster_ != nullptr ? drawMesh(tile) : traceRays(tile, work); });
         timed(Stage::Color, [&] { colorHits(tile); });
         timed(Stage::Light, [&] { lightHits(tile); });
     }
@@ -104,29 +104,32 @@ class TileWorker {
     }
 
     template <class Body>
-    void overPixels(const Tile& tile, const Body& body) const {
+    void overPixels(const PixelArea& tile, const Body& body) const {
         for (int y = tile.y0; y < tile.y1; ++y) {
             for (int x = tile.x0; x < tile.x1; ++x) body(x, y, frame_.index(x, y));
         }
     }
 
-    void makeRays(const Tile& tile) const;
-    void traceRays(const Tile& tile, Work& work) const;
-    void colorHits(const Tile& tile) const;
-    void lightHits(const Tile& tile) const;
+    void makeRays(const PixelArea& tile) const;
+    void traceRays(const PixelArea& tile, Work& work) const;
+    void drawMesh(const PixelArea& tile) const;
+    void countOutcomes(const PixelArea& tile) const;
+    void colorHits(const PixelArea& tile) const;
+    void lightHits(const PixelArea& tile) const;
     Color albedo(double s, double t) const;
 
     const FrameRequest& request_;
     const VisiblePolygons& visible_;
     const Frame& frame_;
     const Tracer& tracer_;
+    const MeshRaster* raster_;
     const Buffers& buffers_;
     std::uint32_t stale_;
     Totals& totals_;
     glm::dvec3 toLight_;
 };
 
-void TileWorker::makeRays(const Tile& tile) const {
+void TileWorker::makeRays(const PixelArea& tile) const {
     RayStage& out = *buffers_.rays;
     std::int64_t covered = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
@@ -148,7 +151,7 @@ void TileWorker::makeRays(const Tile& tile) const {
     totals_.covered += covered;
 }
 
-void TileWorker::traceRays(const Tile& tile, Work& work) const {
+void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
     const RayStage& rays = *frame_.rays;
     HitBlock& out = buffers_.hits->hits;
     std::vector<std::size_t> pixels;
@@ -161,17 +164,31 @@ void TileWorker::traceRays(const Tile& tile, Work& work) const {
     HitBlock hits;
     BlockCounts counts;
     tracer_.trace(block, hits, counts, work);
-    std::array<std::int64_t, 4> outcomes{};
     for (std::size_t n = 0; n < pixels.size(); ++n) {
         out.set(pixels[n], hits[n]);
         out.steps[pixels[n]] = hits.steps[n];
         out.reads[pixels[n]] = hits.reads[n];
-        ++outcomes[static_cast<std::size_t>(hits.outcome[n])];
     }
+    countOutcomes(tile);
     totals_.traced += static_cast<std::int64_t>(pixels.size());
     totals_.steps += static_cast<std::int64_t>(counts.steps);
     totals_.reads += static_cast<std::int64_t>(counts.reads);
     totals_.startHighest += static_cast<std::int64_t>(counts.startHighest);
+}
+
+void TileWorker::drawMesh(const PixelArea& tile) const {
+    HitBlock& out = buffers_.hits->hits;
+    totals_.triangles += raster_->draw(tile, frame_.rays->polygon, out);
+    std::int64_t covered = 0;
+    overPixels(tile, [&](int, int, std::size_t i) { covered += out.steps[i]; });
+    totals_.steps += covered;
+    countOutcomes(tile);
+}
+
+void TileWorker::countOutcomes(const PixelArea& tile) const {
+    std::array<std::int64_t, 4> outcomes{};
+    overPixels(tile,
+               [&](int, int, std::size_t i) { ++outcomes[static_cast<std::size_t>(buffers_.hits->hits.outcome[i])]; });
     totals_.hits += outcomes[static_cast<std::size_t>(Outcome::Hit)];
     totals_.misses += outcomes[static_cast<std::size_t>(Outcome::Miss)];
     totals_.limits += outcomes[static_cast<std::size_t>(Outcome::Limit)];
@@ -186,14 +203,16 @@ Color TileWorker::albedo(double s, double t) const {
                                              : sampleBilinear(image, x, y, request_.field.address());
 }
 
-void TileWorker::colorHits(const Tile& tile) const {
+void TileWorker::colorHits(const PixelArea& tile) const {
     const HitBlock& hits = frame_.hits->hits;
     overPixels(tile, [&](int, int, std::size_t i) {
-        if (hits.outcome[i] == Outcome::Hit) buffers_.color->color.pixels()[i] = albedo(hits.s[i], hits.t[i]);
+        if (hits.outcome[i] != Outcome::Hit) return;
+        const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
+        buffers_.color->color.pixels()[i] = albedo(place.x, place.y);
     });
 }
 
-void TileWorker::lightHits(const Tile& tile) const {
+void TileWorker::lightHits(const PixelArea& tile) const {
     const HitBlock& hits = frame_.hits->hits;
     const auto colors = frame_.color->color.pixels();
     const auto out = buffers_.light->color.pixels();
@@ -211,8 +230,8 @@ void TileWorker::lightHits(const Tile& tile) const {
     });
 }
 
-std::vector<Tile> tilesOf(int width, int height) {
-    std::vector<Tile> tiles;
+std::vector<PixelArea> tilesOf(int width, int height) {
+    std::vector<PixelArea> tiles;
     for (int y = 0; y < height; y += kTileHeight) {
         for (int x = 0; x < width; x += kTileWidth) {
             tiles.push_back({x, y, std::min(x + kTileWidth, width), std::min(y + kTileHeight, height)});
@@ -281,6 +300,7 @@ void report(Frame& frame, const VisiblePolygons& visible, const Totals& totals, 
         count("hits", static_cast<double>(totals.hits));
         count("misses", static_cast<double>(totals.misses));
         count("step limits", static_cast<double>(totals.limits));
+        if (totals.triangles > 0) count("triangles drawn", static_cast<double>(totals.triangles));
     }
     count("stages not computed again",
           static_cast<double>(std::count_if(frame.stages.begin(), frame.stages.end(),
@@ -305,11 +325,19 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     std::shared_ptr<const Tracer> tracer = tracer_;
     const bool newTracer = first || has(stale, Stage::Hits) || !tracer;
     if (newTracer) tracer = makeTracer(request.method, request.field, *maps_, work);
+    frame->shading = tracer->description().shading;
+    if (frame->shading == ShadingNormal::NormalMap && !request.normals) {
+        frame->bakedNormals = bakedNormals(request.field, *maps_, work);
+    }
 
     const Buffers buffers = allocate(*frame, frame_.get(), stale);
     Totals totals;
-    const TileWorker worker(request, visible, *frame, *tracer, buffers, stale, totals);
-    const std::vector<Tile> tiles = tilesOf(request.width, request.height);
+    std::unique_ptr<const MeshRaster> raster;
+    if (tracer->mesh() != nullptr && has(stale, Stage::Hits)) {
+        raster = std::make_unique<MeshRaster>(*tracer->mesh(), visible, frame->camera, frame->width, work);
+    }
+    const TileWorker worker(request, visible, *frame, *tracer, raster.get(), buffers, stale, totals);
+    const std::vector<PixelArea> tiles = tilesOf(request.width, request.height);
     if (stale != 0) {
         work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
         work.arena().execute([&] {

@@ -130,8 +130,16 @@ std::string methodText(const MethodDescription& method) {
 }
 
 std::string listText() {
-    std::string out = "Tracers: how rays meet the relief (--tracer NAME)\n";
-    for (const MethodDescription& method : tracerList()) out += methodText(method);
+    const auto ofKind = [](MethodKind kind) {
+        std::string text;
+        for (const MethodDescription& method : tracerList()) {
+            if (method.kind == kind) text += methodText(method);
+        }
+        return text;
+    };
+    std::string out = "Tracers: how rays meet the relief (--tracer NAME)\n" + ofKind(MethodKind::Tracer);
+    out += "\nShading only: the ray stays on the polygon (--tracer NAME)\n" + ofKind(MethodKind::Shading);
+    out += "\nMeshes: the relief made of triangles (--tracer NAME)\n" + ofKind(MethodKind::Mesh);
     out += "\nAny-hit queries: whether something is in the way, for shadows and back-tracing\n";
     for (const MethodDescription& method : anyHitList()) out += methodText(method);
     out += "\nFilters: how colours are sampled (--filter NAME)\n";

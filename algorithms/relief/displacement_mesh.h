@@ -1,0 +1,107 @@
+// The mesh of displacement mapping: what the walk of a single ray and the rasteriser of whole frames share.
+//
+// Vertices: density x density of them over the texture, at the centres of equal parts, as high as the surface there
+// (maps/mesh_heights.h). So with density = the map's size the vertices are the map's texels. Quads lie between four
+// neighbouring vertices and are numbered as the cells of a bilinear surface of that size (cell_grid.h): under repeat
+// they wrap; under clamp and border the half quads at the rim are level outwards; under border nothing lies outside.
+// Each quad is two triangles, cut along the diagonal from its vertex (0, 0) to its vertex (1, 1).
+// Unit of its ViewRays: mesh coordinates, vertex (i, j) at (i + 1/2, j + 1/2).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "relief/leaf.h"
+#include "relief/maps/mesh_heights.h"
+
+namespace relief {
+
+class DisplacementMesh {
+  public:
+    DisplacementMesh(const HeightField& field, std::shared_ptr<const MeshHeights> heights)
+        : texture_(field),
+          mesh_(std::shared_ptr<const FloatImage>(heights, &heights->heights), Surface::Bilinear, field.address(),
+                field.reliefDepth()),
+          grid_(mesh_),
+          bytes_(heights->bytes()) {}
+
+    const HeightField& texture() const { return texture_; }
+    // The vertices' heights as a bilinear surface: its cells are the quads.
+    const HeightField& mesh() const { return mesh_; }
+    const CellGrid& grid() const { return grid_; }
+    std::size_t bytes() const { return bytes_; }
+    // Size of a quad in texels.
+    double texelsPerColumn() const { return static_cast<double>(texture_.width()) / mesh_.width(); }
+    double texelsPerRow() const { return static_cast<double>(texture_.height()) / mesh_.height(); }
+
+    // The ray in mesh coordinates; under repeat reduced to the first texture, so that far rays keep their digits.
+    ViewRay inMesh(const ViewRay& ray) const {
+        const auto reduced = [&](double x, double size) {
+            if (texture_.address() != Address::Repeat) return x;
+            const double rest = std::fmod(x, size);
+            return rest < 0 ? rest + size : rest;
+        };
+        return {reduced(ray.s0, texture_.width()) / texelsPerColumn(),
+                reduced(ray.t0, texture_.height()) / texelsPerRow(), ray.a / texelsPerColumn(), ray.b / texelsPerRow()};
+    }
+
+    // Heights of a quad's vertices (0,0), (1,0), (0,1), (1,1).
+    using Corners = std::array<double, 4>;
+    Corners corners(AxisCell cx, AxisCell cy) const {
+        const FloatImage& h = mesh_.heights();
+        const int i0 = grid_.x.nodeBefore(cx.index);
+        const int i1 = grid_.x.nodeAfter(cx.index);
+        const int j0 = grid_.y.nodeBefore(cy.index);
+        const int j1 = grid_.y.nodeAfter(cy.index);
+        return {h(i0, j0), h(i1, j0), h(i0, j1), h(i1, j1)};
+    }
+
+    // Height of the two triangles at (u, v) in the quad, both in [0, 1]. Never below the slab, whatever is rounded.
+    static double height(const Corners& h, double u, double v) {
+        const double z =
+            u >= v ? h[0] + u * (h[1] - h[0]) + v * (h[3] - h[1]) : h[0] + v * (h[2] - h[0]) + u * (h[3] - h[2]);
+        return std::max(z, 0.0);
+    }
+
+    // Lambda at which the ray first meets the quad's triangles, if it does.
+    std::optional<double> quadHit(const GridRay& ray, AxisCell cx, AxisCell cy) const;
+
+  private:
+    HeightField texture_;
+    HeightField mesh_;
+    CellGrid grid_;
+    std::size_t bytes_;
+};
+
+inline std::optional<double> DisplacementMesh::quadHit(const GridRay& ray, AxisCell cx, AxisCell cy) const {
+    const Stay stay = cellStay(grid_, ray, cx, cy);
+    if (!(stay.in < stay.out)) return std::nullopt;
+    const Corners h = corners(cx, cy);
+    struct Place {
+        double lambda, u, v, gap;  // gap: surface minus ray
+    };
+    const auto placeAt = [&](double lambda) {
+        const double u = leaf_detail::within(ray.x, cx, lambda);
+        const double v = leaf_detail::within(ray.y, cy, lambda);
+        return Place{lambda, u, v, height(h, u, v) - (1 - lambda)};
+    };
+    // From one place above the surface to the next, within one triangle: the gap is linear.
+    const auto between = [](const Place& from, const Place& to) -> std::optional<double> {
+        if (!(to.gap >= 0)) return std::nullopt;
+        const double share = from.gap / (from.gap - to.gap);
+        return std::min(from.lambda + share * (to.lambda - from.lambda), to.lambda);
+    };
+    const Place in = placeAt(stay.in);
+    if (!(in.gap < 0)) return stay.in;
+    const Place out = placeAt(stay.out);
+    const double before = in.u - in.v;
+    const double after = out.u - out.v;
+    if ((before < 0) == (after < 0)) return between(in, out);
+    const Place diagonal = placeAt(stay.in + before / (before - after) * (stay.out - stay.in));
+    if (const auto hit = between(in, diagonal)) return hit;
+    return between(diagonal, out);
+}
+
+}  // namespace relief

@@ -1,0 +1,32 @@
+#include "relief/maps/mesh_heights.h"
+
+#include <cassert>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "relief/describe.h"
+
+namespace relief {
+
+std::shared_ptr<const MeshHeights> meshHeights(const HeightField& field, int density, MapCache& cache, Work& work) {
+    assert(density >= 1);
+    const std::string kind = "mesh/" + std::to_string(density) + "/" + std::string(surfaceName(field.surface())) + "/" +
+                             (field.address() == Address::Repeat ? "repeat" : "clamped");
+    return cache.get<MeshHeights>({kind, field.sharedHeights()}, work, [&](Work& w) {
+        MeshHeights mesh{FloatImage(density, density)};
+        const double perColumn = static_cast<double>(field.width()) / density;
+        const double perRow = static_cast<double>(field.height()) / density;
+        w.arena().execute([&] {
+            tbb::parallel_for(0, density, [&](int j) {
+                if (w.stopped()) return;
+                for (int i = 0; i < density; ++i) {
+                    mesh.heights(i, j) = static_cast<float>(field.at((i + 0.5) * perColumn, (j + 0.5) * perRow));
+                }
+            });
+        });
+        w.throwIfStopped();
+        return mesh;
+    });
+}
+
+}  // namespace relief
