@@ -1,6 +1,7 @@
 // Colour of the texture at a point: what every filter answers.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,8 +11,24 @@
 
 namespace relief {
 
+// What a pixel sees. Box: its square, evenly. Gaussian: a bell of kGaussianSigma round its centre, beyond its square.
+enum class PixelModel : std::uint8_t { Box, Gaussian };
+// Pixels.
+inline constexpr double kGaussianSigma = 0.5;
+// Samples along each side of a pixel, at most.
+inline constexpr int kMaxSamples = 64;
+
+std::string_view pixelModelName(PixelModel model);
+// Throws InputError("--pixel-model", ...) with the known names.
+PixelModel parsePixelModel(std::string_view text);
+
+// The filter whose samples are rays: the renderer's, not the texture's.
+inline constexpr std::string_view kSupersample = "supersample";
+
 struct FilterChoice {
     std::string name = "bilinear";
+    int samples = 8;                          // supersample: along each side of a pixel, 1 to kMaxSamples
+    PixelModel pixelModel = PixelModel::Box;  // supersample
     bool operator==(const FilterChoice&) const = default;
 };
 

@@ -51,6 +51,13 @@ std::array<float, 3> layerValues(const std::string& name, const Frame& frame, co
 
 }  // namespace
 
+PinholeCamera requestCamera(const FrameRequest& request) {
+    const int beyond = 2 * request.margin;
+    PinholeCamera camera = pinholeCamera(request.camera, request.width - beyond, request.height - beyond);
+    camera.principal += glm::dvec2(0.5 + request.margin) - request.sample;
+    return camera;
+}
+
 std::optional<ViewRay> Frame::ray(int x, int y) const {
     const std::size_t i = index(x, y);
     if (rays->polygon[i] == kNoPolygon) return std::nullopt;
@@ -97,9 +104,8 @@ std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y) {
                                  {{"x", x}, {"y", y}, {"width", request.width}, {"height", request.height}}));
     }
     const VisiblePolygons visible =
-        visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()),
-                        pinholeCamera(request.camera, request.width, request.height), request.width, request.height,
-                        request.field.reliefDepth());
+        visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
+                        request.width, request.height, request.field.reliefDepth());
     const VisiblePolygon* polygon = visible.at(x, y, request.width);
     if (polygon == nullptr) return std::nullopt;
     return polygon->entry(x, y).ray;

@@ -3,11 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "filtering/sampler.h"
 #include "images/files.h"
@@ -34,10 +37,19 @@ struct FrameRequest {
     SceneKind scene = SceneKind::Floor;
     Camera camera;
     Light light;
+    bool shadows = false;
     Color sky{0.55F, 0.65F, 0.8F};  // linear
+    // For parts of a bigger picture: where in its square a pixel is looked at, [0, 1]^2, and by how many pixels the
+    // frame reaches beyond the camera's picture on every side (counted in width and height).
+    glm::dvec2 sample{0.5, 0.5};
+    int margin = 0;
 
     explicit FrameRequest(HeightField heightField) : field(std::move(heightField)) {}
 };
+
+// The request's camera in the pixels of its frame, moved so that pixel centres are where the request looks.
+// Throws InputError("--camera", ...).
+PinholeCamera requestCamera(const FrameRequest& request);
 
 // No polygon covers the pixel.
 inline constexpr std::uint8_t kNoPolygon = 255;
@@ -52,6 +64,9 @@ struct HitStage {
 };
 struct ColorStage {
     ColorImage color;  // linear, unlit
+};
+struct ShadowStage {
+    std::vector<std::uint8_t> shadowed;  // one a pixel, 1 where the light does not reach; empty: no shadows wanted
 };
 struct LightStage {
     ColorImage color;  // linear, lit; what the picture shows
@@ -69,6 +84,7 @@ struct Frame {
     std::shared_ptr<const RayStage> rays;
     std::shared_ptr<const HitStage> hits;
     std::shared_ptr<const ColorStage> color;
+    std::shared_ptr<const ShadowStage> shadows;
     std::shared_ptr<const LightStage> light;
     std::vector<TexturedQuad> polygons;
     double slabTexels = 0;
@@ -94,17 +110,25 @@ struct Frame {
 // command; not shared between threads (the work inside is parallel). Frames stay valid as long as somebody holds them.
 class FrameRenderer {
   public:
-    explicit FrameRenderer(std::shared_ptr<MapCache> maps) : maps_(std::move(maps)) {}
+    // partOfMore: what the frame belongs to reports progress and counts.
+    explicit FrameRenderer(std::shared_ptr<MapCache> maps, bool partOfMore = false)
+        : maps_(std::move(maps)), partOfMore_(partOfMore) {}
 
+    // The estimate after so many of all sample passes, in the calling thread; valid during the call.
+    using Snapshot = std::function<void(const ColorImage& estimate, int done, int total)>;
+
+    // With the filter `supersample` the light stage is the mean of samples (supersample.h), all others are those of
+    // pixel centres; snapshot is then told of estimates.
     // Throws InputError (unknown names, degenerate camera), Cancelled (nothing is published, the buffers of the last
     // frame stay). Same bits for any number of threads and whatever was reused.
-    std::shared_ptr<const Frame> render(const FrameRequest& request, Work& work);
+    std::shared_ptr<const Frame> render(const FrameRequest& request, Work& work, const Snapshot& snapshot = {});
 
     // The tracer of the last frame, to replay a pixel with a log.
     std::shared_ptr<const Tracer> tracer() const { return tracer_; }
 
   private:
     std::shared_ptr<MapCache> maps_;
+    bool partOfMore_;
     std::shared_ptr<const Tracer> tracer_;
     std::optional<FrameRequest> last_;
     std::shared_ptr<const Frame> frame_;

@@ -1,14 +1,10 @@
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <cmath>
 
 #include <oneapi/tbb/parallel_for.h>
 
-#include "relief/look_up_point.h"
-#include "rendering/frame.h"
-#include "rendering/mesh_raster.h"
-#include "rendering/visible_polygons.h"
+#include "rendering/supersample.h"
+#include "rendering/tile_worker.h"
 
 namespace relief {
 
@@ -16,15 +12,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kTileWidth = 64;
-constexpr int kTileHeight = 16;
-
 // What of a request differs from the last one.
 std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
     std::uint32_t changed = 0;
     const auto compare = [&](Input input, bool same) { changed |= same ? 0U : bit(input); };
     compare(Input::Size, now.width == last.width && now.height == last.height);
-    compare(Input::Camera, now.camera == last.camera);
+    compare(Input::Camera, now.camera == last.camera && now.sample == last.sample && now.margin == last.margin);
     compare(Input::Scene, now.scene == last.scene);
     compare(Input::HeightSize, now.field.width() == last.field.width() && now.field.height() == last.field.height());
     compare(Input::Heights, now.field.sharedHeights() == last.field.sharedHeights());
@@ -35,13 +28,11 @@ std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
     compare(Input::ColorPicture, now.color == last.color);
     compare(Input::Filter, now.filter == last.filter);
     compare(Input::NormalPicture, now.normals == last.normals);
+    compare(Input::LightDirection, lightDirection(now.light) == lightDirection(last.light));
     compare(Input::Light, now.light == last.light);
+    compare(Input::Shadows, now.shadows == last.shadows);
     compare(Input::Sky, now.sky == last.sky);
     return changed;
-}
-
-bool has(std::uint32_t stages, Stage stage) {
-    return (stages & bit(stage)) != 0;
 }
 
 std::uint32_t staleStages(std::uint32_t changed) {
@@ -50,184 +41,6 @@ std::uint32_t staleStages(std::uint32_t changed) {
         if ((allInputs(static_cast<Stage>(s)) & changed) != 0) stale |= 1U << s;
     }
     return stale;
-}
-
-// The buffers of one frame in the making: those of stale stages are new, the others are the last frame's.
-struct Buffers {
-    std::shared_ptr<RayStage> rays;
-    std::shared_ptr<HitStage> hits;
-    std::shared_ptr<ColorStage> color;
-    std::shared_ptr<LightStage> light;
-};
-
-struct Totals {
-    std::array<std::atomic<std::int64_t>, kStages> nanoseconds{};
-    std::atomic<std::int64_t> covered{0};
-    std::atomic<std::int64_t> traced{0};
-    std::atomic<std::int64_t> steps{0};
-    std::atomic<std::int64_t> reads{0};
-    std::atomic<std::int64_t> startHighest{0};
-    std::atomic<std::int64_t> hits{0};
-    std::atomic<std::int64_t> misses{0};
-    std::atomic<std::int64_t> limits{0};
-    std::atomic<std::int64_t> triangles{0};
-};
-
-class TileWorker {
-  public:
-    TileWorker(const FrameRequest& request, const VisiblePolygons& visible, const Frame& frame, const Tracer& tracer,
-               const MeshRaster* raster, const Buffers& buffers, std::uint32_t stale, Totals& totals)
-        : request_(request),
-          visible_(visible),
-          frame_(frame),
-          tracer_(tracer),
-          raster_(raster),
-          buffers_(buffers),
-          stale_(stale),
-          totals_(totals),
-          toLight_(lightDirection(request.light)) {}
-
-    void run(const PixelArea& tile, Work& work) const {
-        timed(Stage::Rays, [&] { makeRays(tile); });
-        timed(Stage::Hits, [&] { raster_ != nullptr ? drawMesh(tile) : traceRays(tile, work); });
-        timed(Stage::Color, [&] { colorHits(tile); });
-        timed(Stage::Light, [&] { lightHits(tile); });
-    }
-
-  private:
-    template <class Body>
-    void timed(Stage stage, const Body& body) const {
-        if (!has(stale_, stage)) return;
-        const auto begin = Clock::now();
-        body();
-        totals_.nanoseconds[static_cast<std::size_t>(stage)] += (Clock::now() - begin).count();
-    }
-
-    template <class Body>
-    void overPixels(const PixelArea& tile, const Body& body) const {
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            for (int x = tile.x0; x < tile.x1; ++x) body(x, y, frame_.index(x, y));
-        }
-    }
-
-    void makeRays(const PixelArea& tile) const;
-    void traceRays(const PixelArea& tile, Work& work) const;
-    void drawMesh(const PixelArea& tile) const;
-    void countOutcomes(const PixelArea& tile) const;
-    void colorHits(const PixelArea& tile) const;
-    void lightHits(const PixelArea& tile) const;
-    Color albedo(double s, double t) const;
-
-    const FrameRequest& request_;
-    const VisiblePolygons& visible_;
-    const Frame& frame_;
-    const Tracer& tracer_;
-    const MeshRaster* raster_;
-    const Buffers& buffers_;
-    std::uint32_t stale_;
-    Totals& totals_;
-    glm::dvec3 toLight_;
-};
-
-void TileWorker::makeRays(const PixelArea& tile) const {
-    RayStage& out = *buffers_.rays;
-    std::int64_t covered = 0;
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        for (const VisiblePolygon& polygon : visible_.polygons) {
-            const PixelSpan span = polygon.span(y, frame_.width);
-            const int first = static_cast<int>(std::max<std::int64_t>(span.begin, tile.x0));
-            const int last = static_cast<int>(std::min<std::int64_t>(span.end, tile.x1));
-            for (int x = first; x < last; ++x) {
-                const std::size_t i = frame_.index(x, y);
-                const VisiblePolygon::Entry entry = polygon.entry(x, y);
-                if (entry.inverseDepth <= out.inverseDepth[i]) continue;
-                covered += out.polygon[i] == kNoPolygon ? 1 : 0;
-                out.inverseDepth[i] = entry.inverseDepth;
-                out.polygon[i] = polygon.number;
-                out.rays.set(i, entry.ray);
-            }
-        }
-    }
-    totals_.covered += covered;
-}
-
-void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
-    const RayStage& rays = *frame_.rays;
-    HitBlock& out = buffers_.hits->hits;
-    std::vector<std::size_t> pixels;
-    pixels.reserve(static_cast<std::size_t>(kTileWidth) * kTileHeight);
-    overPixels(tile, [&](int, int, std::size_t i) {
-        if (rays.polygon[i] != kNoPolygon) pixels.push_back(i);
-    });
-    RayBlock block(pixels.size());
-    for (std::size_t n = 0; n < pixels.size(); ++n) block.set(n, rays.rays[pixels[n]]);
-    HitBlock hits;
-    BlockCounts counts;
-    tracer_.trace(block, hits, counts, work);
-    for (std::size_t n = 0; n < pixels.size(); ++n) {
-        out.set(pixels[n], hits[n]);
-        out.steps[pixels[n]] = hits.steps[n];
-        out.reads[pixels[n]] = hits.reads[n];
-    }
-    countOutcomes(tile);
-    totals_.traced += static_cast<std::int64_t>(pixels.size());
-    totals_.steps += static_cast<std::int64_t>(counts.steps);
-    totals_.reads += static_cast<std::int64_t>(counts.reads);
-    totals_.startHighest += static_cast<std::int64_t>(counts.startHighest);
-}
-
-void TileWorker::drawMesh(const PixelArea& tile) const {
-    HitBlock& out = buffers_.hits->hits;
-    totals_.triangles += raster_->draw(tile, frame_.rays->polygon, out);
-    std::int64_t covered = 0;
-    overPixels(tile, [&](int, int, std::size_t i) { covered += out.steps[i]; });
-    totals_.steps += covered;
-    countOutcomes(tile);
-}
-
-void TileWorker::countOutcomes(const PixelArea& tile) const {
-    std::array<std::int64_t, 4> outcomes{};
-    overPixels(tile,
-               [&](int, int, std::size_t i) { ++outcomes[static_cast<std::size_t>(buffers_.hits->hits.outcome[i])]; });
-    totals_.hits += outcomes[static_cast<std::size_t>(Outcome::Hit)];
-    totals_.misses += outcomes[static_cast<std::size_t>(Outcome::Miss)];
-    totals_.limits += outcomes[static_cast<std::size_t>(Outcome::Limit)];
-}
-
-Color TileWorker::albedo(double s, double t) const {
-    if (!request_.color) return Color(static_cast<float>(0.2 + 0.6 * request_.field.at(s, t)));
-    const ColorImage& image = *request_.color;
-    const double x = s * image.width() / request_.field.width();
-    const double y = t * image.height() / request_.field.height();
-    return request_.filter.name == "nearest" ? sampleNearest(image, x, y, request_.field.address())
-                                             : sampleBilinear(image, x, y, request_.field.address());
-}
-
-void TileWorker::colorHits(const PixelArea& tile) const {
-    const HitBlock& hits = frame_.hits->hits;
-    overPixels(tile, [&](int, int, std::size_t i) {
-        if (hits.outcome[i] != Outcome::Hit) return;
-        const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
-        buffers_.color->color.pixels()[i] = albedo(place.x, place.y);
-    });
-}
-
-void TileWorker::lightHits(const PixelArea& tile) const {
-    const HitBlock& hits = frame_.hits->hits;
-    const auto colors = frame_.color->color.pixels();
-    const auto out = buffers_.light->color.pixels();
-    overPixels(tile, [&](int x, int y, std::size_t i) {
-        switch (hits.outcome[i]) {
-            case Outcome::Hit:
-                out[i] = lambert(colors[i], frame_.normal(x, y, request_), toLight_, request_.light);
-                break;
-            case Outcome::Limit:
-                out[i] = Color(0);
-                break;
-            default:
-                out[i] = request_.sky;
-        }
-    });
 }
 
 std::vector<PixelArea> tilesOf(int width, int height) {
@@ -242,7 +55,13 @@ std::vector<PixelArea> tilesOf(int width, int height) {
 
 void checkRequest(const FrameRequest& request) {
     findFilter(request.filter.name);
-    for (const int side : {request.width, request.height}) {
+    if (request.filter.samples < 1 || request.filter.samples > kMaxSamples) {
+        throw InputError("--supersample",
+                         Message(MessageId::OutOfRange, {{"what", "samples along each side of a pixel"},
+                                                         {"value", request.filter.samples},
+                                                         {"range", "1 to " + std::to_string(kMaxSamples)}}));
+    }
+    for (const int side : {request.width - 2 * request.margin, request.height - 2 * request.margin}) {
         if (side >= 1 && side <= kMaxPictureSide) continue;
         throw InputError("--size",
                          Message(MessageId::OutOfRange, {{"what", "side of the picture"},
@@ -252,9 +71,9 @@ void checkRequest(const FrameRequest& request) {
 }
 
 // New buffers for stale stages; the frame points to what its later stages read.
-Buffers allocate(Frame& frame, const Frame* last, std::uint32_t stale) {
+FrameBuffers allocate(Frame& frame, const Frame* last, bool shadows, std::uint32_t stale) {
     const auto pixels = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
-    Buffers buffers;
+    FrameBuffers buffers;
     if (has(stale, Stage::Rays)) {
         buffers.rays = std::make_shared<RayStage>();
         buffers.rays->rays.resize(pixels);
@@ -269,6 +88,10 @@ Buffers allocate(Frame& frame, const Frame* last, std::uint32_t stale) {
         buffers.color = std::make_shared<ColorStage>();
         buffers.color->color = ColorImage(frame.width, frame.height, Color(0));
     }
+    if (has(stale, Stage::Shadows)) {
+        buffers.shadows = std::make_shared<ShadowStage>();
+        if (shadows) buffers.shadows->shadowed.assign(pixels, 0);
+    }
     if (has(stale, Stage::Light)) {
         buffers.light = std::make_shared<LightStage>();
         buffers.light->color = ColorImage(frame.width, frame.height, Color(0));
@@ -276,11 +99,12 @@ Buffers allocate(Frame& frame, const Frame* last, std::uint32_t stale) {
     frame.rays = buffers.rays ? buffers.rays : last->rays;
     frame.hits = buffers.hits ? buffers.hits : last->hits;
     frame.color = buffers.color ? buffers.color : last->color;
+    frame.shadows = buffers.shadows ? buffers.shadows : last->shadows;
     frame.light = buffers.light ? buffers.light : last->light;
     return buffers;
 }
 
-void report(Frame& frame, const VisiblePolygons& visible, const Totals& totals, std::uint32_t stale) {
+void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& totals, std::uint32_t stale) {
     for (std::size_t s = 0; s < kStages; ++s) {
         frame.stages[s].reused = (stale & (1U << s)) == 0;
         frame.stages[s].seconds = static_cast<double>(totals.nanoseconds[s]) * 1e-9;
@@ -302,24 +126,50 @@ void report(Frame& frame, const VisiblePolygons& visible, const Totals& totals, 
         count("step limits", static_cast<double>(totals.limits));
         if (totals.triangles > 0) count("triangles drawn", static_cast<double>(totals.triangles));
     }
+    if (!frame.shadows->shadowed.empty() && has(stale, Stage::Shadows)) {
+        count("shadow rays", static_cast<double>(totals.shadowRays));
+        count("shadow rays blocked", static_cast<double>(totals.shadowBlocked));
+        count("shadow rays not needed: turned away from the light", static_cast<double>(totals.shadowAway));
+        count("shadow rays not needed: at the top", static_cast<double>(totals.shadowTop));
+        count("shadow steps", static_cast<double>(totals.shadowSteps));
+        count("shadow step limits", static_cast<double>(totals.shadowLimits));
+    }
     count("stages not computed again",
           static_cast<double>(std::count_if(frame.stages.begin(), frame.stages.end(),
                                             [](const StageReport& stage) { return stage.reused; })));
 }
 
-}  // namespace
-
-std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, Work& work) {
-    const auto begin = Clock::now();
-    checkRequest(request);
-    const bool first = !frame_ || !last_;
-    const std::uint32_t stale = staleStages(first ? (1U << kInputs) - 1 : changedInputs(request, *last_));
+// What a frame says of itself before any pixel is made.
+std::shared_ptr<Frame> describedFrame(const FrameRequest& request) {
     auto frame = std::make_shared<Frame>();
     frame->width = request.width;
     frame->height = request.height;
     frame->slabTexels = request.field.slabTexels();
     frame->polygons = makeScene(request.scene, request.field.width(), request.field.height());
-    frame->camera = pinholeCamera(request.camera, request.width, request.height);
+    frame->camera = requestCamera(request);
+    return frame;
+}
+
+void runTiles(const TileWorker& worker, const FrameRequest& request, bool tellProgress, Work& work) {
+    const std::vector<PixelArea> tiles = tilesOf(request.width, request.height);
+    if (tellProgress) work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
+    work.arena().execute([&] {
+        tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t n) {
+            if (work.stopped()) return;
+            worker.run(tiles[n], work);
+            if (tellProgress) work.progress().advance();
+        });
+    });
+}
+
+}  // namespace
+
+std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, Work& work, const Snapshot& snapshot) {
+    const auto begin = Clock::now();
+    checkRequest(request);
+    const bool first = !frame_ || !last_;
+    const std::uint32_t stale = staleStages(first ? (1U << kInputs) - 1 : changedInputs(request, *last_));
+    const std::shared_ptr<Frame> frame = describedFrame(request);
     const VisiblePolygons visible =
         visiblePolygons(frame->polygons, frame->camera, request.width, request.height, request.field.reliefDepth());
     std::shared_ptr<const Tracer> tracer = tracer_;
@@ -329,29 +179,28 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     if (frame->shading == ShadingNormal::NormalMap && !request.normals) {
         frame->bakedNormals = bakedNormals(request.field, *maps_, work);
     }
-
-    const Buffers buffers = allocate(*frame, frame_.get(), stale);
-    Totals totals;
-    std::unique_ptr<const MeshRaster> raster;
+    std::unique_ptr<const MeshRaster> mesh;
     if (tracer->mesh() != nullptr && has(stale, Stage::Hits)) {
-        raster = std::make_unique<MeshRaster>(*tracer->mesh(), visible, frame->camera, frame->width, work);
+        mesh = std::make_unique<MeshRaster>(*tracer->mesh(), visible, frame->camera, frame->width, work);
     }
-    const TileWorker worker(request, visible, *frame, *tracer, raster.get(), buffers, stale, totals);
-    const std::vector<PixelArea> tiles = tilesOf(request.width, request.height);
-    if (stale != 0) {
-        work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
-        work.arena().execute([&] {
-            tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t n) {
-                if (work.stopped()) return;
-                worker.run(tiles[n], work);
-                work.progress().advance();
-            });
-        });
+    std::unique_ptr<const AnyHitQuery> query;
+    if (request.shadows && has(stale, Stage::Shadows)) {
+        query = makeAnyHit({anyHitList().front().name, {}}, request.field, *maps_, work);
     }
+
+    const FrameBuffers buffers = allocate(*frame, frame_.get(), request.shadows, stale);
+    FrameTotals totals;
+    const FrameTools tools{visible, *tracer, mesh.get(), query.get()};
+    if (stale != 0) runTiles({request, *frame, tools, buffers, stale, totals}, request, !partOfMore_, work);
     work.throwIfStopped();
     report(*frame, visible, totals, stale);
+    if (request.filter.name == kSupersample && buffers.light) {
+        buffers.light->color = supersampled(request, maps_, work, snapshot, frame->counters);
+    }
     frame->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    for (const auto& [name, value] : frame->counters) work.counters().add(name, value);
+    if (!partOfMore_) {
+        for (const auto& [name, value] : frame->counters) work.counters().add(name, value);
+    }
     last_ = request;
     frame_ = frame;
     tracer_ = tracer;

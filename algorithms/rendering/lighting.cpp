@@ -25,8 +25,8 @@ glm::dvec3 mappedNormal(const TexturedQuad& quad, glm::vec3 tangent) {
                           n.z * quad.normal);
 }
 
-Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light) {
-    const double facing = std::max(0.0, glm::dot(normal, toLight));
+Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light, bool shadowed) {
+    const double facing = shadowed ? 0.0 : std::max(0.0, glm::dot(normal, toLight));
     const double amount = light.intensity * (light.ambient + (1 - light.ambient) * facing);
     return albedo * static_cast<float>(amount);
 }

@@ -27,7 +27,7 @@ glm::dvec3 reliefNormal(const TexturedQuad& quad, std::pair<double, double> slop
 // World normal from a normal map's vector (OpenGL: x along s, y against t, z out).
 glm::dvec3 mappedNormal(const TexturedQuad& quad, glm::vec3 tangent);
 
-// albedo * intensity * (ambient + (1 - ambient) * max(0, n . l)).
-Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light);
+// albedo * intensity * (ambient + (1 - ambient) * max(0, n . l)); in shadow only the ambient part.
+Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light, bool shadowed = false);
 
 }  // namespace relief

@@ -10,33 +10,36 @@ namespace relief {
 
 // What a frame depends on.
 enum class Input : std::uint8_t {
-    Size,           // of the picture
-    Camera,         //
-    Scene,          //
-    HeightSize,     // of the height map (the polygon's aspect, texel units)
-    Heights,        //
-    Surface,        // bilinear or columns
-    Address,        //
-    Depth,          // relief_depth
-    Method,         // and its options
-    ColorPicture,   //
-    Filter,         //
-    NormalPicture,  //
-    Light,          //
-    Sky,            //
+    Size,            // of the picture
+    Camera,          //
+    Scene,           //
+    HeightSize,      // of the height map (the polygon's aspect, texel units)
+    Heights,         //
+    Surface,         // bilinear or columns
+    Address,         //
+    Depth,           // relief_depth
+    Method,          // and its options
+    ColorPicture,    //
+    Filter,          //
+    NormalPicture,   //
+    LightDirection,  //
+    Light,           // its strength
+    Shadows,         // whether they are wanted
+    Sky,             //
     Count
 };
 inline constexpr std::size_t kInputs = static_cast<std::size_t>(Input::Count);
 inline constexpr std::array<std::string_view, kInputs> kInputNames{
-    "size",  "camera", "scene",         "height size", "heights",        "surface", "address",
-    "depth", "method", "color picture", "filter",      "normal picture", "light",   "sky"};
+    "size",   "camera",        "scene",  "height size",    "heights",         "surface", "address", "depth",
+    "method", "color picture", "filter", "normal picture", "light direction", "light",   "shadows", "sky"};
 
 // Rays: which polygon covers the pixel, where the view ray enters its slab. Hits: where it meets the relief.
 // Footprints: what part of the texture the pixel sees (filled by the anisotropic filters). Color: filtered colour at
-// the hit. Light: the picture.
-enum class Stage : std::uint8_t { Rays, Hits, Footprints, Color, Light, Count };
+// the hit. Shadows: whether the light reaches it. Light: the picture.
+enum class Stage : std::uint8_t { Rays, Hits, Footprints, Color, Shadows, Light, Count };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Count);
-inline constexpr std::array<std::string_view, kStages> kStageNames{"rays", "hits", "footprints", "color", "light"};
+inline constexpr std::array<std::string_view, kStages> kStageNames{"rays",  "hits",    "footprints",
+                                                                   "color", "shadows", "light"};
 
 struct StageRow {
     std::uint32_t inputs;  // bits of Input, read by this stage itself
@@ -55,8 +58,12 @@ inline constexpr std::array<StageRow, kStages> kStageTable{{
     {bit(Input::Heights) | bit(Input::Surface) | bit(Input::Address) | bit(Input::Method), bit(Stage::Rays)},
     {bit(Input::Camera) | bit(Input::Filter), bit(Stage::Rays) | bit(Stage::Hits)},
     {bit(Input::ColorPicture) | bit(Input::Filter) | bit(Input::Address), bit(Stage::Hits) | bit(Stage::Footprints)},
-    {bit(Input::Light) | bit(Input::Sky) | bit(Input::NormalPicture) | bit(Input::Heights) | bit(Input::Depth),
-     bit(Stage::Rays) | bit(Stage::Hits) | bit(Stage::Color)},
+    {bit(Input::LightDirection) | bit(Input::Shadows) | bit(Input::NormalPicture) | bit(Input::Heights) |
+         bit(Input::Surface) | bit(Input::Address) | bit(Input::Depth),
+     bit(Stage::Rays) | bit(Stage::Hits)},
+    {bit(Input::LightDirection) | bit(Input::Light) | bit(Input::Sky) | bit(Input::NormalPicture) |
+         bit(Input::Heights) | bit(Input::Depth),
+     bit(Stage::Rays) | bit(Stage::Hits) | bit(Stage::Color) | bit(Stage::Shadows)},
 }};
 
 // All inputs on which a stage depends, through the stages before it, too.

@@ -100,6 +100,11 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
     }
     checkMethod(scenario.method, subject);
     findFilter(scenario.filter.name);
+    if (scenario.filter.samples < 1 || scenario.filter.samples > kMaxSamples) {
+        throw InputError(subject, Message(MessageId::OutOfRange, {{"what", "supersample"},
+                                                                  {"value", scenario.filter.samples},
+                                                                  {"range", "1 to " + std::to_string(kMaxSamples)}}));
+    }
     pinholeCamera(scenario.camera, scenario.width, scenario.height);
     if (scenario.pixel && (scenario.pixel->x < 0 || scenario.pixel->y < 0 || scenario.pixel->x >= scenario.width ||
                            scenario.pixel->y >= scenario.height)) {
@@ -121,6 +126,7 @@ FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {
     request.scene = scenario.scene;
     request.camera = scenario.camera;
     request.light = scenario.light;
+    request.shadows = scenario.shadows;
     request.sky = Color(scenario.sky[0], scenario.sky[1], scenario.sky[2]);
     return request;
 }

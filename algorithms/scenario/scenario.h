@@ -45,6 +45,7 @@ struct Scenario {
     SceneKind scene = SceneKind::Floor;
     Camera camera;
     Light light;
+    bool shadows = false;
     std::array<double, 3> sky{0.55, 0.65, 0.8};  // linear
     int width = 800;
     int height = 600;

@@ -265,12 +265,17 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
     json["method"] = {{"name", scenario.method.name}};
     if (!scenario.method.options.empty()) json["method"]["options"] = scenario.method.options;
     json["filter"] = scenario.filter.name;
+    if (scenario.filter.name == kSupersample) {
+        json["supersample"] = scenario.filter.samples;
+        json["pixel-model"] = pixelModelName(scenario.filter.pixelModel);
+    }
     json["scene"] = sceneName(scenario.scene);
     json["camera"] = cameraJson(scenario.camera);
     json["light"] = {{"azimuth", scenario.light.azimuth},
                      {"elevation", scenario.light.elevation},
                      {"ambient", scenario.light.ambient},
                      {"intensity", scenario.light.intensity}};
+    json["shadows"] = scenario.shadows;
     json["sky"] = scenario.sky;
     json["size"] = {scenario.width, scenario.height};
     if (scenario.pixel) json["pixel"] = {scenario.pixel->x, scenario.pixel->y};
@@ -311,9 +316,12 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     }
     if (reader.has("method")) readMethod(reader.child("method"), scenario.method);
     reader.named("filter", [&](const std::string& name) { scenario.filter.name = findFilter(name).name; });
+    reader.readWhole("supersample", scenario.filter.samples);
+    reader.named("pixel-model", [&](const std::string& name) { scenario.filter.pixelModel = parsePixelModel(name); });
     reader.named("scene", [&](const std::string& name) { scenario.scene = parseScene(name); });
     if (reader.has("camera")) readCamera(reader.child("camera"), scenario.camera);
     if (reader.has("light")) readLight(reader.child("light"), scenario.light);
+    reader.read("shadows", scenario.shadows);
     reader.read("sky", scenario.sky);
     reader.readPair("size", scenario.width, scenario.height);
     PixelChoice pixel;

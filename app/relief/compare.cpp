@@ -89,7 +89,7 @@ void addCompareCommand(CLI::App& program, Commands& commands) {
     addArgument(*parser, "B", options->test, "the other picture");
     addOutput(*parser, options->output,
               "picture of FLIP's error, grey, black 0, white 1: .png, .tif, .bmp, or .exr with the plain values");
-    addText(*parser, "--pixels-per-degree", options->pixelsPerDegree, "N",
+    addText(*parser, "--ppd,--pixels-per-degree", options->pixelsPerDegree, "N",
             "of the viewer's field, for FLIP, 1 to 1000; default " + numberText(kPixelsPerDegree) +
                 " (a 3840-pixel screen 0.7 m wide, seen from 0.7 m)",
             "Viewer");

@@ -92,6 +92,7 @@ class ScenarioOptions {
     void addView(CLI::App& parser, Look look);
     void applyPictures(Scenario& scenario) const;
     void applyMethod(Scenario& scenario) const;
+    void applyFilter(FilterChoice& filter) const;
     void applyView(Scenario& scenario) const;
     void applyCamera(Scenario& scenario) const;
 
@@ -99,7 +100,8 @@ class ScenarioOptions {
     OptionText height_, recipe_, color_, normal_;
     ReadingOptions reading_;
     OptionText reliefDepth_, address_, surface_;
-    OptionText tracer_, filter_;
+    OptionText tracer_, filter_, supersample_, pixelModel_;
+    bool shadows_ = false;
     std::vector<std::string> settings_;
     OptionText scene_, camera_, eye_, target_, fov_, size_, light_;
 };

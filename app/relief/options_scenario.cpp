@@ -137,6 +137,15 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
     if (look == Look::Yes) {
         addText(parser, "--filter", filter_, "NAME",
                 "how colours are sampled: " + filterNames() + "; default " + Scenario{}.filter.name, group);
+        addText(parser, "--supersample", supersample_, "N",
+                "the picture's truth: N x N rays a pixel, each traced, coloured and lit by itself, 1 to " +
+                    std::to_string(kMaxSamples) + "; the filter supersample, which alone means " +
+                    std::to_string(FilterChoice{}.samples),
+                group);
+        addText(parser, "--pixel-model", pixelModel_, "box|gaussian",
+                "how samples are weighed: evenly in the pixel's square (default), or by a bell of sigma " +
+                    numberText(kGaussianSigma) + " pixels that reaches into the neighbours",
+                group);
     }
 }
 
@@ -152,6 +161,7 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
     addText(parser, "--target", target_, "X,Y,Z", "what the free camera looks at", group);
     addText(parser, "--fov", fov_, "DEGREES", numberHelp("fov"), group);
     if (look == Look::No) return;
+    addFlag(parser, "--shadows", shadows_, "the relief casts shadows: from every hit a ray to the light", group);
     addText(parser, "--light", light_, "azimuth=..,...",
             "azimuth: " + numberHelp("light-azimuth") + "; elevation: " + numberHelp("light-elevation") +
                 "; ambient: " + numberHelp("ambient") + "; intensity: " + numberHelp("intensity"),
@@ -193,7 +203,23 @@ void ScenarioOptions::applyMethod(Scenario& scenario) const {
     }
     if (address_) scenario.address = parseAddress(*address_);
     if (surface_) scenario.surface = parseSurface(*surface_);
-    if (filter_) scenario.filter.name = findFilter(*filter_).name;
+    applyFilter(scenario.filter);
+}
+
+void ScenarioOptions::applyFilter(FilterChoice& filter) const {
+    if (filter_) filter.name = findFilter(*filter_).name;
+    if (supersample_) {
+        if (filter_ && filter.name != kSupersample) {
+            throw InputError("--supersample",
+                             Message(MessageId::ArgumentsExclude, {{"other", "--filter " + *filter_}}));
+        }
+        filter.name = kSupersample;
+        filter.samples = static_cast<int>(parseWhole(*supersample_, "--supersample", 1, kMaxSamples));
+    }
+    if (pixelModel_) {
+        if (filter.name != kSupersample) throw InputError("--pixel-model", Message(MessageId::SupersampleNeeded));
+        filter.pixelModel = parsePixelModel(*pixelModel_);
+    }
 }
 
 void ScenarioOptions::applyView(Scenario& scenario) const {
@@ -207,6 +233,7 @@ void ScenarioOptions::applyView(Scenario& scenario) const {
         }
     }
     if (scene_) scenario.scene = parseScene(*scene_);
+    if (shadows_) scenario.shadows = true;
     applyCamera(scenario);
     if (light_) {
         applySettings(scenario, *light_, "--light",

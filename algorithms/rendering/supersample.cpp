@@ -1,0 +1,133 @@
+#include "rendering/supersample.h"
+
+#include <cassert>
+#include <cmath>
+
+#include <oneapi/tbb/parallel_for.h>
+
+namespace relief {
+
+namespace {
+
+// Estimates are told of after 1, 2, 4, ... passes, and then after every kSnapshotEvery.
+constexpr int kSnapshotEvery = 64;
+
+bool toldOf(int done) {
+    return (done & (done - 1)) == 0 || done % kSnapshotEvery == 0;
+}
+
+template <class Body>
+void overRows(int height, Work& work, const Body& body) {
+    work.arena().execute([&] {
+        tbb::parallel_for(0, height, [&](int y) {
+            if (!work.stopped()) body(y);
+        });
+    });
+    work.throwIfStopped();
+}
+
+}  // namespace
+
+std::vector<glm::ivec2> sampleOrder(int samples) {
+    assert(samples >= 1);
+    // M. Roberts 2018: the plastic number's powers, the least regular pair of steps.
+    constexpr double kStepX = 0.7548776662466927;
+    constexpr double kStepY = 0.5698402909980532;
+    const auto count = static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples);
+    std::vector<char> taken(count, 0);
+    std::vector<glm::ivec2> order;
+    order.reserve(count);
+    // The points are dense in the square, so that every part is reached; those already taken are passed over.
+    for (double n = 0; order.size() < count; ++n) {
+        const double x = 0.5 + n * kStepX;
+        const double y = 0.5 + n * kStepY;
+        const glm::ivec2 part{static_cast<int>((x - std::floor(x)) * samples),
+                              static_cast<int>((y - std::floor(y)) * samples)};
+        char& here = taken[static_cast<std::size_t>(part.y) * static_cast<std::size_t>(samples) +
+                           static_cast<std::size_t>(part.x)];
+        if (here == 0) order.push_back(part);
+        here = 1;
+    }
+    return order;
+}
+
+std::array<double, 2 * kGaussianRing + 1> sampleWeights(PixelModel model, double place) {
+    std::array<double, 2 * kGaussianRing + 1> weights{};
+    if (model == PixelModel::Box) {
+        weights[kGaussianRing] = 1;
+        return weights;
+    }
+    for (int n = -kGaussianRing; n <= kGaussianRing; ++n) {
+        const double distance = (place - 0.5 - n) / kGaussianSigma;
+        weights[static_cast<std::size_t>(n + kGaussianRing)] = std::exp(-0.5 * distance * distance);
+    }
+    return weights;
+}
+
+SampleSums::SampleSums(int width, int height, PixelModel model) : model_(model), sums_(width, height, glm::dvec3(0)) {}
+
+void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work) {
+    assert(pass.width() == sums_.width() + 2 * margin() && pass.height() == sums_.height() + 2 * margin());
+    const auto across = sampleWeights(model_, place.x);
+    const auto down = sampleWeights(model_, place.y);
+    const int ring = margin();
+    double weightAcross = 0;
+    double weightDown = 0;
+    for (const double w : across) weightAcross += w;
+    for (const double w : down) weightDown += w;
+    weight_ += weightAcross * weightDown;
+    overRows(sums_.height(), work, [&](int y) {
+        std::vector<glm::dvec3> row(static_cast<std::size_t>(pass.width()), glm::dvec3(0));
+        // A sample n pixels up or to the left of a pixel sees that pixel n to its right or below.
+        for (int n = -ring; n <= ring; ++n) {
+            const double weight = down[static_cast<std::size_t>(kGaussianRing + n)];
+            const auto from = pass.row(y + ring - n);
+            for (std::size_t x = 0; x < row.size(); ++x) row[x] += weight * glm::dvec3(from[x]);
+        }
+        for (int x = 0; x < sums_.width(); ++x) {
+            glm::dvec3 sum(0);
+            for (int n = -ring; n <= ring; ++n) {
+                sum +=
+                    across[static_cast<std::size_t>(kGaussianRing + n)] * row[static_cast<std::size_t>(x + ring - n)];
+            }
+            sums_(x, y) += sum;
+        }
+    });
+}
+
+ColorImage SampleSums::mean(Work& work) const {
+    ColorImage picture(sums_.width(), sums_.height());
+    overRows(picture.height(), work, [&](int y) {
+        for (int x = 0; x < picture.width(); ++x) picture(x, y) = Color(sums_(x, y) / weight_);
+    });
+    return picture;
+}
+
+ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
+                        const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters) {
+    const int samples = request.filter.samples;
+    SampleSums sums(request.width, request.height, request.filter.pixelModel);
+    FrameRequest pass = request;
+    pass.filter = {};
+    pass.margin = request.margin + sums.margin();
+    pass.width = request.width + 2 * sums.margin();
+    pass.height = request.height + 2 * sums.margin();
+    const std::vector<glm::ivec2> order = sampleOrder(samples);
+    const int total = samples * samples;
+    work.progress().begin("samples", total);
+    FrameRenderer renderer(maps, true);
+    for (int done = 0; done < total; ++done) {
+        pass.sample = (glm::dvec2(order[static_cast<std::size_t>(done)]) + 0.5) / static_cast<double>(samples);
+        const auto frame = renderer.render(pass, work);
+        sums.add(frame->light->color, pass.sample, work);
+        for (const char* name : {"rays traced", "steps"}) {
+            counters[std::string("samples: ") + name] += frame->counters.at(name);
+        }
+        work.progress().advance();
+        if (snapshot && done + 1 < total && toldOf(done + 1)) snapshot(sums.mean(work), done + 1, total);
+    }
+    counters["samples a pixel"] = total;
+    return sums.mean(work);
+}
+
+}  // namespace relief

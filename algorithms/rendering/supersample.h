@@ -1,0 +1,58 @@
+// The picture's truth: N x N view rays a pixel, each traced, coloured (bilinear, at the texture's own resolution) and
+// lit by itself; their linear light is averaged with the weights of a pixel model.
+//
+// Samples lie at the centres of N x N equal parts of every pixel. A pass takes the same one in every pixel, as a frame
+// of its own whose camera is shifted by less than a pixel; so memory does not depend on N, and one sample a pixel is
+// the plain frame, bit for bit. Passes come in a low-discrepancy order: any first few of them are spread evenly, and
+// the mean of them is a usable picture.
+// Box: a pixel is the mean of its own samples. Gaussian: samples up to kGaussianReach pixels from the pixel's centre,
+// in neighbouring pixels and beyond the picture's edges too, weighted by exp(-d^2 / (2 sigma^2)) and divided by the
+// sum. Equal bits for any number of threads: sums are taken pixel by pixel in the order of the passes. Cost: N x N
+// frames.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "rendering/frame.h"
+
+namespace relief {
+
+// Five sigma: what lies beyond weighs 4e-6 of the centre.
+inline constexpr int kGaussianRing = 2;  // neighbours on each side
+inline constexpr double kGaussianReach = kGaussianRing + 0.5;
+
+// All parts (column, row) of an N x N pixel in the order of the passes, by Roberts' R2 sequence.
+std::vector<glm::ivec2> sampleOrder(int samples);
+
+// Along one axis: weight of a sample at `place` in [0, 1] of the pixel's square, for the pixel n = -2 .. 2 to the right
+// of (below) the sample's own.
+std::array<double, 2 * kGaussianRing + 1> sampleWeights(PixelModel model, double place);
+
+// Weighted sums of passes. A pass is a frame with `margin()` pixels more on every side.
+class SampleSums {
+  public:
+    SampleSums(int width, int height, PixelModel model);
+
+    int margin() const { return model_ == PixelModel::Gaussian ? kGaussianRing : 0; }
+    // place: of the samples in their pixels, [0, 1]^2.
+    void add(const ColorImage& pass, glm::dvec2 place, Work& work);
+    ColorImage mean(Work& work) const;
+
+  private:
+    PixelModel model_;
+    Image<glm::dvec3> sums_;
+    double weight_ = 0;  // the same for all pixels
+};
+
+// The supersampled picture of the request (whose filter says N and model); every other setting as it stands. Adds
+// counters "samples a pixel", "samples: rays traced" and "samples: steps".
+ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
+                        const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters);
+
+}  // namespace relief

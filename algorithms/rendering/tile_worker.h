@@ -1,0 +1,105 @@
+// The work on one tile of a frame, stage by stage: inside the renderer, not for others.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+
+#include "relief/any_hit.h"
+#include "rendering/frame.h"
+#include "rendering/mesh_raster.h"
+#include "rendering/visible_polygons.h"
+
+namespace relief {
+
+inline constexpr int kTileWidth = 64;
+inline constexpr int kTileHeight = 16;
+
+constexpr bool has(std::uint32_t stages, Stage stage) {
+    return (stages & bit(stage)) != 0;
+}
+
+// The buffers of one frame in the making: those of stale stages are new, the others are the last frame's.
+struct FrameBuffers {
+    std::shared_ptr<RayStage> rays;
+    std::shared_ptr<HitStage> hits;
+    std::shared_ptr<ColorStage> color;
+    std::shared_ptr<ShadowStage> shadows;
+    std::shared_ptr<LightStage> light;
+};
+
+// What was done and what was not needed, of all tiles.
+struct FrameTotals {
+    using Count = std::atomic<std::int64_t>;
+    std::array<Count, kStages> nanoseconds{};
+    Count covered{0}, traced{0}, steps{0}, reads{0}, startHighest{0}, hits{0}, misses{0}, limits{0}, triangles{0};
+    Count shadowRays{0}, shadowBlocked{0}, shadowAway{0}, shadowTop{0}, shadowSteps{0}, shadowLimits{0};
+};
+
+// What a frame is made with. mesh: null where rays are traced; query: null where no shadows are wanted or stale.
+struct FrameTools {
+    const VisiblePolygons& visible;
+    const Tracer& tracer;
+    const MeshRaster* mesh;
+    const AnyHitQuery* query;
+};
+
+// References are kept; one worker serves all tiles, from any thread.
+class TileWorker {
+  public:
+    TileWorker(const FrameRequest& request, const Frame& frame, const FrameTools& tools, const FrameBuffers& buffers,
+               std::uint32_t stale, FrameTotals& totals)
+        : request_(request),
+          frame_(frame),
+          tools_(tools),
+          buffers_(buffers),
+          stale_(stale),
+          totals_(totals),
+          toLight_(lightDirection(request.light)) {}
+
+    void run(const PixelArea& tile, Work& work) const {
+        timed(Stage::Rays, [&] { makeRays(tile); });
+        timed(Stage::Hits, [&] { tools_.mesh != nullptr ? drawMesh(tile) : traceRays(tile, work); });
+        timed(Stage::Color, [&] { colorHits(tile); });
+        timed(Stage::Shadows, [&] { castShadows(tile, work); });
+        timed(Stage::Light, [&] { lightHits(tile); });
+    }
+
+  private:
+    template <class Body>
+    void timed(Stage stage, const Body& body) const {
+        if (!has(stale_, stage)) return;
+        const auto begin = std::chrono::steady_clock::now();
+        body();
+        totals_.nanoseconds[static_cast<std::size_t>(stage)] += (std::chrono::steady_clock::now() - begin).count();
+    }
+
+    template <class Body>
+    void overPixels(const PixelArea& tile, const Body& body) const {
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            for (int x = tile.x0; x < tile.x1; ++x) body(x, y, frame_.index(x, y));
+        }
+    }
+
+    void makeRays(const PixelArea& tile) const;
+    void traceRays(const PixelArea& tile, Work& work) const;
+    void drawMesh(const PixelArea& tile) const;
+    void countOutcomes(const PixelArea& tile) const;
+    void colorHits(const PixelArea& tile) const;
+    void castShadows(const PixelArea& tile, Work& work) const;
+    AnyRay shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const;
+    void lightHits(const PixelArea& tile) const;
+    Color albedo(double s, double t) const;
+
+    const FrameRequest& request_;
+    const Frame& frame_;
+    const FrameTools& tools_;
+    const FrameBuffers& buffers_;
+    std::uint32_t stale_;
+    FrameTotals& totals_;
+    glm::dvec3 toLight_;
+};
+
+}  // namespace relief

@@ -1,0 +1,227 @@
+// Displacement mapping: the walk of single rays and the rasterised frame are held against each other, and both against
+// the exact tracer on a fine mesh.
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "../relief/fields.h"
+#include "measuring/picture_error.h"
+#include "relief/displacement_mesh.h"
+#include "rendering/frame.h"
+
+namespace relief::test {
+namespace {
+
+// Rasterised and traced hits: what the rounding of projected coordinates (some 1e-12 of the screen) becomes where the
+// mesh is seen almost edge-on, in texels.
+constexpr double kHitTolerance = 1e-6;
+// Share of the pixels that may differ more: centres within rounding of a silhouette.
+constexpr double kSilhouetteShare = 1e-4;
+// Picture of the mesh with a vertex on every texel, against exact tracing of the bilinear surface (border): two
+// triangles where exact has one curved patch. Measured first: 46.9 dB and more.
+constexpr double kFineMeshPsnr = 40;
+
+FrameRequest meshRequest(SceneKind scene, Address address, int density, const std::string& relief = "bricks",
+                         int width = 64, int height = 48) {
+    FrameRequest request(HeightField(share(makeRelief(relief, width, height, 1)), Surface::Bilinear, address, 0.15));
+    request.width = 200;
+    request.height = 150;
+    request.scene = scene;
+    request.method = {"displacement", {{"density", std::to_string(density)}}};
+    return request;
+}
+
+std::shared_ptr<const Frame> rendered(const FrameRequest& request, int threads = 2) {
+    Work work(threads);
+    return FrameRenderer(std::make_shared<MapCache>()).render(request, work);
+}
+
+struct Agreement {
+    std::size_t pixels = 0;
+    std::size_t different = 0;
+    double worst = 0;
+};
+
+// Every pixel's rasterised hit against the walk of that pixel's ray; pixels whose walk leaves the polygon's own texels
+// (under repeat and clamp the walk goes on outside) must show nothing.
+Agreement heldAgainstTheWalk(const FrameRequest& request) {
+    const auto frame = rendered(request);
+    MapCache cache;
+    Work work;
+    const auto tracer = makeTracer(request.method, request.field, cache, work);
+    Agreement agreement;
+    for (std::size_t i = 0; i < frame->hits->hits.size(); ++i) {
+        if (frame->rays->polygon[i] == kNoPolygon) {
+            EXPECT_EQ(frame->hits->hits.outcome[i], Outcome::Unset);
+            continue;
+        }
+        ++agreement.pixels;
+        const TexturedQuad& quad = frame->polygons[frame->rays->polygon[i]];
+        Hit walked = traceLogged(*tracer, frame->rays->rays[i]).hit;
+        const bool own = walked.s >= 0 && walked.s <= quad.width && walked.t >= 0 && walked.t <= quad.height;
+        if (!own) walked = Hit::none(Outcome::Miss);
+        const Hit drawn = frame->hits->hits[i];
+        if (walked.outcome != drawn.outcome) {
+            ++agreement.different;
+        } else if (walked.outcome == Outcome::Hit) {
+            const double slab = frame->slabTexels;
+            const double apart = std::max({std::abs(walked.s - drawn.s), std::abs(walked.t - drawn.t),
+                                           slab * std::abs(walked.lambda - drawn.lambda)});
+            if (apart > kHitTolerance) {
+                ++agreement.different;
+            } else {
+                agreement.worst = std::max(agreement.worst, apart);
+            }
+        }
+    }
+    return agreement;
+}
+
+TEST(Displacement, rasterisedHitsAreTheWalksHits) {
+    for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
+        for (const Address address : allAddresses()) {
+            for (const int density : {1, 7, 64, 150}) {
+                FrameRequest request = meshRequest(scene, address, density);
+                for (const double elevation : {70.0, 20.0}) {
+                    request.camera.elevation = elevation;
+                    const Agreement agreement = heldAgainstTheWalk(request);
+                    SCOPED_TRACE(std::string(sceneName(scene)) + " " + std::string(addressName(address)) + " density " +
+                                 std::to_string(density) + " elevation " + numberText(elevation));
+                    EXPECT_GT(agreement.pixels, 1000U);
+                    EXPECT_LE(static_cast<double>(agreement.different),
+                              1 + kSilhouetteShare * static_cast<double>(agreement.pixels))
+                        << "worst of the others " << agreement.worst;
+                }
+            }
+        }
+    }
+}
+
+// The eye just above the mesh: triangles reach behind it and are cut.
+TEST(Displacement, nearTrianglesAreCut) {
+    FrameRequest request = meshRequest(SceneKind::Floor, Address::Border, 48);
+    request.camera.kind = Camera::Kind::Free;
+    request.camera.eye = {0.02, 0.03, 0.1};
+    request.camera.target = {0, -0.02, -0.3};
+    const Agreement agreement = heldAgainstTheWalk(request);
+    EXPECT_GT(agreement.pixels, 1000U);
+    EXPECT_LE(static_cast<double>(agreement.different), 1 + kSilhouetteShare * static_cast<double>(agreement.pixels));
+}
+
+TEST(Displacement, aFineMeshShowsWhatExactTracingShows) {
+    Work work;
+    for (const char* relief : {"bricks", "hills", "city"}) {
+        for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall}) {
+            FrameRequest request = meshRequest(scene, Address::Border, 128, relief, 128, 128);
+            const auto mesh = rendered(request);
+            request.method = {"exact", {}};
+            const auto exact = rendered(request);
+            FloatImage flip;
+            const PictureError error =
+                pictureError(exact->light->color, mesh->light->color, kPixelsPerDegree, flip, work);
+            std::cout << relief << " " << sceneName(scene) << ": " << error.psnr << " dB\n";
+            EXPECT_GE(error.psnr, kFineMeshPsnr);
+            request.method = {"displacement", {{"density", "16"}}};
+            const PictureError coarse =
+                pictureError(exact->light->color, rendered(request)->light->color, kPixelsPerDegree, flip, work);
+            EXPECT_LT(coarse.psnr, error.psnr) << "a coarse mesh must show";
+        }
+    }
+}
+
+TEST(Displacement, sameBitsForAnyNumberOfThreads) {
+    const FrameRequest request = meshRequest(SceneKind::Cube, Address::Repeat, 100);
+    const auto one = rendered(request, 1);
+    const auto two = rendered(request, 2);
+    for (std::size_t i = 0; i < one->hits->hits.size(); ++i) {
+        ASSERT_TRUE(sameBits(one->hits->hits[i], two->hits->hits[i])) << i;
+    }
+    EXPECT_TRUE(one->light->color == two->light->color);
+}
+
+TEST(Displacement, flatMeshesAreTheClosedForm) {
+    MapCache cache;
+    Work work;
+    for (const Address address : allAddresses()) {
+        for (const float h : {0.0F, 0.3F, 1.0F}) {
+            const HeightField field(constantHeights(13, 7, h), Surface::Bilinear, address, 0.2);
+            const auto tracer = makeTracer({"displacement", {{"density", "19"}}}, field, cache, work);
+            Random random(7);
+            for (int i = 0; i < 500; ++i) {
+                ViewRay ray = randomRay(random, field, 5);
+                if (address == Address::Border) ray = {6.5, 3.5, ray.a * 0.1, ray.b * 0.1};
+                const Hit hit = traceLogged(*tracer, ray).hit;
+                ASSERT_EQ(hit.outcome, Outcome::Hit) << describe(ray);
+                EXPECT_NEAR(hit.lambda, 1 - static_cast<double>(h), 1e-14);
+            }
+        }
+    }
+}
+
+// What the walk answers lies on the mesh, nothing of the mesh rises above the ray before, and under repeat and clamp no
+// ray slips through: looked at densely through a height function of its own.
+TEST(Displacement, theWalkFindsTheFirstPointOfTheMesh) {
+    constexpr int kLooks = 400;
+    MapCache cache;
+    Work work;
+    for (const Address address : allAddresses()) {
+        const HeightField field(randomHeights(9, 6, 12), Surface::Bilinear, address, 0.5);
+        const int density = 11;
+        const auto tracer = makeTracer({"displacement", {{"density", "11"}}}, field, cache, work);
+        const DisplacementMesh& mesh = *tracer->mesh();
+        const auto heightAt = [&](double s, double t) {
+            const double x = s * density / field.width() - 0.5;
+            const double y = t * density / field.height() - 0.5;
+            const auto i = static_cast<std::int64_t>(std::floor(x));
+            const auto j = static_cast<std::int64_t>(std::floor(y));
+            const double u = x - std::floor(x);
+            const double v = y - std::floor(y);
+            const double h00 = mesh.mesh().texel(i, j);
+            const double h10 = mesh.mesh().texel(i + 1, j);
+            const double h01 = mesh.mesh().texel(i, j + 1);
+            const double h11 = mesh.mesh().texel(i + 1, j + 1);
+            // Barycentric weights of the triangle under (u, v).
+            return u >= v ? (1 - u) * h00 + (u - v) * h10 + v * h11 : (1 - v) * h00 + (v - u) * h01 + u * h11;
+        };
+        Random random(15);
+        for (int n = 0; n < 2000; ++n) {
+            const ViewRay ray = randomRay(random, field, 4);
+            const Logged logged = traceLogged(*tracer, ray);
+            EXPECT_LE(static_cast<double>(logged.steps.size()), tracer->stepBound(ray));
+            if (address != Address::Border) {
+                ASSERT_EQ(logged.hit.outcome, Outcome::Hit) << describe(ray);
+            }
+            const bool hit = logged.hit.outcome == Outcome::Hit;
+            const auto inside = [&](double s, double t) {
+                return address != Address::Border || (s >= 0 && s <= field.width() && t >= 0 && t <= field.height());
+            };
+            if (hit && logged.hit.lambda > 0) {
+                EXPECT_NEAR(heightAt(logged.hit.s, logged.hit.t), 1 - logged.hit.lambda, 1e-12) << describe(ray);
+            }
+            const double end = hit ? logged.hit.lambda : 1.0;
+            for (int k = 0; k < kLooks; ++k) {
+                const double lambda = end * k / kLooks;
+                const double s = ray.s0 + lambda * ray.a;
+                const double t = ray.t0 + lambda * ray.b;
+                if (!inside(s, t)) break;
+                ASSERT_LE(heightAt(s, t), 1 - lambda + 1e-12) << describe(ray) << " at " << lambda;
+            }
+        }
+    }
+}
+
+TEST(Displacement, theMeshIsSampledOnce) {
+    Work work;
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    FrameRequest request = meshRequest(SceneKind::Floor, Address::Repeat, 32);
+    const auto first = renderer.render(request, work);
+    EXPECT_GT(first->counters.at("triangles drawn"), 32 * 32);
+    EXPECT_EQ(first->counters.at("rays traced"), 0);
+    request.camera.azimuth += 10;
+    renderer.render(request, work);
+    EXPECT_EQ(work.counters().values()["map builds"], 1);
+    EXPECT_THROW(rendered(meshRequest(SceneKind::Floor, Address::Repeat, 0)), InputError);
+}
+
+}  // namespace
+}  // namespace relief::test

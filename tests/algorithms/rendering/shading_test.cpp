@@ -1,0 +1,189 @@
+// Methods that only shade: the picture stays on its polygon, and the light sees the normal that each promises.
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "../relief/fields.h"
+#include "relief/look_up_point.h"
+#include "rendering/frame.h"
+
+namespace relief::test {
+namespace {
+
+// Components of baked normals are rounded to 1/127 (1/254 off at most, each of three); between texels the bilinear
+// blend of smooth normals is off by less than that again.
+constexpr double kBakedAngle = 0.02;
+
+std::vector<MethodDescription> shadingMethods() {
+    std::vector<MethodDescription> all;
+    for (const MethodDescription& method : tracerList()) {
+        if (method.kind == MethodKind::Shading) all.push_back(method);
+    }
+    return all;
+}
+
+FrameRequest hillsRequest(const std::string& method) {
+    FrameRequest request(HeightField(share(makeRelief("hills", 128, 96, 1))));
+    request.width = 120;
+    request.height = 90;
+    request.scene = SceneKind::Cube;
+    request.method = {method, {}};
+    return request;
+}
+
+std::shared_ptr<const Frame> rendered(const FrameRequest& request) {
+    Work work(2);
+    return FrameRenderer(std::make_shared<MapCache>()).render(request, work);
+}
+
+template <class Body>
+void forEachHit(const Frame& frame, const Body& body) {
+    int seen = 0;
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x) {
+            const std::size_t i = frame.index(x, y);
+            if (frame.hits->hits.outcome[i] != Outcome::Hit) continue;
+            ++seen;
+            body(x, y, i);
+        }
+    }
+    EXPECT_GT(seen, 500);
+}
+
+TEST(Shading, thereAreThree) {
+    std::vector<std::string> names;
+    for (const MethodDescription& method : shadingMethods()) names.push_back(method.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"flat", "bump", "normal-map"}));
+}
+
+TEST(Shading, raysStayOnTheTopPlane) {
+    MapCache cache;
+    Work work;
+    for (const MethodDescription& method : shadingMethods()) {
+        SCOPED_TRACE(method.name);
+        for (const Surface surface : allSurfaces()) {
+            for (const Address address : allAddresses()) {
+                const HeightField field(randomHeights(13, 9, 5), surface, address);
+                const auto tracer = makeTracer({method.name, {}}, field, cache, work);
+                Random random(3);
+                for (int i = 0; i < 200; ++i) {
+                    const ViewRay ray{random.between(-13, 26), random.between(-9, 18), random.between(-30, 30), 7};
+                    const bool inside = ray.s0 >= 0 && ray.s0 <= 13 && ray.t0 >= 0 && ray.t0 <= 9;
+                    const bool hits = inside || address != Address::Border;
+                    const Logged logged = traceLogged(*tracer, ray);
+                    ASSERT_EQ(logged.hit.outcome, hits ? Outcome::Hit : Outcome::Miss) << describe(ray);
+                    ASSERT_EQ(logged.steps.size(), 2U);
+                    EXPECT_EQ(logged.steps[0].decision, Decision::Start);
+                    EXPECT_EQ(logged.steps[1].decision, hits ? Decision::Hit : Decision::Miss);
+                    EXPECT_LE(2, tracer->stepBound(ray));
+                    if (!hits) continue;
+                    EXPECT_EQ(logged.hit.lambda, 0);
+                    EXPECT_EQ(logged.hit.s, ray.s0);
+                    EXPECT_EQ(logged.hit.t, ray.t0);
+                }
+            }
+        }
+    }
+}
+
+TEST(Shading, flatIsLitAsThePolygon) {
+    const FrameRequest request = hillsRequest("flat");
+    const auto frame = rendered(request);
+    forEachHit(*frame, [&](int x, int y, std::size_t i) {
+        const TexturedQuad& quad = frame->polygons[frame->rays->polygon[i]];
+        EXPECT_EQ(frame->normal(x, y, request), glm::vec3(quad.normal));
+        EXPECT_EQ(frame->light->color(x, y),
+                  lambert(frame->color->color(x, y), quad.normal, lightDirection(request.light), request.light));
+    });
+}
+
+TEST(Shading, bumpSeesTheSlopesEvenWhereThereIsANormalPicture) {
+    FrameRequest request = hillsRequest("bump");
+    request.normals = std::make_shared<Image<glm::vec3>>(4, 4, glm::vec3(0.6F, 0, 0.8F));
+    const auto frame = rendered(request);
+    double steepest = 0;
+    forEachHit(*frame, [&](int x, int y, std::size_t i) {
+        const TexturedQuad& quad = frame->polygons[frame->rays->polygon[i]];
+        const auto slope = request.field.slope(frame->hits->hits.s[i], frame->hits->hits.t[i]);
+        const glm::vec3 normal = frame->normal(x, y, request);
+        EXPECT_EQ(normal, glm::vec3(reliefNormal(quad, slope, frame->slabTexels)));
+        steepest = std::max(steepest, std::acos(std::min(1.0, glm::dot(glm::dvec3(normal), quad.normal))));
+    });
+    EXPECT_GT(steepest, 0.2) << "a relief whose normals all stand upright tells nothing";
+}
+
+TEST(Shading, normalMapIsThePictureOrBaked) {
+    FrameRequest request = hillsRequest("normal-map");
+    const auto baked = rendered(request);
+    double worst = 0;
+    double different = 0;
+    forEachHit(*baked, [&](int x, int y, std::size_t i) {
+        const TexturedQuad& quad = baked->polygons[baked->rays->polygon[i]];
+        const auto slope = request.field.slope(baked->hits->hits.s[i], baked->hits->hits.t[i]);
+        const glm::dvec3 truth = reliefNormal(quad, slope, baked->slabTexels);
+        const double apart = glm::length(truth - glm::dvec3(baked->normal(x, y, request)));
+        worst = std::max(worst, apart);
+        different += apart > 1e-6 ? 1 : 0;
+    });
+    std::cout << "baked normals are at most " << worst << " off\n";
+    EXPECT_LE(worst, kBakedAngle);
+    EXPECT_GT(different, 500) << "8 bits must show";
+    request.normals = std::make_shared<Image<glm::vec3>>(4, 4, glm::vec3(0.6F, 0, 0.8F));
+    const auto given = rendered(request);
+    forEachHit(*given, [&](int x, int y, std::size_t i) {
+        const TexturedQuad& quad = given->polygons[given->rays->polygon[i]];
+        const glm::vec3 expected(mappedNormal(quad, glm::vec3(0.6F, 0, 0.8F)));
+        EXPECT_LE(glm::length(given->normal(x, y, request) - expected), 1e-6F);
+    });
+}
+
+TEST(Shading, bakedNormalsFollowTheDepthAndAreBakedOnce) {
+    Work work;
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    FrameRequest request = hillsRequest("normal-map");
+    renderer.render(request, work);
+    request.light.azimuth += 20;
+    renderer.render(request, work);
+    EXPECT_EQ(work.counters().values()["map builds"], 1);
+    request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat, 0.3);
+    const auto deeper = renderer.render(request, work);
+    EXPECT_EQ(work.counters().values()["map builds"], 2);
+    EXPECT_TRUE(deeper->light->color == rendered(request)->light->color);
+}
+
+// Colour and slope of a column's wall are those of the column that was hit, whichever side rounding puts the hit on.
+TEST(Shading, wallsOfColumnsBelongToTheColumnHit) {
+    MapCache cache;
+    Work work;
+    for (const Address address : allAddresses()) {
+        const HeightField field(randomHeights(23, 17, 9), Surface::Columns, address, 0.4);
+        const auto tracer = makeTracer({"exact", {}}, field, cache, work);
+        Random random(77);
+        int walls = 0;
+        int wrongSide = 0;
+        for (int n = 0; n < 20000; ++n) {
+            const ViewRay ray = randomRay(random, field, 2);
+            const Logged logged = traceLogged(*tracer, ray);
+            if (logged.hit.outcome != Outcome::Hit) continue;
+            const Step& last = logged.steps.back();
+            const glm::dvec2 place = lookUpPoint(field, ray, logged.hit);
+            const auto column = [&](double x, int size) {
+                return addressIndex(static_cast<std::int64_t>(std::floor(x)), size, address);
+            };
+            ASSERT_EQ(column(place.x, 23), addressIndex(last.i, 23, address)) << describe(ray);
+            ASSERT_EQ(column(place.y, 17), addressIndex(last.j, 17, address)) << describe(ray);
+            EXPECT_LE(std::abs(place.x - logged.hit.s), 2 * kWallNudge);
+            EXPECT_LE(std::abs(place.y - logged.hit.t), 2 * kWallNudge);
+            if (place == glm::dvec2(logged.hit.s, logged.hit.t)) continue;
+            ++walls;
+            wrongSide +=
+                column(logged.hit.s, 23) != column(place.x, 23) || column(logged.hit.t, 17) != column(place.y, 17);
+        }
+        std::cout << walls << " walls hit, " << wrongSide << " of them rounded to the other side\n";
+        EXPECT_GT(walls, 5000);
+        EXPECT_GT(wrongSide, 500) << "otherwise there is nothing to mend";
+    }
+}
+
+}  // namespace
+}  // namespace relief::test
