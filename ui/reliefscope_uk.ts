@@ -128,6 +128,38 @@
         <translation>Пропускає те, що лежить під променем, за пірамідою максимумів; ітеративно, без стека.</translation>
     </message>
     <message>
+        <source>Plain texturing: no relief, lit as the polygon is.</source>
+        <translation>Звичайне текстурування: без рельєфу, освітлення як у полігона.</translation>
+    </message>
+    <message>
+        <source>The picture stays flat; the light sees the slopes of the heights.</source>
+        <translation>Зображення лишається пласким; світло бачить нахили висот.</translation>
+    </message>
+    <message>
+        <source>The picture stays flat; the light sees a normal map, the given one or one baked from the heights.</source>
+        <translation>Зображення лишається пласким; світло бачить карту нормалей: задану або обчислену наперед із висот.</translation>
+    </message>
+    <message>
+        <source>A mesh of triangles at the heights; frames rasterise it with a depth buffer.</source>
+        <translation>Сітка трикутників на висотах; кадр растеризує її з буфером глибини.</translation>
+    </message>
+    <message>
+        <source>many rays a pixel, traced and lit one by one: the picture&apos;s truth, slow</source>
+        <translation>багато променів на піксель, кожен простежено й освітлено окремо: істина для зображення, повільно</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>проби</translation>
+    </message>
+    <message>
+        <source>quads</source>
+        <translation>чотирикутники</translation>
+    </message>
+    <message>
+        <source>along each side of the texture</source>
+        <translation>уздовж кожної сторони текстури</translation>
+    </message>
+    <message>
         <source>Bilinear</source>
         <translation>Білінійна</translation>
     </message>

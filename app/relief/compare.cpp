@@ -43,9 +43,9 @@ int runCompare(const CompareOptions& options, Session& session) {
     if (options.output) checkOutput(*options.output, {"png", "tif", "tiff", "bmp", "exr"});
     double pixelsPerDegree = kPixelsPerDegree;
     if (options.pixelsPerDegree) {
-        pixelsPerDegree = parseNumber(*options.pixelsPerDegree, "--pixels-per-degree");
+        pixelsPerDegree = parseNumber(*options.pixelsPerDegree, "--ppd");
         if (pixelsPerDegree < 1 || pixelsPerDegree > 1000) {
-            throw InputError("--pixels-per-degree", Message(MessageId::NumberOutOfRange,
+            throw InputError("--ppd", Message(MessageId::NumberOutOfRange,
                                                             {{"value", pixelsPerDegree}, {"range", "1 to 1000"}}));
         }
     }
