@@ -50,7 +50,7 @@ std::optional<Homography> rowsOf(const Triangle& triangle, glm::dvec2 origin) {
 // Pixels and depths of one area, and the triangles drawn there.
 struct MeshRaster::Target {
     const PixelArea& area;
-    const std::vector<std::uint8_t>& polygon;
+    const RayStage& rays;
     HitBlock& hits;
     std::vector<double> inverseDepth;
     std::int64_t triangles = 0;
@@ -101,17 +101,18 @@ void MeshRaster::Target::drawRow(const Quad& quad, const Homography& rows, glm::
     const bool bounded = texture.address() == Address::Border;
     const double right = bounded ? std::min(quad.surface.width, texture.width()) : quad.surface.width;
     const double bottom = bounded ? std::min(quad.surface.height, texture.height()) : quad.surface.height;
+    const auto inside = [&](double s, double t) { return s >= 0 && s <= right && t >= 0 && t <= bottom; };
     for (auto x = static_cast<int>(span.begin); x < span.end; ++x) {
         const std::size_t pixel =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-        if (polygon[pixel] != quad.number) continue;
+        if (rays.polygon[pixel] != quad.number || !inside(rays.rays.s0[pixel], rays.rays.t0[pixel])) continue;
         const TexelPoint at = rows.at(x + 0.5 - origin.x, y + 0.5 - origin.y);
         // Place in the quad; a centre on an edge may be rounded out of it.
         const double u = std::clamp(at.s / quad.mesh.texelsPerColumn() - 0.5 - quad.i, 0.0, 1.0);
         const double v = std::clamp(at.t / quad.mesh.texelsPerRow() - 0.5 - quad.j, 0.0, 1.0);
         const double s = (quad.i + 0.5 + u) * quad.mesh.texelsPerColumn();
         const double t = (quad.j + 0.5 + v) * quad.mesh.texelsPerRow();
-        if (!(s >= 0 && s <= right && t >= 0 && t <= bottom)) continue;
+        if (!inside(s, t)) continue;
         ++hits.steps[pixel];
         double& nearest =
             inverseDepth[static_cast<std::size_t>(y - area.y0) * static_cast<std::size_t>(area.x1 - area.x0) +
@@ -204,19 +205,19 @@ void MeshRaster::drawBlock(const Part& part, int blockX, int blockY, Target& tar
     }
 }
 
-std::int64_t MeshRaster::draw(const PixelArea& area, const std::vector<std::uint8_t>& polygon, HitBlock& hits) const {
+std::int64_t MeshRaster::draw(const PixelArea& area, const RayStage& rays, HitBlock& hits) const {
     const auto pixels = static_cast<std::size_t>(area.x1 - area.x0) * static_cast<std::size_t>(area.y1 - area.y0);
     std::array<bool, 256> seen{};
     for (int y = area.y0; y < area.y1; ++y) {
         for (int x = area.x0; x < area.x1; ++x) {
             const std::size_t pixel =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-            seen[polygon[pixel]] = true;
+            seen[rays.polygon[pixel]] = true;
             hits.steps[pixel] = 0;
-            if (polygon[pixel] != kNoPolygon) hits.set(pixel, Hit::none(Outcome::Miss));
+            if (rays.polygon[pixel] != kNoPolygon) hits.set(pixel, Hit::none(Outcome::Miss));
         }
     }
-    Target target{area, polygon, hits, std::vector<double>(pixels, 0.0), 0, width_};
+    Target target{area, rays, hits, std::vector<double>(pixels, 0.0), 0, width_};
     for (const Part& part : parts_) {
         if (!seen[part.polygon->number]) continue;
         for (int j = 0; j < part.blocksDown; ++j) {

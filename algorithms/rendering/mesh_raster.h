@@ -2,12 +2,12 @@
 // and a depth buffer. It fills what tracing the rays would fill: outcome, lambda, s, t of every pixel.
 //
 // A polygon shows what is seen through it, as the tracers do: pixels that another polygon or the sky covers are not
-// drawn, nor what lies outside the polygon's own texels. Back faces are not drawn: a view ray comes from above.
-// Equal bits for any division into areas: every pixel sees the same triangles in the same order, by the fill rule of
-// mapping/clipping.h, and the nearest wins.
-// Agrees with DisplacementTracer to the rounding of projected coordinates, except at silhouettes, where the sides of a
-// pixel's centre are decided on the screen here and in the slab there.
-// Cost: O(vertices) a frame and O(vertices of the blocks that touch it) an area; 16 bytes a block of 16 x 16 quads.
+// drawn, nor (border) those where the view ray enters outside the picture, nor what lies outside the polygon's texels.
+// Back faces are not drawn: a view ray comes from above. Equal bits for any division into areas: every pixel sees the
+// same triangles in the same order, by the fill rule of mapping/clipping.h, and the nearest wins. Agrees with
+// DisplacementTracer to the rounding of projected coordinates, except at silhouettes, where the sides of a pixel's
+// centre are decided on the screen here and in the slab there. Cost: O(vertices) a frame and O(vertices of the blocks
+// that touch it) an area; 16 bytes a block of 16 x 16 quads.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,8 @@
 #include "rendering/visible_polygons.h"
 
 namespace relief {
+
+struct RayStage;
 
 // Pixels [x0, x1) x [y0, y1).
 struct PixelArea {
@@ -30,9 +32,9 @@ class MeshRaster {
     MeshRaster(const DisplacementMesh& mesh, const VisiblePolygons& visible, const PinholeCamera& camera, int width,
                Work& work);
 
-    // polygon: the number of the polygon seen at every pixel of the frame. Sets hits (and in their steps how many
-    // triangles covered the pixel) for the pixels of the area that see a polygon. Returns the triangles looked at.
-    std::int64_t draw(const PixelArea& area, const std::vector<std::uint8_t>& polygon, HitBlock& hits) const;
+    // Sets hits (and in their steps how many triangles covered the pixel) for the pixels of the area that see a
+    // polygon. Returns the triangles looked at.
+    std::int64_t draw(const PixelArea& area, const RayStage& rays, HitBlock& hits) const;
 
   private:
     // Blocks of quads over one polygon: block (i, j) has the quads from -1 + i * kBlock.

@@ -67,7 +67,7 @@ void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
 
 void TileWorker::drawMesh(const PixelArea& tile) const {
     HitBlock& out = buffers_.hits->hits;
-    totals_.triangles += tools_.mesh->draw(tile, frame_.rays->polygon, out);
+    totals_.triangles += tools_.mesh->draw(tile, *frame_.rays, out);
     std::int64_t covered = 0;
     overPixels(tile, [&](int, int, std::size_t i) { covered += out.steps[i]; });
     totals_.steps += covered;

@@ -205,7 +205,8 @@ TEST(Supersample, gaussianWeightsSumToOne) {
         SampleSums sums(3, 2, PixelModel::Gaussian);
         Work work(1);
         for (int i = 0; i < samples; ++i) sums.add(ColorImage(7, 6, Color(1)), {(i + 0.5) / samples, 0.3}, work);
-        for (const Color& c : sums.mean(work).pixels()) EXPECT_EQ(c, Color(1));
+        const ColorImage mean = sums.mean(work);
+        for (const Color& c : mean.pixels()) EXPECT_EQ(c, Color(1));
     }
     EXPECT_LT(std::exp(-0.5 * kGaussianReach * kGaussianReach / (kGaussianSigma * kGaussianSigma)), 5e-6);
 }
