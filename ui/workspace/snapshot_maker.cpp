@@ -25,12 +25,19 @@ bool sameFrame(const relief::Scenario& a, const relief::Scenario& b) {
 bool sameHits(const relief::Scenario& a, const relief::Scenario& b) {
     relief::Scenario c = b;
     c.light = a.light;
+    c.shadows = a.shadows;
     c.sky = a.sky;
     c.filter = a.filter;
     c.pictures.color = a.pictures.color;
     c.pictures.normal = a.pictures.normal;
     return sameFrame(a, c);
 }
+
+// Takes seconds: a plain picture, this much coarser, comes before it, and what it took says nothing of others.
+bool supersampled(const relief::Scenario& scenario) {
+    return scenario.filter.name == relief::kSupersample;
+}
+constexpr int kSupersampledFactor = 3;
 
 double pixelsOf(const relief::Scenario& scenario) {
     return static_cast<double>(scenario.width) * scenario.height;
@@ -45,7 +52,8 @@ int SnapshotMaker::coarseFactor(const relief::Scenario& scenario) const {
     const double traced = secondsPerPixel_ > 0 ? secondsPerPixel_ : 4e-7;
     const double seconds = pixelsOf(scenario) * (lightOnly ? lightPerPixel_ : traced);
     const int estimated = static_cast<int>(std::ceil(std::sqrt(seconds / kCoarseSeconds)));
-    return std::clamp(estimated <= 1 ? 1 : estimated + coarser_, 1, kCoarsestFactor);
+    const int factor = std::clamp(estimated <= 1 ? 1 : estimated + coarser_, 1, kCoarsestFactor);
+    return supersampled(scenario) ? std::max(factor, kSupersampledFactor) : factor;
 }
 
 // Full frames tell what a pixel costs; coarse ones, in which other things count as well, only whether to go further.
@@ -74,7 +82,7 @@ void SnapshotMaker::render(Size& size, const relief::Scenario& scenario, const r
     size.assets = assets;
     size.layer = makeLayer(Layer::Color, *size.frame, request);
     size.picture = size.layer.image;
-    learn(*size.frame, &size == &coarse_, lightOnly);
+    if (!supersampled(scenario)) learn(*size.frame, &size == &coarse_, lightOnly);
 }
 
 PixelTrace SnapshotMaker::trace(const relief::Scenario& scenario, const relief::Assets& assets,
@@ -107,6 +115,7 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     auto request = std::make_shared<relief::FrameRequest>(relief::frameRequest(scenario, snapshot->assets));
     request->width = (scenario.width + order.factor - 1) / order.factor;
     request->height = (scenario.height + order.factor - 1) / order.factor;
+    if (snapshot->coarse && supersampled(scenario)) request->filter = {};
 
     Size& size = snapshot->coarse ? coarse_ : full_;
     render(size, scenario, *request, snapshot->assets, work);
