@@ -12,7 +12,6 @@
 
 #include "relief/describe.h"
 #include "relief/displacement_mesh.h"
-#include "relief/exact.h"
 #include "relief/sampled_surface.h"
 
 namespace relief {
@@ -92,11 +91,9 @@ Hit DisplacementTracer::trace(const ViewRay& viewRay, Sink& sink) const {
         record(Decision::Test, lambda, std::min(out, 1.0), std::min(out, 1.0));
         lambda = out;
         bool inside = out < 1;
-        if (inside && outX <= outY) inside = exact_detail::moveOn(grid.x, ray.x.side, cx);
-        if (inside && outY <= outX) inside = exact_detail::moveOn(grid.y, ray.y.side, cy);
+        if (inside && outX <= outY) inside = DisplacementMesh::moveOn(grid.x, ray.x.side, cx);
+        if (inside && outY <= outX) inside = DisplacementMesh::moveOn(grid.y, ray.y.side, cy);
         if (!inside) {
-            cx.index = std::clamp(cx.index, 0, grid.x.cells - 1);
-            cy.index = std::clamp(cy.index, 0, grid.y.cells - 1);
             lambda = std::min(out, 1.0);
             record(Decision::Miss, lambda, lambda, lambda);
             return Hit::none(Outcome::Miss);
