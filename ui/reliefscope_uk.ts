@@ -236,7 +236,7 @@
         <translation>блоки з 0 та 1</translation>
     </message>
     <message>
-        <source>the 8 x 8 example of the max pyramid's paper</source>
+        <source>the 8 x 8 example of the max pyramid&apos;s paper</source>
         <translation>приклад 8 × 8 зі статті про піраміду максимумів</translation>
     </message>
     <message>
@@ -246,6 +246,90 @@
     <message>
         <source>pyramid</source>
         <translation>піраміда</translation>
+    </message>
+    <message>
+        <source>One sample: the ray is taken to the height found where it enters.</source>
+        <translation>Один відлік: промінь переноситься на висоту, знайдену там, де він входить.</translation>
+    </message>
+    <message>
+        <source>One sample, the shift never longer than the relief is deep.</source>
+        <translation>Один відлік, зсув не довший за глибину рельєфу.</translation>
+    </message>
+    <message>
+        <source>Equal layers of depth; the first one below the surface.</source>
+        <translation>Рівні шари за глибиною; перший, що нижче за поверхню.</translation>
+    </message>
+    <message>
+        <source>Equal layers, then a straight line between the last two.</source>
+        <translation>Рівні шари, потім пряма між двома останніми.</translation>
+    </message>
+    <message>
+        <source>Equal layers, then halving the last one.</source>
+        <translation>Рівні шари, потім ділення останнього навпіл.</translation>
+    </message>
+    <message>
+        <source>One level of the max pyramid marks the segments worth testing; another method works inside them and gives its guarantee.</source>
+        <translation>Один рівень піраміди максимумів позначає відрізки, які варто перевірити; всередині них працює інший метод і дає свою гарантію.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Густота</translation>
+    </message>
+    <message>
+        <source>base level: above 0, the mean pyramid&apos;s level is traced instead of the heights (the last if there are fewer)</source>
+        <translation>базовий рівень: якщо більший за 0, замість висот простежується рівень піраміди середніх (останній, якщо рівнів менше)</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Шари</translation>
+    </message>
+    <message>
+        <source>Bisections</source>
+        <translation>Поділи навпіл</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Рівень</translation>
+    </message>
+    <message>
+        <source>Inner</source>
+        <translation>Внутрішній метод</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Базовий рівень</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>шарів</translation>
+    </message>
+    <message>
+        <source>halvings</source>
+        <translation>поділів</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>рівень</translation>
+    </message>
+    <message>
+        <source>how many the slab is cut into</source>
+        <translation>на скільки шарів поділено товщу</translation>
+    </message>
+    <message>
+        <source>of the last layer</source>
+        <translation>останнього шару</translation>
+    </message>
+    <message>
+        <source>the middle level (the top if there are fewer)</source>
+        <translation>середній рівень (вершина, якщо рівнів менше)</translation>
+    </message>
+    <message>
+        <source>the method inside the segments; its own options as inner.NAME</source>
+        <translation>метод усередині відрізків; його налаштування: inner.НАЗВА</translation>
+    </message>
+    <message>
+        <source>error against exact</source>
+        <translation>похибка проти точного</translation>
     </message>
 </context>
 <context>
@@ -623,7 +707,7 @@
         <translation>Колесо в результаті</translation>
     </message>
     <message>
-        <source>change the camera's distance</source>
+        <source>change the camera&apos;s distance</source>
         <translation>змінити відстань камери</translation>
     </message>
     <message>
@@ -709,6 +793,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Profile</source>
         <translation>Профіль</translation>
+    </message>
+    <message>
+        <source>Save picture with its legend…</source>
+        <translation>Зберегти зображення з легендою…</translation>
     </message>
 </context>
 <context>
@@ -865,7 +953,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>справжні пропорції</translation>
     </message>
     <message>
-        <source>A texel as long across as upwards: the relief's true shape</source>
+        <source>A texel as long across as upwards: the relief&apos;s true shape</source>
         <translation>Тексель однаковий уздовж і вгору: справжня форма рельєфу</translation>
     </message>
     <message>
@@ -975,6 +1063,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>level %1 (%2, %3): %4 · %5 texels</source>
         <translation>рівень %1 (%2, %3): %4 · %5 текселів</translation>
     </message>
+    <message>
+        <source>min</source>
+        <translation>мін.</translation>
+    </message>
+    <message>
+        <source>The lowest point under each texel</source>
+        <translation>Найнижча точка під кожним текселем</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::RenderWorker</name>
@@ -985,18 +1081,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 </context>
 <context>
     <name>reliefui::ResultText</name>
-    <message>
-        <source>+x, right</source>
-        <translation>+x, праворуч</translation>
-    </message>
-    <message>
-        <source>+y, up</source>
-        <translation>+y, угору</translation>
-    </message>
-    <message>
-        <source>+z, to the front</source>
-        <translation>+z, уперед</translation>
-    </message>
     <message>
         <source>%1: %2 pixels</source>
         <translation>%1: пікселів %2</translation>
@@ -1069,6 +1153,70 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>steps: %1, reads: %2</source>
         <translation>кроків: %1, читань: %2</translation>
     </message>
+    <message>
+        <source>exact</source>
+        <translation>точно</translation>
+    </message>
+    <message>
+        <source>too early</source>
+        <translation>зарано</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>проскок</translation>
+    </message>
+    <message>
+        <source>wrong outcome</source>
+        <translation>інший підсумок</translation>
+    </message>
+    <message>
+        <source>u, texture widths, 0 to 1</source>
+        <translation>u, ширини текстури, від 0 до 1</translation>
+    </message>
+    <message>
+        <source>v, texture heights, 0 to 1</source>
+        <translation>v, висоти текстури, від 0 до 1</translation>
+    </message>
+    <message>
+        <source>a corner of the texture</source>
+        <translation>кут текстури</translation>
+    </message>
+    <message>
+        <source>error against exact, texels</source>
+        <translation>похибка проти точного, тексели</translation>
+    </message>
+    <message>
+        <source>x right, y up, z to the front</source>
+        <translation>x праворуч, y вгору, z до глядача</translation>
+    </message>
+    <message>
+        <source>normal in the scene&apos;s axes</source>
+        <translation>нормаль в осях сцени</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Похибка</translation>
+    </message>
+    <message>
+        <source>Texture place</source>
+        <translation>Місце в текстурі</translation>
+    </message>
+    <message>
+        <source>error: none</source>
+        <translation>похибки немає</translation>
+    </message>
+    <message>
+        <source>error %1 texels, %2</source>
+        <translation>похибка %1 текселів, %2</translation>
+    </message>
+    <message>
+        <source>normal (%1, %2, %3)</source>
+        <translation>нормаль (%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>u %1, v %2</source>
+        <translation>u %1, v %2</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::ResultView</name>
@@ -1132,7 +1280,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Поза краєм</translation>
     </message>
     <message>
-        <source>What lies beyond the picture's rim: the picture again, its rim, or nothing</source>
+        <source>What lies beyond the picture&apos;s rim: the picture again, its rim, or nothing</source>
         <translation>Що лежить за краєм картинки: знову картинка, її край або нічого</translation>
     </message>
     <message>
@@ -1144,8 +1292,20 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>На що накладено рельєф</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;, %2. %3</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;, %2. %3</translation>
+        <source>&lt;b&gt;%1&lt;/b&gt;. %2</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;. %2</translation>
+    </message>
+    <message>
+        <source>no maps</source>
+        <translation>без карт</translation>
+    </message>
+    <message>
+        <source>maps %1 MiB</source>
+        <translation>карти %1 МіБ</translation>
+    </message>
+    <message>
+        <source>What the method promises with these options, the surfaces it can work on, and the memory of its maps beside the heights</source>
+        <translation>Що метод обіцяє з цими налаштуваннями, на яких поверхнях працює, і скільки пам&apos;яті займають його карти, окрім висот</translation>
     </message>
 </context>
 <context>
@@ -1246,10 +1406,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Програти</translation>
     </message>
     <message>
-        <source>Play the steps, two a second</source>
-        <translation>Програти кроки, два на секунду</translation>
-    </message>
-    <message>
         <source>Space</source>
         <translation>Пробіл</translation>
     </message>
@@ -1268,6 +1424,22 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>no ray</source>
         <translation>немає променя</translation>
+    </message>
+    <message>
+        <source>Play the steps</source>
+        <translation>Програвати кроки</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Швидкість програвання</translation>
+    </message>
+    <message>
+        <source>Steps a second while playing</source>
+        <translation>Кроків за секунду під час програвання</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/с</translation>
     </message>
 </context>
 <context>
@@ -1360,7 +1532,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Вибраний крок словами</translation>
     </message>
     <message>
-        <source>The steps of the chosen pixel's ray will stand here.</source>
+        <source>The steps of the chosen pixel&apos;s ray will stand here.</source>
         <translation>Тут стоятимуть кроки променя вибраного пікселя.</translation>
     </message>
     <message>
@@ -1401,6 +1573,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>How the colour is read at the hit</source>
         <translation>Як читається колір у точці влучання</translation>
+    </message>
+    <message>
+        <source>no search</source>
+        <translation>без пошуку</translation>
     </message>
 </context>
 <context>
@@ -1444,6 +1620,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>%1 × %2, slab %3 texels</source>
         <translation>%1 × %2, шар %3 текселів</translation>
+    </message>
+    <message>
+        <source>%1: surface at %2</source>
+        <translation>%1: поверхня на %2</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "relief/look_up_point.h"
+#include "rendering/error_layer.h"
 #include "rendering/visible_polygons.h"
 
 namespace relief {
@@ -20,15 +21,19 @@ struct Layer {
 };
 
 const std::vector<Layer>& layerTable() {
-    static const std::vector<Layer> table{{"color", {"R", "G", "B"}}, {"depth", {"depth.Z"}},
-                                          {"uv", {"uv.u", "uv.v"}},   {"normal", {"normal.X", "normal.Y", "normal.Z"}},
-                                          {"steps", {"steps.Y"}},     {"outcome", {"outcome.Y"}}};
+    static const std::vector<Layer> table{{"color", {"R", "G", "B"}},
+                                          {"depth", {"depth.Z"}},
+                                          {"uv", {"uv.u", "uv.v"}},
+                                          {"normal", {"normal.X", "normal.Y", "normal.Z"}},
+                                          {"steps", {"steps.Y"}},
+                                          {"outcome", {"outcome.Y"}},
+                                          {"error", {"error.Y", "error.kind"}}};
     return table;
 }
 
 // The values of one pixel in the planes of a layer.
-std::array<float, 3> layerValues(const std::string& name, const Frame& frame, const FrameRequest& request, int x,
-                                 int y) {
+std::array<float, 3> layerValues(const std::string& name, const Frame& frame, const FrameRequest& request,
+                                 const ErrorLayer& error, int x, int y) {
     const std::size_t i = frame.index(x, y);
     const HitBlock& hits = frame.hits->hits;
     if (name == "color") {
@@ -45,6 +50,7 @@ std::array<float, 3> layerValues(const std::string& name, const Frame& frame, co
         const glm::vec3 n = frame.normal(x, y, request);
         return {n.x, n.y, n.z};
     }
+    if (name == "error") return {error.texels[i], static_cast<float>(error.kinds[i]), 0};
     if (name == "steps") return {static_cast<float>(hits.steps[i]), 0, 0};
     return {static_cast<float>(hits.outcome[i]), 0, 0};
 }
@@ -121,8 +127,9 @@ const std::vector<std::string>& layerNames() {
 }
 
 std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
-                                    const std::vector<std::string>& layers) {
+                                    const std::vector<std::string>& layers, MapCache& maps, Work& work) {
     std::vector<NamedPlane> planes;
+    ErrorLayer error;
     for (const std::string& name : layers) {
         const Layer* layer = nullptr;
         std::string known;
@@ -134,11 +141,12 @@ std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& requ
             throw InputError("--layers",
                              Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", known}}));
         }
+        if (name == "error") error = errorAgainstExact(frame, request, maps, work);
         const std::size_t first = planes.size();
         for (const char* plane : layer->planes) planes.push_back({plane, FloatImage(frame.width, frame.height)});
         for (int y = 0; y < frame.height; ++y) {
             for (int x = 0; x < frame.width; ++x) {
-                const std::array<float, 3> values = layerValues(name, frame, request, x, y);
+                const std::array<float, 3> values = layerValues(name, frame, request, error, x, y);
                 for (std::size_t k = 0; k < layer->planes.size(); ++k) planes[first + k].plane(x, y) = values[k];
             }
         }

@@ -139,9 +139,10 @@ class FrameRenderer {
 std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y);
 
 // Planes of the named layers: color (R, G, B), depth, uv (u, v), normal (X, Y, Z), steps, outcome
-// (0 none, 1 hit, 2 miss, 3 limit). Throws InputError("--layers", ...) for unknown names.
+// (0 none, 1 hit, 2 miss, 3 limit), error (texels and kind: error_layer.h; computed only when it is asked for). Throws
+// InputError("--layers", ...) for unknown names, Cancelled.
 std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
-                                    const std::vector<std::string>& layers);
+                                    const std::vector<std::string>& layers, MapCache& maps, Work& work);
 const std::vector<std::string>& layerNames();
 
 }  // namespace relief

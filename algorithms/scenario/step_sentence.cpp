@@ -156,11 +156,14 @@ StepContext stepContext(const MethodChoice& method, const ViewRay& ray, const st
         std::find(description.maps.begin(), description.maps.end(), "max-pyramid") != description.maps.end();
     if (index > 0) context.before = steps[index - 1].decision;
     context.ray = ray;
-    const auto given = method.options.find("layers");
-    const auto standard = description.defaults.find("layers");
-    const bool known = standard != description.defaults.end();
-    const std::string text = known ? (given != method.options.end() ? given->second : standard->second) : "0";
-    context.layers = static_cast<int>(parseNumber(text, "layers"));
+    // Of the method itself, or of the one inside it.
+    for (const ChoiceOption& option : choiceOptions(method)) {
+        const std::string& name = option.description.name;
+        if (name != "layers" && !name.ends_with(".layers")) continue;
+        const auto given = method.options.find(name);
+        const std::string& text = given == method.options.end() ? option.defaultValue : given->second;
+        context.layers = static_cast<int>(parseNumber(text, name));
+    }
     return context;
 }
 

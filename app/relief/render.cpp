@@ -119,14 +119,15 @@ int runRender(const RenderOptions& options, Session& session) {
     AssetStore store;
     const Assets assets = timed(seconds.load, [&] { return store.load(scenario.pictures, session.work()); });
     noteHeights(session, assets, scenario);
-    FrameRenderer renderer(std::make_shared<MapCache>());
+    const auto maps = std::make_shared<MapCache>();
+    FrameRenderer renderer(maps);
     const FrameRequest request = frameRequest(scenario, assets);
     const auto frame = timed(seconds.render, [&] { return renderer.render(request, session.work()); });
     timed(seconds.write, [&] {
         if (layers.empty()) {
             writeColor(output, frame->light->color);
         } else {
-            writePlanes(output, layerPlanes(*frame, request, layers));
+            writePlanes(output, layerPlanes(*frame, request, layers, *maps, session.work()));
         }
     });
     if (options.report) {

@@ -5,6 +5,7 @@
 #include <QComboBox>
 
 #include "relief/tracers.h"
+#include "views/result_painting.h"
 #include "window_fixture.h"
 
 namespace reliefui {
@@ -163,6 +164,60 @@ TEST_F(WindowTest, LayersAreDrawn) {
     waitForFull();
     const auto& steps = snapshot()->frame->hits->hits.steps;
     EXPECT_EQ(snapshot()->layer.high, *std::max_element(steps.begin(), steps.end()));
+}
+
+TEST_F(WindowTest, TheErrorLayerIsTheCores) {
+    relief::Scenario wanted = smallScenario();
+    wanted.method = {"layers", {{"layers", "6"}}};
+    openWindow(wanted);
+    workspace_->setLayer(Layer::Error);
+    waitForFull();
+    const LayerPicture& layer = snapshot()->layer;
+    ASSERT_NE(layer.error, nullptr);
+    relief::MapCache maps;
+    relief::Work work;
+    const auto core = relief::errorAgainstExact(*snapshot()->frame, *snapshot()->request, maps, work);
+    EXPECT_EQ(layer.error->kinds, core.kinds);
+    EXPECT_GT(core.counts[static_cast<std::size_t>(relief::ErrorKind::Past)], 0);
+    EXPECT_EQ(layer.high, core.largest);
+    std::array<int, relief::kErrorKinds> seen{};
+    for (int y = 0; y < 150; ++y) {
+        for (int x = 0; x < 200; ++x) {
+            const std::size_t i = snapshot()->frame->index(x, y);
+            const QRgb color = layer.image.pixel(x, y);
+            ++seen[static_cast<std::size_t>(core.kinds[i])];
+            if (core.kinds[i] == relief::ErrorKind::Right) {
+                EXPECT_EQ(color, kNoError);
+            }
+            if (core.kinds[i] != relief::ErrorKind::Past) continue;
+            EXPECT_EQ(color == kOvershoot, overshootHatched(x, y)) << x << "," << y;
+            if (overshootHatched(x, y)) continue;
+            const QString read = pixelReadout(*snapshot(), {x, y}, true).join(' ');
+            EXPECT_TRUE(read.contains(QStringLiteral("overshoot"))) << read.toStdString();
+        }
+    }
+    for (const auto kind : {relief::ErrorKind::None, relief::ErrorKind::Past}) {
+        EXPECT_EQ(seen[static_cast<std::size_t>(kind)], core.counts[static_cast<std::size_t>(kind)]);
+    }
+    // Nothing is computed that nobody looks at.
+    workspace_->setLayer(Layer::Steps);
+    waitForFull();
+    EXPECT_EQ(snapshot()->layer.error, nullptr);
+}
+
+TEST_F(WindowTest, APictureTakesItsLegendAlongOnRequest) {
+    openWindow(smallScenario());
+    for (int i = 1; i < kLayers; ++i) {
+        workspace_->setLayer(static_cast<Layer>(i));
+        waitForFull();
+        const LayerPicture& layer = snapshot()->layer;
+        const QImage whole = withLegend(layer.image, layer, workspace_->style());
+        const QSize legend = paintLegend(nullptr, layer, {}, workspace_->style());
+        EXPECT_EQ(whole.height(), layer.image.height() + legend.height());
+        EXPECT_GE(whole.width(), legend.width());
+        EXPECT_EQ(whole.copy(layer.image.rect()), layer.image);
+        EXPECT_GT(colorsIn(whole.copy(0, layer.image.height(), whole.width(), legend.height())), 3) << i;
+    }
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace reliefui {
 struct PyramidSource {
     const relief::HeightField* field = nullptr;
     std::shared_ptr<const relief::Pyramid> pyramid;  // its kind tells what its texels lie over
+    int baseLevel = 0;                               // of the steps, see stepBox
     bool overCells = true;                           // of the field's cells (maxima), or of its texels (means)
     bool hasRay = false;
     relief::ViewRay ray;

@@ -11,19 +11,28 @@ RayPath::RayPath(const relief::HeightField& field, const relief::ViewRay& ray) {
     run = {ray.a, ray.b};
 }
 
-Box stepBox(const relief::HeightField& field, const relief::Step& step) {
-    const relief::CellGrid grid(field);
-    const auto side = [&](const relief::GridAxis& axis, std::int64_t name, std::int64_t period, double& low,
-                          double& high) {
-        const std::int64_t index = step.level == 0 ? name - axis.firstName : name;
-        const std::int64_t first = index << step.level;
-        const std::int64_t last = std::min<std::int64_t>((index + 1) << step.level, axis.cells);
-        low = axis.edge(static_cast<int>(first), period * axis.cells) - axis.shift;
-        high = axis.edge(static_cast<int>(last), period * axis.cells) - axis.shift;
+Box stepBox(const relief::HeightField& field, const relief::Step& step, int baseLevel) {
+    if (step.primitive == relief::Primitive::Point) {
+        // Points are named by the texel that holds them, not by the cell.
+        const auto x = static_cast<double>(step.i + step.periodX * field.width());
+        const auto y = static_cast<double>(step.j + step.periodY * field.height());
+        return {x, y, x + 1, y + 1};
+    }
+    const auto side = [&](int texels, std::int64_t name, std::int64_t period, double& low, double& high) {
+        int base = texels;
+        for (int level = 0; level < baseLevel; ++level) base = (base + 1) / 2;
+        const relief::GridAxis axis(base, field.surface(), field.address());
+        const int level = step.level - baseLevel;
+        const std::int64_t index = level == 0 ? name - axis.firstName : name;
+        const std::int64_t first = index << level;
+        const std::int64_t last = std::min<std::int64_t>((index + 1) << level, axis.cells);
+        const double scale = static_cast<double>(texels) / base;
+        low = (axis.edge(static_cast<int>(first), period * axis.cells) - axis.shift) * scale;
+        high = (axis.edge(static_cast<int>(last), period * axis.cells) - axis.shift) * scale;
     };
     Box box;
-    side(grid.x, step.i, step.periodX, box.x0, box.x1);
-    side(grid.y, step.j, step.periodY, box.y0, box.y1);
+    side(field.width(), step.i, step.periodX, box.x0, box.x1);
+    side(field.height(), step.j, step.periodY, box.y0, box.y1);
     return box;
 }
 

@@ -32,6 +32,7 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     setFocusProxy(canvas_);
     maxima_ = switchButton(tr("max"), tr("The highest point under each texel: what lets the ray skip"), this);
     means_ = switchButton(tr("mean"), tr("The mean under each texel: what colours are filtered with"), this);
+    minima_ = switchButton(tr("min"), tr("The lowest point under each texel"), this);
     near_ = switchButton(tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), this);
     near_->setChecked(true);
     follow_ = switchButton(tr("follow"), tr("Zoom to the level of the current step"), this);
@@ -41,6 +42,7 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     auto* const kinds = new QButtonGroup(this);
     kinds->addButton(maxima_);
     kinds->addButton(means_);
+    kinds->addButton(minima_);
     maxima_->setChecked(true);
     readout_->setObjectName(QStringLiteral("pyramid-readout"));
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -51,6 +53,7 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     bar->setContentsMargins(4, 2, 6, 2);
     bar->addWidget(maxima_);
     bar->addWidget(means_);
+    bar->addWidget(minima_);
     bar->addWidget(near_);
     bar->addWidget(follow_);
     bar->addWidget(all);
@@ -61,7 +64,10 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     column->addLayout(bar);
     column->addWidget(canvas_, 1);
 
-    connect(means_, &QToolButton::toggled, this, &PyramidView::refresh);
+    connect(kinds, qOverload<QAbstractButton*, bool>(&QButtonGroup::buttonToggled), this,
+            [this](QAbstractButton*, bool on) {
+                if (on) refresh();
+            });
     connect(near_, &QToolButton::toggled, this, [this] {
         canvas_->resetZoom();
         refresh();
@@ -85,6 +91,10 @@ void PyramidView::showMeans(bool means) {
     (means ? means_ : maxima_)->setChecked(true);
 }
 
+void PyramidView::showMinima() {
+    minima_->setChecked(true);
+}
+
 void PyramidView::showNearRay(bool on) {
     near_->setChecked(on);
 }
@@ -102,12 +112,14 @@ PyramidSource PyramidView::source() const {
     PyramidSource source;
     const Snapshot& s = *shown_;
     source.field = &s.request->field;
-    source.overCells = !means_->isChecked();
-    source.pyramid = source.overCells ? std::shared_ptr<const relief::Pyramid>(s.maxima, &s.maxima->pyramid) : s.means;
+    source.overCells = maxima_->isChecked();
+    source.pyramid = source.overCells ? std::shared_ptr<const relief::Pyramid>(s.maxima, &s.maxima->pyramid)
+                                      : (means_->isChecked() ? s.means : s.minima);
     source.hasRay = s.trace.onRelief;
     source.ray = s.trace.ray;
     source.hit = s.trace.hit;
     source.steps = &s.trace.steps;
+    source.baseLevel = s.trace.baseLevel;
     source.nearRay = near_->isChecked();
     return source;
 }
@@ -115,8 +127,7 @@ PyramidSource PyramidView::source() const {
 void PyramidView::refresh() {
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
-    const bool ready =
-        shown_ && shown_->request && (means_->isChecked() ? shown_->means != nullptr : shown_->maxima != nullptr);
+    const bool ready = shown_ && shown_->request && shown_->means && shown_->minima && shown_->maxima;
     if (!ready) {
         showEmpty(relief::MessageId::DrawNoPicture);
         return;

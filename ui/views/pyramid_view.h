@@ -27,6 +27,7 @@ class PyramidView : public QWidget {
 
   public slots:
     void showMeans(bool means);
+    void showMinima();
     // Only the surroundings of the ray, the same on every level, or all of the texture.
     void showNearRay(bool on);
     void setFollowing(bool on);
@@ -45,6 +46,7 @@ class PyramidView : public QWidget {
     DrawingCanvas* canvas_;
     QToolButton* maxima_;
     QToolButton* means_;
+    QToolButton* minima_;
     QToolButton* near_;
     QToolButton* follow_;
     QLabel* readout_;

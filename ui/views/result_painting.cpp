@@ -30,14 +30,28 @@ struct Swatch {
     QColor color;
     bool hatched = false;
     QString text;
+    QColor hatch{0xd8, 0xd8, 0xd8};
 };
 
+std::vector<Swatch> errorSwatches(const LayerPicture& layer) {
+    const auto count = [&](relief::ErrorKind kind) { return layer.error->counts[static_cast<std::size_t>(kind)]; };
+    const QString some = ResultText::tr("%1: %2 pixels");
+    const QColor middle = toColor(Style().mapped(ColorMap::Count, 0.5));
+    return {{QColor(QRgb(kNoError)), false, some.arg(ResultText::tr("exact")).arg(count(relief::ErrorKind::Right))},
+            {middle, false, some.arg(ResultText::tr("too early")).arg(count(relief::ErrorKind::Short))},
+            {middle, true, some.arg(ResultText::tr("overshoot")).arg(count(relief::ErrorKind::Past)),
+             QColor(QRgb(kOvershoot))},
+            {QColor(QRgb(kWrongOutcome)), true,
+             some.arg(ResultText::tr("wrong outcome")).arg(count(relief::ErrorKind::Wrong)), Qt::black}};
+}
+
 std::vector<Swatch> swatches(const LayerPicture& layer) {
-    if (layer.layer == Layer::Normals) {
-        return {{QColor(255, 128, 128), false, ResultText::tr("+x, right")},
-                {QColor(128, 255, 128), false, ResultText::tr("+y, up")},
-                {QColor(128, 128, 255), false, ResultText::tr("+z, to the front")}};
+    if (layer.layer == Layer::TexturePlace) {
+        return {{QColor(255, 0, 64), false, ResultText::tr("u, texture widths, 0 to 1")},
+                {QColor(0, 255, 64), false, ResultText::tr("v, texture heights, 0 to 1")},
+                {QColor(0, 0, 64), false, ResultText::tr("a corner of the texture")}};
     }
+    if (layer.layer == Layer::Error) return errorSwatches(layer);
     std::vector<Swatch> list;
     for (std::size_t i = layer.outcomes.size(); i-- > 0;) {
         if (layer.outcomes[i] == 0) continue;
@@ -75,7 +89,7 @@ QSize paintSwatches(QPainter* painter, const LayerPicture& layer, QPoint bottomL
     for (const Swatch& s : list) {
         const QRect square(box.left() + pad, y, patch, patch);
         painter->fillRect(square, s.color);
-        if (s.hatched) painter->fillRect(square, QBrush(QColor(0xd8, 0xd8, 0xd8), Qt::BDiagPattern));
+        if (s.hatched) painter->fillRect(square, QBrush(s.hatch, Qt::BDiagPattern));
         painter->drawText(QRect(square.right() + pad, y, widest + pad, patch), Qt::AlignVCenter | Qt::AlignLeft,
                           s.text);
         y += line;
@@ -83,11 +97,17 @@ QSize paintSwatches(QPainter* painter, const LayerPicture& layer, QPoint bottomL
     return size;
 }
 
+// A scale's title, and how far along it a value in [low, high] lies.
+QString scaleTitle(Layer layer) {
+    if (layer == Layer::Error) return ResultText::tr("error against exact, texels");
+    return layer == Layer::Steps ? ResultText::tr("steps of the ray")
+                                 : ResultText::tr("distance to the hit, texture widths");
+}
+
 QSize paintScale(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style,
                  const QFontMetrics& metrics) {
-    const bool steps = layer.layer == Layer::Steps;
-    const QString title =
-        steps ? ResultText::tr("steps of the ray") : ResultText::tr("distance to the hit, texture widths");
+    const QString title = scaleTitle(layer.layer);
+    const bool error = layer.layer == Layer::Error;
     const int pad = scaled(8, style);
     const int bar = std::max(scaled(180, style), metrics.horizontalAdvance(title));
     const int thick = metrics.height() * 2 / 3;
@@ -100,14 +120,47 @@ QSize paintScale(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft
     painter->drawText(QRect(x, y, bar, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter, title);
     y += metrics.height() + scaled(3, style);
     for (int i = 0; i < bar; ++i) {
-        painter->fillRect(x + i, y, 1, thick, toColor(style.mapped(ColorMap::Count, double(i) / (bar - 1))));
+        const double share = double(i) / (bar - 1);
+        const double place = error ? kErrorFloor + (1 - kErrorFloor) * share : share;
+        painter->fillRect(x + i, y, 1, thick, toColor(style.mapped(ColorMap::Count, place)));
     }
     y += thick + scaled(3, style);
     const QRect labels(x, y, bar, metrics.height());
-    const double middle = (layer.low + layer.high) / 2;
-    painter->drawText(labels, Qt::AlignLeft, number(layer.low));
+    const double middle = error ? std::sqrt(layer.low * layer.high) : (layer.low + layer.high) / 2;
+    painter->drawText(labels, Qt::AlignLeft, (error ? QStringLiteral("≤ ") : QString()) + number(layer.low));
     painter->drawText(labels, Qt::AlignHCenter, number(middle));
     painter->drawText(labels, Qt::AlignRight, number(layer.high));
+    return size;
+}
+
+// Axes instead of three words: the colours of a sphere's normals, as they are seen.
+QSize paintSphere(QPainter* painter, QPoint bottomLeft, const Style& style, const QFontMetrics& metrics) {
+    const int pad = scaled(8, style);
+    const int side = scaled(64, style);
+    const QString words = ResultText::tr("x right, y up, z to the front");
+    const QString title = ResultText::tr("normal in the scene's axes");
+    const int text = std::max(metrics.horizontalAdvance(words), metrics.horizontalAdvance(title));
+    const QSize size(3 * pad + side + text, 2 * pad + side);
+    if (painter == nullptr) return size;
+    const QRect box(bottomLeft - QPoint(0, size.height()), size);
+    panel(*painter, box, style);
+    QImage ball(side, side, QImage::Format_ARGB32);
+    ball.fill(Qt::transparent);
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            const double nx = (i + 0.5) * 2 / side - 1;
+            const double ny = 1 - (j + 0.5) * 2 / side;
+            const double rest = 1 - nx * nx - ny * ny;
+            if (rest < 0) continue;
+            const auto code = [](double v) { return static_cast<int>(std::lround(127.5 + 127.5 * v)); };
+            ball.setPixel(i, j, qRgb(code(nx), code(ny), code(std::sqrt(rest))));
+        }
+    }
+    painter->drawImage(box.left() + pad, box.top() + pad, ball);
+    const int x = box.left() + 2 * pad + side;
+    painter->drawText(QRect(x, box.top() + pad, text + pad, side / 2), Qt::AlignLeft | Qt::AlignVCenter, title);
+    painter->drawText(QRect(x, box.top() + pad + side / 2, text + pad, side / 2), Qt::AlignLeft | Qt::AlignVCenter,
+                      words);
     return size;
 }
 
@@ -127,6 +180,10 @@ QString layerTitle(Layer layer) {
             return ResultText::tr("Outcome");
         case Layer::Depth:
             return ResultText::tr("Depth");
+        case Layer::Error:
+            return ResultText::tr("Error");
+        case Layer::TexturePlace:
+            return ResultText::tr("Texture place");
         case Layer::Normals:
             break;
     }
@@ -194,10 +251,74 @@ void paintMagnifier(QPainter& painter, const QImage& image, QPoint pixel, const 
 QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style) {
     if (layer.layer == Layer::Color) return {};
     const QFontMetrics metrics = painter != nullptr ? painter->fontMetrics() : QFontMetrics(QFont());
+    if (layer.layer == Layer::Normals) return paintSphere(painter, bottomLeft, style, metrics);
+    if (layer.layer == Layer::Error) {
+        const QSize scale = paintScale(painter, layer, bottomLeft, style, metrics);
+        const QSize kinds = paintSwatches(painter, layer, bottomLeft - QPoint(0, scale.height()), style, metrics);
+        return {std::max(scale.width(), kinds.width()), scale.height() + kinds.height()};
+    }
     const bool scale = layer.layer == Layer::Steps || layer.layer == Layer::Depth;
     return scale ? paintScale(painter, layer, bottomLeft, style, metrics)
                  : paintSwatches(painter, layer, bottomLeft, style, metrics);
 }
+
+QImage withLegend(const QImage& picture, const LayerPicture& layer, const Style& style) {
+    QImage out = picture.convertToFormat(QImage::Format_RGB32);
+    if (layer.layer == Layer::Color) return out;
+    const QSize legend = paintLegend(nullptr, layer, {}, style);
+    // Below the picture, which stays whole.
+    QImage whole(std::max(out.width(), legend.width()), out.height() + legend.height(), QImage::Format_RGB32);
+    whole.fill(toColor(style.background()));
+    QPainter painter(&whole);
+    painter.drawImage(0, 0, out);
+    painter.setFont(QFont());
+    paintLegend(&painter, layer, QPoint(0, whole.height()), style);
+    return whole;
+}
+
+namespace {
+
+// What the shown layer says of the pixel, where the other lines do not say it.
+void addLayerValue(QStringList& lines, const Snapshot& snapshot, int x, int y) {
+    const relief::Frame& frame = *snapshot.frame;
+    const std::size_t i = frame.index(x, y);
+    if (snapshot.layer.error) {
+        switch (snapshot.layer.error->kinds[i]) {
+            case relief::ErrorKind::None:
+                return;
+            case relief::ErrorKind::Right:
+                lines << ResultText::tr("error: none");
+                return;
+            case relief::ErrorKind::Wrong:
+                lines << ResultText::tr("wrong outcome");
+                return;
+            case relief::ErrorKind::Short:
+            case relief::ErrorKind::Past:
+                break;
+        }
+        const bool past = snapshot.layer.error->kinds[i] == relief::ErrorKind::Past;
+        const QString kind = past ? ResultText::tr("overshoot") : ResultText::tr("too early");
+        lines << ResultText::tr("error %1 texels, %2")
+                     .arg(number(static_cast<double>(snapshot.layer.error->texels[i])), kind);
+    }
+    if (frame.hits->hits.outcome[i] != relief::Outcome::Hit) return;
+    if (snapshot.layer.layer == Layer::Depth) {
+        lines << ResultText::tr("distance %1 texture widths").arg(number(frame.depth(x, y)));
+    }
+    if (snapshot.layer.layer == Layer::Normals) {
+        const glm::vec3 n = frame.normal(x, y, *snapshot.request);
+        const auto part = [](float v) { return QString::number(static_cast<double>(v), 'f', 3); };
+        lines << ResultText::tr("normal (%1, %2, %3)").arg(part(n.x), part(n.y), part(n.z));
+    }
+    if (snapshot.layer.layer == Layer::TexturePlace) {
+        const auto part = [](double v) { return QString::number(v, 'f', 4); };
+        lines << ResultText::tr("u %1, v %2")
+                     .arg(part(frame.hits->hits.s[i] / snapshot.request->field.width()),
+                          part(frame.hits->hits.t[i] / snapshot.request->field.height()));
+    }
+}
+
+}  // namespace
 
 QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel, bool brief) {
     const relief::Frame& frame = *snapshot.frame;
@@ -219,11 +340,13 @@ QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel, bo
                      .arg(hit.s, 0, 'f', 2)
                      .arg(hit.t, 0, 'f', 2)
                      .arg(hit.lambda, 0, 'f', 3);
-        if (!brief) lines << ResultText::tr("distance %1 texture widths").arg(number(frame.depth(x, y)));
+        if (!brief && snapshot.layer.layer != Layer::Depth)
+            lines << ResultText::tr("distance %1 texture widths").arg(number(frame.depth(x, y)));
     } else {
         lines << outcomeTitle(hit.outcome);
     }
     lines << ResultText::tr("steps: %1, reads: %2").arg(frame.hits->hits.steps[i]).arg(frame.hits->hits.reads[i]);
+    addLayerValue(lines, snapshot, x, y);
     return lines;
 }
 

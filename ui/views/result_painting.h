@@ -25,7 +25,11 @@ void paintMagnifier(QPainter& painter, const QImage& image, QPoint pixel, const 
 // Colours and what they mean, with units; nothing for the colour layer. Returns its size when `painter` is null.
 QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style);
 
-// Values of a pixel of the full-size picture, one thing a line; `brief`: place, outcome and steps.
+// The picture with the layer's legend below it, for export.
+QImage withLegend(const QImage& picture, const LayerPicture& layer, const Style& style);
+
+// Values of a pixel of the full-size picture, one thing a line, and what the shown layer says; `brief`:
+// place, outcome and steps.
 QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel, bool brief = false);
 
 }  // namespace reliefui

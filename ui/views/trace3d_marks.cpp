@@ -14,6 +14,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "drawings/vtk_text.h"
+#include "views/tubes.h"
 
 namespace reliefui {
 
@@ -23,87 +24,6 @@ constexpr double kRadius = 0.0035;  // of the ray, as a share of the scene's dia
 constexpr double kSleeve = 2.1;     // times the ray
 constexpr double kChosen = 3.2;
 constexpr double kLater = 0.45;  // opacity of the steps after the chosen one
-
-Place between(const Place& a, const Place& b, double f) {
-    return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
-}
-
-// Cylinders, each in its colour, as one mesh.
-class Tubes {
-  public:
-    Tubes() { colors_->SetNumberOfComponents(4); }
-
-    void add(const Place& from, const Place& to, double radius, Rgba color) {
-        constexpr int kSides = 14;
-        const double d[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-        const double length = std::hypot(d[0], d[1], d[2]);
-        if (length <= 0) return;
-        // Any direction across; a ray that descends is never horizontal and never along (0, 0, 1) and x at once.
-        const bool steep = std::abs(d[2]) > 0.9 * length;
-        const Place axis = steep ? Place{1, 0, 0} : Place{0, 0, 1};
-        Place u{d[1] * axis[2] - d[2] * axis[1], d[2] * axis[0] - d[0] * axis[2], d[0] * axis[1] - d[1] * axis[0]};
-        const double across = std::hypot(u[0], u[1], u[2]);
-        for (double& part : u) part /= across;
-        const Place v{(d[1] * u[2] - d[2] * u[1]) / length, (d[2] * u[0] - d[0] * u[2]) / length,
-                      (d[0] * u[1] - d[1] * u[0]) / length};
-        const vtkIdType first = points_->GetNumberOfPoints();
-        for (const Place* middle : {&from, &to}) {
-            for (int k = 0; k < kSides; ++k) {
-                const double angle = 2 * M_PI * k / kSides;
-                Place p = *middle;
-                for (std::size_t c = 0; c < 3; ++c) {
-                    p[c] += radius * (std::cos(angle) * u[c] + std::sin(angle) * v[c]);
-                }
-                points_->InsertNextPoint(p.data());
-            }
-        }
-        const auto cell = [&](const std::vector<vtkIdType>& ids) {
-            cells_->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-            const unsigned char rgba[4] = {color.r, color.g, color.b, color.a};
-            colors_->InsertNextTypedTuple(rgba);
-        };
-        std::vector<vtkIdType> caps[2];
-        for (vtkIdType k = 0; k < kSides; ++k) {
-            const vtkIdType next = (k + 1) % kSides;
-            cell({first + k, first + next, first + kSides + next, first + kSides + k});
-            caps[0].push_back(first + k);
-            caps[1].push_back(first + kSides + k);
-        }
-        cell(caps[0]);
-        cell(caps[1]);
-    }
-
-    vtkSmartPointer<vtkPolyData> take() const {
-        auto data = vtkSmartPointer<vtkPolyData>::New();
-        data->SetPoints(points_);
-        data->SetPolys(cells_);
-        data->GetCellData()->SetScalars(colors_);
-        return data;
-    }
-
-  private:
-    vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
-    vtkSmartPointer<vtkCellArray> cells_ = vtkSmartPointer<vtkCellArray>::New();
-    vtkSmartPointer<vtkUnsignedCharArray> colors_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
-};
-
-vtkSmartPointer<vtkActor> actorOf(vtkSmartPointer<vtkPolyData> data) {
-    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    mapper->SetInputData(data);
-    auto actor = vtkSmartPointer<vtkActor>::New();
-    actor->SetMapper(mapper);
-    return actor;
-}
-
-void paintIn(vtkActor* actor, Rgba color) {
-    actor->GetProperty()->SetColor(color.r / 255.0, color.g / 255.0, color.b / 255.0);
-}
-
-// Flat colours: a role is told by its colour, which light must not change much.
-void lightLittle(vtkActor* actor) {
-    actor->GetProperty()->SetAmbient(0.75);
-    actor->GetProperty()->SetDiffuse(0.3);
-}
 
 }  // namespace
 
@@ -133,16 +53,24 @@ vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>&
                                                 bool later) const {
     constexpr std::size_t kMost = 400;
     constexpr double kGap = 0.04;  // between two sleeves the ray itself is seen
+    // Narrower and narrower brackets lie around each other.
+    constexpr int kMostNested = 5;
+    constexpr double kWiden = 0.3;
+    int nested = 0;
     Tubes tubes;
     const std::size_t first = later ? chosen + 1 : (chosen > kMost ? chosen - kMost : 0);
     const std::size_t last = std::min(steps.size(), later ? chosen + kMost : chosen + 1);
     for (std::size_t k = first; k < last; ++k) {
         const relief::Step& step = steps[k];
         if (!coversStretch(step.decision)) continue;
+        const bool after = k > 0 && steps[k - 1].decision == relief::Decision::Refine;
+        nested = after ? std::min(nested + 1, kMostNested) : 0;
+        // What was narrowed down is not covered again by the hit that it led to.
+        if (after && step.decision == relief::Decision::Hit) continue;
         const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
-        const Place from = scene_.onRay(step.lambdaIn);
-        const Place to = scene_.onRay(std::min(out, scene_.end));
-        tubes.add(between(from, to, kGap), between(from, to, 1 - kGap), kSleeve * radius_,
+        const Place from = scene_.onRay(std::min(step.lambdaIn, scene_.end));
+        const Place to = scene_.onRay(step.decision == relief::Decision::Refine ? out : std::min(out, scene_.end));
+        tubes.add(between(from, to, kGap), between(from, to, 1 - kGap), (kSleeve + kWiden * nested) * radius_,
                   style_.color(roleOf(step.decision)));
     }
     auto actor = actorOf(tubes.take());
@@ -197,7 +125,7 @@ vtkSmartPointer<vtkActor> TraceMarks::shadow() const {
 }
 
 Box TraceMarks::base(const relief::Step& step) const {
-    return stepBox(field_, step).cut(scene_.patch);
+    return stepBox(field_, step, scene_.baseLevel).cut(scene_.patch);
 }
 
 double TraceMarks::top(const relief::Step& step) const {
@@ -229,7 +157,7 @@ vtkSmartPointer<vtkActor> TraceMarks::box(const relief::Step& step) const {
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const relief::Step& step) const {
-    const Box whole = stepBox(field_, step);
+    const Box whole = stepBox(field_, step, scene_.baseLevel);
     const Box b = base(step);
     Tubes tubes;
     if (b.width() > 0 && b.height() > 0) {

@@ -35,6 +35,7 @@ class TraceMarks {
     // A ring that faces the eye, before what it lies on.
     std::vector<vtkSmartPointer<vtkActor>> hitRing(vtkCamera* camera) const;
     vtkSmartPointer<vtkTextActor> words(const Place& at, const std::string& text, Role role, double size) const;
+    double radius() const { return radius_; }
     // Where words about the step stand.
     Place labelPlace(const relief::Step& step) const;
 

@@ -49,6 +49,7 @@ TraceScene::TraceScene(const Snapshot& snapshot, double exaggeration)
     // A slab without thickness is drawn as a sheet.
     scale = std::max(field_.slabTexels() * exaggeration, 1e-6 * field_.width());
     const PixelTrace& trace = snapshot.trace;
+    baseLevel = trace.baseLevel;
     if (trace.hit.outcome == relief::Outcome::Hit) {
         end = trace.hit.lambda;
     } else if (!trace.steps.empty()) {

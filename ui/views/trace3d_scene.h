@@ -27,6 +27,7 @@ class TraceScene {
     double bottom = 0;  // Z of the block's foot; what lies deeper is cut off
     double end = 1;     // lambda at which the ray ends (hit, or left the field)
     RayPath path;
+    int baseLevel = 0;  // of the texels that the steps are about
 
     double diagonal() const;
     // On the ray, and on the relief under it.

@@ -23,6 +23,7 @@
 #include "drawings/vtk_text.h"
 #include "scenario/step_sentence.h"
 #include "views/trace3d_marks.h"
+#include "views/trace3d_samples.h"
 
 namespace reliefui {
 
@@ -219,10 +220,19 @@ void Trace3dView::addStep(const relief::Step& step, std::size_t number) {
         stepProps_.push_back(marks.stretches(shown_->trace.steps, number, later));
     }
     if (step.lambdaOut > step.lambdaIn) stepProps_.push_back(marks.stretch(step));
-    stepProps_.push_back(marks.box(step));
-    stepProps_.push_back(marks.boxEdges(step));
-    const auto value = relief::fixedText(step.value, 3);
-    const QString words = tr("%1: level %2, %3").arg(number + 1).arg(step.level).arg(QString::fromStdString(value));
+    const QString value = QString::fromStdString(relief::fixedText(step.value, 3));
+    QString words = tr("%1: level %2, %3").arg(number + 1).arg(step.level).arg(value);
+    if (step.primitive == relief::Primitive::Texel) {
+        stepProps_.push_back(marks.box(step));
+        stepProps_.push_back(marks.boxEdges(step));
+    } else {
+        words = tr("%1: surface at %2").arg(number + 1).arg(value);
+        if (step.decision == relief::Decision::Start || step.decision == relief::Decision::Miss)
+            words = QString::number(number + 1);
+    }
+    for (const auto& mark : sampleMarks(*scene_, shown_->trace.steps, number, style, marks.radius())) {
+        stepProps_.push_back(mark);
+    }
     stepProps_.push_back(marks.words(marks.labelPlace(step), words.toStdString(), Role::Label, 1));
     for (const auto& prop : stepProps_) renderer_->AddViewProp(prop);
 }

@@ -35,6 +35,7 @@ namespace {
 // Parts of the window that the panes get at first.
 constexpr double kSceneWidth = 0.20;
 constexpr double kTraceWidth = 0.36;
+constexpr double kProjectorTraceWidth = 0.48;
 constexpr double kStepsHeight = 0.23;
 constexpr int kMessageMs = 4000;
 
@@ -244,6 +245,11 @@ void MainWindow::setProjector(bool on) {
         // Nobody reads controls from the last row; the panes need the room.
         panes_[4].whole->hide();
         showFullScreen();
+        // The large type of the panes at the right wants half of the window.
+        QTimer::singleShot(0, this, [this] {
+            if (!workspace_->style().projector) return;
+            resizeDocks({panes_[1].dock}, {static_cast<int>(width() * kProjectorTraceWidth)}, Qt::Horizontal);
+        });
     } else {
         showNormal();
         restoreState(beforeProjector_);

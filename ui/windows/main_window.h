@@ -39,8 +39,9 @@ class MainWindow : public QMainWindow {
     TopBar* topBar() { return topBar_; }
     StatusLine* status() { return status_; }
 
-    // The drawn picture as it is, without marks, in the format of its ending; says when it is done, or why not.
-    void savePicture(const QString& path);
+    // The drawn picture as it is, without marks, in the format of its ending, on request with the layer's legend below;
+    // says when it is done, or why not.
+    void savePicture(const QString& path, bool legend = false);
 
   public slots:
     void setProjector(bool on);
@@ -86,7 +87,7 @@ class MainWindow : public QMainWindow {
     void askOpen();
     void askColor();
     void askSaveScenario();
-    void askSavePicture();
+    void askSavePicture(bool legend = false);
     void askPixel();
     void showShortcuts();
     void showAbout();

@@ -16,6 +16,7 @@
 #include <QThreadPool>
 #include <QUrl>
 
+#include "views/result_painting.h"
 #include "windows/main_window.h"
 #include "windows/pictures_box.h"
 #include "workspace/start_scenario.h"
@@ -69,16 +70,16 @@ void MainWindow::askSaveScenario() {
     if (QFileInfo::exists(path)) remember(path);
 }
 
-void MainWindow::askSavePicture() {
+void MainWindow::askSavePicture(bool legend) {
     QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), QStringLiteral("result.png"),
                                                 tr("Pictures") + QStringLiteral(" (*.png *.jpg *.bmp)"));
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
-    savePicture(path);
+    savePicture(path, legend);
 }
 
 // Large pictures take long to be packed: not on the window's thread.
-void MainWindow::savePicture(const QString& path) {
+void MainWindow::savePicture(const QString& path, bool legend) {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
     const auto tell = [this, path](const QString& problem) {
@@ -88,7 +89,9 @@ void MainWindow::savePicture(const QString& path) {
             Q_EMIT workspace_->problem(tr("%1: cannot be written: %2").arg(path, problem));
         }
     };
-    QThreadPool::globalInstance()->start([image = snapshot->layer.image, path, tell, window = QPointer(this)] {
+    const QImage image =
+        legend ? withLegend(snapshot->layer.image, snapshot->layer, workspace_->style()) : snapshot->layer.image;
+    QThreadPool::globalInstance()->start([image, path, tell, window = QPointer(this)] {
         QSaveFile file(path);
         QImageWriter writer(&file, QFileInfo(path).suffix().toLatin1());
         const bool done = file.open(QIODevice::WriteOnly) && writer.write(image) && file.commit();

@@ -64,7 +64,7 @@ void MainWindow::makeFileMenu() {
     connect(save, &QAction::triggered, this, &MainWindow::askSaveScenario);
     auto* const picture = addAction(menu, tr("Save &picture…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")),
                                     tr("Save the picture of the result"));
-    connect(picture, &QAction::triggered, this, &MainWindow::askSavePicture);
+    connect(picture, &QAction::triggered, this, [this] { askSavePicture(); });
     menu->addSeparator();
     auto* const quit = addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
     connect(quit, &QAction::triggered, this, &QWidget::close);
@@ -186,7 +186,10 @@ void MainWindow::resultMenu(const QPoint& global) {
     menu.addAction(tr("Copy picture"), this, [this] {
         if (const auto now = workspace_->snapshot()) QApplication::clipboard()->setImage(now->layer.image);
     });
-    menu.addAction(tr("Save picture…"), this, &MainWindow::askSavePicture);
+    menu.addAction(tr("Save picture…"), this, [this] { askSavePicture(); });
+    if (workspace_->layer() != Layer::Color) {
+        menu.addAction(tr("Save picture with its legend…"), this, [this] { askSavePicture(true); });
+    }
     menu.exec(global);
 }
 

@@ -1,5 +1,6 @@
 #include "windows/options_form.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include <QComboBox>
@@ -7,6 +8,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "relief/tracers.h"
 #include "windows/core_texts.h"
 #include "windows/number_control.h"
 
@@ -24,35 +26,55 @@ OptionsForm::OptionsForm(QWidget* parent) : QWidget(parent), form_(new QFormLayo
     form_->setContentsMargins(0, 0, 0, 0);
 }
 
-void OptionsForm::show(const relief::MethodDescription& method, const relief::MethodChoice& choice) {
-    if (shown_ != method.name) rebuild(method);
+void OptionsForm::collect(const relief::MethodDescription& method, const relief::OptionValues& values,
+                          const std::string& prefix, int depth, std::vector<Control>& out) {
+    constexpr int kDeepest = 3;
     for (const relief::OptionDescription& option : method.options) {
-        const auto given = choice.options.find(option.name);
         const auto preset = method.defaults.find(option.name);
-        if (given != choice.options.end()) {
-            setText(option, given->second);
-        } else if (preset != method.defaults.end()) {
-            setText(option, preset->second);
-        }
+        Control control{prefix + option.name, option, preset == method.defaults.end() ? "" : preset->second, depth};
+        out.push_back(control);
+        if (option.kind != relief::OptionKind::Method || depth >= kDeepest) continue;
+        const auto given = values.find(control.key);
+        const std::string& inner = given == values.end() ? control.preset : given->second;
+        const bool known = std::find(option.choices.begin(), option.choices.end(), inner) != option.choices.end();
+        if (known) collect(relief::findTracer(inner), values, control.key + ".", depth + 1, out);
     }
 }
 
-void OptionsForm::rebuild(const relief::MethodDescription& method) {
+void OptionsForm::show(const relief::MethodDescription& method, const relief::MethodChoice& choice) {
+    std::vector<Control> controls;
+    collect(method, choice.options, {}, 0, controls);
+    std::string shape = method.name;
+    for (const Control& control : controls) shape += ' ' + control.key;
+    if (shown_ != shape) {
+        rebuild(controls);
+        shown_ = shape;
+    }
+    for (const Control& control : controls) {
+        const auto given = choice.options.find(control.key);
+        setText(control, given != choice.options.end() ? given->second : control.preset);
+    }
+}
+
+void OptionsForm::rebuild(const std::vector<Control>& controls) {
     while (form_->rowCount() > 0) form_->removeRow(0);
-    for (const relief::OptionDescription& option : method.options) addControl(option);
-    if (method.options.empty()) {
-        auto* const none = new QLabel(tr("This method has no options."), this);
-        none->setEnabled(false);
-        form_->addRow(none);
-    }
-    shown_ = method.name;
+    for (const Control& control : controls) addControl(control);
+    if (!controls.empty()) return;
+    auto* const none = new QLabel(tr("This method has no options."), this);
+    none->setEnabled(false);
+    form_->addRow(none);
 }
 
-void OptionsForm::addControl(const relief::OptionDescription& option) {
-    const QString name = QString::fromStdString(option.name);
-    if (isNumber(option)) {
-        auto* const number = new NumberControl(option, this);
-        form_->addRow(controlTitle(option.name), number);
+void OptionsForm::addControl(const Control& control) {
+    const QString name = QString::fromStdString(control.key);
+    const QString indent(3 * control.depth, QChar(0x00a0));
+    auto* const label = new QLabel(indent + controlTitle(control.option.name), this);
+    label->setToolTip(optionToolTip(control.option));
+    if (isNumber(control.option)) {
+        auto* const number = new NumberControl(control.option, this);
+        number->setObjectName(name);
+        label->setBuddy(number);
+        form_->addRow(label, number);
         connect(number, &NumberControl::settled, this, &OptionsForm::settled);
         connect(number, &NumberControl::changed, this, [this, name](double value, bool live) {
             Q_EMIT changed(name, QString::fromStdString(relief::numberText(value)), live);
@@ -61,17 +83,21 @@ void OptionsForm::addControl(const relief::OptionDescription& option) {
     }
     auto* const choices = new QComboBox(this);
     choices->setObjectName(name);
-    choices->setAccessibleName(controlTitle(option.name));
-    choices->setToolTip(optionToolTip(option));
-    for (const std::string& text : option.choices) choices->addItem(QString::fromStdString(text));
-    form_->addRow(controlTitle(option.name), choices);
-    connect(choices, qOverload<int>(&QComboBox::activated), this,
-            [this, name, choices](int) { Q_EMIT changed(name, choices->currentText(), false); });
+    choices->setAccessibleName(controlTitle(control.option.name));
+    choices->setToolTip(optionToolTip(control.option));
+    choices->setFocusPolicy(Qt::StrongFocus);
+    for (const std::string& text : control.option.choices) choices->addItem(QString::fromStdString(text));
+    label->setBuddy(choices);
+    form_->addRow(label, choices);
+    // Queued: another method inside makes other controls, while this one is still telling of the click.
+    connect(
+        choices, qOverload<int>(&QComboBox::activated), this,
+        [this, name, choices](int) { Q_EMIT changed(name, choices->currentText(), false); }, Qt::QueuedConnection);
 }
 
-void OptionsForm::setText(const relief::OptionDescription& option, const std::string& text) {
-    const QString name = QString::fromStdString(option.name);
-    if (isNumber(option)) {
+void OptionsForm::setText(const Control& control, const std::string& text) {
+    const QString name = QString::fromStdString(control.key);
+    if (isNumber(control.option)) {
         double value = 0;
         std::from_chars(text.data(), text.data() + text.size(), value);
         if (auto* const number = findChild<NumberControl*>(name)) number->setValue(value);

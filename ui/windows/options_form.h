@@ -1,5 +1,9 @@
-// The options of a method as controls, made from their descriptions: any method's, also one added later.
+// The options of a method as controls, made from their descriptions: any method's, also one added later. Where a method
+// has another one inside it, that one's options stand indented below the chooser.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include <QWidget>
 
@@ -22,12 +26,22 @@ class OptionsForm : public QWidget {
     void settled();
 
   private:
-    void rebuild(const relief::MethodDescription& method);
-    void addControl(const relief::OptionDescription& option);
-    void setText(const relief::OptionDescription& option, const std::string& text);
+    // An option as the choice names it ("inner.layers"), and its default.
+    struct Control {
+        std::string key;
+        relief::OptionDescription option;
+        std::string preset;
+        int depth = 0;
+    };
+
+    static void collect(const relief::MethodDescription& method, const relief::OptionValues& values,
+                        const std::string& prefix, int depth, std::vector<Control>& out);
+    void rebuild(const std::vector<Control>& controls);
+    void addControl(const Control& control);
+    void setText(const Control& control, const std::string& text);
 
     QFormLayout* form_;
-    std::string shown_;
+    std::string shown_;  // which method, and which inside it
 };
 
 }  // namespace reliefui

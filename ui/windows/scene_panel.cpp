@@ -74,6 +74,7 @@ ScenePanel::ScenePanel(Workspace* workspace, QWidget* parent) : QWidget(parent),
     addNumbers(addGroup(column, tr("Picture drawn")), {"width", "height"});
     column->addStretch(1);
     connect(workspace_, &Workspace::scenarioChanged, this, &ScenePanel::refresh);
+    connect(workspace_, &Workspace::snapshotChanged, this, &ScenePanel::refreshMethod);
     refresh();
 }
 
@@ -133,16 +134,23 @@ void ScenePanel::addSurface(QFormLayout* form) {
 }
 
 void ScenePanel::addMethod(QFormLayout* form) {
-    guarantee_ = new QLabel(this);
-    guarantee_->setWordWrap(true);
-    form->addRow(guarantee_);
+    for (QLabel** const label : {&help_, &guarantee_}) {
+        *label = new QLabel(this);
+        (*label)->setWordWrap(true);
+        form->addRow(*label);
+    }
+    guarantee_->setObjectName(QStringLiteral("guarantee"));
     options_ = new OptionsForm(this);
     form->addRow(options_);
     connect(options_, &OptionsForm::settled, workspace_, &Workspace::settle);
     connect(options_, &OptionsForm::changed, this, [this](const QString& name, const QString& text, bool live) {
         relief::Scenario scenario = workspace_->scenario();
+        // Another method inside takes none of the options of the one before.
+        const std::string inside = name.toStdString() + ".";
+        std::erase_if(scenario.method.options, [&](const auto& option) { return option.first.starts_with(inside); });
         scenario.method.options[name.toStdString()] = text.toStdString();
-        workspace_->change(scenario, controlTitle(name.toStdString()), QStringLiteral("option-") + name, live);
+        workspace_->change(scenario, controlTitle(name.mid(name.lastIndexOf(QLatin1Char('.')) + 1).toStdString()),
+                           QStringLiteral("option-") + name, live);
     });
 }
 
@@ -155,11 +163,34 @@ void ScenePanel::refresh() {
     choose(address_, relief::addressName(scenario.address));
     choose(scene_, relief::sceneName(scenario.scene));
     const relief::MethodDescription& method = relief::findTracer(scenario.method.name);
-    const QString promise = coreText(std::string(relief::guaranteeName(method.guarantee)));
-    guarantee_->setText(
-        tr("<b>%1</b>, %2. %3").arg(QString::fromStdString(method.name), promise, coreText(method.help)));
-    guarantee_->setToolTip(QString::fromStdString(method.source));
+    help_->setText(tr("<b>%1</b>. %2").arg(QString::fromStdString(method.name), coreText(method.help)));
+    help_->setToolTip(QString::fromStdString(method.source));
     options_->show(method, scenario.method);
+    refreshMethod();
+}
+
+void ScenePanel::refreshMethod() {
+    const relief::MethodDescription& method = relief::findTracer(workspace_->scenario().method.name);
+    const auto snapshot = workspace_->snapshot();
+    const bool made = snapshot && snapshot->scenario.method == workspace_->scenario().method;
+    const relief::Guarantee guarantee = made ? snapshot->guarantee : method.guarantee;
+    QStringList on;
+    for (const relief::Surface surface : method.surfaces) {
+        on << controlTitle(std::string(relief::surfaceName(surface))).toLower();
+    }
+    QString text =
+        coreText(std::string(relief::guaranteeName(guarantee))) + QStringLiteral(" · ") + on.join(QStringLiteral(", "));
+    if (made) {
+        const double megabytes = static_cast<double>(snapshot->methodBytes) / (1024.0 * 1024.0);
+        text += QStringLiteral(" · ") +
+                (snapshot->methodBytes == 0
+                     ? tr("no maps")
+                     : tr("maps %1 MiB").arg(QString::fromStdString(relief::numberText(megabytes, 3))));
+    }
+    guarantee_->setText(QStringLiteral("<small>%1</small>").arg(text));
+    guarantee_->setToolTip(
+        tr("What the method promises with these options, the surfaces it can work on, and the "
+           "memory of its maps beside the heights"));
 }
 
 }  // namespace reliefui

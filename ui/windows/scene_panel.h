@@ -37,13 +37,15 @@ class ScenePanel : public QWidget {
     void addSurface(QFormLayout* form);
     void addMethod(QFormLayout* form);
     void refresh();
+    void refreshMethod();
 
     Workspace* workspace_;
     QComboBox* surface_ = nullptr;
     QComboBox* address_ = nullptr;
     QComboBox* scene_ = nullptr;
     OptionsForm* options_ = nullptr;
-    QLabel* guarantee_ = nullptr;
+    QLabel* help_ = nullptr;       // of the method
+    QLabel* guarantee_ = nullptr;  // what it promises, where, and what it keeps in memory
 };
 
 }  // namespace reliefui

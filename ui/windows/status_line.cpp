@@ -25,6 +25,13 @@ QString rounded(double value, int digits) {
     return QString::fromStdString(relief::numberText(value, digits));
 }
 
+// Thousands are set apart by thin spaces, whatever the locale.
+QString grouped(std::uint64_t value) {
+    QString text = QString::number(value);
+    for (int at = text.size() - 3; at > 0; at -= 3) text.insert(at, QChar(0x2009));
+    return text;
+}
+
 // What was done for the frame, stage by stage, and what was not needed.
 QString ledger(const relief::Frame& frame) {
     QString text = StatusLine::tr("Stages of this frame (seconds of all threads together):");
@@ -36,7 +43,10 @@ QString ledger(const relief::Frame& frame) {
         text += QStringLiteral("\n  %1: %2").arg(name, done);
     }
     for (const auto& [name, value] : frame.counters) {
-        text += QStringLiteral("\n%1: %2").arg(QString::fromStdString(name), rounded(value, 9));
+        text += QStringLiteral("\n%1: %2")
+                    .arg(QString::fromStdString(name), value == std::floor(value) && value >= 0 && value < 1e15
+                                                           ? grouped(static_cast<std::uint64_t>(value))
+                                                           : rounded(value, 4));
     }
     return text;
 }
@@ -125,7 +135,8 @@ QString StatusLine::pixelText() const {
     } else {
         text += outcomeTitle(trace.hit.outcome);
     }
-    return text + QStringLiteral("     ") + tr("steps: %1, reads: %2").arg(trace.steps.size()).arg(trace.reads);
+    return text + QStringLiteral("     ") +
+           tr("steps: %1, reads: %2").arg(grouped(trace.steps.size()), grouped(trace.reads));
 }
 
 QString StatusLine::frameText() const {

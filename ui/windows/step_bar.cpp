@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -12,12 +13,17 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPlayMs = 500;  // two steps a second
+constexpr int kSpeeds[] = {1, 2, 5, 10, 30};  // steps a second
+constexpr int kFirstSpeed = 1;                // two
 
 }  // namespace
 
 StepBar::StepBar(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), slider_(new QSlider(Qt::Horizontal, this)), label_(new QLabel(this)) {
+    : QWidget(parent),
+      workspace_(workspace),
+      slider_(new QSlider(Qt::Horizontal, this)),
+      label_(new QLabel(this)),
+      speed_(new QComboBox(this)) {
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(6, 2, 6, 2);
     const auto button = [&](const QString& sign, const QString& name, const QString& key, void (StepBar::*slot)()) {
@@ -34,14 +40,22 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
     button(QStringLiteral("◀"), tr("Previous step"), QStringLiteral(","), &StepBar::previous);
     button(QStringLiteral("▶"), tr("Next step"), QStringLiteral("."), &StepBar::next);
     button(QStringLiteral("▶|"), tr("Last step"), tr("End"), &StepBar::last);
-    play_ = button(tr("Play"), tr("Play the steps, two a second"), tr("Space"), &StepBar::togglePlay);
+    play_ = button(tr("Play"), tr("Play the steps"), tr("Space"), &StepBar::togglePlay);
     play_->setCheckable(true);
+    speed_->setObjectName(QStringLiteral("play-speed"));
+    speed_->setAccessibleName(tr("Speed of playing"));
+    speed_->setToolTip(tr("Steps a second while playing"));
+    for (const int speed : kSpeeds) speed_->addItem(tr("%1/s").arg(speed), speed);
+    speed_->setCurrentIndex(kFirstSpeed);
+    connect(speed_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+            [this](int) { timer_.setInterval(1000 / speed_->currentData().toInt()); });
+    row->addWidget(speed_);
     slider_->setAccessibleName(tr("Step of the ray"));
     slider_->setToolTip(tr("Step of the ray: , and . go back and on"));
     slider_->setObjectName(QStringLiteral("step-slider"));
     row->addWidget(slider_, 1);
     row->addWidget(label_);
-    timer_.setInterval(kPlayMs);
+    timer_.setInterval(1000 / kSpeeds[kFirstSpeed]);
     connect(&timer_, &QTimer::timeout, this, &StepBar::advance);
     connect(slider_, &QSlider::valueChanged, workspace_, &Workspace::chooseStep);
     connect(workspace_, &Workspace::snapshotChanged, this, &StepBar::refresh);

@@ -6,6 +6,7 @@
 
 #include "workspace/workspace.h"
 
+class QComboBox;
 class QLabel;
 class QSlider;
 class QToolButton;
@@ -33,6 +34,7 @@ class StepBar : public QWidget {
     Workspace* workspace_;
     QSlider* slider_;
     QLabel* label_;
+    QComboBox* speed_;
     QToolButton* play_ = nullptr;
     QTimer timer_;
 };

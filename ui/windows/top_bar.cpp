@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QStandardItemModel>
 
 #include "windows/core_texts.h"
 #include "windows/number_control.h"
@@ -39,17 +40,34 @@ void TopBar::addLabeled(const QString& label, QWidget* control) {
     addWidget(control);
 }
 
+void TopBar::addMethods(bool tracers, const QString& group) {
+    bool first = true;
+    for (const relief::MethodDescription& method : relief::tracerList()) {
+        if ((method.kind == relief::MethodKind::Tracer) != tracers || method.kind == relief::MethodKind::AnyHit)
+            continue;
+        if (first && !group.isEmpty()) {
+            method_->insertSeparator(method_->count());
+            method_->addItem(group);
+            // A heading: not to be chosen.
+            if (auto* const items = qobject_cast<QStandardItemModel*>(method_->model())) {
+                items->item(method_->count() - 1)->setFlags(Qt::NoItemFlags);
+            }
+        }
+        first = false;
+        const QString name = QString::fromStdString(method.name);
+        method_->addItem(name, name);
+        method_->setItemData(method_->count() - 1, coreText(method.help), Qt::ToolTipRole);
+    }
+}
+
 void TopBar::makeMethod() {
     method_->setObjectName(QStringLiteral("method"));
     method_->setAccessibleName(tr("Method"));
     method_->setToolTip(tr("How the ray searches for the relief"));
     method_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     method_->setFocusPolicy(Qt::StrongFocus);
-    for (const relief::MethodDescription& method : relief::tracerList()) {
-        const QString name = QString::fromStdString(method.name);
-        method_->addItem(name, name);
-        method_->setItemData(method_->count() - 1, coreText(method.help), Qt::ToolTipRole);
-    }
+    addMethods(true, {});
+    addMethods(false, tr("no search"));
     addLabeled(tr("Method"), method_);
     connect(method_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();

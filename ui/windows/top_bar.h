@@ -23,6 +23,8 @@ class TopBar : public QToolBar {
 
   private:
     void addLabeled(const QString& label, QWidget* control);
+    // Those that search for the relief, or the others (shading only, a mesh), under a heading if it has one.
+    void addMethods(bool tracers, const QString& group);
     void makeMethod();
     void makeFilter();
     void refresh();

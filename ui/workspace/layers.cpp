@@ -101,7 +101,59 @@ void paintOutcomes(LayerPicture& out, const relief::Frame& frame) {
     });
 }
 
+void paintTexturePlaces(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request) {
+    const relief::HitBlock& hits = frame.hits->hits;
+    eachPixel(out.image, [&](int x, int y) {
+        const std::size_t i = frame.index(x, y);
+        if (hits.outcome[i] != relief::Outcome::Hit) return kNothing;
+        const double u = hits.s[i] / request.field.width();
+        const double v = hits.t[i] / request.field.height();
+        const auto code = [](double w) { return static_cast<int>(255 * (w - std::floor(w))); };
+        return packed(code(u), code(v), 64);
+    });
+}
+
+void paintError(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
+                relief::MapCache& maps, relief::Work& work) {
+    static const std::array<std::uint32_t, kMapSize> colors = countColors();
+    auto error = std::make_shared<relief::ErrorLayer>(relief::errorAgainstExact(frame, request, maps, work));
+    out.low = kLeastError;
+    out.high = std::max(error->largest, 10 * kLeastError);
+    eachPixel(out.image, [&](int x, int y) {
+        const std::size_t i = frame.index(x, y);
+        switch (error->kinds[i]) {
+            case relief::ErrorKind::None:
+                return kNothing;
+            case relief::ErrorKind::Right:
+                return kNoError;
+            case relief::ErrorKind::Wrong:
+                return wrongOutcomeMarked(x, y) ? 0xff000000U : kWrongOutcome;
+            case relief::ErrorKind::Past:
+                if (overshootHatched(x, y)) return kOvershoot;
+                break;
+            case relief::ErrorKind::Short:
+                break;
+        }
+        const double share = kErrorFloor + (1 - kErrorFloor) * errorShare(out, static_cast<double>(error->texels[i]));
+        return colors[static_cast<std::size_t>(share * (kMapSize - 1) + 0.5)];
+    });
+    out.error = std::move(error);
+}
+
 }  // namespace
+
+double errorShare(const LayerPicture& layer, double texels) {
+    const double range = std::log(layer.high / layer.low);
+    return range > 0 && texels > layer.low ? std::clamp(std::log(texels / layer.low) / range, 0.0, 1.0) : 0;
+}
+
+bool overshootHatched(int x, int y) {
+    return (x + y) % 6 == 0;
+}
+
+bool wrongOutcomeMarked(int x, int y) {
+    return (x + y) % 6 == 0 || (x - y) % 6 == 0;
+}
 
 bool outcomeHatched(relief::Outcome outcome, int x, int y) {
     if (outcome == relief::Outcome::Miss) return (x + y) % 6 == 0;
@@ -109,7 +161,8 @@ bool outcomeHatched(relief::Outcome outcome, int x, int y) {
     return false;
 }
 
-LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::FrameRequest& request) {
+LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::FrameRequest& request,
+                       relief::MapCache& maps, relief::Work& work) {
     LayerPicture out;
     out.layer = layer;
     out.image = QImage(frame.width, frame.height, QImage::Format_RGB32);
@@ -119,6 +172,12 @@ LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::Fr
             break;
         case Layer::Steps:
             paintSteps(out, frame);
+            break;
+        case Layer::Error:
+            paintError(out, frame, request, maps, work);
+            break;
+        case Layer::TexturePlace:
+            paintTexturePlaces(out, frame, request);
             break;
         case Layer::Outcome:
             paintOutcomes(out, frame);

@@ -24,6 +24,7 @@ struct PixelTrace {
     relief::Hit hit;
     std::vector<relief::Step> steps;
     std::uint32_t reads = 0;
+    int baseLevel = 0;  // what the method traced instead of the heights, see Tracer::baseLevel
 };
 
 struct Snapshot {
@@ -35,9 +36,12 @@ struct Snapshot {
     std::shared_ptr<const relief::Frame> frame;           // of the coarse size, if coarse
     QImage picture;                                       // the frame as shown; its size is the frame's
     LayerPicture layer;                                   // what the result view was asked to show instead of it
-    PixelTrace trace;                                     // in full-size pixels, also when coarse
-    std::shared_ptr<const relief::MaxPyramidMap> maxima;  // over the cells of the field
-    std::shared_ptr<const relief::Pyramid> means;         // over the texels
+    relief::Guarantee guarantee = relief::Guarantee::Approximate;  // of the method with these options
+    std::size_t methodBytes = 0;                                   // of its maps
+    PixelTrace trace;                                              // in full-size pixels, also when coarse
+    std::shared_ptr<const relief::MaxPyramidMap> maxima;           // over the cells of the field
+    std::shared_ptr<const relief::Pyramid> means;                  // over the texels
+    std::shared_ptr<const relief::Pyramid> minima;                 // over the texels
 };
 
 }  // namespace reliefui

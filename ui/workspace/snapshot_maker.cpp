@@ -80,7 +80,7 @@ void SnapshotMaker::render(Size& size, const relief::Scenario& scenario, const r
     size.frame = size.renderer->render(request, work);
     size.scenario = scenario;
     size.assets = assets;
-    size.layer = makeLayer(Layer::Color, *size.frame, request);
+    size.layer = makeLayer(Layer::Color, *size.frame, request, *maps_, work);
     size.picture = size.layer.image;
     if (!supersampled(scenario)) learn(*size.frame, &size == &coarse_, lightOnly);
 }
@@ -102,6 +102,7 @@ PixelTrace SnapshotMaker::trace(const relief::Scenario& scenario, const relief::
     out.hit = hits[0];
     out.steps = std::move(log.steps);
     out.reads = log.reads.front();
+    out.baseLevel = tracer.baseLevel();
     return out;
 }
 
@@ -119,16 +120,21 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
 
     Size& size = snapshot->coarse ? coarse_ : full_;
     render(size, scenario, *request, snapshot->assets, work);
-    if (size.layer.layer != order.layer) size.layer = makeLayer(order.layer, *size.frame, *request);
+    if (size.layer.layer != order.layer) size.layer = makeLayer(order.layer, *size.frame, *request, *maps_, work);
     snapshot->request = request;
     snapshot->frame = size.frame;
     snapshot->picture = size.picture;
     snapshot->layer = size.layer;
+    snapshot->guarantee = size.renderer->tracer()->guarantee();
+    snapshot->methodBytes = size.renderer->tracer()->bytes();
     snapshot->trace = trace(scenario, snapshot->assets, *size.renderer->tracer(), work);
     const int last = std::max(0, static_cast<int>(snapshot->trace.steps.size()) - 1);
     snapshot->scenario.step = order.lastStep ? last : std::clamp(scenario.step, 0, last);
     const relief::HeightField& field = request->field;
     snapshot->maxima = relief::maxPyramidMap(field, *maps_, work);
+    snapshot->minima = maps_->get<relief::Pyramid>({"min-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {
+        return relief::Pyramid(relief::PyramidKind::Min, field.heights(), w);
+    });
     snapshot->means = maps_->get<relief::Pyramid>({"mean-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {
         return relief::Pyramid(relief::PyramidKind::Mean, field.heights(), w);
     });

@@ -4,6 +4,7 @@
 
 #include "../relief/fields.h"
 #include "rendering/display.h"
+#include "rendering/error_layer.h"
 #include "rendering/frame.h"
 
 namespace relief::test {
@@ -199,14 +200,59 @@ TEST(Frame, aCancelledFrameIsNotPublished) {
 TEST(Frame, layersHaveTheirPlanes) {
     const FrameRequest request = brickRequest();
     const auto frame = renderFresh(request, 1);
-    const auto planes = layerPlanes(*frame, request, layerNames());
+    MapCache maps;
+    Work work;
+    const auto planes = layerPlanes(*frame, request, layerNames(), maps, work);
     std::vector<std::string> names;
     for (const NamedPlane& plane : planes) names.push_back(plane.name);
     EXPECT_EQ(names, (std::vector<std::string>{"R", "G", "B", "depth.Z", "uv.u", "uv.v", "normal.X", "normal.Y",
-                                               "normal.Z", "steps.Y", "outcome.Y"}));
+                                               "normal.Z", "steps.Y", "outcome.Y", "error.Y", "error.kind"}));
     EXPECT_EQ(planes[0].plane(80, 60), frame->light->color(80, 60).r);
     EXPECT_EQ(planes[10].plane(80, 60), 1.0F);
-    EXPECT_THROW(layerPlanes(*frame, request, {"taste"}), InputError);
+    EXPECT_THROW(layerPlanes(*frame, request, {"taste"}, maps, work), InputError);
+}
+
+// Against what the exact walk over every cell says of each ray, one by one.
+TEST(Frame, errorIsTheWayBetweenTheHits) {
+    FrameRequest request = brickRequest();
+    for (const char* const method : {"max-pyramid", "layers", "offset"}) {
+        request.method = {method, {}};
+        if (request.method.name == "layers") request.method.options["layers"] = "6";
+        const auto frame = renderFresh(request, 1);
+        MapCache maps;
+        Work work;
+        const ErrorLayer error = errorAgainstExact(*frame, request, maps, work);
+        const auto exact = makeTracer({"exact", {}}, request.field, maps, work);
+        ASSERT_EQ(error.texels.size(), frame->rays->polygon.size());
+        std::array<std::int64_t, kErrorKinds> counts{};
+        for (std::size_t i = 0; i < error.texels.size(); ++i) {
+            ++counts[static_cast<std::size_t>(error.kinds[i])];
+            if (frame->rays->polygon[i] == kNoPolygon) {
+                EXPECT_TRUE(std::isnan(error.texels[i]));
+                EXPECT_EQ(error.kinds[i], ErrorKind::None);
+                continue;
+            }
+            RayBlock ray;
+            ray.push(frame->rays->rays[i]);
+            HitBlock truth;
+            NullSink sink;
+            exact->trace(ray, truth, sink, work);
+            const Hit hit = frame->hits->hits[i];
+            if (hit.outcome != truth.outcome[0]) {
+                EXPECT_EQ(error.kinds[i], ErrorKind::Wrong);
+                EXPECT_TRUE(std::isinf(error.texels[i]));
+                continue;
+            }
+            const double by = hit.outcome == Outcome::Hit ? hit.lambda - truth.lambda[0] : 0;
+            EXPECT_EQ(error.kinds[i], by > 0 ? ErrorKind::Past : by < 0 ? ErrorKind::Short : ErrorKind::Right);
+            const double texels = std::abs(by) * std::max(1.0, std::hypot(ray.a[0], ray.b[0]));
+            EXPECT_EQ(error.texels[i], static_cast<float>(texels));
+        }
+        EXPECT_EQ(counts, error.counts);
+        const bool isExact = request.method.name == "max-pyramid";
+        EXPECT_EQ(error.largest == 0, isExact) << method;
+        EXPECT_EQ(error.counts[static_cast<std::size_t>(ErrorKind::Past)] == 0, isExact) << method;
+    }
 }
 
 TEST(Display, theTableIsWithinOneCode) {
