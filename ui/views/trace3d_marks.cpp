@@ -133,10 +133,13 @@ double TraceMarks::top(const relief::Step& step) const {
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::box(const relief::Step& step) const {
-    const Box b = base(step);
+    // A face in the very plane of the block's cut side would flicker.
+    constexpr double kOutside = 0.0015;
+    const Box inside = base(step);
+    const Box b = inside.grown(kOutside * scene_.diagonal());
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
-    if (b.width() > 0 && b.height() > 0) {
+    if (inside.width() > 0 && inside.height() > 0) {
         for (const double z : {scene_.bottom, top(step)}) {
             points->InsertNextPoint(b.x0, -b.y0, z);
             points->InsertNextPoint(b.x1, -b.y0, z);

@@ -11,6 +11,8 @@ namespace reliefui {
 
 namespace {
 
+constexpr double kOutside = 0.003;  // of the scene's diagonal
+
 using relief::Decision;
 using relief::Primitive;
 
@@ -34,7 +36,8 @@ bool readsHeight(Decision decision) {
 
 std::vector<Place> corners(const TraceScene& scene, double lambda) {
     const double z = (1 - lambda) * scene.scale;
-    const Box& p = scene.patch;
+    // A little outside the cut sides of the block, which would hide a rim in part.
+    const Box p = scene.patch.grown(kOutside * scene.diagonal());
     return {{p.x0, -p.y0, z}, {p.x1, -p.y0, z}, {p.x1, -p.y1, z}, {p.x0, -p.y1, z}};
 }
 
