@@ -1307,6 +1307,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>What the method promises with these options, the surfaces it can work on, and the memory of its maps beside the heights</source>
         <translation>Що метод обіцяє з цими налаштуваннями, на яких поверхнях працює, і скільки пам&apos;яті займають його карти, окрім висот</translation>
     </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Тіні</translation>
+    </message>
+    <message>
+        <source>The relief keeps the light off itself</source>
+        <translation>Рельєф заступає світло сам собі</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::StatusLine</name>

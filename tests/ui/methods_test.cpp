@@ -3,6 +3,7 @@
 
 #include <vtkActorCollection.h>
 #include <vtkRenderer.h>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QTableView>
@@ -187,6 +188,24 @@ TEST(Samples, theRayIsInsideTheBoxOverAnyBaseLevel) {
             }
         }
     }
+}
+
+TEST_F(WindowTest, ShadowsAreSwitchedOnAndUndone) {
+    relief::Scenario low = smallScenario();
+    low.light.elevation = 12;
+    openWindow(low);
+    const QImage lit = snapshot()->picture;
+    auto* const box = window_->findChild<QCheckBox*>(QStringLiteral("shadows"));
+    ASSERT_NE(box, nullptr);
+    EXPECT_FALSE(box->isChecked());
+    box->click();
+    waitForFull();
+    EXPECT_TRUE(scenario().shadows);
+    EXPECT_NE(snapshot()->picture, lit);
+    workspace_->undo();
+    waitForFull();
+    EXPECT_FALSE(box->isChecked());
+    EXPECT_EQ(snapshot()->picture, lit);
 }
 
 TEST_F(WindowTest, ALongLogIsAModelNotWidgets) {

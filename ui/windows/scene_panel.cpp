@@ -1,5 +1,6 @@
 #include "windows/scene_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -69,7 +70,9 @@ ScenePanel::ScenePanel(Workspace* workspace, QWidget* parent) : QWidget(parent),
     column->addWidget(pictures);
     addSurface(addGroup(column, tr("Relief")));
     addNumbers(addGroup(column, tr("Camera")), {"elevation", "azimuth", "distance", "fov"});
-    addNumbers(addGroup(column, tr("Light")), {"light-elevation", "light-azimuth", "ambient", "intensity"});
+    QFormLayout* const light = addGroup(column, tr("Light"));
+    addNumbers(light, {"light-elevation", "light-azimuth", "ambient", "intensity"});
+    addShadows(light);
     addMethod(addGroup(column, tr("Method")));
     addNumbers(addGroup(column, tr("Picture drawn")), {"width", "height"});
     column->addStretch(1);
@@ -133,6 +136,18 @@ void ScenePanel::addSurface(QFormLayout* form) {
     });
 }
 
+void ScenePanel::addShadows(QFormLayout* form) {
+    shadows_ = new QCheckBox(tr("Shadows"), this);
+    shadows_->setObjectName(QStringLiteral("shadows"));
+    shadows_->setToolTip(tr("The relief keeps the light off itself"));
+    form->addRow(shadows_);
+    connect(shadows_, &QCheckBox::clicked, this, [this](bool on) {
+        relief::Scenario scenario = workspace_->scenario();
+        scenario.shadows = on;
+        workspace_->change(scenario, tr("Shadows"));
+    });
+}
+
 void ScenePanel::addMethod(QFormLayout* form) {
     for (QLabel** const label : {&help_, &guarantee_}) {
         *label = new QLabel(this);
@@ -162,6 +177,7 @@ void ScenePanel::refresh() {
     choose(surface_, relief::surfaceName(scenario.surface));
     choose(address_, relief::addressName(scenario.address));
     choose(scene_, relief::sceneName(scenario.scene));
+    shadows_->setChecked(scenario.shadows);
     const relief::MethodDescription& method = relief::findTracer(scenario.method.name);
     help_->setText(tr("<b>%1</b>. %2").arg(QString::fromStdString(method.name), coreText(method.help)));
     help_->setToolTip(QString::fromStdString(method.source));

@@ -8,6 +8,7 @@
 
 #include "workspace/workspace.h"
 
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -35,6 +36,7 @@ class ScenePanel : public QWidget {
     QComboBox* addChoice(QFormLayout* form, const QString& title, const QString& objectName, const QString& help,
                          const std::vector<std::string>& names);
     void addSurface(QFormLayout* form);
+    void addShadows(QFormLayout* form);
     void addMethod(QFormLayout* form);
     void refresh();
     void refreshMethod();
@@ -43,6 +45,7 @@ class ScenePanel : public QWidget {
     QComboBox* surface_ = nullptr;
     QComboBox* address_ = nullptr;
     QComboBox* scene_ = nullptr;
+    QCheckBox* shadows_ = nullptr;
     OptionsForm* options_ = nullptr;
     QLabel* help_ = nullptr;       // of the method
     QLabel* guarantee_ = nullptr;  // what it promises, where, and what it keeps in memory
