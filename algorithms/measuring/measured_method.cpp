@@ -6,26 +6,50 @@ namespace relief {
 
 namespace {
 
-// The ends of a number's range, or every choice; without the default.
-std::vector<std::string> telling(const OptionDescription& option, const std::string& defaultValue) {
+// The ends of a number's range, or every choice; without the default. Where a map is built from the number, its upper
+// end would take hours: twice the default.
+std::vector<std::string> telling(const OptionDescription& option, const std::string& defaultValue, bool buildsMaps) {
     std::vector<std::string> values = option.choices;
     if (option.kind == OptionKind::Integer || option.kind == OptionKind::Real) {
-        values = {numberText(option.low), numberText(option.high)};
+        const double twice = 2 * parseNumber(defaultValue, option.name);
+        values = {numberText(option.low), numberText(buildsMaps ? std::min(option.high, twice) : option.high)};
     }
     std::erase(values, defaultValue);
     return values;
 }
 
+bool buildsMaps(const MethodChoice& choice) {
+    const auto& maps = findTracer(choice.name).maps;
+    const auto inner = choice.options.find("inner");
+    return (!maps.empty() && maps.front() != "max-pyramid") ||
+           (inner != choice.options.end() && buildsMaps({inner->second, {}}));
+}
+
 }  // namespace
 
-bool MeasuredMethod::knows(Surface surface) const {
-    return std::find(surfaces.begin(), surfaces.end(), surface) != surfaces.end();
+bool MeasuredMethod::knows(Surface surface, Address address) const {
+    const auto has = [](const auto& all, auto wanted) {
+        return std::find(all.begin(), all.end(), wanted) != all.end();
+    };
+    return has(surfaces, surface) && has(addresses, address);
 }
 
 MeasuredMethod measuredMethod(const MethodChoice& choice) {
-    return {choice, findTracer(choice.name).surfaces, [choice](const HeightField& field, MapCache& cache, Work& work) {
-                return makeTracer(choice, field, cache, work);
-            }};
+    MeasuredMethod method;
+    method.choice = choice;
+    method.surfaces.clear();
+    method.addresses.clear();
+    for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+        if (supports(choice, surface, Address::Repeat)) method.surfaces.push_back(surface);
+    }
+    for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+        if (supports(choice, method.surfaces.front(), address)) method.addresses.push_back(address);
+    }
+    method.buildsMaps = buildsMaps(choice);
+    method.make = [choice](const HeightField& field, MapCache& cache, Work& work) {
+        return makeTracer(choice, field, cache, work);
+    };
+    return method;
 }
 
 MethodChoice parseMethodChoice(const std::string& text, const std::string& option) {
@@ -73,11 +97,13 @@ std::vector<MeasuredMethod> defaultMethods() {
 std::vector<MeasuredMethod> methodVariants() {
     std::vector<MeasuredMethod> all;
     for (const MeasuredMethod& method : defaultMethods()) {
+        const MethodDescription& description = findTracer(method.choice.name);
         std::vector<OptionValues> variants{{}};
-        for (const OptionDescription& option : findTracer(method.choice.name).options) {
+        for (const OptionDescription& option : description.options) {
             const std::size_t before = variants.size();
-            for (const std::string& value : telling(option, findTracer(method.choice.name).defaults.at(option.name))) {
-                for (std::size_t v = 0; v < before; ++v) {
+            for (const std::string& value : telling(option, description.defaults.at(option.name), method.buildsMaps)) {
+                // Methods with many options: each by itself.
+                for (std::size_t v = 0; v < (method.buildsMaps ? 1 : before); ++v) {
                     variants.push_back(variants[v]);
                     variants.back()[option.name] = value;
                 }

@@ -14,10 +14,12 @@ struct MeasuredMethod {
     using Make = std::function<std::unique_ptr<Tracer>(const HeightField&, MapCache&, Work&)>;
 
     MethodChoice choice;
-    std::vector<Surface> surfaces;  // those it knows
-    Make make;                      // tests put a faulty tracer here
+    std::vector<Surface> surfaces{Surface::Bilinear, Surface::Columns};  // those it knows
+    std::vector<Address> addresses{Address::Repeat, Address::Clamp, Address::Border};
+    bool buildsMaps = false;  // other than pyramids: distances, cones, which take their time
+    Make make;                // tests put a faulty tracer here
 
-    bool knows(Surface surface) const;
+    bool knows(Surface surface, Address address) const;
 };
 
 // A method of the list with these options. Throws InputError for unknown names.
@@ -32,7 +34,8 @@ std::string methodText(const MethodChoice& choice);
 
 // Every method of the list that is a tracer, as it is by default.
 std::vector<MeasuredMethod> defaultMethods();
-// Each of them with every combination of its options' defaults, ends (numbers) and choices; the default form first.
+// Each of them with every combination of its options' defaults, ends (numbers) and choices, the default form first;
+// those that build maps with each option turned by itself.
 std::vector<MeasuredMethod> methodVariants();
 
 }  // namespace relief

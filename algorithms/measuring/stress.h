@@ -21,6 +21,10 @@ struct StressViolation {
     std::string command;  // `relief trace ...`, quoted for a shell
 };
 
+// Distance and cone maps of larger pictures would take all the time there is: methods that need them are not tried
+// there.
+inline constexpr std::size_t kStressBuildTexels = 1U << 13U;
+
 struct StressOptions {
     double seconds = 20;  // not before the first kStressCasesAtLeast are done
     std::uint64_t seed = 1;

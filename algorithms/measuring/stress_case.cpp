@@ -130,7 +130,7 @@ class Turn {
 };
 
 std::vector<Asked> askedRays(const Case& of, std::uint64_t seed, const Tracer& exact, Watched& watched, Work& work) {
-    const MeasuredMethod truth{{exact.description().name, {}}, {}, {}};
+    const MeasuredMethod truth = measuredMethod({exact.description().name, {}});
     std::vector<Asked> all;
     const auto& families = stressRayFamilies();
     for (std::size_t f = 0; f < families.size(); ++f) {
@@ -184,7 +184,8 @@ CaseResult runCase(const Case& tried, std::uint64_t seed, const std::vector<Meth
     const std::uint64_t turn = tried.number + tried.number / stressMapFamilies().size();
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const MeasuredMethod& method = groups[g].forms[(turn + g) % groups[g].forms.size()];
-        if (!method.knows(tried.field.surface())) continue;
+        if (method.buildsMaps && tried.field.heights().size() > kStressBuildTexels) continue;
+        if (!method.knows(tried.field.surface(), tried.field.address())) continue;
         const auto tracer = method.make(tried.field, maps, work);
         Turn methodTurn(tried, method, *tracer, watched, result, work);
         for (const Asked& family : asked) {

@@ -3,6 +3,8 @@
 #include <tuple>
 
 #include "relief/block_work.h"
+#include "relief/cone_any.h"
+#include "relief/distance_any.h"
 #include "relief/max_pyramid_any.h"
 
 namespace relief {
@@ -11,11 +13,13 @@ namespace {
 
 // The explicit list: one line a query.
 using QueryTypes = std::tuple<  //
-    MaxPyramidAnyHit>;
+    MaxPyramidAnyHit,           //
+    ConeAnyHit,                 //
+    DistanceAnyHit>;
 
 template <class T>
 class QueryOf final : public AnyHitQuery {
-    static_assert(T::Map::kRays == RayClass::AnyRays, "shadows and back-tracing need a map that is valid for any ray");
+    static_assert(T::kRays == RayClass::AnyRays, "shadows and back-tracing need a map that is valid for any ray");
 
   public:
     explicit QueryOf(T query) : query_(std::move(query)) {}

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "relief/ray.h"
+
 namespace relief {
 
 // A segment; may rise, fall, run level. s, t, ds, dt in texels, z and dz in heights (slab thicknesses); all finite.
@@ -24,6 +26,8 @@ struct AnyRay {
         return std::isfinite(s) && std::isfinite(t) && std::isfinite(z) && std::isfinite(ds) && std::isfinite(dt) &&
                std::isfinite(dz);
     }
+    // The way over the map; mu takes the place of lambda.
+    ViewRay course() const { return {s, t, ds, dt}; }
     double heightAt(double mu) const { return z + mu * dz; }
     bool operator==(const AnyRay&) const = default;
 };

@@ -134,10 +134,12 @@ struct RayAxis {
     // The cell in which the ray is at and just after lambda: a guess from the position, set right by the comparisons
     // that every walk makes.
     AxisCell cellAt(const GridAxis& axis, double lambda) const {
-        if (side == 0 || !(lambda > 0)) return startCell(axis);
+        if (side == 0) return startCell(axis);
         const double place = std::floor(start + lambda * run);
         AxisCell cell;
-        if (axis.wraps) {
+        if (!(lambda > 0)) {
+            cell = startCell(axis);
+        } else if (axis.wraps) {
             cell.base = static_cast<std::int64_t>(std::floor(place / axis.cells)) * axis.cells;
             cell.index = static_cast<int>(place - static_cast<double>(cell.base));
         } else {
@@ -180,6 +182,11 @@ struct GridRay {
     bool entersOutside(const CellGrid& grid) const {
         if (!grid.bounded) return false;
         return !(x.start >= grid.x.low && x.start <= grid.x.high && y.start >= grid.y.low && y.start <= grid.y.high);
+    }
+    // Where the ray leaves the slab, or before that the map (border).
+    double end(const CellGrid& grid) const {
+        if (!grid.bounded) return 1;
+        return std::min({1.0, x.leave(grid.x, 0, grid.x.cells, 0), y.leave(grid.y, 0, grid.y.cells, 0)});
     }
     // Whether the ray is no flatter than the domain of exactness.
     bool inDomain() const { return x.run * x.run + y.run * y.run <= kMaxRun * kMaxRun; }

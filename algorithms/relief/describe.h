@@ -57,6 +57,7 @@ struct MethodDescription {
     RayClass rayClass = RayClass::ViewRays;
     ShadingNormal shading = ShadingNormal::Relief;
     std::vector<Surface> surfaces{Surface::Bilinear, Surface::Columns};
+    std::vector<Address> addresses{Address::Repeat, Address::Clamp, Address::Border};
     std::vector<std::string> maps;  // names of the maps needed
     std::vector<OptionDescription> options;
     std::map<std::string, std::string> defaults;  // of the options, as text

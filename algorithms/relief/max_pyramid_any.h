@@ -9,7 +9,7 @@
 // Log: lambda stands for 1 - z of the segment, so it falls where the segment rises.
 #pragma once
 
-#include "relief/any_ray.h"
+#include "relief/any_leaf.h"
 #include "relief/describe.h"
 #include "relief/pyramid_walk.h"
 
@@ -17,7 +17,7 @@ namespace relief {
 
 class MaxPyramidAnyHit {
   public:
-    using Map = MaxPyramidMap;
+    static constexpr RayClass kRays = MaxPyramidMap::kRays;
 
     static MethodDescription describe() {
         MethodDescription method;
@@ -46,59 +46,17 @@ class MaxPyramidAnyHit {
 
     const HeightField& field() const { return walk_.field(); }
     std::size_t bytes() const { return walk_.bytes(); }
-    double stepBound(const AnyRay& ray) const { return walk_.stepBound(GridRay(walk_.grid(), flat(ray))); }
+    double stepBound(const AnyRay& ray) const { return walk_.stepBound(GridRay(walk_.grid(), ray.course())); }
 
   private:
-    // The segment's course over the map; mu takes the place of lambda.
-    static ViewRay flat(const AnyRay& ray) { return {ray.s, ray.t, ray.ds, ray.dt}; }
-
-    // Where along the segment nothing can be in its way any more.
-    double end(const AnyRay& ray) const {
-        if (ray.dz <= 0) return 1;
-        return std::min(1.0, (walk_.highest() - ray.z) / ray.dz);
-    }
-
-    // Border: parallel to an edge and outside of it; whatever else begins outside finds its way in by the walk.
-    bool runsOutside(const GridRay& course) const {
-        const auto outside = [](const GridAxis& axis, const RayAxis& ray) {
-            return ray.side == 0 && !(ray.start >= axis.low && ray.start <= axis.high);
-        };
-        return walk_.grid().bounded && (outside(walk_.grid().x, course.x) || outside(walk_.grid().y, course.y));
-    }
-
-    bool blocks(const AnyRay& ray, const GridRay& course, const PyramidNode& cell, double end) const {
-        const Stay whole = cellStay(walk_.grid(), course, cell.x, cell.y);
-        const Stay stay{whole.in, std::min(whole.out, end)};
-        if (!(stay.in < stay.out)) return false;
-        const double zIn = ray.heightAt(stay.in);
-        const double zOut = ray.heightAt(stay.out);
-        const CellGrid& grid = walk_.grid();
-        const FloatImage& heights = field().heights();
-        if (field().surface() == Surface::Columns) {
-            return heights(cell.x.index, cell.y.index) - std::min(zIn, zOut) > kSightClearance;
-        }
-        return highestGap(Patch(heights, grid, course, cell.x, cell.y, stay), zIn, zOut) > kSightClearance;
-    }
-
-    // The largest value of surface minus segment over the stay: at an end, or at the vertex of the parabola.
-    static double highestGap(const Patch& patch, double zIn, double zOut) {
-        const double fIn = patch.heightIn - zIn;
-        const double fOut = patch.heightOut - zOut;
-        const double c = patch.curvature;
-        const double b = fOut - fIn - c;
-        const double atEnds = std::max(fIn, fOut);
-        if (!(c < 0 && b > 0 && b < -2 * c)) return atEnds;
-        return std::max(atEnds, fIn - b * b / (4 * c));
-    }
-
     PyramidWalk walk_;
 };
 
 template <class Sink>
 Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
     if (!ray.finite()) return Sight::Clear;
-    const GridRay course(walk_.grid(), flat(ray));
-    const double end = this->end(ray);
+    const GridRay course(walk_.grid(), ray.course());
+    const double end = endBelow(ray, walk_.highest());
     const auto record = [&](Decision decision, int level, const PyramidNode& node, double in, double out, double value,
                             double after) {
         return walk_.record(decision, level, node, 1 - ray.heightAt(in), 1 - ray.heightAt(out), value,
@@ -108,7 +66,7 @@ Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
     int level = 0;
     double mu = 0;
     sink.step([&] { return record(Decision::Start, level, node, 0, 0, 0, 0); });
-    if (!(end > 0) || runsOutside(course)) {
+    if (!(end > 0) || runsOutside(walk_.grid(), course)) {
         sink.step([&] { return record(Decision::Miss, level, node, 0, 0, 0, 0); });
         return Sight::Clear;
     }
@@ -127,7 +85,7 @@ Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
         }
         if (!skip) {
             sink.read(walk_.leafReads());
-            if (blocks(ray, course, node, end)) {
+            if (cellBlocks(field(), walk_.grid(), ray, course, node.x, node.y, end)) {
                 sink.step([&] { return record(Decision::Hit, 0, node, mu, out, maximum, mu); });
                 return Sight::Blocked;
             }

@@ -20,6 +20,10 @@ class SampledSurface {
     }
 
     double heightAt(double lambda) const { return field_.at(ray_.s0 + lambda * ray_.a, ray_.t0 + lambda * ray_.b); }
+    // Under repeat in periods counted from the ray's own.
+    std::pair<double, double> placeAt(double lambda) const {
+        return {ray_.s0 + lambda * ray_.a, ray_.t0 + lambda * ray_.b};
+    }
     // Surface minus ray: 0 or more where the ray has reached the surface.
     double gapAt(double lambda) const { return heightAt(lambda) - (1 - lambda); }
     // Under border only what lies on the picture counts.

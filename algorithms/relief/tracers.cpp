@@ -7,7 +7,13 @@
 
 #include "relief/block_work.h"
 #include "relief/bump.h"
+#include "relief/cone.h"
+#include "relief/cone_dummer.h"
 #include "relief/displacement.h"
+#include "relief/distance.h"
+#include "relief/distance_conservative.h"
+#include "relief/distance_refined.h"
+#include "relief/distance_refined_sampled.h"
 #include "relief/exact.h"
 #include "relief/flat.h"
 #include "relief/hybrid.h"
@@ -17,25 +23,33 @@
 #include "relief/normal_map.h"
 #include "relief/offset.h"
 #include "relief/offset_limited.h"
+#include "relief/relaxed_cone.h"
 
 namespace relief {
 
 namespace {
 
 // The explicit list: one line a method.
-using TracerTypes = std::tuple<  //
-    ExactTracer,                 //
-    MaxPyramidTracer,            //
-    MaxPyramidPaperTracer,       //
-    OffsetTracer,                //
-    OffsetLimitedTracer,         //
-    LayersTracer,                //
-    LayersSecantTracer,          //
-    LayersBisectionTracer,       //
-    HybridTracer,                //
-    FlatTracer,                  //
-    BumpTracer,                  //
-    NormalMapTracer,             //
+using TracerTypes = std::tuple<    //
+    ExactTracer,                   //
+    MaxPyramidTracer,              //
+    MaxPyramidPaperTracer,         //
+    OffsetTracer,                  //
+    OffsetLimitedTracer,           //
+    LayersTracer,                  //
+    LayersSecantTracer,            //
+    LayersBisectionTracer,         //
+    ConeTracer,                    //
+    ConeDummerTracer,              //
+    RelaxedConeTracer,             //
+    DistanceTracer,                //
+    DistanceConservativeTracer,    //
+    DistanceRefinedSampledTracer,  //
+    DistanceRefinedTracer,         //
+    HybridTracer,                  //
+    FlatTracer,                    //
+    BumpTracer,                    //
+    NormalMapTracer,               //
     DisplacementTracer>;
 
 // Methods that work inside segments have traceSegment.
@@ -199,6 +213,21 @@ std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice) {
         }
     }
     return all;
+}
+
+bool supports(const MethodChoice& choice, Surface surface, Address address) {
+    const MethodDescription& method = findTracer(choice.name);
+    const auto has = [](const auto& all, auto wanted) {
+        return std::find(all.begin(), all.end(), wanted) != all.end();
+    };
+    if (!has(method.surfaces, surface) || !has(method.addresses, address)) return false;
+    for (const OptionDescription& option : method.options) {
+        if (option.kind != OptionKind::Method) continue;
+        const auto given = choice.options.find(option.name);
+        const std::string inner = given == choice.options.end() ? method.defaults.at(option.name) : given->second;
+        if (has(option.choices, inner) && !supports({inner, {}}, surface, address)) return false;
+    }
+    return true;
 }
 
 void checkMethod(const MethodChoice& choice, const std::string& subject) {

@@ -81,6 +81,8 @@ struct ChoiceOption {
     std::string defaultValue;
 };
 std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice);
+// Whether the method, and the one inside it, can be made for such a field.
+bool supports(const MethodChoice& choice, Surface surface, Address address);
 // Throws InputError(subject, ...) for an unknown method or option, or a value out of range.
 void checkMethod(const MethodChoice& choice, const std::string& subject);
 

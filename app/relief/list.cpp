@@ -57,9 +57,11 @@ Json methodJson(const MethodDescription& method) {
               {"guarantee", guaranteeName(method.guarantee)},
               {"rays", rayClassName(method.rayClass)},
               {"surfaces", Json::array()},
+              {"addresses", Json::array()},
               {"maps", method.maps},
               {"options", Json::array()}};
     for (const Surface surface : method.surfaces) json["surfaces"].push_back(surfaceName(surface));
+    for (const Address address : method.addresses) json["addresses"].push_back(addressName(address));
     for (const OptionDescription& option : method.options) {
         json["options"].push_back(optionJson(option, method.defaults.at(option.name)));
     }
@@ -120,6 +122,9 @@ std::string methodText(const MethodDescription& method) {
     std::string out = entry(method.name, method.title + ". " + method.help, 2, 4);
     out += entry("guarantee", std::string(guaranteeName(method.guarantee)), 6, 12);
     out += entry("surfaces", joined(surfaces), 6, 12);
+    std::vector<std::string> addresses;
+    for (const Address address : method.addresses) addresses.emplace_back(addressName(address));
+    if (addresses.size() < 3) out += entry("addressing", joined(addresses), 6, 12);
     out += entry("rays", std::string(rayClassName(method.rayClass)), 6, 12);
     if (!method.maps.empty()) out += entry("maps", joined(method.maps), 6, 12);
     if (!method.source.empty()) out += entry("source", method.source, 6, 12);

@@ -44,6 +44,7 @@ class MapCache {
     }
 
     std::size_t bytes() const;
+    std::size_t budget() const { return budget_; }
     void clear();
 
   private:

@@ -53,6 +53,7 @@ TEST(Guarantees, conservativeMethodsNeverOvershoot) {
                     NullSink sink;
                     makeTracer({"exact", {}}, field, cache, work)->trace(rays, truth, sink, work);
                     for (const MethodChoice& choice : choices) {
+                        if (!supports(choice, surface, address)) continue;
                         const auto tracer = makeTracer(choice, field, cache, work);
                         HitBlock hits;
                         tracer->trace(rays, hits, sink, work);

@@ -23,7 +23,9 @@ class Laws : public testing::Test {
         for (const MethodChoice& choice : choices) {
             SCOPED_TRACE(describe(choice));
             for (const Surface surface : allSurfaces()) {
-                for (const Address address : allAddresses()) body(choice, surface, address);
+                for (const Address address : allAddresses()) {
+                    if (supports(choice, surface, address)) body(choice, surface, address);
+                }
             }
         }
     }
@@ -81,6 +83,12 @@ TEST_F(Laws, mirroredFieldMirrorsTheHit) {
     });
 }
 
+bool coarseVoxels(const MethodChoice& choice) {
+    const auto& defaults = findTracer(choice.name).defaults;
+    const auto footprint = defaults.find("footprint");
+    return footprint != defaults.end() && footprint->second != "1";
+}
+
 TEST_F(Laws, wholeTexelShiftsCommuteUnderRepeat) {
     const Heights heights = randomHeights(13, 9, 5);
     FloatImage shifted(13, 9);
@@ -93,8 +101,9 @@ TEST_F(Laws, wholeTexelShiftsCommuteUnderRepeat) {
         for (const Surface surface : allSurfaces()) {
             const auto one = make(choice, HeightField(heights, surface));
             const auto two = make(choice, HeightField(image, surface));
-            // The segments of an inner method and the texels of a base level are tied to the picture's corner.
-            if (one->pyramid() && one->guarantee() == Guarantee::Approximate) continue;
+            // The segments of an inner method, the texels of a base level and the footprints of voxels are tied to the
+            // picture's corner.
+            if (one->guarantee() == Guarantee::Approximate && (one->pyramid() || coarseVoxels(choice))) continue;
             Random random(13);
             for (int i = 0; i < 2000; ++i) {
                 // Eighths: sums and products below are exact, and so must the answers be.
@@ -103,7 +112,9 @@ TEST_F(Laws, wholeTexelShiftsCommuteUnderRepeat) {
                 const Hit a = traceLogged(*one, ray).hit;
                 const Hit b = traceLogged(*two, {ray.s0 + 4, ray.t0 + 7, ray.a, ray.b}).hit;
                 ASSERT_EQ(a.outcome, b.outcome);
-                EXPECT_NEAR(a.lambda, b.lambda, 1e-13) << describe(ray);
+                // Maps are float: what is measured from sampled places may round to the neighbour of its slope.
+                const bool measured = one->guarantee() == Guarantee::Approximate && one->bytes() > 0;
+                EXPECT_NEAR(a.lambda, b.lambda, measured ? 1e-6 : 1e-13) << describe(ray);
             }
         }
     }
@@ -188,7 +199,7 @@ TEST_F(Laws, sinksAndThreadsGiveIdenticalBits) {
 
 TEST_F(Laws, stepsStayWithinTheirBound) {
     forEach(allChoices(), [&](const MethodChoice& choice, Surface surface, Address address) {
-        for (const auto& [w, h] : std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {64, 2}, {4096, 1}}) {
+        for (const auto& [w, h] : std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {64, 2}, {1024, 1}}) {
             const HeightField field(randomHeights(w, h, 43), surface, address, 1);
             const auto tracer = make(choice, field);
             Random random(47);

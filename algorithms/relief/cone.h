@@ -1,0 +1,156 @@
+// cone: steps along a conservative cone map. Dummer 2006, made safe for the interpolated surface (Ban et al. 2024).
+//
+// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
+// Model: if the ray leaves its cell above the cell's apex A, nothing can be hit before it meets the cone of slope kappa
+// that stands on A: t = t_exit + (z_exit - A) / (|dz| + kappa |dxy|). Otherwise the one leaf tests the cell.
+// Guarantee: exact, the same bits as `exact`. Failure mode: needle forests at grazing angles.
+// Cost: two stored values a step, one leaf a cell near the surface; memory 2 W H values (1 + sectors).
+#pragma once
+
+#include <optional>
+
+#include "relief/leaf.h"
+#include "relief/maps/cone_map.h"
+#include "relief/maps/distance_map.h"
+#include "relief/step_log.h"
+
+namespace relief {
+
+class ConeTracer {
+  public:
+    static MethodDescription describe() {
+        MethodDescription method;
+        method.name = "cone";
+        method.title = "cone steps, conservative";
+        method.guarantee = Guarantee::Exact;
+        method.rayClass = RayClass::AnyRays;
+        method.help =
+            "Steps to the edge of an empty cone above each cell; where the ray is below its apex, the cell "
+            "itself is tested.";
+        method.source = "Dummer 2006; Ban et al. 2024";
+        method.maps = {"cone"};
+        return method;
+    }
+    struct Options {
+        int sectors = 1;
+        std::string precision = "float";
+
+        static std::vector<OptionField<Options>> fields() {
+            return {{{"sectors",
+                      OptionKind::Integer,
+                      "sectors",
+                      1,
+                      8,
+                      1,
+                      {},
+                      "azimuth sectors that have slopes of their own"},
+                     &Options::sectors},
+                    {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how cones are stored"},
+                     &Options::precision}};
+        }
+    };
+    static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+        ConeParameters parameters;
+        parameters.sectors = options.sectors;
+        parameters.precision = parsePrecision(options.precision);
+        return {field, relief::coneMap(ConeKind::Conservative, parameters, field, cache, work)};
+    }
+
+    ConeTracer(HeightField field, std::shared_ptr<const ConeMap> map)
+        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
+
+    template <class Sink>
+    Hit trace(const ViewRay& ray, Sink& sink) const {
+        return run<true>(ray, {}, sink);
+    }
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return run<false>(ray, segment, sink);
+    }
+
+    const HeightField& field() const { return field_; }
+    const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }
+    std::size_t bytes() const { return map_->bytes(); }
+    double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 6; }
+    double segmentRecords() const { return 3; }
+
+  private:
+    template <bool kWhole, class Sink>
+    Hit run(const ViewRay& viewRay, Segment segment, Sink& sink) const;
+
+    HeightField field_;
+    std::shared_ptr<const ConeMap> map_;
+    CellGrid grid_;
+};
+
+template <bool kWhole, class Sink>
+Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
+    if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+    // Rounding of the quotient stays far below this share.
+    constexpr double kShorter = 1 - 1e-9;
+    const GridRay ray(grid_, viewRay);
+    const double runLength = std::hypot(ray.x.run, ray.y.run);
+    const int sector = azimuthSector(ray.x.run, ray.y.run, map_->parameters.sectors);
+    const double end = std::min(segment.out, ray.end(grid_));
+    AxisCell cx = ray.x.cellAt(grid_.x, segment.in);
+    AxisCell cy = ray.y.cellAt(grid_.y, segment.in);
+    const auto note = [&](Decision decision, double in, double out, double value, double after) {
+        return [&, decision, in, out, value, after] {
+            Step step;
+            step.phase = decision == Decision::Start ? Phase::Start : Phase::Search;
+            step.decision = decision;
+            step.i = cx.index + grid_.x.firstName;
+            step.j = cy.index + grid_.y.firstName;
+            step.periodX = cx.base / grid_.x.cells;
+            step.periodY = cy.base / grid_.y.cells;
+            step.lambdaIn = in;
+            step.lambdaOut = out;
+            step.value = value;
+            step.lambdaAfter = after;
+            return step;
+        };
+    };
+    if constexpr (kWhole) {
+        sink.step(note(Decision::Start, 0, 0, 1, 0));
+        if (ray.entersOutside(grid_)) {
+            sink.step(note(Decision::Miss, 0, 0, 0, 0));
+            return Hit::none(Outcome::Miss);
+        }
+    }
+    double lambda = segment.in;
+    for (double left = ray.cellBound() + 2; left > 0; --left) {
+        cx = ray.x.cellAt(grid_.x, lambda);
+        cy = ray.y.cellAt(grid_.y, lambda);
+        const double out = std::max(cellStay(grid_, ray, cx, cy).out, lambda);
+        const double apex = static_cast<double>(map_->apex(cx.index, cy.index, 0));
+        double after = out;
+        sink.read(1);
+        if (1 - out > apex) {
+            const double kappa = static_cast<double>(map_->slopes(cx.index, cy.index, sector));
+            sink.read(1);
+            const double free = (1 - out - apex) / (1 + kappa * runLength) * kShorter;
+            after = out + std::max(0.0, free - kExclusionMargin);
+            sink.step(note(Decision::Advance, lambda, out, kappa, std::min(after, segment.out)));
+        } else {
+            sink.read(field_.surface() == Surface::Bilinear ? 4 : 1);
+            const auto hit = field_.surface() == Surface::Bilinear
+                                 ? leafHit<Surface::Bilinear>(field_.heights(), grid_, ray, cx, cy)
+                                 : leafHit<Surface::Columns>(field_.heights(), grid_, ray, cx, cy);
+            if (hit) {
+                sink.step(note(Decision::Hit, lambda, out, apex, *hit));
+                return Hit::at(viewRay, *hit);
+            }
+            sink.step(note(Decision::Test, lambda, out, apex, out));
+        }
+        lambda = after;
+        if (!(lambda < end)) {
+            lambda = std::min(lambda, 1.0);
+            if constexpr (kWhole) sink.step(note(Decision::Miss, lambda, lambda, 0, lambda));
+            return Hit::none(Outcome::Miss);
+        }
+    }
+    sink.step(note(Decision::Limit, lambda, lambda, 0, lambda));
+    return Hit::none(Outcome::Limit);
+}
+
+}  // namespace relief

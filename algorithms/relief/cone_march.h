@@ -1,0 +1,110 @@
+// What both published cone tracers share: a number of steps to the edge of the interpolated cone, as in their shaders.
+// Dummer 2006; Policarpo & Oliveira 2007. Not safe under interpolation.
+#pragma once
+
+#include "relief/maps/cone_map.h"
+#include "relief/sampled_surface.h"
+
+namespace relief {
+
+class ConeMarch {
+  public:
+    // bisections: halvings of the last step, after the first point below the surface.
+    ConeMarch(HeightField field, std::shared_ptr<const ConeMap> map, int iterations, int bisections)
+        : field_(std::move(field)), map_(std::move(map)), iterations_(iterations), bisections_(bisections) {}
+
+    template <class Sink>
+    Hit trace(const ViewRay& ray, Sink& sink) const {
+        if (!ray.finite()) return Hit::none(Outcome::Miss);
+        const SampledSurface surface(field_, ray);
+        sink.step([&] { return surface.record(Phase::Start, Decision::Start, 0, 0, 1, 0); });
+        if (!surface.inside(0)) {
+            sink.step([&] { return surface.record(Phase::Search, Decision::Miss, 0, 0, 0, 0); });
+            return Hit::none(Outcome::Miss);
+        }
+        return march(ray, surface, {}, true, sink);
+    }
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return march(ray, SampledSurface(field_, ray), segment, false, sink);
+    }
+
+    const HeightField& field() const { return field_; }
+    const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }
+    std::size_t bytes() const { return map_->bytes(); }
+    double stepBound(const ViewRay&) const { return segmentRecords(); }
+    double segmentRecords() const { return iterations_ + bisections_ + 4.0; }
+
+  private:
+    // The slope between the texels' centres, bilinear whatever the surface: a texture fetch.
+    double slopeAt(double s, double t) const {
+        const double x = s - 0.5;
+        const double y = t - 0.5;
+        const auto i = static_cast<std::int64_t>(std::floor(x));
+        const auto j = static_cast<std::int64_t>(std::floor(y));
+        const double u = x - std::floor(x);
+        const double v = y - std::floor(y);
+        const auto at = [&](std::int64_t p, std::int64_t q) {
+            return static_cast<double>(map_->slopes(addressIndex(p, map_->nx(), field_.address()),
+                                                    addressIndex(q, map_->ny(), field_.address()), 0));
+        };
+        return (1 - v) * ((1 - u) * at(i, j) + u * at(i + 1, j)) + v * ((1 - u) * at(i, j + 1) + u * at(i + 1, j + 1));
+    }
+
+    template <class Sink>
+    Hit march(const ViewRay& ray, const SampledSurface& surface, Segment segment, bool whole, Sink& sink) const;
+    template <class Sink>
+    double bisected(const SampledSurface& surface, double above, double below, Sink& sink) const;
+
+    HeightField field_;
+    std::shared_ptr<const ConeMap> map_;
+    int iterations_;
+    int bisections_;
+};
+
+template <class Sink>
+double ConeMarch::bisected(const SampledSurface& surface, double above, double below, Sink& sink) const {
+    for (int n = 0; n < bisections_; ++n) {
+        const double middle = 0.5 * (above + below);
+        const double gap = surface.gapAt(middle);
+        sink.read(surface.readsEach());
+        (gap < 0 ? above : below) = middle;
+        sink.step(
+            [&] { return surface.record(Phase::Refine, Decision::Refine, above, below, gap + 1 - middle, middle); });
+    }
+    return below;
+}
+
+template <class Sink>
+Hit ConeMarch::march(const ViewRay& ray, const SampledSurface& surface, Segment segment, bool whole, Sink& sink) const {
+    const double runLength = std::hypot(ray.a, ray.b);
+    double lambda = segment.in;
+    double before = segment.in;
+    for (int n = 0; n < iterations_; ++n) {
+        if (!surface.inside(lambda)) {
+            if (whole)
+                sink.step([&] { return surface.record(Phase::Search, Decision::Miss, before, lambda, 0, lambda); });
+            return Hit::none(Outcome::Miss);
+        }
+        const double gap = surface.gapAt(lambda);
+        sink.read(surface.readsEach());
+        if (gap >= 0 || lambda >= segment.out) break;
+        const auto [s, t] = surface.placeAt(lambda);
+        const double kappa = slopeAt(s, t);
+        sink.read(4);
+        before = lambda;
+        lambda = std::min(lambda - gap / (1 + kappa * runLength), segment.out);
+        const double after = lambda;
+        sink.step([&] { return surface.record(Phase::Search, Decision::Advance, before, before, kappa, after); });
+    }
+    if (lambda >= segment.out && segment.out < 1 && surface.gapAt(lambda) < 0) return Hit::none(Outcome::Miss);
+    if (!surface.inside(lambda)) {
+        if (whole) sink.step([&] { return surface.record(Phase::Search, Decision::Miss, before, lambda, 0, lambda); });
+        return Hit::none(Outcome::Miss);
+    }
+    const double hit = surface.gapAt(lambda) > 0 ? bisected(surface, before, lambda, sink) : lambda;
+    sink.step([&] { return surface.record(Phase::Search, Decision::Hit, before, lambda, surface.heightAt(hit), hit); });
+    return Hit::at(ray, hit);
+}
+
+}  // namespace relief

@@ -1,0 +1,148 @@
+// What both conservative distance tracers share: the walk by the rule "exit + D".
+//
+// Frame and units: ray.h; the map's own: distance_map.h.
+// Model: in a free voxel the ray goes on to where it leaves the voxel, and by the voxel's distance beyond: the bound
+// holds for every point of the box, the exit included. In a surface voxel the one leaf tests the cell, and the ray goes
+// on to the next cell. Never interpolated, never over-relaxed, no epsilon stop. A ray flatter than those that the map
+// serves takes every voxel for a surface voxel.
+#pragma once
+
+#include <optional>
+
+#include "relief/leaf.h"
+#include "relief/maps/distance_map.h"
+#include "relief/step_log.h"
+
+namespace relief {
+
+class DistanceWalk {
+  public:
+    DistanceWalk(HeightField field, std::shared_ptr<const DistanceMap> map)
+        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
+
+    template <class Sink>
+    Hit trace(const ViewRay& ray, Sink& sink) const {
+        return run<true>(ray, {}, sink);
+    }
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return run<false>(ray, segment, sink);
+    }
+
+    const HeightField& field() const { return field_; }
+    const std::shared_ptr<const DistanceMap>& distanceMap() const { return map_; }
+    std::size_t bytes() const { return map_->bytes(); }
+    // A step leaves a cell, or a voxel through its side or its floor.
+    double stepBound(const ViewRay& ray) const { return records(GridRay(grid_, ray)) + 3; }
+    double segmentRecords() const { return 3; }
+
+  private:
+    double records(const GridRay& ray) const { return 2 * ray.cellBound() + map_->layers() + 4; }
+
+    struct Voxel {
+        int bx;
+        int by;
+        int layer;
+    };
+    Voxel voxelAt(AxisCell cx, AxisCell cy, double lambda) const {
+        const int f = map_->parameters.footprint;
+        // On the floor of a layer the descending ray is in the one below.
+        const double k = std::ceil((1 - lambda) * map_->layers()) - 1;
+        return {cx.index / f, cy.index / f, static_cast<int>(std::clamp(k, 0.0, map_->layers() - 1.0))};
+    }
+
+    double leaveVoxel(const GridRay& ray, const Voxel& voxel, AxisCell cx, AxisCell cy) const {
+        const int f = map_->parameters.footprint;
+        const double x = ray.x.leave(grid_.x, voxel.bx * f, std::min((voxel.bx + 1) * f, grid_.x.cells), cx.base);
+        const double y = ray.y.leave(grid_.y, voxel.by * f, std::min((voxel.by + 1) * f, grid_.y.cells), cy.base);
+        return std::min({x, y, 1 - static_cast<double>(voxel.layer) / map_->layers()});
+    }
+
+    std::optional<double> leaf(const GridRay& ray, AxisCell cx, AxisCell cy) const {
+        return field_.surface() == Surface::Bilinear ? leafHit<Surface::Bilinear>(field_.heights(), grid_, ray, cx, cy)
+                                                     : leafHit<Surface::Columns>(field_.heights(), grid_, ray, cx, cy);
+    }
+
+    Step record(Decision decision, const Voxel& voxel, AxisCell cx, AxisCell cy, double in, double out, double value,
+                double after) const {
+        Step step;
+        step.phase = decision == Decision::Start ? Phase::Start : Phase::Search;
+        step.decision = decision;
+        const bool cell = decision == Decision::Test || decision == Decision::Hit;
+        step.i = cell ? cx.index + grid_.x.firstName : voxel.bx;
+        step.j = cell ? cy.index + grid_.y.firstName : voxel.by;
+        step.k = voxel.layer;
+        step.periodX = cx.base / grid_.x.cells;
+        step.periodY = cy.base / grid_.y.cells;
+        step.lambdaIn = in;
+        step.lambdaOut = out;
+        step.value = value;
+        step.lambdaAfter = after;
+        return step;
+    }
+
+    template <bool kWhole, class Sink>
+    Hit run(const ViewRay& viewRay, Segment segment, Sink& sink) const;
+
+    HeightField field_;
+    std::shared_ptr<const DistanceMap> map_;
+    CellGrid grid_;
+};
+
+template <bool kWhole, class Sink>
+Hit DistanceWalk::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
+    if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+    const GridRay ray(grid_, viewRay);
+    const double runLength = std::hypot(ray.x.run, ray.y.run);
+    const bool served = runLength <= map_->maxRun && ray.inDomain();
+    const double perLambda = std::hypot(runLength, map_->slabTexels);
+    const int sector = azimuthSector(ray.x.run, ray.y.run, map_->parameters.sectors);
+    const double end = std::min(segment.out, ray.end(grid_));
+    AxisCell cx = ray.x.cellAt(grid_.x, segment.in);
+    AxisCell cy = ray.y.cellAt(grid_.y, segment.in);
+    Voxel voxel = voxelAt(cx, cy, segment.in);
+    const auto note = [&](Decision decision, double in, double out, double value, double after) {
+        return [&, decision, in, out, value, after] { return record(decision, voxel, cx, cy, in, out, value, after); };
+    };
+    if constexpr (kWhole) {
+        sink.step(note(Decision::Start, 0, 0, 1, 0));
+        if (ray.entersOutside(grid_)) {
+            sink.step(note(Decision::Miss, 0, 0, 0, 0));
+            return Hit::none(Outcome::Miss);
+        }
+    }
+    double lambda = segment.in;
+    for (double left = records(ray); left > 0; --left) {
+        cx = ray.x.cellAt(grid_.x, lambda);
+        cy = ray.y.cellAt(grid_.y, lambda);
+        voxel = voxelAt(cx, cy, lambda);
+        const double distance =
+            served ? static_cast<double>(map_->at(voxel.bx, voxel.by, voxel.layer, sector)) : StoredValues::kSurface;
+        sink.read(1);
+        double after = 0;
+        if (distance < 0) {
+            after = std::max(cellStay(grid_, ray, cx, cy).out, lambda);
+            sink.read(field_.surface() == Surface::Bilinear ? 4 : 1);
+            if (const auto hit = leaf(ray, cx, cy)) {
+                sink.step(note(Decision::Hit, lambda, after, distance, *hit));
+                return Hit::at(viewRay, *hit);
+            }
+            sink.step(note(Decision::Test, lambda, after, distance, after));
+        } else {
+            const double out = std::max(leaveVoxel(ray, voxel, cx, cy), lambda);
+            // What the leaf's rounding could still call a hit is left to the leaf.
+            after = out + std::max(0.0, distance / perLambda - kExclusionMargin);
+            sink.step(note(Decision::Advance, lambda, out, distance, std::min(after, segment.out)));
+        }
+        lambda = after;
+        if (!(lambda < end)) {
+            lambda = std::min(lambda, 1.0);
+            if constexpr (kWhole) sink.step(note(Decision::Miss, lambda, lambda, 0, lambda));
+            return Hit::none(Outcome::Miss);
+        }
+    }
+    sink.step(note(Decision::Limit, lambda, lambda, 0, lambda));
+    return Hit::none(Outcome::Limit);
+}
+
+}  // namespace relief

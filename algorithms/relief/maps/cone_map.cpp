@@ -1,0 +1,79 @@
+#include "relief/maps/cone_map.h"
+
+#include <array>
+
+#include "relief/maps/cone_builders.h"
+#include "relief/maps/map_memory.h"
+
+namespace relief {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kKindNames{"cone", "cone-dummer", "relaxed-cone"};
+
+struct Shape {
+    int nx;
+    int ny;
+    int sectors;
+    std::size_t values() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
+};
+
+Shape shapeOf(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
+    if (kind != ConeKind::Conservative) return {field.width(), field.height(), 1};
+    const CellGrid grid(field);
+    return {grid.x.cells, grid.y.cells, parameters.sectors};
+}
+
+}  // namespace
+
+std::string_view coneKindName(ConeKind kind) {
+    return kKindNames[static_cast<std::size_t>(kind)];
+}
+
+std::size_t coneMapBytes(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
+    const Shape shape = shapeOf(kind, parameters, field);
+    return shape.values() * static_cast<std::size_t>(shape.sectors + 1) * bytesEach(parameters.precision);
+}
+
+ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field, Work& work) {
+    const Shape shape = shapeOf(kind, parameters, field);
+    ConeMap map;
+    map.kind = kind;
+    map.parameters = parameters;
+    map.surface = field.surface();
+    map.address = field.address();
+    map.fieldWidth = field.width();
+    map.fieldHeight = field.height();
+    std::vector<float> slopes(shape.values() * static_cast<std::size_t>(shape.sectors));
+    std::vector<float> apex;
+    switch (kind) {
+        case ConeKind::Conservative:
+            conservativeCones(field, parameters.sectors, apex, slopes, work);
+            break;
+        case ConeKind::Dummer:
+            dummerCones(field, slopes, work);
+            break;
+        case ConeKind::Relaxed:
+            relaxedCones(field, parameters.directions, parameters.radius, slopes, work);
+            break;
+    }
+    if (apex.empty()) apex.assign(field.heights().pixels().begin(), field.heights().pixels().end());
+    map.apex = StoredValues(shape.nx, shape.ny, 1, std::move(apex), parameters.precision, Rounding::Up);
+    map.slopes = StoredValues(shape.nx, shape.ny, shape.sectors, std::move(slopes), parameters.precision, Rounding::Up);
+    return map;
+}
+
+std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
+                                       MapCache& cache, Work& work) {
+    checkMapMemory(std::string(coneKindName(kind)), coneMapBytes(kind, parameters, field), cache);
+    std::string key(coneKindName(kind));
+    key += "/" + std::string(surfaceName(field.surface())) + "/" + std::string(addressName(field.address()));
+    for (const int number : {parameters.sectors, parameters.radius, parameters.directions}) {
+        key += "/" + std::to_string(number);
+    }
+    key += "/" + std::string(precisionName(parameters.precision));
+    return cache.get<ConeMap>({key, field.sharedHeights()}, work,
+                              [&](Work& w) { return buildConeMap(kind, parameters, field, w); });
+}
+
+}  // namespace relief

@@ -1,0 +1,199 @@
+// The builders that search the max pyramid: conservative and Dummer's cones.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "relief/maps/azimuth_sectors.h"
+#include "relief/maps/cone_builders.h"
+#include "relief/maps/max_pyramid_map.h"
+
+namespace relief {
+
+namespace {
+
+// Searches the nodes of a pyramid around one cell. Cells count from 0 in one period; others are shifted copies.
+class ConeSearch {
+  public:
+    // centres: distances of centres instead of gaps. reach: farther cells are the guard's.
+    // unbounded: the outermost cells have no outer edge (clamp).
+    ConeSearch(const Pyramid& pyramid, bool wraps, bool unbounded, bool centres, double reach, int sectors)
+        : pyramid_(pyramid),
+          wraps_(wraps),
+          unbounded_(unbounded),
+          centres_(centres),
+          reach_(reach),
+          sectors_(sectors),
+          width_(pyramid.level(0).width()),
+          height_(pyramid.level(0).height()) {}
+
+    // kappa: one a sector, at least what it holds already.
+    void search(int x, int y, float apex, double* kappa) const {
+        const int around = wraps_ ? 1 : 0;
+        // The own period first: what it finds prunes the others.
+        visit(x, y, apex, pyramid_.levels() - 1, 0, 0, 0, 0, kappa);
+        for (int py = -around; py <= around; ++py) {
+            for (int px = -around; px <= around; ++px) {
+                if (px == 0 && py == 0) continue;
+                visit(x, y, apex, pyramid_.levels() - 1, 0, 0, px * width_, py * height_, kappa);
+            }
+        }
+    }
+
+  private:
+    struct Box {
+        int x0, x1, y0, y1;  // relative to the cell: cells [x0, x1) x [y0, y1)
+    };
+
+    static int gap(int low, int high) { return std::max({0, low - 1, -high}); }
+
+    // The least distance of the box's cells; 0 if it touches the 3 x 3 cells around (or the cell itself).
+    double distance(const Box& box) const {
+        if (centres_) {
+            const int dx = std::max({0, box.x0, 1 - box.x1});
+            const int dy = std::max({0, box.y0, 1 - box.y1});
+            return std::sqrt(static_cast<double>(dx) * dx + static_cast<double>(dy) * dy);
+        }
+        const double dx = gap(box.x0, box.x1);
+        const double dy = gap(box.y0, box.y1);
+        return std::sqrt(dx * dx + dy * dy);
+    }
+
+    // Directions from the cell (x, y) to the box; under clamp the outermost cells reach to infinity.
+    SectorSet sectorsOf(int x, int y, const Box& box) const {
+        if (sectors_.count() == 1) return 1U;
+        double x0 = box.x0 - 1;
+        double x1 = box.x1;
+        double y0 = box.y0 - 1;
+        double y1 = box.y1;
+        if (unbounded_) {
+            constexpr double kFar = 1e9;
+            if (x == width_ - 1 || box.x0 + x == 0) x0 = -kFar;
+            if (x == 0 || box.x1 + x == width_) x1 = kFar;
+            if (y == height_ - 1 || box.y0 + y == 0) y0 = -kFar;
+            if (y == 0 || box.y1 + y == height_) y1 = kFar;
+        }
+        return sectors_.meeting(x0, x1, y0, y1);
+    }
+
+    void visit(int x, int y, float apex, int level, int i, int j, int shiftX, int shiftY, double* kappa) const {
+        const float highest = pyramid_.level(level)(i, j);
+        if (highest <= apex) return;
+        const Box box{(i << level) + shiftX - x, std::min((i + 1) << level, width_) + shiftX - x,
+                      (j << level) + shiftY - y, std::min((j + 1) << level, height_) + shiftY - y};
+        const double away = distance(box);
+        if (away >= reach_) return;
+        const SectorSet set = sectorsOf(x, y, box);
+        const double rise = static_cast<double>(highest) - static_cast<double>(apex);
+        bool matters = false;
+        for (int k = 0; k < sectors_.count() && !matters; ++k) {
+            matters = (set >> k & 1U) != 0 && rise > kappa[k] * away;
+        }
+        if (!matters) return;
+        if (level == 0) {
+            if (away == 0) return;  // the 3 x 3 cells, below the apex by its choice
+            for (int k = 0; k < sectors_.count(); ++k) {
+                if ((set >> k & 1U) != 0) kappa[k] = std::max(kappa[k], rise / away);
+            }
+            return;
+        }
+        const FloatImage& below = pyramid_.level(level - 1);
+        // The nearer children first.
+        const int nearX = 2 * box.x0 + (box.x1 - box.x0) > 0 ? 0 : 1;
+        const int nearY = 2 * box.y0 + (box.y1 - box.y0) > 0 ? 0 : 1;
+        for (int n = 0; n < 4; ++n) {
+            const int ci = 2 * i + (nearX ^ (n & 1));
+            const int cj = 2 * j + (nearY ^ (n >> 1));
+            if (ci < below.width() && cj < below.height()) {
+                visit(x, y, apex, level - 1, ci, cj, shiftX, shiftY, kappa);
+            }
+        }
+    }
+
+    const Pyramid& pyramid_;
+    bool wraps_;
+    bool unbounded_;
+    bool centres_;
+    double reach_;
+    AzimuthSectors sectors_;
+    int width_;
+    int height_;
+};
+
+template <class Body>
+void overRows(const char* what, int rows, Work& work, const Body& body) {
+    work.progress().begin(what, rows);
+    work.arena().execute([&] {
+        tbb::parallel_for(0, rows, [&](int y) {
+            if (work.stopped()) return;
+            body(y);
+            work.progress().advance();
+        });
+    });
+    work.throwIfStopped();
+}
+
+float highestAround(const FloatImage& cells, const CellGrid& grid, int x, int y) {
+    const auto place = [](const GridAxis& axis, int k) {
+        return axis.wraps ? (k + axis.cells) % axis.cells : std::clamp(k, 0, axis.cells - 1);
+    };
+    float highest = 0;
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            highest = std::max(highest, cells(place(grid.x, x + dx), place(grid.y, y + dy)));
+        }
+    }
+    return highest;
+}
+
+}  // namespace
+
+void conservativeCones(const HeightField& field, int sectors, std::vector<float>& apex, std::vector<float>& slopes,
+                       Work& work) {
+    MapCache own;
+    const auto map = maxPyramidMap(field, own, work);
+    const FloatImage& cells = map->pyramid.level(0);
+    const CellGrid grid(field);
+    const bool wraps = field.address() == Address::Repeat;
+    // Cells farther than half a period have a copy that is nearer, but in another direction; the guard covers them.
+    const double reach =
+        wraps ? std::max(1.0, 0.5 * std::min(grid.x.cells, grid.y.cells)) : std::hypot(grid.x.cells, grid.y.cells);
+    const ConeSearch search(map->pyramid, wraps, field.address() == Address::Clamp, false, reach, sectors);
+    apex.resize(cells.size());
+    // Rounded up: float has 24 bits.
+    constexpr float kSteeper = 1 + 2.4e-7F;
+    overRows("map cone", cells.height(), work, [&](int y) {
+        std::array<double, kMaxSectors> kappa{};
+        for (int x = 0; x < cells.width(); ++x) {
+            const float top = highestAround(cells, grid, x, y);
+            const double guard = (static_cast<double>(map->highest()) - static_cast<double>(top)) / reach;
+            kappa.fill(guard);
+            search.search(x, y, top, kappa.data());
+            const std::size_t at =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(cells.width()) + static_cast<std::size_t>(x);
+            apex[at] = top;
+            for (int k = 0; k < sectors; ++k) {
+                slopes[static_cast<std::size_t>(k) * cells.size() + at] =
+                    static_cast<float>(kappa[static_cast<std::size_t>(k)]) * kSteeper;
+            }
+        }
+    });
+}
+
+void dummerCones(const HeightField& field, std::vector<float>& slopes, Work& work) {
+    const Pyramid pyramid(PyramidKind::Max, field.heights(), work);
+    const bool wraps = field.address() == Address::Repeat;
+    const double reach = std::hypot(field.width(), field.height());
+    const ConeSearch search(pyramid, wraps, false, true, reach, 1);
+    overRows("map cone-dummer", field.height(), work, [&](int y) {
+        for (int x = 0; x < field.width(); ++x) {
+            double kappa = 0;
+            search.search(x, y, field.heights()(x, y), &kappa);
+            slopes[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width()) +
+                   static_cast<std::size_t>(x)] = static_cast<float>(kappa);
+        }
+    });
+}
+
+}  // namespace relief

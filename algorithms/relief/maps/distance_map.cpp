@@ -1,0 +1,244 @@
+#include "relief/maps/distance_map.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include "relief/leaf.h"
+#include "relief/maps/lower_envelope.h"
+#include "relief/maps/map_memory.h"
+#include "relief/maps/refined.h"
+
+namespace relief {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kKindNames{"euclidean", "euclidean-conservative", "refined-sampled",
+                                                     "refined"};
+
+int voxelsAcross(int cells, int footprint) {
+    return (cells + footprint - 1) / footprint;
+}
+
+struct Shape {
+    int nx;
+    int ny;
+    int planes;  // layers times stored sectors
+};
+
+Shape shapeOf(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field) {
+    const CellGrid grid(field);
+    const bool boxes = ofBoxes(kind);
+    const int sectors = kind == DistanceKind::Refined ? parameters.sectors : 1;
+    return {voxelsAcross(boxes ? grid.x.cells : field.width(), parameters.footprint),
+            voxelsAcross(boxes ? grid.y.cells : field.height(), parameters.footprint), parameters.layers * sectors};
+}
+
+// Calls body(k, scratch) for each layer, in parallel.
+template <class Body>
+void overLayers(int layers, Work& work, const Body& body) {
+    tbb::enumerable_thread_specific<EnvelopeScratch> scratch;
+    work.arena().execute([&] {
+        tbb::parallel_for(0, layers, [&](int k) {
+            if (work.stopped()) return;
+            body(k, scratch.local());
+            work.progress().advance();
+        });
+    });
+    work.throwIfStopped();
+}
+
+float* plane(std::vector<float>& values, const Shape& shape, int layer) {
+    return values.data() +
+           static_cast<std::size_t>(layer) * static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny);
+}
+
+// A voxel is solid if its centre is not above the surface; below the slab all is solid. The distance of a voxel is that
+// of its centre to the nearest solid centre, as in Donnelly's volume.
+void euclidean(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
+    const int layers = map.layers();
+    Image<int> top(shape.nx, shape.ny);
+    for (int y = 0; y < shape.ny; ++y) {
+        for (int x = 0; x < shape.nx; ++x) {
+            const double s = (x + 0.5) * field.width() / shape.nx;
+            const double t = (y + 0.5) * field.height() / shape.ny;
+            top(x, y) = static_cast<int>(std::floor(field.at(s, t) * layers - 0.5));
+        }
+    }
+    const double dz = field.slabTexels() / layers;
+    overLayers(layers, work, [&](int k, EnvelopeScratch& scratch) {
+        FloatImage squares(shape.nx, shape.ny);
+        for (std::size_t i = 0; i < squares.size(); ++i) {
+            const double drop = std::max(k - top.pixels()[i], 0) * dz;
+            squares.pixels()[i] = static_cast<float>(drop * drop);
+        }
+        envelope2D(squares, static_cast<double>(field.width()) / shape.nx,
+                   static_cast<double>(field.height()) / shape.ny, field.address() == Address::Repeat, scratch);
+        float* out = plane(values, shape, k);
+        for (const float square : squares.pixels()) *out++ = std::sqrt(square);
+    });
+}
+
+// The bound for whole boxes: the gap between box and cell, and the drop from the box's bottom to the cell's highest.
+void euclideanConservative(DistanceMap& map, const Shape& shape, const CellHeights& cells, bool wraps, double slab,
+                           std::vector<float>& values, Work& work) {
+    const int layers = map.layers();
+    const int f = map.parameters.footprint;
+    // Rounding of the squares and roots in float stays far below this share.
+    constexpr float kShorter = 1 - 1e-6F;
+    overLayers(layers, work, [&](int k, EnvelopeScratch& scratch) {
+        const double z0 = static_cast<double>(k) / layers;
+        FloatImage squares(cells.highest.width(), cells.highest.height());
+        for (std::size_t i = 0; i < squares.size(); ++i) {
+            const double drop = std::max(z0 - static_cast<double>(cells.highest.pixels()[i]), 0.0) * slab;
+            squares.pixels()[i] = static_cast<float>(drop * drop);
+        }
+        gapEnvelope2D(squares, wraps, scratch);
+        float* out = plane(values, shape, k);
+        for (int by = 0; by < shape.ny; ++by) {
+            for (int bx = 0; bx < shape.nx; ++bx) {
+                float least = squares(bx * f, by * f);
+                for (int y = by * f; y < std::min((by + 1) * f, squares.height()); ++y) {
+                    for (int x = bx * f; x < std::min((bx + 1) * f, squares.width()); ++x) {
+                        least = std::min(least, squares(x, y));
+                    }
+                }
+                const float mark = cells.mark(bx, by, f, k, layers);
+                *out++ = mark < 0 ? mark : std::sqrt(least) * kShorter;
+            }
+        }
+    });
+}
+
+}  // namespace
+
+std::string_view distanceKindName(DistanceKind kind) {
+    return kKindNames[static_cast<std::size_t>(kind)];
+}
+
+int azimuthSector(double x, double y, int sectors) {
+    if (sectors <= 1) return 0;
+    const double turn = std::atan2(y, x) / (2 * std::numbers::pi);
+    const int q = static_cast<int>(std::floor((turn < 0 ? turn + 1 : turn) * sectors));
+    return std::min(q, sectors - 1);
+}
+
+CellHeights::CellHeights(const HeightField& field) {
+    const CellGrid grid(field);
+    highest = FloatImage(grid.x.cells, grid.y.cells);
+    lowest = highest;
+    for (int y = 0; y < grid.y.cells; ++y) {
+        for (int x = 0; x < grid.x.cells; ++x) {
+            const bool bilinear = field.surface() == Surface::Bilinear;
+            highest(x, y) = bilinear ? cellMaximum<Surface::Bilinear>(field.heights(), grid, x, y)
+                                     : cellMaximum<Surface::Columns>(field.heights(), grid, x, y);
+            lowest(x, y) = bilinear ? cellMinimum<Surface::Bilinear>(field.heights(), grid, x, y)
+                                    : cellMinimum<Surface::Columns>(field.heights(), grid, x, y);
+        }
+    }
+}
+
+float CellHeights::mark(int bx, int by, int footprint, int layer, int layers) const {
+    float high = 0;
+    float low = 1;
+    for (int y = by * footprint; y < std::min((by + 1) * footprint, highest.height()); ++y) {
+        for (int x = bx * footprint; x < std::min((bx + 1) * footprint, highest.width()); ++x) {
+            high = std::max(high, highest(x, y));
+            low = std::min(low, lowest(x, y));
+        }
+    }
+    const double z0 = static_cast<double>(layer) / layers;
+    const double z1 = static_cast<double>(layer + 1) / layers;
+    // Layer 0 as well: a ray would leave through a floor of height 0. As high as the floor of a layer counts, too.
+    if (z0 <= static_cast<double>(high) || layer == 0) {
+        return z1 <= static_cast<double>(low) ? StoredValues::kBuried : StoredValues::kSurface;
+    }
+    return 0;
+}
+
+double DistanceMap::trilinear(double s, double t, double z) const {
+    const double x = s * nx() / fieldWidth - 0.5;
+    const double y = t * ny() / fieldHeight - 0.5;
+    const double w = std::clamp(z * layers() - 0.5, 0.0, layers() - 1.0);
+    const double x0 = std::floor(x);
+    const double y0 = std::floor(y);
+    const int k0 = static_cast<int>(w);
+    const int k1 = std::min(k0 + 1, layers() - 1);
+    const auto column = [&](double i, double j) {
+        const int bx = addressIndex(static_cast<std::int64_t>(i), nx(), address);
+        const int by = addressIndex(static_cast<std::int64_t>(j), ny(), address);
+        const double below = static_cast<double>(values(bx, by, k0));
+        return below + (w - k0) * (static_cast<double>(values(bx, by, k1)) - below);
+    };
+    const double top = column(x0, y0) + (x - x0) * (column(x0 + 1, y0) - column(x0, y0));
+    const double bottom = column(x0, y0 + 1) + (x - x0) * (column(x0 + 1, y0 + 1) - column(x0, y0 + 1));
+    return top + (y - y0) * (bottom - top);
+}
+
+std::size_t distanceMapBytes(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field) {
+    const Shape shape = shapeOf(kind, parameters, field);
+    return static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny) *
+           static_cast<std::size_t>(shape.planes) * bytesEach(parameters.precision);
+}
+
+DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field,
+                             Work& work) {
+    if (kind == DistanceKind::Refined && field.address() == Address::Clamp) {
+        throw InputError("--address",
+                         Message(MessageId::MapNotUnderClamp, {{"map", std::string(distanceKindName(kind))}}));
+    }
+    const Shape shape = shapeOf(kind, parameters, field);
+    DistanceMap map;
+    map.kind = kind;
+    map.parameters = parameters;
+    map.surface = field.surface();
+    map.address = field.address();
+    map.fieldWidth = field.width();
+    map.fieldHeight = field.height();
+    map.slabTexels = field.slabTexels();
+    map.cap = std::numeric_limits<double>::infinity();
+    if (map.rays() == RayClass::ViewRays) {
+        map.maxRun = field.slabTexels() / std::tan(parameters.flattest * std::numbers::pi / 180);
+    }
+    std::vector<float> values(static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny) *
+                              static_cast<std::size_t>(shape.planes));
+    work.progress().begin(std::string("map ") + std::string(distanceKindName(kind)), map.layers());
+    switch (kind) {
+        case DistanceKind::Euclidean:
+            euclidean(map, shape, field, values, work);
+            break;
+        case DistanceKind::EuclideanConservative:
+            euclideanConservative(map, shape, CellHeights(field), field.address() == Address::Repeat,
+                                  field.slabTexels(), values, work);
+            break;
+        case DistanceKind::RefinedSampled:
+            refinedSampled(map, shape.nx, shape.ny, field, values, work);
+            break;
+        case DistanceKind::Refined:
+            refinedConservative(map, shape.nx, shape.ny, field, CellHeights(field), values, work);
+            break;
+    }
+    map.values =
+        StoredValues(shape.nx, shape.ny, shape.planes, std::move(values), parameters.precision, Rounding::Down);
+    return map;
+}
+
+std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const DistanceParameters& parameters,
+                                               const HeightField& field, MapCache& cache, Work& work) {
+    checkMapMemory(std::string(distanceKindName(kind)), distanceMapBytes(kind, parameters, field), cache);
+    std::string key(distanceKindName(kind));
+    key += "/" + std::string(surfaceName(field.surface())) + "/" + std::string(addressName(field.address()));
+    for (const double number : {field.reliefDepth(), parameters.flattest, static_cast<double>(parameters.footprint),
+                                static_cast<double>(parameters.layers), static_cast<double>(parameters.horizons),
+                                static_cast<double>(parameters.sectors), static_cast<double>(parameters.directions)}) {
+        key += "/" + numberText(number);
+    }
+    key += "/" + std::string(precisionName(parameters.precision));
+    return cache.get<DistanceMap>({key, field.sharedHeights()}, work,
+                                  [&](Work& w) { return buildDistanceMap(kind, parameters, field, w); });
+}
+
+}  // namespace relief

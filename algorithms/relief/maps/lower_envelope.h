@@ -1,0 +1,25 @@
+// Exact distance transforms of sampled functions in linear time. Felzenszwalb & Huttenlocher 2012.
+#pragma once
+
+#include <vector>
+
+#include "images/image.h"
+
+namespace relief {
+
+// Buffers of one thread.
+struct EnvelopeScratch {
+    std::vector<float> line;
+    std::vector<float> out;
+    std::vector<int> apex;
+    std::vector<float> border;
+};
+
+// In place: f(x, y) becomes min over (i, j) of f(i, j) + (x - i)^2 dx^2 + (y - j)^2 dy^2, dx and dy the spacing of
+// samples. wraps: the function is periodic. Values are squared lengths, finite. O(width * height).
+void envelope2D(FloatImage& f, double dx, double dy, bool wraps, EnvelopeScratch& scratch);
+
+// The same with the gap between unit boxes, max(|x - i| - 1, 0), instead of the distance of their centres.
+void gapEnvelope2D(FloatImage& f, bool wraps, EnvelopeScratch& scratch);
+
+}  // namespace relief

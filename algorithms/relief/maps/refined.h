@@ -1,0 +1,36 @@
+// Builders of the refined distance maps: only rays that reach a voxel from above without having hit anything count.
+// [DIST17] figs. 5 to 8, [TEX].
+#pragma once
+
+#include <vector>
+
+#include "relief/maps/distance_map.h"
+
+namespace relief {
+
+// Largest and smallest height that the surface reaches within each cell.
+struct CellHeights {
+    FloatImage highest;
+    FloatImage lowest;
+
+    explicit CellHeights(const HeightField& field);
+    // The mark of a box, or 0 if it is free.
+    float mark(int bx, int by, int footprint, int layer, int layers) const;
+};
+
+// The papers' idea as it stands: from each voxel's centre, `directions` rays spread evenly over the half sphere below
+// (steeper than the flattest); those that were blocked before they came there do not count. Not safe: a ray visits
+// points beside the centre, and directions in between meet nearer hits.
+void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& field, std::vector<float>& values,
+                    Work& work);
+
+// A bound for every point of a box and every admissible ray through it.
+// Backward, for each of K azimuth sectors: the gates (grid lines behind the box) that a ray from above must have
+// passed over, the least height g over the stretch where it can have crossed, within the horizontal way tau, give its
+// least slope m_k = max((g - z1) / tau, m_min).
+// Forward: D = min over cells q of sqrt(t^2 + max(z0 - H_q, t min m_k, 0)^2), t the gap between box and cell, k over
+// the sectors in which q can be seen from the box.
+void refinedConservative(DistanceMap& map, int nx, int ny, const HeightField& field, const CellHeights& cells,
+                         std::vector<float>& values, Work& work);
+
+}  // namespace relief
