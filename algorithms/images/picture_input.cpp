@@ -252,6 +252,10 @@ void PictureInput::checkSpec(std::int64_t maxPixels) {
     info_.colorSpace = std::string(spec.get_string_attribute("oiio:ColorSpace"));
 }
 
+std::string PictureInput::description() const {
+    return std::string(library_->input->spec().get_string_attribute("ImageDescription"));
+}
+
 int PictureInput::channelIndex(std::string_view name) const {
     const std::string wanted = lower(name);
     const auto found = std::find_if(info_.channels.begin(), info_.channels.end(),

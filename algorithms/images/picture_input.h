@@ -66,6 +66,8 @@ class PictureInput {
     PictureInput& operator=(const PictureInput&) = delete;
 
     const ImageInfo& info() const { return info_; }
+    // What the file says of itself in words (ImageDescription); may be empty.
+    std::string description() const;
     // Index of the channel of that name in any case; -1 if there is none.
     int channelIndex(std::string_view name) const;
     // Index of the alpha channel, or -1.

@@ -12,6 +12,7 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include "images/described_tiff.h"
 #include "images/files.h"
 #include "images/system_error.h"
 
@@ -242,6 +243,19 @@ void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes)
         for (std::size_t c = 0; c < count; ++c) numbers[i * count + c] = planes[c].plane.pixels()[i];
     });
     writePixels(path, format, spec, numbers.data());
+}
+
+void writeDescribedTiff(const std::string& path, int width, int height, const PictureCodes& codes,
+                        const std::string& description) {
+    constexpr std::array kTypes{OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::UINT16, OIIO::TypeDesc::UINT8};
+    const Format& format = formatOf(path);
+    if (format.library != "tiff") {
+        throw InputError(
+            path, Message(MessageId::FormatNotForThis, {{"extension", extensionOf(path)}, {"known", "tif, tiff"}}));
+    }
+    OIIO::ImageSpec spec = specOf(width, height, 1, kTypes[codes.index()]);
+    spec.attribute("ImageDescription", description);
+    std::visit([&](const auto& all) { writePixels(path, format, spec, all.data()); }, codes);
 }
 
 }  // namespace relief

@@ -76,6 +76,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addInfoCommand(program, commands);
     addMakeCommand(program, commands);
     addListCommand(program, commands);
+    addMapCommand(program, commands);
     addRenderCommand(program, commands);
     addTraceCommand(program, commands);
     addCompareCommand(program, commands);

@@ -81,10 +81,16 @@ class ReadingOptions {
 class ScenarioOptions {
   public:
     // Which groups a command takes beside scenario, height map and method.
-    enum class Look { No, Yes };  // --color, --normal, --filter, --light
+    // Yes: --color, --normal, --filter, --light. Heights: nothing but the height field, and the options of a method
+    // that the command chooses itself.
+    enum class Look { No, Yes, Heights };
     void add(CLI::App& parser, Look look);
     // The scenario (the file's, or the default one) with the options laid over it; checked. Throws InputError.
     Scenario scenario() const;
+    // The command chooses the method: no --tracer.
+    void chooseTracer(const std::string& name) { tracer_ = name; }
+    // --map: the stored map laid into the cache for the scenario's tracer, which gets the options it was built with.
+    void useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work) const;
 
   private:
     void addPictures(CLI::App& parser, Look look);
@@ -100,7 +106,7 @@ class ScenarioOptions {
     OptionText height_, recipe_, color_, normal_;
     ReadingOptions reading_;
     OptionText reliefDepth_, address_, surface_;
-    OptionText tracer_, filter_, supersample_, pixelModel_;
+    OptionText tracer_, map_, filter_, supersample_, pixelModel_;
     bool shadows_ = false;
     std::vector<std::string> settings_;
     OptionText scene_, camera_, eye_, target_, fov_, size_, light_;

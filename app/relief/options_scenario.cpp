@@ -4,6 +4,7 @@
 #include "images/reliefs.h"
 #include "options_common.h"
 #include "output.h"
+#include "relief/maps/map_choice.h"
 #include "relief/tracers.h"
 
 namespace relief::app {
@@ -102,6 +103,12 @@ void applyRecipe(Pictures& pictures, const std::string& text) {
 }
 
 void ScenarioOptions::add(CLI::App& parser, Look look) {
+    if (look == Look::Heights) {
+        addPictures(parser, look);
+        reading_.add(parser);
+        addMethod(parser, look);
+        return;
+    }
     addText(parser, "SCENARIO", file_, "",
             "a scenario (.json) as the window saves it or --report holds it: pictures, method, camera, light. "
             "Every option below overrides what it says",
@@ -117,7 +124,7 @@ void ScenarioOptions::addPictures(CLI::App& parser, Look look) {
     addText(parser, "--height", height_, "FILE", "height map: PNG, JPEG, TIFF, EXR, HDR, ...", group);
     addText(parser, "--relief", recipe_, "NAME[:WxH[:SEED]]",
             "instead of a file, a procedural relief (relief list names them), such as bricks:512x512:7", group);
-    if (look == Look::No) return;
+    if (look != Look::Yes) return;
     addText(parser, "--color", color_, "FILE", "colour picture; default: the heights in grey", group);
     addText(parser, "--normal", normal_, "FILE",
             "normal map (OpenGL: y up) for the light; default: the relief's own slopes", group);
@@ -125,8 +132,14 @@ void ScenarioOptions::addPictures(CLI::App& parser, Look look) {
 
 void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
     const char* group = "Method";
-    addText(parser, "--tracer", tracer_, "NAME",
-            "how rays meet the relief: " + tracerNames() + "; default " + Scenario{}.method.name, group);
+    if (look != Look::Heights) {
+        addText(parser, "--tracer", tracer_, "NAME",
+                "how rays meet the relief: " + tracerNames() + "; default " + Scenario{}.method.name, group);
+        addText(parser, "--map", map_, "FILE.tif",
+                "a distance or cone map as relief map stores it, in place of the one that the tracer would build; its "
+                "options are the map's",
+                group);
+    }
     addTexts(parser, "--set", settings_, "NAME=VALUE",
              "an option of the method, such as layers=64; may be repeated (relief list shows what there is)", group);
     addText(parser, "--relief-depth", reliefDepth_, "D", numberHelp("relief-depth"), group);
@@ -175,6 +188,12 @@ Scenario ScenarioOptions::scenario() const {
     applyView(scenario);
     checkScenario(scenario, file_.value_or(""));
     return scenario;
+}
+
+void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work) const {
+    if (!map_) return;
+    const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
+    scenario.method = useMap(*map_, loadMap(*map_, field, maps.budget(), work), scenario.method, field, maps);
 }
 
 void ScenarioOptions::applyPictures(Scenario& scenario) const {

@@ -113,13 +113,14 @@ int runRender(const RenderOptions& options, Session& session) {
     checkOutput(output, {"png", "jpg", "jpeg", "tif", "tiff", "bmp", "exr", "hdr"});
     const std::vector<std::string> layers = checkedLayers(options, output);
     if (options.report && *options.report != "-") checkOutput(*options.report, {"json"});
-    const Scenario scenario = options.scenario.scenario();
+    Scenario scenario = options.scenario.scenario();
 
     Seconds seconds;
     AssetStore store;
     const Assets assets = timed(seconds.load, [&] { return store.load(scenario.pictures, session.work()); });
     noteHeights(session, assets, scenario);
     const auto maps = std::make_shared<MapCache>();
+    timed(seconds.load, [&] { options.scenario.useStoredMap(scenario, assets, *maps, session.work()); });
     FrameRenderer renderer(maps);
     const FrameRequest request = frameRequest(scenario, assets);
     const auto frame = timed(seconds.render, [&] { return renderer.render(request, session.work()); });

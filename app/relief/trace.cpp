@@ -135,12 +135,13 @@ int runTrace(const TraceOptions& options, Session& session) {
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work);
     noteHeights(session, assets, scenario);
+    MapCache maps;
+    options.scenario.useStoredMap(scenario, assets, maps, work);
     const FrameRequest request = frameRequest(scenario, assets);
     const Asked asked = options.rays              ? raysOfFile(*options.rays, session)
                         : !options.single.empty() ? single
                                                   : raysOfPixels(pixels, request);
 
-    MapCache maps;
     const auto tracer = makeTracer(scenario.method, request.field, maps, work);
     HitBlock traced;
     BlockCounts counts;

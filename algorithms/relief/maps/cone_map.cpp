@@ -11,17 +11,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kKindNames{"cone", "cone-dummer", "relaxed-cone"};
 
-struct Shape {
-    int nx;
-    int ny;
-    int sectors;
-    std::size_t values() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
-};
-
-Shape shapeOf(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
-    if (kind != ConeKind::Conservative) return {field.width(), field.height(), 1};
-    const CellGrid grid(field);
-    return {grid.x.cells, grid.y.cells, parameters.sectors};
+std::size_t valuesOf(const ConeShape& shape) {
+    return static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny);
 }
 
 }  // namespace
@@ -30,13 +21,19 @@ std::string_view coneKindName(ConeKind kind) {
     return kKindNames[static_cast<std::size_t>(kind)];
 }
 
+ConeShape coneMapShape(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
+    if (kind != ConeKind::Conservative) return {field.width(), field.height(), 1};
+    const CellGrid grid(field);
+    return {grid.x.cells, grid.y.cells, parameters.sectors};
+}
+
 std::size_t coneMapBytes(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
-    const Shape shape = shapeOf(kind, parameters, field);
-    return shape.values() * static_cast<std::size_t>(shape.sectors + 1) * bytesEach(parameters.precision);
+    const ConeShape shape = coneMapShape(kind, parameters, field);
+    return valuesOf(shape) * static_cast<std::size_t>(shape.sectors + 1) * bytesEach(parameters.precision);
 }
 
 ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field, Work& work) {
-    const Shape shape = shapeOf(kind, parameters, field);
+    const ConeShape shape = coneMapShape(kind, parameters, field);
     ConeMap map;
     map.kind = kind;
     map.parameters = parameters;
@@ -44,7 +41,7 @@ ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const Heig
     map.address = field.address();
     map.fieldWidth = field.width();
     map.fieldHeight = field.height();
-    std::vector<float> slopes(shape.values() * static_cast<std::size_t>(shape.sectors));
+    std::vector<float> slopes(valuesOf(shape) * static_cast<std::size_t>(shape.sectors));
     std::vector<float> apex;
     switch (kind) {
         case ConeKind::Conservative:
@@ -63,16 +60,20 @@ ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const Heig
     return map;
 }
 
-std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
-                                       MapCache& cache, Work& work) {
-    checkMapMemory(std::string(coneKindName(kind)), coneMapBytes(kind, parameters, field), cache);
+MapKey coneMapKey(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
     std::string key(coneKindName(kind));
     key += "/" + std::string(surfaceName(field.surface())) + "/" + std::string(addressName(field.address()));
     for (const int number : {parameters.sectors, parameters.radius, parameters.directions}) {
         key += "/" + std::to_string(number);
     }
     key += "/" + std::string(precisionName(parameters.precision));
-    return cache.get<ConeMap>({key, field.sharedHeights()}, work,
+    return {key, field.sharedHeights()};
+}
+
+std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
+                                       MapCache& cache, Work& work) {
+    checkMapMemory(std::string(coneKindName(kind)), coneMapBytes(kind, parameters, field), cache);
+    return cache.get<ConeMap>(coneMapKey(kind, parameters, field), work,
                               [&](Work& w) { return buildConeMap(kind, parameters, field, w); });
 }
 

@@ -51,6 +51,15 @@ class ConeMap {
 std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
                                        MapCache& cache, Work& work);
 ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field, Work& work);
+// Under which the cache keeps it.
+MapKey coneMapKey(ConeKind kind, const ConeParameters& parameters, const HeightField& field);
+// Of its values: cells or texels across, and stored sectors.
+struct ConeShape {
+    int nx;
+    int ny;
+    int sectors;
+};
+ConeShape coneMapShape(ConeKind kind, const ConeParameters& parameters, const HeightField& field);
 std::size_t coneMapBytes(ConeKind kind, const ConeParameters& parameters, const HeightField& field);
 
 }  // namespace relief

@@ -23,19 +23,7 @@ int voxelsAcross(int cells, int footprint) {
     return (cells + footprint - 1) / footprint;
 }
 
-struct Shape {
-    int nx;
-    int ny;
-    int planes;  // layers times stored sectors
-};
-
-Shape shapeOf(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field) {
-    const CellGrid grid(field);
-    const bool boxes = ofBoxes(kind);
-    const int sectors = kind == DistanceKind::Refined ? parameters.sectors : 1;
-    return {voxelsAcross(boxes ? grid.x.cells : field.width(), parameters.footprint),
-            voxelsAcross(boxes ? grid.y.cells : field.height(), parameters.footprint), parameters.layers * sectors};
-}
+using Shape = DistanceShape;
 
 // Calls body(k, scratch) for each layer, in parallel.
 template <class Body>
@@ -178,8 +166,16 @@ double DistanceMap::trilinear(double s, double t, double z) const {
     return top + (y - y0) * (bottom - top);
 }
 
+DistanceShape distanceMapShape(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field) {
+    const CellGrid grid(field);
+    const bool boxes = ofBoxes(kind);
+    const int sectors = kind == DistanceKind::Refined ? parameters.sectors : 1;
+    return {voxelsAcross(boxes ? grid.x.cells : field.width(), parameters.footprint),
+            voxelsAcross(boxes ? grid.y.cells : field.height(), parameters.footprint), parameters.layers * sectors};
+}
+
 std::size_t distanceMapBytes(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field) {
-    const Shape shape = shapeOf(kind, parameters, field);
+    const Shape shape = distanceMapShape(kind, parameters, field);
     return static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny) *
            static_cast<std::size_t>(shape.planes) * bytesEach(parameters.precision);
 }
@@ -190,7 +186,7 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
         throw InputError("--address",
                          Message(MessageId::MapNotUnderClamp, {{"map", std::string(distanceKindName(kind))}}));
     }
-    const Shape shape = shapeOf(kind, parameters, field);
+    const Shape shape = distanceMapShape(kind, parameters, field);
     DistanceMap map;
     map.kind = kind;
     map.parameters = parameters;
@@ -226,9 +222,7 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
     return map;
 }
 
-std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const DistanceParameters& parameters,
-                                               const HeightField& field, MapCache& cache, Work& work) {
-    checkMapMemory(std::string(distanceKindName(kind)), distanceMapBytes(kind, parameters, field), cache);
+MapKey distanceMapKey(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field) {
     std::string key(distanceKindName(kind));
     key += "/" + std::string(surfaceName(field.surface())) + "/" + std::string(addressName(field.address()));
     for (const double number : {field.reliefDepth(), parameters.flattest, static_cast<double>(parameters.footprint),
@@ -237,7 +231,13 @@ std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const Distance
         key += "/" + numberText(number);
     }
     key += "/" + std::string(precisionName(parameters.precision));
-    return cache.get<DistanceMap>({key, field.sharedHeights()}, work,
+    return {key, field.sharedHeights()};
+}
+
+std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const DistanceParameters& parameters,
+                                               const HeightField& field, MapCache& cache, Work& work) {
+    checkMapMemory(std::string(distanceKindName(kind)), distanceMapBytes(kind, parameters, field), cache);
+    return cache.get<DistanceMap>(distanceMapKey(kind, parameters, field), work,
                                   [&](Work& w) { return buildDistanceMap(kind, parameters, field, w); });
 }
 

@@ -82,6 +82,15 @@ std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const Distance
 // Built without a cache.
 DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field,
                              Work& work);
+// Under which the cache keeps it.
+MapKey distanceMapKey(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field);
+// Of its values: voxels across, and layers times stored sectors.
+struct DistanceShape {
+    int nx;
+    int ny;
+    int planes;
+};
+DistanceShape distanceMapShape(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field);
 // What it will take.
 std::size_t distanceMapBytes(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field);
 

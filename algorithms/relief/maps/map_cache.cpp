@@ -43,6 +43,13 @@ std::shared_ptr<const void> MapCache::find(const MapKey& key, Work& work, const 
     return built.map;
 }
 
+void MapCache::keep(const MapKey& key, Built built) {
+    const std::lock_guard lock(mutex_);
+    entries_[key] = {std::move(built.map), built.bytes, ++clock_, 0};
+    evict();
+    done_.notify_all();
+}
+
 void MapCache::evict() {
     std::size_t total = 0;
     for (const auto& [key, entry] : entries_) total += entry.bytes;

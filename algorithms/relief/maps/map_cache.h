@@ -43,6 +43,13 @@ class MapCache {
         return std::static_pointer_cast<const T>(map);
     }
 
+    // A map made elsewhere, such as one read from a file: the next get() finds it.
+    template <class T>
+    void put(const MapKey& key, std::shared_ptr<const T> map) {
+        const std::size_t size = map->bytes();
+        keep(key, {std::move(map), size});
+    }
+
     std::size_t bytes() const;
     std::size_t budget() const { return budget_; }
     void clear();
@@ -60,6 +67,7 @@ class MapCache {
     };
 
     std::shared_ptr<const void> find(const MapKey& key, Work& work, const std::function<Built(Work&)>& build);
+    void keep(const MapKey& key, Built built);
     void evict();
 
     std::size_t budget_;
