@@ -4,6 +4,90 @@
 <context>
     <name>core</name>
     <message>
+        <source>Steps to the edge of an empty cone above each cell; where the ray is below its apex, the cell itself is tested.</source>
+        <translation>Кроки до краю порожнього конуса над кожною коміркою; де промінь нижче вершини конуса, перевіряється сама комірка.</translation>
+    </message>
+    <message>
+        <source>azimuth sectors that have slopes of their own</source>
+        <translation>сектори азимута з власними нахилами</translation>
+    </message>
+    <message>
+        <source>how cones are stored</source>
+        <translation>як зберігаються конуси</translation>
+    </message>
+    <message>
+        <source>Steps to the edge of the interpolated cone, a fixed number of times.</source>
+        <translation>Кроки до краю інтерпольованого конуса, сталу кількість разів.</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>щонайбільше</translation>
+    </message>
+    <message>
+        <source>Wider cones that the ray may leave below the surface, once; then halving of the last step.</source>
+        <translation>Ширші конуси, з яких промінь може вийти під поверхнею один раз; далі ділення останнього кроку навпіл.</translation>
+    </message>
+    <message>
+        <source>of the last step</source>
+        <translation>останнього кроку</translation>
+    </message>
+    <message>
+        <source>how far cones are looked for</source>
+        <translation>як далеко шукаються конуси</translation>
+    </message>
+    <message>
+        <source>along which cones are measured</source>
+        <translation>уздовж яких вимірюються конуси</translation>
+    </message>
+    <message>
+        <source>Sphere tracing as published: trilinear distances, a fixed number of steps.</source>
+        <translation>Трасування сферами, як опубліковано: трилінійні відстані, стала кількість кроків.</translation>
+    </message>
+    <message>
+        <source>Sphere tracing with distances that hold for whole voxels; near the surface the cells themselves are tested.</source>
+        <translation>Трасування сферами з відстанями, чинними для цілих вокселів; біля поверхні перевіряються самі комірки.</translation>
+    </message>
+    <message>
+        <source>The papers&apos; refined map as it stands, from sampled rays; overshoots at walls.</source>
+        <translation>Уточнена карта зі статей як є, за вибірковими променями; біля стін проскакує поверхню.</translation>
+    </message>
+    <message>
+        <source>Sphere tracing with the larger distances that rays from above may use; safe for whole voxels.</source>
+        <translation>Трасування сферами з більшими відстанями, чинними для променів зору згори; надійне для цілих вокселів.</translation>
+    </message>
+    <message>
+        <source>side of a voxel&apos;s footprint</source>
+        <translation>сторона основи вокселя</translation>
+    </message>
+    <message>
+        <source>how many voxels the slab is high</source>
+        <translation>скільки вокселів у висоту шару</translation>
+    </message>
+    <message>
+        <source>how distances are stored</source>
+        <translation>як зберігаються відстані</translation>
+    </message>
+    <message>
+        <source>elevation of the flattest ray that it serves</source>
+        <translation>кут найпологішого променя, який вона обслуговує</translation>
+    </message>
+    <message>
+        <source>azimuth sectors in which what hides a voxel is looked for</source>
+        <translation>сектори азимута, у яких шукається те, що заступає воксель</translation>
+    </message>
+    <message>
+        <source>azimuth sectors that have distances of their own (a divisor of horizons)</source>
+        <translation>сектори азимута з власними відстанями (дільник horizons)</translation>
+    </message>
+    <message>
+        <source>sampled from each voxel</source>
+        <translation>вибірка з кожного вокселя</translation>
+    </message>
+    <message>
+        <source>always that many</source>
+        <translation>завжди стільки</translation>
+    </message>
+    <message>
         <source>Relief depth</source>
         <translation>Глибина рельєфу</translation>
     </message>
