@@ -15,7 +15,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFlattestRandom = 1;  // degrees
 // Every so many-th ray tells how long the reference will take; no block is made smaller than kFewestRays.
 constexpr std::size_t kSampleEvery = 64;
 constexpr std::size_t kFewestRays = 256;
@@ -129,7 +128,7 @@ class Bench {
 
     // The rays of a cell; fewer where `exact` would visit too many cells.
     RayBlock chosenRays(const BenchMap& map, const HeightField& field, Elevation elevation, const Tracer& exact) {
-        RayBlock rays = benchRays(field, elevation, options_.rays, options_.seed);
+        RayBlock rays = benchRays(field, elevation, options_.rays, options_.seed, options_.lowestRandom);
         RayBlock sample;
         for (std::size_t i = 0; i < rays.size(); i += kSampleEvery) sample.push(rays[i]);
         HitBlock hits;
@@ -144,7 +143,7 @@ class Bench {
                                                  {"elevation", elevationText(elevation)},
                                                  {"count", count},
                                                  {"wanted", options_.rays}}));
-        return benchRays(field, elevation, count, options_.seed);
+        return benchRays(field, elevation, count, options_.seed, options_.lowestRandom);
     }
 
     void measure(const BenchMap& map, const HeightField& field, Elevation elevation, const std::vector<Ready>& ready) {
@@ -240,9 +239,10 @@ std::string elevationText(Elevation elevation) {
     return elevation ? numberText(*elevation) : "random";
 }
 
-RayBlock benchRays(const HeightField& field, Elevation elevation, std::size_t count, std::uint64_t seed) {
+RayBlock benchRays(const HeightField& field, Elevation elevation, std::size_t count, std::uint64_t seed,
+                   double lowestRandom) {
     return elevation ? viewRays(field, *elevation, count, seed)
-                     : randomRays(seedFor(seed, kRandomRays), field, count, kFlattestRandom);
+                     : randomRays(seedFor(seed, kRandomRays), field, count, lowestRandom);
 }
 
 TracerErrors tracerErrors(const RayBlock& rays, const HitBlock& truth, const HitBlock& hits) {

@@ -15,7 +15,8 @@
 
 namespace relief {
 
-inline constexpr double kLowestElevation = 0.1;  // degrees
+inline constexpr double kLowestElevation = 0.1;      // degrees
+inline constexpr double kLowestRandomElevation = 1;  // of random rays, unless told otherwise
 
 struct BenchMap {
     std::string name;
@@ -25,12 +26,13 @@ struct BenchMap {
 // From which direction the relief is seen. Degrees above the plane: the pixels of a view, row after row, from that
 // elevation and an azimuth of the seed; pixels are as far apart as shows the picture once across, along the view
 // 1 / sin(elevation) times that; entries outside the picture are moved in by whole pictures. Random (no number): entry,
-// azimuth and elevation (1 to 90 degrees) uniform.
+// azimuth and elevation (from the lowest given to 90 degrees) uniform.
 using Elevation = std::optional<double>;
 // "80", "random"; InputError naming the option.
 Elevation parseElevation(const std::string& text, const std::string& option);
 std::string elevationText(Elevation elevation);
-RayBlock benchRays(const HeightField& field, Elevation elevation, std::size_t count, std::uint64_t seed);
+RayBlock benchRays(const HeightField& field, Elevation elevation, std::size_t count, std::uint64_t seed,
+                   double lowestRandom = kLowestRandomElevation);
 
 // Of one method's answers beside those of `exact`, over one block of rays.
 struct TracerErrors {
@@ -85,6 +87,7 @@ struct BenchOptions {
     std::vector<BenchMap> maps;
     std::vector<MeasuredMethod> methods;  // those that do not know the surface are left out, with a note
     std::vector<Elevation> elevations{80.0, 60.0, 25.0, 8.0, 2.0, std::nullopt};
+    double lowestRandom = kLowestRandomElevation;  // degrees
     std::size_t rays = 65536;
     int rounds = 5;  // over all methods in turn, so that what else the machine does hits all alike
     std::uint64_t seed = 1;

@@ -22,7 +22,7 @@ constexpr int kDefaultSide = 256;
 constexpr const char* kDefaultReliefs[] = {"bricks", "city", "fractal", "hills", "pits", "spikes"};
 
 struct BenchCommandOptions {
-    OptionText kind, tracers, elevations, rays, rounds, seed, surface, address, reliefDepth, output;
+    OptionText kind, tracers, elevations, lowest, rays, rounds, seed, surface, address, reliefDepth, output;
     std::vector<std::string> heights, recipes;
     ReadingOptions reading;
     RunOptions run;
@@ -102,6 +102,10 @@ BenchOptions benchOptions(const BenchCommandOptions& given) {
             options.elevations.push_back(parseElevation(text, "--elevations"));
         }
     }
+    if (given.lowest) {
+        const double lowest = parseNumber(*given.lowest, "--lowest");
+        options.lowestRandom = *parseElevation(numberText(lowest), "--lowest");
+    }
     if (given.rays) options.rays = static_cast<std::size_t>(parseWhole(*given.rays, "--rays", 1, kMostRays));
     if (given.rounds) options.rounds = static_cast<int>(parseWhole(*given.rounds, "--rounds", 1, kMostRounds));
     if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
@@ -167,6 +171,7 @@ void addWhat(CLI::App& parser, BenchCommandOptions& options) {
                 " to 90, neighbouring rays as a picture has them; random: entry, azimuth and elevation at random; "
                 "default 80,60,25,8,2,random",
             group);
+    addText(parser, "--lowest", options.lowest, "DEGREES", "elevation of the flattest random rays, default 1", group);
     addText(parser, "--surface", options.surface, "bilinear|columns", "default bilinear", group);
     addText(parser, "--address", options.address, "repeat|clamp|border", "default repeat", group);
     addText(parser, "--relief-depth", options.reliefDepth, "D", "texture widths, 0 to 4, default 0.1", group);

@@ -212,6 +212,15 @@ TEST(BenchTracers, RaysOfAViewComeFromItsElevation) {
     const RayBlock down = benchRays(field, 90.0, 10, 3);
     EXPECT_EQ(down.a, std::vector<double>(10, 0.0));
     const RayBlock random = benchRays(field, std::nullopt, 100, 3);
+    // The same rays from a lowest elevation on: none flatter.
+    const double steepest = field.slabTexels() / std::tan(40 * std::numbers::pi / 180);
+    const RayBlock steep = benchRays(field, std::nullopt, 100, 3, 40);
+    std::size_t flatter = 0;
+    for (std::size_t i = 0; i < steep.size(); ++i) {
+        EXPECT_LE(std::hypot(steep.a[i], steep.b[i]), steepest * (1 + 1e-12));
+        flatter += std::hypot(random.a[i], random.b[i]) > steepest ? 1U : 0U;
+    }
+    EXPECT_GT(flatter, 0U);
     EXPECT_EQ(std::set<double>(random.a.begin(), random.a.end()).size(), 100U);
 }
 
