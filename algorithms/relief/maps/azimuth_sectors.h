@@ -27,8 +27,8 @@ class AzimuthSectors {
     double begin(int k) const { return 2 * std::numbers::pi * k / count_; }
     double end(int k) const { return 2 * std::numbers::pi * (k + 1) / count_; }
 
-    // Every sector that holds the direction of a point of [x0, x1] x [y0, y1], and perhaps a neighbour: all, if the
-    // rectangle holds the origin.
+    // Every sector that holds the direction of a point of [x0, x1] x [y0, y1], and one that it only touches: all, if
+    // the rectangle holds the origin.
     SectorSet meeting(double x0, double x1, double y0, double y1) const {
         if (count_ <= 2 || (x0 <= 0 && x1 >= 0 && y0 <= 0 && y1 >= 0)) return all();
         // Borders are sines and cosines rounded; a corner this near a border counts on both sides.
@@ -37,15 +37,15 @@ class AzimuthSectors {
         for (int k = 0; k < count_; ++k) {
             const Border& from = borders_[static_cast<std::size_t>(k)];
             const Border& to = borders_[static_cast<std::size_t>(k) + 1];
-            bool afterFrom = false;
-            bool beforeTo = false;
-            for (const double x : {x0, x1}) {
-                for (const double y : {y0, y1}) {
-                    afterFrom = afterFrom || from.x * y - from.y * x >= -slack;
-                    beforeTo = beforeTo || x * to.y - y * to.x >= -slack;
-                }
+            // Corners in turn; sides: how far each lies on the inner side of both borders.
+            const std::array<Border, 4> corners{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
+            std::array<double, 4> after{};
+            std::array<double, 4> before{};
+            for (std::size_t n = 0; n < 4; ++n) {
+                after[n] = from.x * corners[n].y - from.y * corners[n].x + slack;
+                before[n] = corners[n].x * to.y - corners[n].y * to.x + slack;
             }
-            if (afterFrom && beforeTo) set |= SectorSet{1} << k;
+            if (meets(after, before)) set |= SectorSet{1} << k;
         }
         return set;
     }
@@ -55,6 +55,20 @@ class AzimuthSectors {
         double x;
         double y;
     };
+
+    // Whether a convex outline has a point at which both linear functions, known at its corners, are not negative. One
+    // corner for each is not enough: a wide rectangle has them on both sides of the opposite sector, too.
+    static bool meets(const std::array<double, 4>& f, const std::array<double, 4>& g) {
+        for (std::size_t n = 0; n < 4; ++n) {
+            const std::size_t m = (n + 1) % 4;
+            if (f[n] >= 0 && g[n] >= 0) return true;
+            if ((f[n] >= 0) == (f[m] >= 0)) continue;
+            const double share = f[n] / (f[n] - f[m]);
+            if (g[n] + share * (g[m] - g[n]) >= 0) return true;
+        }
+        return false;
+    }
+
     int count_;
     std::vector<Border> borders_;
 };
