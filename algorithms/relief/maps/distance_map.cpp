@@ -109,6 +109,16 @@ std::string_view distanceKindName(DistanceKind kind) {
 
 int azimuthSector(double x, double y, int sectors) {
     if (sectors <= 1) return 0;
+    if (sectors % 4 == 0 && (x != 0 || y != 0)) {
+        // By signs first: no direction is taken for one of the next quadrant by rounding, which the maps rely on.
+        const int quarter = sectors / 4;
+        const bool right = y < 0 ? x >= 0 : x > 0;
+        const int quadrant = right ? (y >= 0 ? 0 : 3) : (y > 0 ? 1 : 2);
+        const double along = quadrant % 2 == 0 ? std::abs(x) : std::abs(y);
+        const double aside = quadrant % 2 == 0 ? std::abs(y) : std::abs(x);
+        const int within = static_cast<int>(std::atan2(aside, along) / (0.5 * std::numbers::pi) * quarter);
+        return quadrant * quarter + std::min(within, quarter - 1);
+    }
     const double turn = std::atan2(y, x) / (2 * std::numbers::pi);
     const int q = static_cast<int>(std::floor((turn < 0 ? turn + 1 : turn) * sectors));
     return std::min(q, sectors - 1);

@@ -1,8 +1,9 @@
 #include "relief/maps/refined.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -107,26 +108,75 @@ void collectGates(const GateAxis& axis, Span box, Span boxAcross, double cosBegi
     }
 }
 
-// A cell near a box: how far, and in which sectors it can be seen.
+// A horizon sector in which a cell can be seen from a box, the stored sector that it belongs to, and the least way to
+// the cell within it.
+struct Seen {
+    std::uint8_t sector;
+    std::uint8_t stored;
+    double t2;
+};
+
+// A cell near a box: how far, and the sectors in which it can be seen, [firstSeen, endSeen) of the table.
 struct Offset {
     int dx;
     int dy;
     double t;
-    SectorSet sectors;
+    std::size_t firstSeen;
+    std::size_t endSeen;
 };
 
-std::vector<Offset> offsetsAround(int footprint, int radius, const AzimuthSectors& sectors) {
-    std::vector<Offset> offsets;
-    const auto gap = [&](int d) { return std::max({0, d - footprint, -(d + 1)}); };
-    for (int dy = -radius; dy < footprint + radius; ++dy) {
-        for (int dx = -radius; dx < footprint + radius; ++dx) {
-            const double t = std::hypot(gap(dx), gap(dy));
+struct Offsets {
+    std::vector<Offset> near;  // nearest first
+    std::vector<Seen> seen;
+};
+
+// How far the directions of a sector reach to one side of an axis for each step: the largest component, 0 if none.
+double largestComponent(double begin, double end, bool alongX, int side) {
+    const double middle = (alongX ? 0.0 : 0.5 * std::numbers::pi) + (side > 0 ? 0.0 : std::numbers::pi);
+    for (const double turn : {0.0, 2 * std::numbers::pi}) {
+        if (begin <= middle + turn && middle + turn <= end) return 1;
+    }
+    return std::max({std::cos(begin - middle), std::cos(end - middle), 0.0});
+}
+
+// The least way in the sector to a cell that is `gap` away along the axis on that side; infinite if the sector's
+// directions do not go there. exactQuadrants: no direction counts to a sector beyond an axis, not even by rounding.
+double wayAlong(int gap, int side, bool alongX, double begin, double end, bool exactQuadrants) {
+    constexpr double kAside = 1e-12;  // sectors' ends are rounded
+    if (side == 0) return 0;
+    const double component = largestComponent(begin, end, alongX, side);
+    if (component <= kAside && exactQuadrants) return std::numeric_limits<double>::infinity();
+    return gap / (component + kAside);
+}
+
+// Around a box of width x height cells.
+Offsets offsetsAround(int width, int height, int radius, const AzimuthSectors& sectors, int stored) {
+    Offsets all;
+    const auto gap = [](int d, int size) { return std::max({0, d - size, -(d + 1)}); };
+    const auto side = [](int d, int size) { return d < 0 ? -1 : (d >= size ? 1 : 0); };
+    const bool exactQuadrants = sectors.count() % 4 == 0 && (stored == 1 || stored % 4 == 0);
+    for (int dy = -radius; dy < height + radius; ++dy) {
+        for (int dx = -radius; dx < width + radius; ++dx) {
+            const double t = std::hypot(gap(dx, width), gap(dy, height));
             if (t > radius) continue;
-            offsets.push_back({dx, dy, t, sectors.meeting(dx - footprint, dx + 1, dy - footprint, dy + 1)});
+            const std::size_t first = all.seen.size();
+            const SectorSet set = sectors.meeting(dx - width, dx + 1, dy - height, dy + 1);
+            for (int k = 0; k < sectors.count(); ++k) {
+                if ((set >> k & 1U) == 0) continue;
+                const double way = std::max(
+                    {t,
+                     wayAlong(gap(dx, width), side(dx, width), true, sectors.begin(k), sectors.end(k), exactQuadrants),
+                     wayAlong(gap(dy, height), side(dy, height), false, sectors.begin(k), sectors.end(k),
+                              exactQuadrants)});
+                if (way > radius) continue;
+                all.seen.push_back(
+                    {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(k * stored / sectors.count()), way * way});
+            }
+            all.near.push_back({dx, dy, t, first, all.seen.size()});
         }
     }
-    std::stable_sort(offsets.begin(), offsets.end(), [](const Offset& p, const Offset& q) { return p.t < q.t; });
-    return offsets;
+    std::stable_sort(all.near.begin(), all.near.end(), [](const Offset& p, const Offset& q) { return p.t < q.t; });
+    return all;
 }
 
 class Builder {
@@ -141,15 +191,16 @@ class Builder {
           grid_(field),
           sectors_(map.parameters.horizons),
           radius_(std::min(kLargestRadius, static_cast<int>(std::ceil(map.slabTexels)) + 1)),
-          offsets_(offsetsAround(map.parameters.footprint, radius_, sectors_)),
           mMin_(std::tan(map.parameters.flattest * std::numbers::pi / 180)),
           gatesX_{grid_.x, grid_.y, RangeMinimum(transposed(field.heights()), grid_.y.wraps),
                   field.surface() == Surface::Bilinear},
           gatesY_{grid_.y, grid_.x, RangeMinimum(field.heights(), grid_.x.wraps),
                   field.surface() == Surface::Bilinear} {
-        groups_.resize(static_cast<std::size_t>(map.parameters.sectors));
-        for (int k = 0; k < sectors_.count(); ++k) {
-            groups_[static_cast<std::size_t>(k * map.parameters.sectors / sectors_.count())] |= SectorSet{1} << k;
+        const int f = map.parameters.footprint;
+        for (const int height : {f, lastWidth(grid_.y)}) {
+            for (const int width : {f, lastWidth(grid_.x)}) {
+                offsets_.push_back(offsetsAround(width, height, radius_, sectors_, map.parameters.sectors));
+            }
         }
     }
 
@@ -167,6 +218,8 @@ class Builder {
 
   private:
     void box(int bx, int by, Scratch& scratch) const;
+    // Cells of the last, clipped, box of an axis.
+    int lastWidth(const GridAxis& axis) const { return (axis.cells - 1) % map_.parameters.footprint + 1; }
     void horizons(int bx, int by, std::vector<std::vector<Gate>>& gates) const;
     void distances(int bx, int by, double z0, Scratch& scratch) const;
     float& value(int bx, int by, int k, int sector) const {
@@ -184,18 +237,16 @@ class Builder {
     CellGrid grid_;
     AzimuthSectors sectors_;
     int radius_;
-    std::vector<Offset> offsets_;
+    std::vector<Offsets> offsets_;  // of whole boxes, the last column, the last row, the last of both
     double mMin_;
     GateAxis gatesX_;
     GateAxis gatesY_;
-    std::vector<SectorSet> groups_;  // horizon sectors of each stored sector
 };
 
 void Builder::horizons(int bx, int by, std::vector<std::vector<Gate>>& gates) const {
     const int f = map_.parameters.footprint;
-    // A clipped footprint is treated as if it were whole: a larger box has the smaller bound.
-    const Span x{static_cast<double>(bx * f), static_cast<double>((bx + 1) * f)};
-    const Span y{static_cast<double>(by * f), static_cast<double>((by + 1) * f)};
+    const Span x{static_cast<double>(bx * f), static_cast<double>(std::min((bx + 1) * f, grid_.x.cells))};
+    const Span y{static_cast<double>(by * f), static_cast<double>(std::min((by + 1) * f, grid_.y.cells))};
     const double reach = map_.maxRun;
     gates.resize(static_cast<std::size_t>(sectors_.count()));
     for (int k = 0; k < sectors_.count(); ++k) {
@@ -215,27 +266,27 @@ void Builder::distances(int bx, int by, double z0, Scratch& scratch) const {
     const int f = map_.parameters.footprint;
     const double steepLeast = *std::min_element(scratch.slopes.begin(), scratch.slopes.end());
     const double perT = std::sqrt(1 + steepLeast * steepLeast);
-    scratch.best.assign(static_cast<std::size_t>(map_.parameters.sectors), radius_ * perT);
-    double worst = radius_ * perT;
+    // Squares.
+    const double cut = radius_ * radius_ * perT * perT;
+    scratch.best.assign(static_cast<std::size_t>(map_.parameters.sectors), cut);
+    double worst = cut;
+    const Offsets& offsets = offsets_[(by == ny_ - 1 ? 2U : 0U) + (bx == nx_ - 1 ? 1U : 0U)];
     const auto place = [](const GridAxis& axis, int cell) {
         if (!axis.wraps) return cell >= 0 && cell < axis.cells ? cell : -1;
         const int rest = cell % axis.cells;
         return rest < 0 ? rest + axis.cells : rest;
     };
-    for (const Offset& offset : offsets_) {
-        if (offset.t * perT >= worst) break;
+    for (const Offset& offset : offsets.near) {
+        if (offset.t * offset.t * perT * perT >= worst) break;
         const int x = place(grid_.x, bx * f + offset.dx);
         const int y = place(grid_.y, by * f + offset.dy);
         if (x < 0 || y < 0) continue;
         const double drop = std::max(z0 - static_cast<double>(cells_.highest(x, y)), 0.0) * map_.slabTexels;
-        for (std::size_t s = 0; s < scratch.best.size(); ++s) {
-            double slope = std::numeric_limits<double>::infinity();
-            for (SectorSet seen = offset.sectors & groups_[s]; seen != 0; seen &= seen - 1) {
-                slope = std::min(slope, scratch.slopes[static_cast<std::size_t>(std::countr_zero(seen))]);
-            }
-            if (std::isinf(slope)) continue;
-            const double fall = std::max(drop, offset.t * slope);
-            scratch.best[s] = std::min(scratch.best[s], std::sqrt(offset.t * offset.t + fall * fall));
+        for (std::size_t n = offset.firstSeen; n < offset.endSeen; ++n) {
+            const Seen& seen = offsets.seen[n];
+            const double slope = scratch.slopes[seen.sector];
+            const double squared = seen.t2 + std::max(drop * drop, seen.t2 * slope * slope);
+            scratch.best[seen.stored] = std::min(scratch.best[seen.stored], squared);
         }
         worst = *std::max_element(scratch.best.begin(), scratch.best.end());
     }
@@ -264,7 +315,7 @@ void Builder::box(int bx, int by, Scratch& scratch) const {
             // Rounded down: float has 24 bits, the share taken off is larger than their rounding.
             constexpr float kFloatShorter = 1 - 1.2e-7F;
             value(bx, by, k, s) =
-                static_cast<float>(scratch.best[static_cast<std::size_t>(s)] * kShorter) * kFloatShorter;
+                static_cast<float>(std::sqrt(scratch.best[static_cast<std::size_t>(s)]) * kShorter) * kFloatShorter;
         }
     }
 }

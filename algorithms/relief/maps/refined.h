@@ -28,8 +28,8 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
 // Backward, for each of K azimuth sectors: the gates (grid lines behind the box) that a ray from above must have
 // passed over, the least height g over the stretch where it can have crossed, within the horizontal way tau, give its
 // least slope m_k = max((g - z1) / tau, m_min).
-// Forward: D = min over cells q of sqrt(t^2 + max(z0 - H_q, t min m_k, 0)^2), t the gap between box and cell, k over
-// the sectors in which q can be seen from the box.
+// Forward: D = min over cells q, and over the sectors k in which q can be seen from the box, of
+// sqrt(t^2 + max(z0 - H_q, t m_k, 0)^2), t the least way from box to cell in that sector.
 void refinedConservative(DistanceMap& map, int nx, int ny, const HeightField& field, const CellHeights& cells,
                          std::vector<float>& values, Work& work);
 
