@@ -1,0 +1,158 @@
+// Cone maps against every pair of cells, and the surface against the cones.
+#include "relief/maps/cone_map.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "brute_cells.h"
+#include "relief/maps/distance_map.h"
+
+namespace relief::test {
+namespace {
+
+// Slopes are stored as floats, rounded up.
+constexpr double kFloatRounding = 1e-6;
+
+const std::vector<std::pair<int, int>>& sizes() {
+    static const std::vector<std::pair<int, int>> all{{13, 9}, {16, 16}, {1, 5}, {3, 3}};
+    return all;
+}
+
+ConeMap built(ConeKind kind, int sectors, const HeightField& field) {
+    Work work(2);
+    ConeParameters parameters;
+    parameters.sectors = sectors;
+    return buildConeMap(kind, parameters, field, work);
+}
+
+// Every third texel high, so that walls and flats are next to each other.
+Heights walls(int width, int height, std::uint64_t seed) {
+    Random random(seed);
+    FloatImage image(width, height);
+    for (float& h : image.pixels()) {
+        const double height01 = random.unit();
+        h = static_cast<float>(random.below(3) == 0 ? height01 : 0.1 * height01);
+    }
+    return share(std::move(image));
+}
+
+TEST(ConservativeCones, AreTheSteepestOverAllOtherCells) {
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) {
+            for (const auto& [width, height] : sizes()) {
+                const HeightField field(walls(width, height, 21), surface, address, 0.3);
+                SCOPED_TRACE(describe(field));
+                const BruteCells cells(field);
+                const ConeMap map = built(ConeKind::Conservative, 1, field);
+                ASSERT_EQ(map.nx(), cells.nx);
+                const double reach =
+                    cells.wraps ? std::max(1.0, 0.5 * std::min(cells.nx, cells.ny)) : std::hypot(cells.nx, cells.ny);
+                for (int y = 0; y < cells.ny; ++y) {
+                    for (int x = 0; x < cells.nx; ++x) {
+                        double apex = 0;
+                        double top = 0;
+                        cells.each([&](int i, int j, double high) {
+                            top = std::max(top, high);
+                            if (std::abs(i - x) <= 1 && std::abs(j - y) <= 1) apex = std::max(apex, high);
+                        });
+                        double kappa = (top - apex) / reach;
+                        cells.each([&](int i, int j, double high) {
+                            const double gap =
+                                std::hypot(std::max(std::abs(i - x) - 1, 0), std::max(std::abs(j - y) - 1, 0));
+                            if (gap > 0 && gap < reach) kappa = std::max(kappa, (high - apex) / gap);
+                        });
+                        ASSERT_EQ(map.apex(x, y, 0), static_cast<float>(apex)) << x << ", " << y;
+                        ASSERT_GE(map.slopes(x, y, 0), kappa) << x << ", " << y;
+                        ASSERT_LE(map.slopes(x, y, 0), kappa * (1 + kFloatRounding)) << x << ", " << y;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(ConservativeCones, HoldNoPointOfTheSurface) {
+    constexpr int kPoints = 40000;
+    constexpr double kNearly = 0.05;  // of the slab, among so many points
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) {
+            const HeightField field(walls(13, 10, 22), surface, address, 0.3);
+            const BruteCells cells(field);
+            for (const int sectors : {1, 4, 8}) {
+                SCOPED_TRACE(describe(field) + ", sectors " + std::to_string(sectors));
+                const ConeMap map = built(ConeKind::Conservative, sectors, field);
+                Random random(5);
+                double tightest = 1;
+                for (int n = 0; n < kPoints; ++n) {
+                    const int x = random.below(cells.nx);
+                    const int y = random.below(cells.ny);
+                    // Anywhere in the cell, and what is up to two pictures away.
+                    const double s = x + random.unit() - cells.shift;
+                    const double t = y + random.unit() - cells.shift;
+                    const double angle = 2 * std::numbers::pi * random.unit();
+                    const double way = 26 * random.unit() * random.unit();
+                    const double a = std::cos(angle) * way;
+                    const double b = std::sin(angle) * way;
+                    if (!cells.holds(s, t) || !cells.holds(s + a, t + b)) continue;
+                    const double kappa = static_cast<double>(map.slopes(x, y, azimuthSector(a, b, sectors)));
+                    const double room = static_cast<double>(map.apex(x, y, 0)) + kappa * way - field.at(s + a, t + b);
+                    ASSERT_GE(room, -1e-12) << s << "," << t << " to " << a << "," << b;
+                    tightest = std::min(tightest, room);
+                }
+                // The cones are no smaller than they must be: some touch.
+                EXPECT_LT(tightest, kNearly);
+            }
+        }
+    }
+}
+
+TEST(ConservativeCones, SectorsAreNoSteeperThanTheWhole) {
+    const HeightField field(walls(32, 32, 23), Surface::Bilinear, Address::Repeat, 0.3);
+    const ConeMap whole = built(ConeKind::Conservative, 1, field);
+    const ConeMap parts = built(ConeKind::Conservative, 8, field);
+    double sum = 0;
+    double sumWhole = 0;
+    for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 32; ++x) {
+            float steepest = 0;
+            for (int k = 0; k < 8; ++k) {
+                steepest = std::max(steepest, parts.slopes(x, y, k));
+                sum += static_cast<double>(parts.slopes(x, y, k)) / 8;
+            }
+            ASSERT_EQ(steepest, whole.slopes(x, y, 0)) << x << ", " << y;
+            sumWhole += static_cast<double>(whole.slopes(x, y, 0));
+        }
+    }
+    EXPECT_LT(sum, 0.95 * sumWhole);
+}
+
+TEST(DummersCones, AreTheSteepestOverAllTexelCentres) {
+    for (const Address address : allAddresses()) {
+        for (const auto& [width, height] : sizes()) {
+            const HeightField field(walls(width, height, 24), Surface::Bilinear, address, 0.3);
+            SCOPED_TRACE(describe(field));
+            const ConeMap map = built(ConeKind::Dummer, 1, field);
+            const int around = address == Address::Repeat ? 1 : 0;
+            for (int y = 0; y < height; ++y) {
+                for (int x = 0; x < width; ++x) {
+                    const double own = static_cast<double>(field.texel(x, y));
+                    double kappa = 0;
+                    for (int j = -around * height; j < height * (1 + around); ++j) {
+                        for (int i = -around * width; i < width * (1 + around); ++i) {
+                            if (i == x && j == y) continue;
+                            const double way = std::hypot(i - x, j - y);
+                            if (way >= std::hypot(width, height)) continue;
+                            kappa = std::max(kappa, (static_cast<double>(field.texel(i, j)) - own) / way);
+                        }
+                    }
+                    ASSERT_NEAR(map.slopes(x, y, 0), kappa, kFloatRounding * (1 + kappa)) << x << ", " << y;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief::test

@@ -1,0 +1,205 @@
+// Distance maps against every pair of voxel and cell, and their bounds against the surface itself.
+#include "relief/maps/distance_map.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "brute_cells.h"
+#include "errors.h"
+
+namespace relief::test {
+namespace {
+
+// Squares, roots and the envelope in float.
+constexpr double kFloatRounding = 1e-5;
+
+const std::vector<std::pair<int, int>>& sizes() {
+    static const std::vector<std::pair<int, int>> all{{13, 9}, {16, 8}, {1, 5}};
+    return all;
+}
+
+DistanceMap built(DistanceKind kind, int footprint, int layers, const HeightField& field) {
+    Work work(2);
+    DistanceParameters parameters;
+    parameters.footprint = footprint;
+    parameters.layers = layers;
+    return buildDistanceMap(kind, parameters, field, work);
+}
+
+// Some layers are free everywhere.
+constexpr float kHighest = 0.7F;
+
+// Calls body(field, footprint, layers) over surfaces, addresses, sizes and voxel shapes.
+template <class Body>
+void overFields(const Body& body) {
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) {
+            for (const auto& [width, height] : sizes()) {
+                FloatImage heights = *randomHeights(width, height, 31);
+                for (float& h : heights.pixels()) h *= kHighest;
+                const HeightField field(share(std::move(heights)), surface, address, 0.4);
+                for (const auto& [footprint, layers] : {std::pair(1, 8), std::pair(3, 10)}) {
+                    SCOPED_TRACE(describe(field) + ", F " + std::to_string(footprint));
+                    body(field, footprint, layers);
+                    if (testing::Test::HasFatalFailure()) return;
+                }
+            }
+        }
+    }
+}
+
+TEST(EuclideanMap, IsTheDistanceBetweenVoxelCentres) {
+    overFields([](const HeightField& field, int footprint, int layers) {
+        const DistanceMap map = built(DistanceKind::Euclidean, footprint, layers, field);
+        const int nx = (field.width() + footprint - 1) / footprint;
+        const int ny = (field.height() + footprint - 1) / footprint;
+        ASSERT_EQ(map.nx(), nx);
+        ASSERT_EQ(map.ny(), ny);
+        const double dx = static_cast<double>(field.width()) / nx;
+        const double dy = static_cast<double>(field.height()) / ny;
+        const double dz = field.slabTexels() / layers;
+        const bool wraps = field.address() == Address::Repeat;
+        const auto axisWay = [&](int a, int b, int n) {
+            const int d = std::abs(a - b);
+            return wraps ? std::min(d, n - d) : d;
+        };
+        const auto distance = [&](int x, int y, int k) {
+            double least = 1e30;
+            for (int j = 0; j < ny; ++j) {
+                for (int i = 0; i < nx; ++i) {
+                    // Solid voxels of the column: those whose centre is not above it, and all below the slab.
+                    const double surface = field.at((i + 0.5) * dx, (j + 0.5) * dy);
+                    for (int q = -1; q < layers; ++q) {
+                        if (q >= 0 && (q + 0.5) / layers > surface) break;
+                        least = std::min(least, std::hypot(axisWay(x, i, nx) * dx, axisWay(y, j, ny) * dy,
+                                                           std::max(k - q, q - k) * dz));
+                    }
+                }
+            }
+            return least;
+        };
+        for (int k = 0; k < layers; ++k) {
+            for (int y = 0; y < ny; ++y) {
+                for (int x = 0; x < nx; ++x) {
+                    const double want = distance(x, y, k);
+                    ASSERT_NEAR(map.at(x, y, k, 0), want, kFloatRounding * (1 + want)) << x << ", " << y << ", " << k;
+                }
+            }
+        }
+    });
+}
+
+struct BoxCells {
+    int x0, x1, y0, y1;
+};
+BoxCells cellsOf(const BruteCells& cells, int bx, int by, int f) {
+    return {bx * f, std::min((bx + 1) * f, cells.nx), by * f, std::min((by + 1) * f, cells.ny)};
+}
+
+TEST(ConservativeMap, IsTheBoundOfEveryBoxWithItsMarks) {
+    overFields([](const HeightField& field, int footprint, int layers) {
+        const DistanceMap map = built(DistanceKind::EuclideanConservative, footprint, layers, field);
+        const BruteCells cells(field);
+        ASSERT_EQ(map.nx(), (cells.nx + footprint - 1) / footprint);
+        for (int k = 0; k < layers; ++k) {
+            const double z0 = static_cast<double>(k) / layers;
+            const double z1 = static_cast<double>(k + 1) / layers;
+            for (int by = 0; by < map.ny(); ++by) {
+                for (int bx = 0; bx < map.nx(); ++bx) {
+                    const BoxCells box = cellsOf(cells, bx, by, footprint);
+                    double high = 0;
+                    double low = 1;
+                    double least = 1e30;
+                    cells.each([&](int i, int j, double top) {
+                        if (i >= box.x0 && i < box.x1 && j >= box.y0 && j < box.y1) {
+                            high = std::max(high, top);
+                            low = std::min(low, static_cast<double>(cells.lowest(i, j)));
+                        }
+                        const double wayX = std::max({0, box.x0 - (i + 1), i - box.x1});
+                        const double wayY = std::max({0, box.y0 - (j + 1), j - box.y1});
+                        const double drop = std::max(z0 - top, 0.0) * field.slabTexels();
+                        least = std::min(least, std::hypot(wayX, wayY, drop));
+                    });
+                    const float got = map.at(bx, by, k, 0);
+                    if (z0 <= high || k == 0) {
+                        ASSERT_EQ(got, z1 <= low ? StoredValues::kBuried : StoredValues::kSurface) << bx << ", " << by;
+                        continue;
+                    }
+                    ASSERT_NEAR(got, least, kFloatRounding * (1 + least)) << bx << ", " << by << ", " << k;
+                    ASSERT_LE(got, least) << bx << ", " << by << ", " << k;
+                }
+            }
+        }
+    });
+}
+
+// The surface as points, dense; with the walls of columns.
+struct SurfacePoint {
+    double s, t, z;
+};
+std::vector<SurfacePoint> surfacePoints(const HeightField& field, const BruteCells& cells) {
+    constexpr int kEach = 4;    // along a texel
+    constexpr int kBeyond = 8;  // texels around the picture
+    std::vector<SurfacePoint> points;
+    for (int j = -kBeyond * kEach; j <= (field.height() + kBeyond) * kEach; ++j) {
+        for (int i = -kBeyond * kEach; i <= (field.width() + kBeyond) * kEach; ++i) {
+            const double s = static_cast<double>(i) / kEach;
+            const double t = static_cast<double>(j) / kEach;
+            if (!cells.holds(s, t)) continue;
+            // On the line between columns the higher: the nearest point may lie on the edge of a wall.
+            double z = 0;
+            for (const double x : {-1e-9, 1e-9}) {
+                for (const double y : {-1e-9, 1e-9}) z = std::max(z, field.at(s + x, t + y));
+            }
+            points.push_back({s, t, z * field.slabTexels()});
+        }
+    }
+    return points;
+}
+
+TEST(ConservativeMap, IsNeverAboveTheDistanceOfAPointOfTheBox) {
+    overFields([](const HeightField& field, int footprint, int layers) {
+        constexpr int kPointsEach = 3;
+        const DistanceMap map = built(DistanceKind::EuclideanConservative, footprint, layers, field);
+        const BruteCells cells(field);
+        const std::vector<SurfacePoint> surface = surfacePoints(field, cells);
+        Random random(9);
+        int looked = 0;
+        for (int k = 1; k < layers; ++k) {
+            for (int by = 0; by < map.ny(); ++by) {
+                for (int bx = 0; bx < map.nx(); ++bx) {
+                    const double bound = static_cast<double>(map.at(bx, by, k, 0));
+                    if (bound < 0) continue;
+                    const BoxCells box = cellsOf(cells, bx, by, footprint);
+                    for (int n = 0; n < kPointsEach; ++n) {
+                        const double s = random.between(box.x0, box.x1) - cells.shift;
+                        const double t = random.between(box.y0, box.y1) - cells.shift;
+                        if (!cells.holds(s, t)) continue;
+                        const double z = (k + (n == 0 ? 0 : random.unit())) / layers * field.slabTexels();
+                        double squared = 1e30;
+                        for (const SurfacePoint& p : surface) {
+                            const double drop = std::max(z - p.z, 0.0);  // below a point of the surface all is solid
+                            squared = std::min(squared, (s - p.s) * (s - p.s) + (t - p.t) * (t - p.t) + drop * drop);
+                        }
+                        ASSERT_LE(bound, std::sqrt(squared)) << bx << ", " << by << ", " << k;
+                        ++looked;
+                    }
+                }
+            }
+        }
+        EXPECT_GT(looked, 5);
+    });
+}
+
+TEST(RefinedMap, IsRefusedUnderClamp) {
+    const HeightField field(randomHeights(8, 8, 1), Surface::Bilinear, Address::Clamp, 0.2);
+    EXPECT_THROW(built(DistanceKind::Refined, 4, 8, field), InputError);
+    MapCache cache;
+    Work work(1);
+    EXPECT_THROW(distanceMap(DistanceKind::Refined, {}, field, cache, work), InputError);
+    EXPECT_NO_THROW(built(DistanceKind::EuclideanConservative, 4, 8, field));
+}
+
+}  // namespace
+}  // namespace relief::test
