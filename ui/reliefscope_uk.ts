@@ -64,6 +64,10 @@
         <translation>скільки вокселів у висоту шару</translation>
     </message>
     <message>
+        <source>a step by the distance: from where the ray leaves the voxel, or from where it is</source>
+        <translation>крок на відстань: звідти, де промінь виходить із вокселя, або звідти, де він є</translation>
+    </message>
+    <message>
         <source>how distances are stored</source>
         <translation>як зберігаються відстані</translation>
     </message>

@@ -3,8 +3,8 @@
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Model: "exit + D" (distance_walk.h): leave the voxel, then go on by its distance; cells of surface voxels are tested.
-// Guarantee: exact, the same bits as `exact`. Failure mode: many steps along walls; memory W H L / F^2.
-// Cost: a distance a step, one leaf a cell near the surface.
+// `rule=classic`: "t + D". Guarantee: exact, the same bits as `exact`. Failure mode: many steps along walls; memory W H
+// L / F^2. Cost: a distance a step, one leaf a cell near the surface.
 #pragma once
 
 #include "relief/distance_options.h"
@@ -31,13 +31,16 @@ class DistanceConservativeTracer : public DistanceWalk {
         int footprint = 1;
         int layers = 32;
         std::string precision = "float";
+        std::string rule = "exit";
 
         static std::vector<OptionField<Options>> fields() { return distanceFields<Options>(); }
     };
     static DistanceConservativeTracer make(const HeightField& field, const Options& options, MapCache& cache,
                                            Work& work) {
-        return {field, relief::distanceMap(DistanceKind::EuclideanConservative, distanceParameters(options), field,
-                                           cache, work)};
+        return {
+            field,
+            relief::distanceMap(DistanceKind::EuclideanConservative, distanceParameters(options), field, cache, work),
+            stepRule(options)};
     }
 
     using DistanceWalk::DistanceWalk;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "relief/describe.h"
+#include "relief/distance_walk.h"
 #include "relief/maps/distance_map.h"
 
 namespace relief {
@@ -53,11 +54,27 @@ std::vector<OptionField<Options>> distanceFields() {
         fields.push_back({{"directions", OptionKind::Integer, "rays", 1, 16384, 1, {}, "sampled from each voxel"},
                           &Options::directions});
     }
+    if constexpr (requires(Options o) { o.rule; }) {
+        fields.push_back({{"rule",
+                           OptionKind::Choice,
+                           "",
+                           0,
+                           0,
+                           0,
+                           {"exit", "classic"},
+                           "a step by the distance: from where the ray leaves the voxel, or from where it is"},
+                          &Options::rule});
+    }
     if constexpr (requires(Options o) { o.iterations; }) {
         fields.push_back(
             {{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "always that many"}, &Options::iterations});
     }
     return fields;
+}
+
+template <class Options>
+StepRule stepRule(const Options& options) {
+    return options.rule == "classic" ? StepRule::Classic : StepRule::Exit;
 }
 
 template <class Options>

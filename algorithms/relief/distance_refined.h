@@ -2,7 +2,7 @@
 // have not hit anything before. [DIST17] figs. 5 to 8, [TEX]; in a form that is safe for whole voxels.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; repeat and border (not proven under clamp: refused).
-// Model: "exit + D" (distance_walk.h) with the bounds of maps/refined.h.
+// Model: "exit + D" (distance_walk.h) with the bounds of maps/refined.h. `rule=classic`: "t + D".
 // Guarantee: exact, the same bits as `exact`, for view rays. Failure mode: rays flatter than `flattest` walk every
 // cell. Cost: as distance-conservative, with some fewer steps in deep pits and between walls, none on smooth relief.
 #pragma once
@@ -33,11 +33,13 @@ class DistanceRefinedTracer : public DistanceWalk {
         double flattest = 10;
         int horizons = 16;
         int sectors = 1;
+        std::string rule = "exit";
 
         static std::vector<OptionField<Options>> fields() { return distanceFields<Options>(); }
     };
     static DistanceRefinedTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
-        return {field, relief::distanceMap(DistanceKind::Refined, distanceParameters(options), field, cache, work)};
+        return {field, relief::distanceMap(DistanceKind::Refined, distanceParameters(options), field, cache, work),
+                stepRule(options)};
     }
 
     using DistanceWalk::DistanceWalk;

@@ -1,10 +1,12 @@
-// What both conservative distance tracers share: the walk by the rule "exit + D".
+// What both conservative distance tracers share: the walk by the rule "exit + D", or by the classic "t + D".
 //
 // Frame and units: ray.h; the map's own: distance_map.h.
 // Model: in a free voxel the ray goes on to where it leaves the voxel, and by the voxel's distance beyond: the bound
 // holds for every point of the box, the exit included. In a surface voxel the one leaf tests the cell, and the ray goes
 // on to the next cell. Never interpolated, never over-relaxed, no epsilon stop. A ray flatter than those that the map
 // serves takes every voxel for a surface voxel.
+// Classic: by the distance from where the ray is, as sphere tracing does; it creeps, and where a step would be shorter
+// than kShortestClassic the cell is tested as in a surface voxel.
 #pragma once
 
 #include <optional>
@@ -15,10 +17,14 @@
 
 namespace relief {
 
+enum class StepRule : std::uint8_t { Exit, Classic };
+
 class DistanceWalk {
   public:
-    DistanceWalk(HeightField field, std::shared_ptr<const DistanceMap> map)
-        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
+    static constexpr double kShortestClassic = 1.0 / 64;  // texels
+
+    DistanceWalk(HeightField field, std::shared_ptr<const DistanceMap> map, StepRule rule = StepRule::Exit)
+        : field_(std::move(field)), map_(std::move(map)), grid_(field_), rule_(rule) {}
 
     template <class Sink>
     Hit trace(const ViewRay& ray, Sink& sink) const {
@@ -37,7 +43,14 @@ class DistanceWalk {
     double segmentRecords() const { return 3; }
 
   private:
-    double records(const GridRay& ray) const { return 2 * ray.cellBound() + map_->layers() + 4; }
+    double perLambda(const GridRay& ray) const {
+        return std::hypot(std::hypot(ray.x.run, ray.y.run), map_->slabTexels);
+    }
+    double records(const GridRay& ray) const {
+        const double walked = 2 * ray.cellBound() + map_->layers() + 4;
+        // Half of the shortest: what the exclusion margin takes off is less.
+        return rule_ == StepRule::Exit || !ray.inDomain() ? walked : walked + 2 * perLambda(ray) / kShortestClassic;
+    }
 
     struct Voxel {
         int bx;
@@ -46,16 +59,21 @@ class DistanceWalk {
     };
     Voxel voxelAt(AxisCell cx, AxisCell cy, double lambda) const {
         const int f = map_->parameters.footprint;
-        // On the floor of a layer the descending ray is in the one below.
-        const double k = std::ceil((1 - lambda) * map_->layers()) - 1;
-        return {cx.index / f, cy.index / f, static_cast<int>(std::clamp(k, 0.0, map_->layers() - 1.0))};
+        // On the floor of a layer the descending ray is in the one below: by the number that leaveVoxel() gives, or it
+        // would stay there where a distance is 0.
+        const double guess = std::ceil((1 - lambda) * map_->layers()) - 1;
+        int layer = static_cast<int>(std::clamp(guess, 0.0, map_->layers() - 1.0));
+        if (layer > 0 && floorOf(layer) <= lambda) --layer;
+        return {cx.index / f, cy.index / f, layer};
     }
+    // Lambda at the floor of a layer.
+    double floorOf(int layer) const { return 1 - static_cast<double>(layer) / map_->layers(); }
 
     double leaveVoxel(const GridRay& ray, const Voxel& voxel, AxisCell cx, AxisCell cy) const {
         const int f = map_->parameters.footprint;
         const double x = ray.x.leave(grid_.x, voxel.bx * f, std::min((voxel.bx + 1) * f, grid_.x.cells), cx.base);
         const double y = ray.y.leave(grid_.y, voxel.by * f, std::min((voxel.by + 1) * f, grid_.y.cells), cy.base);
-        return std::min({x, y, 1 - static_cast<double>(voxel.layer) / map_->layers()});
+        return std::min({x, y, floorOf(voxel.layer)});
     }
 
     std::optional<double> leaf(const GridRay& ray, AxisCell cx, AxisCell cy) const {
@@ -87,6 +105,7 @@ class DistanceWalk {
     HeightField field_;
     std::shared_ptr<const DistanceMap> map_;
     CellGrid grid_;
+    StepRule rule_;
 };
 
 template <bool kWhole, class Sink>
@@ -95,7 +114,8 @@ Hit DistanceWalk::run(const ViewRay& viewRay, Segment segment, Sink& sink) const
     const GridRay ray(grid_, viewRay);
     const double runLength = std::hypot(ray.x.run, ray.y.run);
     const bool served = runLength <= map_->maxRun && ray.inDomain();
-    const double perLambda = std::hypot(runLength, map_->slabTexels);
+    const double metric = perLambda(ray);
+    const double nearest = rule_ == StepRule::Classic ? kShortestClassic : 0;
     const int sector = azimuthSector(ray.x.run, ray.y.run, map_->parameters.sectors);
     const double end = std::min(segment.out, ray.end(grid_));
     AxisCell cx = ray.x.cellAt(grid_.x, segment.in);
@@ -120,7 +140,7 @@ Hit DistanceWalk::run(const ViewRay& viewRay, Segment segment, Sink& sink) const
             served ? static_cast<double>(map_->at(voxel.bx, voxel.by, voxel.layer, sector)) : StoredValues::kSurface;
         sink.read(1);
         double after = 0;
-        if (distance < 0) {
+        if (distance < nearest) {
             after = std::max(cellStay(grid_, ray, cx, cy).out, lambda);
             sink.read(field_.surface() == Surface::Bilinear ? 4 : 1);
             if (const auto hit = leaf(ray, cx, cy)) {
@@ -129,9 +149,9 @@ Hit DistanceWalk::run(const ViewRay& viewRay, Segment segment, Sink& sink) const
             }
             sink.step(note(Decision::Test, lambda, after, distance, after));
         } else {
-            const double out = std::max(leaveVoxel(ray, voxel, cx, cy), lambda);
+            const double out = rule_ == StepRule::Classic ? lambda : std::max(leaveVoxel(ray, voxel, cx, cy), lambda);
             // What the leaf's rounding could still call a hit is left to the leaf.
-            after = out + std::max(0.0, distance / perLambda - kExclusionMargin);
+            after = out + std::max(0.0, distance / metric - kExclusionMargin);
             sink.step(note(Decision::Advance, lambda, out, distance, std::min(after, segment.out)));
         }
         lambda = after;
