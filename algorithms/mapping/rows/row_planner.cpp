@@ -1,0 +1,72 @@
+#include "mapping/rows/row_planner.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace relief {
+
+namespace {
+
+// E over u and v of m pixels from pixel n.
+double worstError(const Homography& map, double y, const RowSlopes& slopes, std::int64_t n, std::int64_t m) {
+    const double q0 = map.denominator(static_cast<double>(n) + 0.5, y);
+    const double q1 = map.denominator(static_cast<double>(n + m) + 0.5, y);
+    return linearError(std::max(std::abs(slopes.a), std::abs(slopes.b)), map.qx, static_cast<double>(m), q0, q1);
+}
+
+// The largest m in [1, most] that is good, given that goodness ends somewhere; 1 where even that is not good.
+template <typename Good>
+std::int64_t largest(std::int64_t most, const Good& good) {
+    std::int64_t low = 1;
+    std::int64_t high = most + 1;
+    while (high - low > 1) {
+        const std::int64_t middle = low + (high - low) / 2;
+        (good(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+}  // namespace
+
+double linearError(double numerator, double stepQ, double length, double q0, double q1) {
+    assert(q0 > 0 && q1 > 0);
+    const double roots = std::sqrt(q0) + std::sqrt(q1);
+    return std::abs(numerator * stepQ) * length * length / (q0 * q1 * roots * roots);
+}
+
+AffineError affineError(double ratio) {
+    assert(ratio >= 1);
+    const double root = std::sqrt(ratio);
+    return {(root - 1) / (root + 1), root / (root + 1)};
+}
+
+RowSlopes rowSlopes(const Homography& map, double y) {
+    return {(map.sx * map.qy - map.sy * map.qx) * y + (map.sx * map.q1 - map.s1 * map.qx),
+            (map.tx * map.qy - map.ty * map.qx) * y + (map.tx * map.q1 - map.t1 * map.qx)};
+}
+
+std::int64_t longestSpan(const Homography& map, double y, PixelSpan span, double error) {
+    assert(error > 0);
+    if (span.size() < 2) return 1;
+    const RowSlopes slopes = rowSlopes(map, y);
+    // E is largest where q is smallest: at one end of the row.
+    const bool smallestAtEnd = map.qx < 0;
+    return largest(span.size() - 1, [&](std::int64_t m) {
+        return worstError(map, y, slopes, smallestAtEnd ? span.end - 1 - m : span.begin, m) <= error;
+    });
+}
+
+std::vector<std::int64_t> planSpans(const Homography& map, double y, PixelSpan span, double error) {
+    assert(error > 0);
+    std::vector<std::int64_t> lengths;
+    if (span.empty()) return lengths;
+    const RowSlopes slopes = rowSlopes(map, y);
+    for (std::int64_t n = span.begin; n < span.end - 1; n += lengths.back()) {
+        lengths.push_back(
+            largest(span.end - 1 - n, [&](std::int64_t m) { return worstError(map, y, slopes, n, m) <= error; }));
+    }
+    return lengths;
+}
+
+}  // namespace relief

@@ -1,0 +1,86 @@
+// Rows for the tests of algorithms/mapping/rows: seeded maps, and the truth in long double.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "algorithms/mapping/mapping_cases.h"
+#include "mapping/rows/rows.h"
+
+namespace relief::test {
+
+// A row of `width` pixels whose q goes from 1 to lastQ and whose u goes from 0 to `texels`, v between two values in
+// [0, texels]; mirrored: from right to left. The row's line is y = 0.5.
+inline Homography rowOfRatio(double width, double lastQ, double texels, double firstV, double lastV, bool mirrored) {
+    Homography map;
+    map.qx = (lastQ - 1) / width;
+    map.q1 = 1;
+    map.sx = texels * lastQ / width;
+    map.s1 = 0;
+    map.t1 = firstV;
+    map.tx = (lastV * lastQ - firstV) / width;
+    map.sy = map.qy = map.ty = 0;
+    if (mirrored) {  // x -> width - x
+        map = {-map.sx, 0, map.s1 + map.sx * width, -map.tx, 0, map.t1 + map.tx * width,
+               -map.qx, 0, map.q1 + map.qx * width};
+    }
+    return map.normalised();
+}
+
+struct LongTexel {
+    long double s, t;
+};
+inline LongTexel truthAt(const Homography& map, double y, std::int64_t pixel) {
+    const long double x = static_cast<long double>(pixel) + 0.5L;
+    const long double q = map.qx * x + (map.qy * static_cast<long double>(y) + map.q1);
+    return {(map.sx * x + (map.sy * static_cast<long double>(y) + map.s1)) / q,
+            (map.tx * x + (map.ty * static_cast<long double>(y) + map.t1)) / q};
+}
+
+struct EvaluatedRow {
+    PixelSpan valid;
+    double worst = 0;    // texels, against the truth
+    double largest = 0;  // |u|, |v|
+    bool finite = true;
+};
+template <typename T>
+EvaluatedRow evaluated(const Homography& map, double y, PixelSpan span, const RowOptions& options) {
+    const auto size = static_cast<std::size_t>(span.size());
+    std::vector<T> u(size), v(size);
+    EvaluatedRow row;
+    row.valid = evaluateRow(map, y, span, options, u.data(), v.data());
+    for (std::int64_t i = row.valid.begin; i < row.valid.end; ++i) {
+        const auto n = static_cast<std::size_t>(i - span.begin);
+        const LongTexel truth = truthAt(map, y, i);
+        const auto error = static_cast<double>(std::max(std::abs(static_cast<long double>(u[n]) - truth.s),
+                                                        std::abs(static_cast<long double>(v[n]) - truth.t)));
+        row.finite = row.finite && std::isfinite(u[n]) && std::isfinite(v[n]);
+        row.worst = std::isnan(error) ? error : std::max(row.worst, error);
+        row.largest =
+            std::max({row.largest, static_cast<double>(std::abs(truth.s)), static_cast<double>(std::abs(truth.t))});
+    }
+    return row;
+}
+
+inline std::vector<RowOptions> exactVariants() {
+    std::vector<RowOptions> all;
+    for (const RowVariant variant :
+         {RowVariant::Direct, RowVariant::RowConstant, RowVariant::Incremental, RowVariant::IncrementalShared,
+          RowVariant::IncrementalReciprocal, RowVariant::Opposed}) {
+        all.push_back({variant});
+    }
+    for (const int k : {1, 2, 3, 7, 16, 33}) {
+        RowOptions options{RowVariant::Streams};
+        options.streams = k;
+        all.push_back(options);
+    }
+    return all;
+}
+
+inline std::string nameOf(const RowOptions& options) {
+    return std::string(rowVariantName(options.variant)) + ", " + std::to_string(options.streams) + " streams, span " +
+           std::to_string(options.span) + ", anchor " + std::to_string(options.anchor);
+}
+
+}  // namespace relief::test

@@ -1,0 +1,135 @@
+#include "mapping/rows/row_planner.h"
+
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "mapping/rows/row_kernels.h"
+#include "row_cases.h"
+
+namespace relief {
+namespace {
+
+using test::Random;
+using test::rowOfRatio;
+using test::truthAt;
+
+constexpr std::uint64_t kSeed = 20183;
+
+// The largest distance of u and v from the line between pixels n and n + m, at kPerPixel places a pixel.
+double sampledError(const Homography& map, double n, double m) {
+    const auto at = [&](double x, bool v) {
+        const TexelPoint p = map.at(x, 0.5);
+        return v ? p.t : p.s;
+    };
+    double worst = 0;
+    constexpr int kPlaces = 4000;
+    for (const bool v : {false, true}) {
+        const double first = at(n + 0.5, v), last = at(n + m + 0.5, v);
+        for (int i = 0; i <= kPlaces; ++i) {
+            const double part = static_cast<double>(i) / kPlaces;
+            worst = std::max(worst, std::abs(at(n + 0.5 + part * m, v) - (first + part * (last - first))));
+        }
+    }
+    return worst;
+}
+
+Homography randomRow(Random& random, int width) {
+    return rowOfRatio(width, std::exp2(random.real(-4.0, -0.3)), random.real(100.0, 5000.0), random.real(0.0, 1000.0),
+                      random.real(0.0, 1000.0), random.whole(0, 1) == 1);
+}
+
+TEST(RowPlanner, TheErrorOfALineIsTheClosedForm) {
+    Random random(kSeed);
+    for (int n = 0; n < 200; ++n) {
+        const Homography map = randomRow(random, 4000);
+        const double from = random.whole(0, 2000), length = random.whole(1, 1900);
+        const RowSlopes slopes = rowSlopes(map, 0.5);
+        const double closed = linearError(std::max(std::abs(slopes.a), std::abs(slopes.b)), map.qx, length,
+                                          map.denominator(from + 0.5, 0.5), map.denominator(from + length + 0.5, 0.5));
+        // The places of the samples are a 4000th of the span apart, and the curve is flat there.
+        EXPECT_NEAR(sampledError(map, from, length), closed, 1e-6 * closed + 1e-9) << "seed " << kSeed << ", " << n;
+    }
+}
+
+TEST(RowPlanner, TheLongestSpanKeepsTheErrorAndOneMoreDoesNot) {
+    Random random(kSeed + 1);
+    int limited = 0;
+    for (int n = 0; n < 100; ++n) {
+        const int width = 4000;
+        const Homography map = randomRow(random, width);
+        const double error = std::exp2(random.real(-8.0, 3.0));
+        const std::int64_t m = longestSpan(map, 0.5, {0, width}, error);
+        const auto worstOf = [&](std::int64_t length) {
+            const double atLeft = sampledError(map, 0, static_cast<double>(length));
+            const double atRight =
+                sampledError(map, static_cast<double>(width - 1 - length), static_cast<double>(length));
+            return std::max(atLeft, atRight);
+        };
+        SCOPED_TRACE("seed " + std::to_string(kSeed + 1) + ", case " + std::to_string(n) +
+                     ", m = " + std::to_string(m));
+        if (m > 1) {
+            EXPECT_LE(worstOf(m), error * (1 + 1e-9));
+        }
+        if (m < width - 1) {
+            EXPECT_GT(worstOf(m + 1), error * (1 - 1e-6));
+            ++limited;
+        }
+        // The variant keeps it, too: its spans are some of these, its pixels some of the places.
+        RowOptions options{RowVariant::Subspan};
+        options.span = static_cast<int>(m);
+        options.anchor = kNever;
+        if (m > 1) {
+            EXPECT_LE(test::evaluated<double>(map, 0.5, {0, width}, options).worst, error * (1 + 1e-9));
+        }
+    }
+    EXPECT_GT(limited, 50);
+}
+
+TEST(RowPlanner, PlannedSpansCoverTheRowAndKeepTheError) {
+    Random random(kSeed + 2);
+    for (int n = 0; n < 50; ++n) {
+        const int width = random.whole(2, 3000);
+        const Homography map = randomRow(random, width);
+        const double error = std::exp2(random.real(-6.0, 2.0));
+        const auto lengths = planSpans(map, 0.5, {10, 10 + width}, error);
+        EXPECT_EQ(std::accumulate(lengths.begin(), lengths.end(), std::int64_t{0}), width - 1);
+        EXPECT_LE(static_cast<std::int64_t>(lengths.size()),
+                  (width - 1) / longestSpan(map, 0.5, {10, 10 + width}, error) + 1);
+        double at = 10;
+        for (const std::int64_t length : lengths) {
+            if (length > 1) {
+                EXPECT_LE(sampledError(map, at, static_cast<double>(length)), error * (1 + 1e-9));
+            }
+            at += static_cast<double>(length);
+        }
+    }
+    const Homography flat;  // the identity: a line is exact
+    EXPECT_EQ(longestSpan(flat, 0.5, {0, 500}, 1e-9), 499);
+    EXPECT_EQ(planSpans(flat, 0.5, {0, 500}, 1e-9).size(), 1U);
+    EXPECT_EQ(longestSpan(flat, 0.5, {3, 4}, 1e-9), 1);
+    EXPECT_TRUE(planSpans(flat, 0.5, {3, 3}, 1e-9).empty());
+}
+
+TEST(RowPlanner, SpansOfAnyLengthReachBothEnds) {
+    for (const int width : {1, 2, 3, 15, 16, 17, 18, 33, 100}) {
+        for (const int m : {1, 2, 3, 16, 40}) {
+            for (const int anchor : {kNever, kRecommended, 32}) {
+                const Homography map = rowOfRatio(width, 0.3, 500, 2, 90, false);
+                RowOptions options{RowVariant::Subspan};
+                options.span = m;
+                options.anchor = anchor;
+                std::vector<double> u(static_cast<std::size_t>(width)), v(u);
+                evaluateRow(map, 0.5, {0, width}, options, u.data(), v.data());
+                for (int n = 0; n < width; n = n + 1 < width && n + m > width - 1 ? width - 1 : n + m) {
+                    const auto i = static_cast<std::size_t>(n);
+                    EXPECT_NEAR(u[i], static_cast<double>(truthAt(map, 0.5, n).s), 1e-9) << width << ", " << m;
+                    EXPECT_NEAR(v[i], static_cast<double>(truthAt(map, 0.5, n).t), 1e-9) << width << ", " << m;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief
