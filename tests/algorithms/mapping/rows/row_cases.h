@@ -43,6 +43,7 @@ struct EvaluatedRow {
     double worst = 0;    // texels, against the truth
     double largest = 0;  // |u|, |v|
     bool finite = true;
+    double wildest = 0;  // the error over what rounding of a q that is half off could do
 };
 template <typename T>
 EvaluatedRow evaluated(const Homography& map, double y, PixelSpan span, const RowOptions& options) {
@@ -50,12 +51,20 @@ EvaluatedRow evaluated(const Homography& map, double y, PixelSpan span, const Ro
     std::vector<T> u(size), v(size);
     EvaluatedRow row;
     row.valid = evaluateRow(map, y, span, options, u.data(), v.data());
+    // The numerators' terms over the largest q: what their rounding is relative to.
+    const double x = static_cast<double>(std::max(std::abs(span.begin), std::abs(span.end)));
+    const double terms = std::max(std::abs(map.sx) * x + std::abs(map.sy * y) + std::abs(map.s1),
+                                  std::abs(map.tx) * x + std::abs(map.ty * y) + std::abs(map.t1));
+    const double largestQ = std::max(map.denominator(static_cast<double>(row.valid.begin) + 0.5, y),
+                                     map.denominator(static_cast<double>(row.valid.end) - 0.5, y));
     for (std::int64_t i = row.valid.begin; i < row.valid.end; ++i) {
         const auto n = static_cast<std::size_t>(i - span.begin);
         const LongTexel truth = truthAt(map, y, i);
         const auto error = static_cast<double>(std::max(std::abs(static_cast<long double>(u[n]) - truth.s),
                                                         std::abs(static_cast<long double>(v[n]) - truth.t)));
         row.finite = row.finite && std::isfinite(u[n]) && std::isfinite(v[n]);
+        const auto here = static_cast<double>(std::max(std::abs(truth.s), std::abs(truth.t)));
+        row.wildest = std::max(row.wildest, error / (here + terms / largestQ));
         row.worst = std::isnan(error) ? error : std::max(row.worst, error);
         row.largest =
             std::max({row.largest, static_cast<double>(std::abs(truth.s)), static_cast<double>(std::abs(truth.t))});
