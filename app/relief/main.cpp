@@ -82,6 +82,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addCompareCommand(program, commands);
     addBenchCommand(program, commands);
     addStressCommand(program, commands);
+    addCertifyCommand(program, commands);
 }
 
 int parseAndRun(int count, char** arguments, Session& session) {

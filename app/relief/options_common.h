@@ -90,7 +90,10 @@ class ScenarioOptions {
     // The command chooses the method: no --tracer.
     void chooseTracer(const std::string& name) { tracer_ = name; }
     // --map: the stored map laid into the cache for the scenario's tracer, which gets the options it was built with.
-    void useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work) const;
+    // follow: without --tracer and a scenario file the tracer that walks such maps is taken.
+    void useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work, bool follow = false) const;
+    // " --map FILE" as it was given, quoted for a shell; empty without it.
+    std::string mapArgument() const;
 
   private:
     void addPictures(CLI::App& parser, Look look);

@@ -190,10 +190,20 @@ Scenario ScenarioOptions::scenario() const {
     return scenario;
 }
 
-void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work) const {
+void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work,
+                                   bool follow) const {
     if (!map_) return;
     const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
-    scenario.method = useMap(*map_, loadMap(*map_, field, maps.budget(), work), scenario.method, field, maps);
+    const StoredMap map = loadMap(*map_, field, maps.budget(), work);
+    if (follow && !tracer_ && !file_) scenario.method.name = methodOfMap(mapKindName(map));
+    scenario.method = useMap(*map_, map, scenario.method, field, maps);
+}
+
+std::string ScenarioOptions::mapArgument() const {
+    if (!map_) return {};
+    std::string quoted;
+    for (const char c : *map_) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return " --map '" + quoted + "'";
 }
 
 void ScenarioOptions::applyPictures(Scenario& scenario) const {

@@ -64,6 +64,7 @@ void addRenderCommand(CLI::App& program, Commands& commands);
 void addTraceCommand(CLI::App& program, Commands& commands);
 void addCompareCommand(CLI::App& program, Commands& commands);
 void addStressCommand(CLI::App& program, Commands& commands);
+void addCertifyCommand(CLI::App& program, Commands& commands);
 void addBenchCommand(CLI::App& program, Commands& commands);
 
 }  // namespace relief::app

@@ -1,0 +1,126 @@
+// Which cells around a box of cells stand high enough to matter: a search of the max pyramid over all periods in reach.
+// For certificates: independent of the builders' own searches.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "images/pyramid.h"
+#include "relief/maps/refined.h"
+
+namespace relief {
+
+// Cells [x0, x1) x [y0, y1) of cell_grid.h; beyond the grid under repeat.
+struct CellBox {
+    int x0, x1, y0, y1;
+};
+
+class CellsAround {
+  public:
+    CellsAround(const HeightField& field, Work& work)
+        : wraps_(field.address() == Address::Repeat),
+          cells_(field),
+          pyramid_(PyramidKind::Max, cells_.highest, work),
+          width_(cells_.highest.width()),
+          height_(cells_.highest.height()) {}
+
+    const FloatImage& highest() const { return cells_.highest; }
+    double highestOfAll() const { return static_cast<double>(pyramid_.level(pyramid_.levels() - 1)(0, 0)); }
+
+    // keep(gap, highest): may a cell at least `gap` texels off the box, at most that high, matter? leaf(x, y, gap,
+    // highest): a cell for which it may. Cells farther than `reach` are not looked at.
+    template <class Keep, class Leaf>
+    void visit(const CellBox& box, double reach, const Keep& keep, const Leaf& leaf) const {
+        const int top = pyramid_.levels() - 1;
+        // The own period first: what it finds prunes the others.
+        node(box, top, 0, 0, 0, 0, reach, keep, leaf);
+        if (!wraps_) return;
+        const auto periods = [&](int first, int last, int size) {
+            return std::pair(static_cast<int>(std::floor((first - reach) / size)),
+                             static_cast<int>(std::floor((last + reach) / size)));
+        };
+        const auto [px0, px1] = periods(box.x0, box.x1, width_);
+        const auto [py0, py1] = periods(box.y0, box.y1, height_);
+        for (int py = py0; py <= py1; ++py) {
+            for (int px = px0; px <= px1; ++px) {
+                if (px == 0 && py == 0) continue;
+                node(box, top, 0, 0, px * width_, py * height_, reach, keep, leaf);
+            }
+        }
+    }
+
+  private:
+    template <class Keep, class Leaf>
+    void node(const CellBox& box, int level, int i, int j, int shiftX, int shiftY, double reach, const Keep& keep,
+              const Leaf& leaf) const {
+        const int x0 = (i << level) + shiftX;
+        const int x1 = std::min((i + 1) << level, width_) + shiftX;
+        const int y0 = (j << level) + shiftY;
+        const int y1 = std::min((j + 1) << level, height_) + shiftY;
+        const double dx = std::max({0, x0 - box.x1, box.x0 - x1});
+        const double dy = std::max({0, y0 - box.y1, box.y0 - y1});
+        const double gap = std::sqrt(dx * dx + dy * dy);
+        const auto highest = static_cast<double>(pyramid_.level(level)(i, j));
+        if (gap > reach || !keep(gap, highest)) return;
+        if (level == 0) {
+            leaf(x0, y0, gap, highest);
+            return;
+        }
+        const FloatImage& below = pyramid_.level(level - 1);
+        // The nearer children first: they narrow what may matter.
+        const int nearX = box.x0 + box.x1 > x0 + x1 ? 1 : 0;
+        const int nearY = box.y0 + box.y1 > y0 + y1 ? 1 : 0;
+        for (int n = 0; n < 4; ++n) {
+            const int ci = 2 * i + (nearX ^ (n & 1));
+            const int cj = 2 * j + (nearY ^ (n >> 1));
+            if (ci < below.width() && cj < below.height()) {
+                node(box, level - 1, ci, cj, shiftX, shiftY, reach, keep, leaf);
+            }
+        }
+    }
+
+    bool wraps_;
+    CellHeights cells_;
+    Pyramid pyramid_;
+    int width_;
+    int height_;
+};
+
+// The azimuths of all vectors in a rectangle, by the angles of its corners.
+class AzimuthRange {
+  public:
+    AzimuthRange(double x0, double x1, double y0, double y1) {
+        if (x0 <= 0 && x1 >= 0 && y0 <= 0 && y1 >= 0) return;
+        const double middle = std::atan2(y0 + y1, x0 + x1);
+        double low = 0;
+        double high = 0;
+        for (const double x : {x0, x1}) {
+            for (const double y : {y0, y1}) {
+                const double turn = std::remainder(std::atan2(y, x) - middle, kTurn);
+                low = std::min(low, turn);
+                high = std::max(high, turn);
+            }
+        }
+        // Far above the rounding of the angles.
+        constexpr double kSlack = 1e-12;
+        begin_ = middle + low - kSlack;
+        span_ = high - low + 2 * kSlack;
+    }
+
+    // Whether it meets sector k of n.
+    bool meets(int k, int n) const {
+        if (n == 1 || span_ >= kTurn) return true;
+        const double width = kTurn / n;
+        double after = std::fmod(begin_ - k * width, kTurn);
+        if (after < 0) after += kTurn;
+        return after <= width || after + span_ >= kTurn;
+    }
+
+  private:
+    static constexpr double kTurn = 2 * std::numbers::pi;
+    double begin_ = 0;
+    double span_ = kTurn;
+};
+
+}  // namespace relief

@@ -1,0 +1,137 @@
+// relief certify --height FILE [--map FILE.tif] [--tracer NAME] [--rays N] [--seed S] [-o FILE.json]
+#include <cmath>
+
+#include "measuring/certificate.h"
+#include "options_common.h"
+#include "output.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr int kNotSafe = 1;
+constexpr std::int64_t kRaysAtMost = 1'000'000'000;
+
+struct CertifyOptions {
+    ScenarioOptions scenario;
+    OptionText rays, seed, output;
+    RunOptions run;
+};
+
+// The scenario that shows the ray: a camera behind it, that looks along it at where it enters the relief, and the pixel
+// in the middle. Rounding moves the pixel's ray by some 1e-13 of the picture.
+Scenario witness(Scenario scenario, const HeightField& field, const ViewRay& ray) {
+    constexpr double kAway = 1.5;
+    // Odd: a pixel's centre in the middle.
+    scenario.width = 801;
+    scenario.height = 601;
+    scenario.scene = SceneKind::Floor;
+    const double texel = 1.0 / field.width();
+    const glm::dvec3 entry(ray.s0 * texel - 0.5, 0, (ray.t0 - field.height() * 0.5) * texel);
+    const glm::dvec3 along(ray.a * texel, -field.reliefDepth(), ray.b * texel);
+    const double length = std::sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
+    scenario.camera.kind = Camera::Kind::Free;
+    scenario.camera.target = entry;
+    scenario.camera.eye = entry - along * (kAway / length);
+    scenario.pixel = PixelChoice{scenario.width / 2, scenario.height / 2};
+    scenario.step = 0;
+    return scenario;
+}
+
+// Whether the scenario's own ray shows it: its pixel was laid there, rounding may have moved it.
+bool shows(const Scenario& scenario, const Assets& assets, MapCache& maps, Work& work) {
+    const FrameRequest request = frameRequest(scenario, assets);
+    const auto ray = pixelRay(request, scenario.pixel->x, scenario.pixel->y);
+    if (!ray) return false;
+    RayBlock rays(1);
+    rays.set(0, *ray);
+    HitBlock truth;
+    HitBlock found;
+    NullSink sink;
+    makeTracer({"exact", {}}, request.field, maps, work)->trace(rays, truth, sink, work);
+    makeTracer(scenario.method, request.field, maps, work)->trace(rays, found, sink, work);
+    return truth[0].outcome == Outcome::Hit &&
+           !(found[0].outcome == Outcome::Hit && found[0].lambda <= truth[0].lambda);
+}
+
+struct Written {
+    const CertifyOptions& options;
+    const Scenario& scenario;
+    const Assets& assets;
+    MapCache& maps;
+    Work& work;
+
+    // How to see the ray again.
+    std::string lines(const Certificate& certificate) const {
+        const CounterExample* example = certificate.first     ? &*certificate.first
+                                        : certificate.byValue ? &*certificate.byValue
+                                                              : nullptr;
+        if (example == nullptr) return {};
+        std::string text = "  again: " + traceCommand(scenario, example->ray) + options.scenario.mapArgument() +
+                           " --steps steps.csv\n";
+        if (!options.output) return text;
+        const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
+        const Scenario seen = witness(scenario, field, example->ray);
+        saveScenario(*options.output, seen);
+        text += "  scenario: " + *options.output + ", the ray of pixel " + std::to_string(seen.pixel->x) + "," +
+                std::to_string(seen.pixel->y);
+        // The window builds its own map, a stored one is not in the scenario.
+        if (!options.scenario.mapArgument().empty()) text += " (without the stored map)";
+        if (certificate.first && !shows(seen, assets, maps, work)) text += " (rounded, it just no longer shows it)";
+        return text + "\n";
+    }
+};
+
+int runCertify(const CertifyOptions& options, Session& session) {
+    options.run.apply(session);
+    if (options.output) checkOutput(*options.output, {"json"});
+    CertificateOptions asked;
+    if (options.rays) {
+        asked.rays = static_cast<std::uint64_t>(parseWhole(*options.rays, "--rays", 0, kRaysAtMost));
+    }
+    if (options.seed) asked.seed = parseSeed(*options.seed, "--seed");
+    Scenario scenario = options.scenario.scenario();
+    Work& work = session.work();
+    AssetStore store;
+    const Assets assets = store.load(scenario.pictures, work);
+    noteHeights(session, assets, scenario);
+    MapCache maps;
+    options.scenario.useStoredMap(scenario, assets, maps, work, true);
+    const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
+    const Certificate certificate = certify(scenario.method, field, asked, maps, work);
+    const std::string again = Written{options, scenario, assets, maps, work}.lines(certificate);
+    session.eraseBar();
+    writeStandardOutput(certificate.method + " over " + std::to_string(field.width()) + " x " +
+                        std::to_string(field.height()) + " texels, " + std::string(surfaceName(field.surface())) +
+                        ", " + std::string(addressName(field.address())) + ", relief depth " +
+                        numberText(field.reliefDepth()) + "\n" + certificateText(certificate, field) + again);
+    return certificate.safe() ? 0 : kNotSafe;
+}
+
+}  // namespace
+
+void addCertifyCommand(CLI::App& program, Commands& commands) {
+    auto options = std::make_shared<CertifyOptions>();
+    CLI::App* parser = addCommand(
+        program, "certify", "prove or refute that a map is safe",
+        "Does any ray end past the first hit? Of the conservative maps (euclidean-conservative, refined, cone) every "
+        "value is held against an exact bound that is computed anew: if all keep it, the map is proven safe for every "
+        "ray that it serves. Beside it seeded rays that look for weak places (grazing, along walls, into walls, at "
+        "edges) are traced with the method and with exact; for maps that are interpolated, and methods without a map, "
+        "that is all there is. Says what was checked and how. The first violation is named with its ray and the "
+        "command that traces it, and the exit status is 1; methods that promise nothing may be half a texel late.",
+        "  relief certify --height heights.png --tracer cone-dummer -o witness.json\n"
+        "  relief certify --height heights.png --map refined.tif");
+    options->scenario.add(*parser, ScenarioOptions::Look::No);
+    addText(*parser, "--rays", options->rays, "N",
+            "against exact; 0: values alone. Default " + std::to_string(CertificateOptions{}.rays), "Rays");
+    addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Rays");
+    addText(*parser, "-o,--output", options->output, "FILE.json",
+            "a scenario of the first violation, for relief render and the window: its ray is that of the chosen pixel. "
+            "Written only if there is one",
+            "Output");
+    options->run.add(*parser);
+    commands.push_back({parser, [options](Session& session) { return runCertify(*options, session); }});
+}
+
+}  // namespace relief::app
