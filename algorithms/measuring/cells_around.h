@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "images/pyramid.h"
 #include "relief/maps/refined.h"
@@ -85,42 +85,6 @@ class CellsAround {
     Pyramid pyramid_;
     int width_;
     int height_;
-};
-
-// The azimuths of all vectors in a rectangle, by the angles of its corners.
-class AzimuthRange {
-  public:
-    AzimuthRange(double x0, double x1, double y0, double y1) {
-        if (x0 <= 0 && x1 >= 0 && y0 <= 0 && y1 >= 0) return;
-        const double middle = std::atan2(y0 + y1, x0 + x1);
-        double low = 0;
-        double high = 0;
-        for (const double x : {x0, x1}) {
-            for (const double y : {y0, y1}) {
-                const double turn = std::remainder(std::atan2(y, x) - middle, kTurn);
-                low = std::min(low, turn);
-                high = std::max(high, turn);
-            }
-        }
-        // Far above the rounding of the angles.
-        constexpr double kSlack = 1e-12;
-        begin_ = middle + low - kSlack;
-        span_ = high - low + 2 * kSlack;
-    }
-
-    // Whether it meets sector k of n.
-    bool meets(int k, int n) const {
-        if (n == 1 || span_ >= kTurn) return true;
-        const double width = kTurn / n;
-        double after = std::fmod(begin_ - k * width, kTurn);
-        if (after < 0) after += kTurn;
-        return after <= width || after + span_ >= kTurn;
-    }
-
-  private:
-    static constexpr double kTurn = 2 * std::numbers::pi;
-    double begin_ = 0;
-    double span_ = kTurn;
 };
 
 }  // namespace relief

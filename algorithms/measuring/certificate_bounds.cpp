@@ -7,6 +7,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "measuring/azimuth_geometry.h"
 #include "measuring/cells_around.h"
 #include "measuring/horizon_scan.h"
 
@@ -112,17 +113,21 @@ class DistanceCheck {
             flattest = std::min(flattest, slopes[static_cast<std::size_t>(h)]);
         }
         double best = place.stored;
-        const auto distance = [&](double gap, double highest, double slope) {
-            const double fall = std::max({(z0 - highest) * map_.slabTexels, gap * slope, 0.0});
-            return std::sqrt(gap * gap + fall * fall);
+        const auto distance = [&](double way, double highest, double slope) {
+            const double fall = std::max({(z0 - highest) * map_.slabTexels, way * slope, 0.0});
+            return std::sqrt(way * way + fall * fall);
         };
         // No bound is larger than the way straight down onto the own cells.
         const double reach = std::min(best, map_.slabTexels);
         cells_.visit(
             box, reach, [&](double gap, double highest) { return distance(gap, highest, flattest) < best; },
             [&](int x, int y, double gap, double highest) {
-                const double slope = slopeTowards(box, x, y, firstHorizon, perSector, slopes);
-                const double found = distance(gap, highest, slope);
+                double found = perSector == 0 ? distance(gap, highest, 0) : std::numeric_limits<double>::infinity();
+                for (int h = firstHorizon; h < firstHorizon + perSector; ++h) {
+                    const double way = wayTowards(box, x, y, h);
+                    if (std::isinf(way)) continue;
+                    found = std::min(found, distance(way, highest, slopes[static_cast<std::size_t>(h)]));
+                }
                 if (!(found < best)) return;
                 best = found;
                 place.cellX = x;
@@ -131,16 +136,13 @@ class DistanceCheck {
         return best;
     }
 
-    // The least slope of the horizons in which the cell is seen from the box; infinite: not from this sector.
-    double slopeTowards(const CellBox& box, int x, int y, int firstHorizon, int perSector,
-                        const std::vector<double>& slopes) const {
-        if (perSector == 0) return 0;
-        const AzimuthRange range(x - box.x1, x + 1 - box.x0, y - box.y1, y + 1 - box.y0);
-        double least = std::numeric_limits<double>::infinity();
-        for (int h = firstHorizon; h < firstHorizon + perSector; ++h) {
-            if (range.meets(h, horizons_.sectors())) least = std::min(least, slopes[static_cast<std::size_t>(h)]);
-        }
-        return least;
+    // From the box to the cell within a horizon sector. Quadrants are exact where no ray is looked up in a sector by a
+    // rounded angle across an axis.
+    double wayTowards(const CellBox& box, int x, int y, int horizon) const {
+        const bool byQuadrants = horizons_.sectors() % 4 == 0 && (sectors() == 1 || sectors() % 4 == 0);
+        const VectorRange range{static_cast<double>(x - box.x1), static_cast<double>(x + 1 - box.x0),
+                                static_cast<double>(y - box.y1), static_cast<double>(y + 1 - box.y0)};
+        return shortestInSector(range, horizon, horizons_.sectors(), byQuadrants);
     }
 
     const DistanceMap& map_;
@@ -211,7 +213,7 @@ class ConeCheck {
         double y1 = 0;
         side(place.i, x, map_.nx(), x0, x1);
         side(place.j, y, map_.ny(), y0, y1);
-        return AzimuthRange(x0, x1, y0, y1).meets(place.sector, map_.parameters.sectors);
+        return AzimuthRange({x0, x1, y0, y1}).meets(place.sector, map_.parameters.sectors);
     }
 
     // Within so many periods there is a copy of every cell in every sector of 45 degrees or more.

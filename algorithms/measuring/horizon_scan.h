@@ -110,8 +110,11 @@ class HorizonScan {
                    double hi, double enough) const {
         const bool nodes = field_.surface() == Surface::Bilinear;
         const int shift = nodes && !across.wraps ? 1 : 0;
-        const auto first = static_cast<std::int64_t>(std::floor(lo)) - shift;
-        auto last = static_cast<std::int64_t>(nodes ? std::ceil(hi) : std::floor(hi)) - shift;
+        // The ray is within the box for a while: it crosses between lo and hi, and nodes or columns that it would only
+        // touch there do not count. kEdge is above the rounding of both, and what an interpolated height can differ by.
+        constexpr double kEdge = 1e-11;
+        const auto first = static_cast<std::int64_t>(std::floor(lo + kEdge)) - shift;
+        auto last = static_cast<std::int64_t>(std::ceil(hi - kEdge)) - (nodes ? 0 : 1) - shift;
         if (across.wraps) last = std::min<std::int64_t>(last, first + across.texels - 1);
         const int texel = texelOf(along, line, fromBelow);
         double least = std::numeric_limits<double>::infinity();
@@ -120,7 +123,7 @@ class HorizonScan {
             const std::int64_t q = across.wraps ? p : std::clamp<std::int64_t>(p, 0, across.texels - 1);
             least = std::min(least, static_cast<double>(turned ? field_.texel(q, texel) : field_.texel(texel, q)));
         }
-        return least;
+        return nodes ? least - kEdge : least;
     }
 
     HeightField field_;

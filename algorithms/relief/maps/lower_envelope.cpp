@@ -17,14 +17,15 @@ void envelope(const std::vector<float>& line, float d2, EnvelopeScratch& s) {
     s.border.resize(line.size() + 1);
     const auto at = [&](int q) { return line[static_cast<std::size_t>(q)]; };
     const auto crossing = [&](int p, int q) {
-        const auto width = static_cast<float>(q - p);
-        return ((at(q) - at(p)) / (d2 * width) + static_cast<float>(q + p)) * 0.5F;
+        // In float the wrong one of two parabolas would be taken near their crossing: too large by more than rounding.
+        const double rise = static_cast<double>(at(q)) - static_cast<double>(at(p));
+        return 0.5 * (rise / (static_cast<double>(d2) * (q - p)) + (q + p));
     };
     int last = 0;
     s.apex[0] = 0;
-    s.border[0] = -std::numeric_limits<float>::infinity();
+    s.border[0] = -std::numeric_limits<double>::infinity();
     for (int q = 1; q < n; ++q) {
-        float x = crossing(s.apex[static_cast<std::size_t>(last)], q);
+        double x = crossing(s.apex[static_cast<std::size_t>(last)], q);
         while (last > 0 && x <= s.border[static_cast<std::size_t>(last)]) {
             --last;
             x = crossing(s.apex[static_cast<std::size_t>(last)], q);
@@ -35,7 +36,7 @@ void envelope(const std::vector<float>& line, float d2, EnvelopeScratch& s) {
     }
     int k = 0;
     for (int x = 0; x < n; ++x) {
-        while (k < last && s.border[static_cast<std::size_t>(k) + 1] < static_cast<float>(x)) ++k;
+        while (k < last && s.border[static_cast<std::size_t>(k) + 1] < x) ++k;
         const int q = s.apex[static_cast<std::size_t>(k)];
         const auto away = static_cast<float>(x - q);
         s.out[static_cast<std::size_t>(x)] = away * away * d2 + at(q);

@@ -12,7 +12,7 @@ struct EnvelopeScratch {
     std::vector<float> line;
     std::vector<float> out;
     std::vector<int> apex;
-    std::vector<float> border;
+    std::vector<double> border;
 };
 
 // In place: f(x, y) becomes min over (i, j) of f(i, j) + (x - i)^2 dx^2 + (y - j)^2 dy^2, dx and dy the spacing of
