@@ -59,7 +59,8 @@ TEST_P(CertifyTest, UnsafeOnesAreRefuted) {
 }
 
 TEST_P(CertifyTest, DamagedMapsAreFound) {
-    const std::string height = walls();
+    // More than surface voxels, as bricks have.
+    const std::string height = makeRelief("hills", "hills.png", {"--size", "48"});
     Work work;
     const HeightField field(std::make_shared<FloatImage>(readHeight(height, {}, work).heights));
     const std::vector<std::string> kinds{"euclidean-conservative", "refined", "cone"};
