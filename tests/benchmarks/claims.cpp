@@ -1,0 +1,250 @@
+// The README's tables of distance and cone maps, measured: run it and paste what it prints.
+//   relief_claims [--rays N] [--size N] [--threads N] [steps] [wrong] [gain] [cost]
+// Six procedural reliefs (seed 1), relief depth 0.2, bilinear, repeat; rays with entry and azimuth uniform, elevation
+// uniform in 10 to 90 degrees. Exit status 1 if a method that promises the exact hit gave another.
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <set>
+
+#include "errors.h"
+#include "images/reliefs.h"
+#include "measuring/bench_tracers.h"
+#include "measuring/machine.h"
+#include "measuring/measured_method.h"
+
+namespace relief {
+namespace {
+
+constexpr double kReliefDepth = 0.2;
+constexpr double kLowest = 10;        // degrees
+constexpr double kWrongTexels = 0.5;  // a hit farther off is another place
+constexpr std::uint64_t kSeed = 1;
+
+struct Settings {
+    std::size_t rays = 1'000'000;
+    int size = 256;
+    int threads = 0;
+    std::set<std::string> tables;
+};
+
+struct Measured {
+    double steps = 0;
+    double wrong = 0;   // share of the rays
+    double beyond = 0;  // of them, hits behind the surface's first
+    double seconds = 0;
+    std::size_t bytes = 0;
+};
+
+struct Subject {
+    std::string name;
+    HeightField field;
+    RayBlock rays;
+    HitBlock truth;
+};
+
+class Claims {
+  public:
+    Claims(const Settings& settings, std::ostream& out) : out_(out), work_(settings.threads) {
+        for (const char* name : {"bricks", "pits", "city", "columns", "fractal", "hills"}) {
+            HeightField field(std::make_shared<FloatImage>(makeRelief(name, settings.size, settings.size, kSeed)),
+                              Surface::Bilinear, Address::Repeat, kReliefDepth);
+            RayBlock rays = benchRays(field, std::nullopt, settings.rays, kSeed, kLowest);
+            HitBlock truth;
+            MapCache cache;
+            NullSink sink;
+            makeTracer({"exact", {}}, field, cache, work_)->trace(rays, truth, sink, work_);
+            subjects_.push_back({name, std::move(field), std::move(rays), std::move(truth)});
+        }
+    }
+
+    void steps();
+    void wrong();
+    void gain();
+    void cost();
+    bool kept() const { return kept_; }
+
+  private:
+    Measured measure(const std::string& method, const Subject& subject);
+    void heading(const std::string& first) const;
+    double stepsOf(const std::string& method, const Subject& subject) { return measure(method, subject).steps; }
+
+    std::ostream& out_;
+    Work work_;
+    std::vector<Subject> subjects_;
+    std::map<std::pair<std::string, std::string>, Measured> known_;
+    bool kept_ = true;
+};
+
+std::string fixed(double value, int digits) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+Measured Claims::measure(const std::string& method, const Subject& subject) {
+    const auto [place, isNew] = known_.try_emplace({method, subject.name});
+    Measured& got = place->second;
+    if (!isNew) return got;
+    MapCache cache;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto tracer = makeTracer(parseMethodChoice(method, "--tracers"), subject.field, cache, work_);
+    got.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    got.bytes = tracer->bytes();
+    HitBlock hits;
+    BlockCounts counts;
+    tracer->trace(subject.rays, hits, counts, work_);
+    const auto rays = static_cast<double>(subject.rays.size());
+    got.steps = static_cast<double>(counts.steps) / rays;
+    bool same = true;
+    for (std::size_t i = 0; i < subject.rays.size(); ++i) {
+        const double length = std::max(1.0, std::hypot(subject.rays.a[i], subject.rays.b[i]));
+        const double late = (hits.lambda[i] - subject.truth.lambda[i]) * length;
+        // NaN (no hit) is wrong; under repeat every ray hits.
+        if (!(std::abs(late) <= kWrongTexels)) got.wrong += 1 / rays;
+        if (!(late <= kWrongTexels)) got.beyond += 1 / rays;
+        same = same && hits.lambda[i] == subject.truth.lambda[i];
+    }
+    if (tracer->guarantee() == Guarantee::Exact && !same) {
+        std::cerr << method << " is not exact on " << subject.name << "\n";
+        kept_ = false;
+    }
+    return got;
+}
+
+void Claims::heading(const std::string& first) const {
+    out_ << "\n| " << first << " |";
+    for (const Subject& subject : subjects_) out_ << " " << subject.name << " |";
+    out_ << "\n| --- |";
+    for (std::size_t i = 0; i < subjects_.size(); ++i) out_ << " --: |";
+    out_ << "\n";
+}
+
+void Claims::steps() {
+    heading("steps a ray (share of every cell's)");
+    for (const char* method : {"exact",
+                               "max-pyramid",
+                               "max-pyramid-paper",
+                               "distance-conservative",
+                               "distance-conservative:footprint=4:layers=16",
+                               "distance-refined:footprint=1:layers=32",
+                               "distance-refined",
+                               "distance-refined:sectors=8",
+                               "cone",
+                               "cone:sectors=4",
+                               "cone:sectors=8",
+                               "hybrid:inner=distance-refined",
+                               "hybrid:inner=cone",
+                               "cone-dummer",
+                               "relaxed-cone",
+                               "distance",
+                               "distance-refined-sampled",
+                               "layers",
+                               "layers-secant",
+                               "layers-bisection",
+                               "offset"}) {
+        out_ << "| " << method << " |";
+        for (const Subject& subject : subjects_) {
+            const double steps = stepsOf(method, subject);
+            out_ << " " << fixed(steps, 2) << " (" << fixed(steps / stepsOf("exact", subject), 2) << ") |";
+        }
+        out_ << "\n" << std::flush;
+    }
+}
+
+void Claims::wrong() {
+    heading("% of rays wrong (of them beyond)");
+    const std::string fine = "distance-refined-sampled:footprint=1:layers=32:directions=16";
+    for (const std::string& method :
+         {std::string("distance"), std::string("distance:iterations=256"), fine, fine + ":iterations=256",
+          std::string("distance-refined-sampled"), std::string("cone-dummer"),
+          std::string("cone-dummer:iterations=256"), std::string("relaxed-cone")}) {
+        out_ << "| " << method << " |";
+        for (const Subject& subject : subjects_) {
+            const Measured got = measure(method, subject);
+            out_ << " " << fixed(100 * got.wrong, 2) << " (" << fixed(100 * got.beyond, 2) << ") |";
+        }
+        out_ << "\n" << std::flush;
+    }
+}
+
+void Claims::gain() {
+    heading("% fewer steps than with the Euclidean map");
+    const std::pair<std::string, std::string> shapes[] = {{"F = 1, L = 32", ":footprint=1:layers=32"},
+                                                          {"F = 4, L = 16", ":footprint=4:layers=16"}};
+    for (const auto& [label, shape] : shapes) {
+        for (const std::string rule : {"exit", "classic"}) {
+            for (const std::string sectors : {"1", "8"}) {
+                if (sectors != "1" && label != "F = 4, L = 16") continue;
+                out_ << "| " << label << ", " << rule << (sectors == "1" ? "" : ", " + sectors + " sectors") << " |";
+                for (const Subject& subject : subjects_) {
+                    const std::string options = shape + ":rule=" + rule;
+                    const double plain = stepsOf("distance-conservative" + options, subject);
+                    const double refined = stepsOf("distance-refined" + options + ":sectors=" + sectors, subject);
+                    out_ << " " << fixed(100 * (1 - refined / plain), 1) << " |";
+                }
+                out_ << "\n" << std::flush;
+            }
+        }
+    }
+}
+
+void Claims::cost() {
+    out_ << "\n| map (build: " << work_.arena().max_concurrency() << " threads, " << cpuText()
+         << ") | float KB | u16 KB | u8 KB | float s | u16 s | u8 s |\n| --- | --: | --: | --: | --: | --: | --: |\n";
+    for (const std::string method :
+         {"distance", "distance-conservative", "distance-conservative:footprint=4:layers=16",
+          "distance-refined:footprint=1:layers=32", "distance-refined", "distance-refined:sectors=8",
+          "distance-refined-sampled", "cone", "cone:sectors=8", "cone-dummer", "relaxed-cone"}) {
+        std::string bytes;
+        std::string seconds;
+        for (const std::string precision : {"float", "u16", "u8"}) {
+            double sum = 0;
+            std::size_t size = 0;
+            for (const Subject& subject : subjects_) {
+                const Measured got = measure(method + ":precision=" + precision, subject);
+                sum += got.seconds;
+                size = got.bytes;
+            }
+            bytes += " " + fixed(static_cast<double>(size) / 1024, 0) + " |";
+            seconds += " " + fixed(sum / static_cast<double>(subjects_.size()), 3) + " |";
+        }
+        out_ << "| " << method << " |" << bytes << seconds << "\n" << std::flush;
+    }
+}
+
+int run(int argc, char** argv) {
+    Settings settings;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const auto number = [&] { return ++i < argc ? parseNumber(argv[i], word) : 0.0; };
+        if (word == "--rays") {
+            settings.rays = static_cast<std::size_t>(number());
+        } else if (word == "--size") {
+            settings.size = static_cast<int>(number());
+        } else if (word == "--threads") {
+            settings.threads = static_cast<int>(number());
+        } else {
+            settings.tables.insert(word);
+        }
+    }
+    Claims claims(settings, std::cout);
+    const std::pair<const char*, void (Claims::*)()> tables[] = {
+        {"steps", &Claims::steps}, {"wrong", &Claims::wrong}, {"gain", &Claims::gain}, {"cost", &Claims::cost}};
+    for (const auto& [name, print] : tables) {
+        if (settings.tables.empty() || settings.tables.count(name) != 0) (claims.*print)();
+    }
+    return claims.kept() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace relief
+
+int main(int argc, char** argv) {
+    try {
+        return relief::run(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
+        return 2;
+    }
+}
