@@ -41,7 +41,13 @@ class PointForm {
             return way * horizon <= slab - z;
         });
         // Border: who comes in outside the picture is a miss before it is here.
-        horizon = std::max(horizon, (slab - z) / out);
+        return nearest(s, t, z, angle, std::max(horizon, (slab - z) / out));
+    }
+
+    // Over the rays no flatter than `horizon`; 0: the Euclidean distance in that direction.
+    double nearest(double s, double t, double z, double angle, double horizon) const {
+        const double c = std::cos(angle);
+        const double b = std::sin(angle);
         double least = std::max(z - heightAt(s, t), 0.0);
         walk(s, t, c, b, [&](double way, double, double height) {
             const double fall = std::max({z - height, way * horizon, 0.0});
@@ -223,12 +229,12 @@ INSTANTIATE_TEST_SUITE_P(All, Refined,
 class WorkedExample : public testing::Test {
   protected:
     static constexpr int kRows = 41;
-    WorkedExample() : field_(profile(), Surface::Columns, Address::Border, 10.0 / 9) {}
-    static Heights profile() {
-        const float heights[] = {0.7F, 0.2F, 0.2F, 0.2F, 0.2F, 0.2F, 0.2F, 0.2F, 1.0F};
-        FloatImage image(9, kRows);
+    WorkedExample() : field_(profile(0.2F, 0), Surface::Columns, Address::Border, 10.0 / 9) {}
+    static Heights profile(float floor, int before) {
+        FloatImage image(before + 9, kRows, floor);
         for (int y = 0; y < kRows; ++y) {
-            for (int x = 0; x < 9; ++x) image(x, y) = heights[x];
+            image(before, y) = 0.7F;
+            image(before + 8, y) = 1.0F;
         }
         return share(std::move(image));
     }
@@ -237,16 +243,17 @@ class WorkedExample : public testing::Test {
 
 TEST_F(WorkedExample, InThePlane) {
     constexpr double kFloatHeights = 1e-6;  // 0.7 and 0.2 as floats, ten times
-    const PointForm form(field_, 1);
     const double y = 0.5 * kRows;
-    const double left = form.distance(4, y, 6, std::numbers::pi);
-    const double right = form.distance(4, y, 6, 0);
-    EXPECT_NEAR(std::min(left, right), 4, kFloatHeights);
-    // Without what hides C: the left wall's face.
-    EXPECT_NEAR(std::hypot(4 - 1, 0), 3, 0);
-    // A floor out of the way leaves the walls.
-    EXPECT_LT(left, 3 * std::numbers::sqrt2);
-    EXPECT_LT(right, 4 * std::sqrt(10.0) / 3);
+    const auto either = [&](const auto& distance) { return std::min(distance(std::numbers::pi), distance(0.0)); };
+    const PointForm form(field_, 1);
+    EXPECT_NEAR(either([&](double angle) { return form.distance(4, y, 6, angle); }), 4, kFloatHeights);
+    EXPECT_NEAR(either([&](double angle) { return form.nearest(4, y, 6, angle, 0); }), 3, kFloatHeights);
+    // With the floor out of the way, the walls; with room before them, or a ray so flat came in beside the picture.
+    constexpr int kBefore = 12;
+    const HeightField deep(profile(0, kBefore), Surface::Columns, Address::Border, 10.0 / (9 + kBefore));
+    const PointForm walls(deep, 1);
+    EXPECT_NEAR(walls.distance(4 + kBefore, y, 6, std::numbers::pi), 3 * std::numbers::sqrt2, kFloatHeights);
+    EXPECT_NEAR(walls.distance(4 + kBefore, y, 6, 0), 4 * std::sqrt(10.0) / 3, kFloatHeights);
 }
 
 // The voxel [4, 5] x [6, 7] of the profile repeated over rows. Its bounds must hold for every point of it, and so they
@@ -267,6 +274,8 @@ TEST_F(WorkedExample, AsAVoxel) {
     parameters.sectors = 8;
     const double left = 3 * std::hypot(1, 3.0 / 4 * std::cos(22.5 * kDegree));
     EXPECT_NEAR(left, 3.65, 0.001);
+    // What the middle line of the right wall as the gate gives, 3 over 4.5 of way, 3.61; its face is nearer.
+    EXPECT_GE(left, std::hypot(3, 2));
     for (const int sector : {0, 7}) EXPECT_NEAR(voxel(DistanceKind::Refined, sector), right, kRounding);
     for (const int sector : {3, 4}) EXPECT_NEAR(voxel(DistanceKind::Refined, sector), left, kRounding);
     // Along the walls there is the floor, 4 below.
