@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numbers>
 #include <optional>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include "relief/maps/azimuth_sectors.h"
+#include "relief/maps/cells_around.h"
 #include "relief/maps/range_minimum.h"
 
 namespace relief {
@@ -23,6 +21,8 @@ constexpr double kLeastCosine = 0.4;
 constexpr int kLargestRadius = 64;
 // Rounding of slopes and roots in double stays far below this share.
 constexpr double kShorter = 1 - 1e-9;
+// And so they do below what is taken for farther.
+constexpr double kAway = 1e-9;
 
 FloatImage transposed(const FloatImage& image) {
     FloatImage turned(image.height(), image.width());
@@ -78,9 +78,9 @@ struct Span {
     double high;
 };
 
-// Gates of one axis behind a box, in one sector: highest and nearest first kept.
+// Gates of one axis behind a box, in one sector: highest and nearest first kept. top: none is higher (in the metric).
 void collectGates(const GateAxis& axis, Span box, Span boxAcross, double cosBegin, double sinBegin, double cosEnd,
-                  double sinEnd, double slab, double reach, std::vector<Gate>& gates) {
+                  double sinEnd, double slab, double reach, double top, std::vector<Gate>& gates) {
     if (cosBegin * cosEnd <= 0) return;
     const double leastCosine = std::min(std::abs(cosBegin), std::abs(cosEnd));
     if (leastCosine < kLeastCosine) return;
@@ -91,7 +91,7 @@ void collectGates(const GateAxis& axis, Span box, Span boxAcross, double cosBegi
     const double highest = std::max(slopeA, slopeB);
     const int first = static_cast<int>(towards < 0 ? box.low : box.high);
     double best = 0;
-    for (int n = 0;; ++n) {
+    for (int n = 0; best < top; ++n) {
         const int gate = first + towards * n;
         const double d0 = n;
         const double d1 = n + (box.high - box.low);
@@ -108,77 +108,6 @@ void collectGates(const GateAxis& axis, Span box, Span boxAcross, double cosBegi
     }
 }
 
-// A horizon sector in which a cell can be seen from a box, the stored sector that it belongs to, and the least way to
-// the cell within it.
-struct Seen {
-    std::uint8_t sector;
-    std::uint8_t stored;
-    double t2;
-};
-
-// A cell near a box: how far, and the sectors in which it can be seen, [firstSeen, endSeen) of the table.
-struct Offset {
-    int dx;
-    int dy;
-    double t;
-    std::size_t firstSeen;
-    std::size_t endSeen;
-};
-
-struct Offsets {
-    std::vector<Offset> near;  // nearest first
-    std::vector<Seen> seen;
-};
-
-// How far the directions of a sector reach to one side of an axis for each step: the largest component, 0 if none.
-double largestComponent(double begin, double end, bool alongX, int side) {
-    const double middle = (alongX ? 0.0 : 0.5 * std::numbers::pi) + (side > 0 ? 0.0 : std::numbers::pi);
-    for (const double turn : {0.0, 2 * std::numbers::pi}) {
-        if (begin <= middle + turn && middle + turn <= end) return 1;
-    }
-    return std::max({std::cos(begin - middle), std::cos(end - middle), 0.0});
-}
-
-// The least way in the sector to a cell that is `gap` away along the axis on that side; infinite if the sector's
-// directions do not go there. exactQuadrants: no direction counts to a sector beyond an axis, not even by rounding.
-double wayAlong(int gap, int side, bool alongX, double begin, double end, bool exactQuadrants) {
-    constexpr double kAside = 1e-12;  // sectors' ends are rounded
-    if (side == 0) return 0;
-    const double component = largestComponent(begin, end, alongX, side);
-    if (component <= kAside && exactQuadrants) return std::numeric_limits<double>::infinity();
-    return gap / (component + kAside);
-}
-
-// Around a box of width x height cells.
-Offsets offsetsAround(int width, int height, int radius, const AzimuthSectors& sectors, int stored) {
-    Offsets all;
-    const auto gap = [](int d, int size) { return std::max({0, d - size, -(d + 1)}); };
-    const auto side = [](int d, int size) { return d < 0 ? -1 : (d >= size ? 1 : 0); };
-    const bool exactQuadrants = sectors.count() % 4 == 0 && (stored == 1 || stored % 4 == 0);
-    for (int dy = -radius; dy < height + radius; ++dy) {
-        for (int dx = -radius; dx < width + radius; ++dx) {
-            const double t = std::hypot(gap(dx, width), gap(dy, height));
-            if (t > radius) continue;
-            const std::size_t first = all.seen.size();
-            const SectorSet set = sectors.meeting(dx - width, dx + 1, dy - height, dy + 1);
-            for (int k = 0; k < sectors.count(); ++k) {
-                if ((set >> k & 1U) == 0) continue;
-                const double way = std::max(
-                    {t,
-                     wayAlong(gap(dx, width), side(dx, width), true, sectors.begin(k), sectors.end(k), exactQuadrants),
-                     wayAlong(gap(dy, height), side(dy, height), false, sectors.begin(k), sectors.end(k),
-                              exactQuadrants)});
-                if (way > radius) continue;
-                all.seen.push_back(
-                    {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(k * stored / sectors.count()), way * way});
-            }
-            all.near.push_back({dx, dy, t, first, all.seen.size()});
-        }
-    }
-    std::stable_sort(all.near.begin(), all.near.end(), [](const Offset& p, const Offset& q) { return p.t < q.t; });
-    return all;
-}
-
 class Builder {
   public:
     Builder(const DistanceMap& map, int nx, int ny, const HeightField& field, const CellHeights& cells,
@@ -187,6 +116,9 @@ class Builder {
           nx_(nx),
           ny_(ny),
           cells_(cells),
+          tiles_(highestOfTiles(cells.highest, field.address() == Address::Repeat)),
+          top_(static_cast<double>(*std::max_element(cells.highest.pixels().begin(), cells.highest.pixels().end())) *
+               map.slabTexels),
           values_(values),
           grid_(field),
           sectors_(map.parameters.horizons),
@@ -199,7 +131,7 @@ class Builder {
         const int f = map.parameters.footprint;
         for (const int height : {f, lastWidth(grid_.y)}) {
             for (const int width : {f, lastWidth(grid_.x)}) {
-                offsets_.push_back(offsetsAround(width, height, radius_, sectors_, map.parameters.sectors));
+                offsets_.push_back(cellsAround(width, height, radius_, sectors_, map.parameters.sectors));
             }
         }
     }
@@ -220,8 +152,9 @@ class Builder {
     void box(int bx, int by, Scratch& scratch) const;
     // Cells of the last, clipped, box of an axis.
     int lastWidth(const GridAxis& axis) const { return (axis.cells - 1) % map_.parameters.footprint + 1; }
-    void horizons(int bx, int by, std::vector<std::vector<Gate>>& gates) const;
+    void horizons(int bx, int by, double lowestTop, std::vector<std::vector<Gate>>& gates) const;
     void distances(int bx, int by, double z0, Scratch& scratch) const;
+    void tile(const CellsAround& offsets, const Tile& tile, int x0, int y0, double z0, Scratch& scratch) const;
     float& value(int bx, int by, int k, int sector) const {
         const auto plane = static_cast<std::size_t>(sector * map_.layers() + k);
         return values_[(plane * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(by)) *
@@ -233,21 +166,25 @@ class Builder {
     int nx_;
     int ny_;
     const CellHeights& cells_;
+    FloatImage tiles_;
+    double top_;  // highest point, in the metric
     std::vector<float>& values_;
     CellGrid grid_;
     AzimuthSectors sectors_;
     int radius_;
-    std::vector<Offsets> offsets_;  // of whole boxes, the last column, the last row, the last of both
+    std::vector<CellsAround> offsets_;  // of whole boxes, the last column, the last row, the last of both
     double mMin_;
     GateAxis gatesX_;
     GateAxis gatesY_;
 };
 
-void Builder::horizons(int bx, int by, std::vector<std::vector<Gate>>& gates) const {
+// lowestTop: of the lowest layer that needs them, in the metric. Farther than its rise to the highest point at the
+// flattest slope no gate is steeper than the flattest ray.
+void Builder::horizons(int bx, int by, double lowestTop, std::vector<std::vector<Gate>>& gates) const {
     const int f = map_.parameters.footprint;
     const Span x{static_cast<double>(bx * f), static_cast<double>(std::min((bx + 1) * f, grid_.x.cells))};
     const Span y{static_cast<double>(by * f), static_cast<double>(std::min((by + 1) * f, grid_.y.cells))};
-    const double reach = map_.maxRun;
+    const double reach = std::min(map_.maxRun, std::max(0.0, top_ - lowestTop) / mMin_ * (1 + kAway));
     gates.resize(static_cast<std::size_t>(sectors_.count()));
     for (int k = 0; k < sectors_.count(); ++k) {
         auto& list = gates[static_cast<std::size_t>(k)];
@@ -257,8 +194,8 @@ void Builder::horizons(int bx, int by, std::vector<std::vector<Gate>>& gates) co
         const double s0 = std::sin(sectors_.begin(k));
         const double c1 = std::cos(sectors_.end(k));
         const double s1 = std::sin(sectors_.end(k));
-        collectGates(gatesX_, x, y, c0, s0, c1, s1, map_.slabTexels, reach, list);
-        collectGates(gatesY_, y, x, s0, c0, s1, c1, map_.slabTexels, reach, list);
+        collectGates(gatesX_, x, y, c0, s0, c1, s1, map_.slabTexels, reach, top_, list);
+        collectGates(gatesY_, y, x, s0, c0, s1, c1, map_.slabTexels, reach, top_, list);
     }
 }
 
@@ -269,33 +206,63 @@ void Builder::distances(int bx, int by, double z0, Scratch& scratch) const {
     // Squares.
     const double cut = radius_ * radius_ * perT * perT;
     scratch.best.assign(static_cast<std::size_t>(map_.parameters.sectors), cut);
+    const CellsAround& offsets = offsets_[(by == ny_ - 1 ? 2U : 0U) + (bx == nx_ - 1 ? 1U : 0U)];
     double worst = cut;
-    const Offsets& offsets = offsets_[(by == ny_ - 1 ? 2U : 0U) + (bx == nx_ - 1 ? 1U : 0U)];
+    for (const Tile& square : offsets.tiles) {
+        if (square.t * square.t * perT * perT >= worst) break;
+        tile(offsets, square, bx * f, by * f, z0, scratch);
+        worst = *std::max_element(scratch.best.begin(), scratch.best.end());
+    }
+}
+
+// The cells of a tile around the box with its corner at the cell (x0, y0).
+void Builder::tile(const CellsAround& offsets, const Tile& tile, int x0, int y0, double z0, Scratch& scratch) const {
     const auto place = [](const GridAxis& axis, int cell) {
         if (!axis.wraps) return cell >= 0 && cell < axis.cells ? cell : -1;
         const int rest = cell % axis.cells;
         return rest < 0 ? rest + axis.cells : rest;
     };
-    for (const Offset& offset : offsets.near) {
-        if (offset.t * offset.t * perT * perT >= worst) break;
-        const int x = place(grid_.x, bx * f + offset.dx);
-        const int y = place(grid_.y, by * f + offset.dy);
+    const auto worstOf = [&] {
+        double worst = 0;
+        for (std::size_t s = 0; s < scratch.best.size(); ++s) {
+            if ((tile.stored >> s & 1U) != 0) worst = std::max(worst, scratch.best[s]);
+        }
+        return worst;
+    };
+    const auto dropTo = [&](float highest) {
+        return std::max(z0 - static_cast<double>(highest), 0.0) * map_.slabTexels;
+    };
+    double worst = worstOf();
+    const int shift = grid_.x.wraps ? 0 : kTile - 1;
+    const int tx = grid_.x.wraps ? place(grid_.x, x0 + tile.dx) : x0 + tile.dx + shift;
+    const int ty = grid_.y.wraps ? place(grid_.y, y0 + tile.dy) : y0 + tile.dy + shift;
+    if (tx < 0 || ty < 0 || tx >= tiles_.width() || ty >= tiles_.height()) return;
+    const double least = dropTo(tiles_(tx, ty));
+    if (tile.t * tile.t + least * least >= worst) return;
+    for (std::size_t c = tile.first; c < tile.end; ++c) {
+        const CellAround& offset = offsets.cells[c];
+        if (offset.t * offset.t + least * least >= worst) return;
+        const int x = place(grid_.x, x0 + offset.dx);
+        const int y = place(grid_.y, y0 + offset.dy);
         if (x < 0 || y < 0) continue;
-        const double drop = std::max(z0 - static_cast<double>(cells_.highest(x, y)), 0.0) * map_.slabTexels;
+        const double drop = dropTo(cells_.highest(x, y));
+        if (offset.t * offset.t + drop * drop >= worst) continue;
         for (std::size_t n = offset.firstSeen; n < offset.endSeen; ++n) {
             const Seen& seen = offsets.seen[n];
             const double slope = scratch.slopes[seen.sector];
             const double squared = seen.t2 + std::max(drop * drop, seen.t2 * slope * slope);
             scratch.best[seen.stored] = std::min(scratch.best[seen.stored], squared);
         }
-        worst = *std::max_element(scratch.best.begin(), scratch.best.end());
+        worst = worstOf();
     }
 }
 
 void Builder::box(int bx, int by, Scratch& scratch) const {
     const int layers = map_.layers();
     const int stored = map_.parameters.sectors;
-    horizons(bx, by, scratch.gates);
+    int lowest = 0;
+    while (lowest < layers && cells_.mark(bx, by, map_.parameters.footprint, lowest, layers) < 0) ++lowest;
+    horizons(bx, by, (lowest + 1.0) / layers * map_.slabTexels, scratch.gates);
     scratch.slopes.resize(scratch.gates.size());
     for (int k = 0; k < layers; ++k) {
         const float mark = cells_.mark(bx, by, map_.parameters.footprint, k, layers);
