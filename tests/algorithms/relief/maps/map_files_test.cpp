@@ -116,6 +116,43 @@ TEST(MapFiles, SameBitsOfEveryKind) {
     EXPECT_EQ(folder.files(), 1);
 }
 
+// Distances rounded down, cones up: never beyond what the floats allow.
+TEST(MapFiles, CoarserValuesLieOnTheSafeSide) {
+    Work work;
+    const auto values = [](const StoredMap& map) -> std::vector<const StoredValues*> {
+        if (const auto* distances = std::get_if<std::shared_ptr<const DistanceMap>>(&map))
+            return {&(*distances)->values};
+        const auto& cones = std::get<std::shared_ptr<const ConeMap>>(map);
+        return {&cones->apex, &cones->slopes};
+    };
+    FloatImage low = smallField().heights();
+    for (float& h : low.pixels()) h *= 0.5F;  // voxels above are free
+    const HeightField field(share(std::move(low)), Surface::Bilinear, Address::Repeat, 0.3);
+    for (const MethodChoice& choice : storedChoices()) {
+        SCOPED_TRACE(kindOf(choice) + " " + choice.options.at("precision"));
+        OptionValues options = choice.options;
+        MapCache cache;
+        const StoredMap coarse = buildMap(kindOf(choice), options, field, cache, work);
+        options["precision"] = "float";
+        const StoredMap fine = buildMap(kindOf(choice), options, field, cache, work);
+        const float sign = values(fine).size() == 1 ? 1.0F : -1.0F;
+        int rounded = 0;
+        for (std::size_t part = 0; part < values(fine).size(); ++part) {
+            const StoredValues& a = *values(coarse)[part];
+            const StoredValues& b = *values(fine)[part];
+            for (int k = 0; k < b.layers(); ++k) {
+                for (int y = 0; y < b.height(); ++y) {
+                    for (int x = 0; x < b.width(); ++x) {
+                        ASSERT_LE(sign * a(x, y, k), sign * b(x, y, k)) << x << ", " << y << ", " << k;
+                        rounded += a(x, y, k) != b(x, y, k) ? 1 : 0;
+                    }
+                }
+            }
+        }
+        EXPECT_EQ(rounded > 0, choice.options.at("precision") != "float");
+    }
+}
+
 TEST(MapFiles, TracersUseTheStoredMap) {
     const TemporaryFolder folder;
     Work work;
