@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "measuring/machine.h"
+#include "measuring/quantiles.h"
 #include "measuring/random_rays.h"
 
 namespace relief {
@@ -34,15 +35,6 @@ double nearestRank(std::vector<T>& values, double share) {
     const std::size_t at = std::max<std::size_t>(rank, 1) - 1;
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
     return static_cast<double>(values[at]);
-}
-
-// Between the values, linearly.
-double quantile(std::vector<double> values, double share) {
-    std::sort(values.begin(), values.end());
-    const double at = share * static_cast<double>(values.size() - 1);
-    const auto low = static_cast<std::size_t>(at);
-    const std::size_t high = std::min(low + 1, values.size() - 1);
-    return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
 template <class T>

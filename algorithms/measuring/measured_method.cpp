@@ -52,7 +52,7 @@ MeasuredMethod measuredMethod(const MethodChoice& choice) {
     return method;
 }
 
-MethodChoice parseMethodChoice(const std::string& text, const std::string& option) {
+MethodChoice splitMethodChoice(const std::string& text, const std::string& option) {
     std::size_t at = std::min(text.find(':'), text.size());
     MethodChoice choice{text.substr(0, at), {}};
     if (choice.name.empty()) throw InputError(option, Message(MessageId::MethodSpelling, {{"text", text}}));
@@ -66,6 +66,11 @@ MethodChoice parseMethodChoice(const std::string& text, const std::string& optio
         }
         choice.options[part.substr(0, equals)] = part.substr(equals + 1);
     }
+    return choice;
+}
+
+MethodChoice parseMethodChoice(const std::string& text, const std::string& option) {
+    MethodChoice choice = splitMethodChoice(text, option);
     checkMethod(choice, option);
     return choice;
 }

@@ -1,13 +1,9 @@
-// relief bench tracers [-o FILE.csv|json]
+// relief bench tracers | rows [-o FILE.csv|json]
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-
+#include "bench_rows.h"
 #include "images/reliefs.h"
+#include "journal.h"
 #include "measuring/bench_tracers.h"
 #include "options_common.h"
 #include "output.h"
@@ -25,27 +21,8 @@ struct BenchCommandOptions {
     OptionText kind, tracers, elevations, lowest, rays, rounds, seed, surface, address, reliefDepth, output;
     std::vector<std::string> heights, recipes;
     ReadingOptions reading;
+    RowBenchCommand rows;
     RunOptions run;
-};
-
-// Rows as they come, beside the output; kept if the run does not come to its end.
-class Journal {
-  public:
-    explicit Journal(const std::string& output) : path_(output + ".part"), file_(path_, std::ios::binary) {
-        write(benchCsvHeader());
-    }
-    void write(const std::string& text) {
-        file_ << text << std::flush;
-        if (!file_) throw WorkError(path_, Message(MessageId::FileUnwritable, {{"why", std::strerror(errno)}}));
-    }
-    void remove() {
-        file_.close();
-        std::remove(path_.c_str());
-    }
-
-  private:
-    std::string path_;
-    std::ofstream file_;
 };
 
 std::vector<Pictures> chosenPictures(const BenchCommandOptions& given) {
@@ -130,15 +107,16 @@ std::string fileText(const std::vector<BenchRow>& rows, bool json) {
 int runBench(const BenchCommandOptions& given, Session& session) {
     given.run.apply(session);
     const std::string& kind = needed(given.kind, "KIND", "bench");
-    if (kind != "tracers") {
+    if (kind != "tracers" && kind != "rows") {
         throw InputError(
-            "", Message(MessageId::UnknownName, {{"what", "benchmark"}, {"name", kind}, {"known", "tracers"}}));
+            "", Message(MessageId::UnknownName, {{"what", "benchmark"}, {"name", kind}, {"known", "tracers, rows"}}));
     }
     if (given.output) checkOutput(*given.output, {"csv", "json"});
+    if (kind == "rows") return given.rows.run(given.elevations, given.rounds, given.output, session);
     BenchOptions options = benchOptions(given);
     loadMaps(chosenPictures(given), options, session);
     std::optional<Journal> journal;
-    if (given.output) journal.emplace(*given.output);
+    if (given.output) journal.emplace(*given.output, benchCsvHeader());
     options.onRow = [&](const BenchRow& row) {
         if (journal) journal->write(benchCsvLine(row));
     };
@@ -169,7 +147,7 @@ void addWhat(CLI::App& parser, BenchCommandOptions& options) {
     addText(parser, "--elevations", options.elevations, "DEGREES,...",
             "from which the relief is seen, " + numberText(kLowestElevation) +
                 " to 90, neighbouring rays as a picture has them; random: entry, azimuth and elevation at random; "
-                "default 80,60,25,8,2,random",
+                "default 80,60,25,8,2,random; rows: of the row's middle, default 60,25,8",
             group);
     addText(parser, "--lowest", options.lowest, "DEGREES", "elevation of the flattest random rays, default 1", group);
     addText(parser, "--surface", options.surface, "bilinear|columns", "default bilinear", group);
@@ -183,14 +161,21 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<BenchCommandOptions>();
     CLI::App* parser = addCommand(
         program, "bench", "run time against error, measured",
-        "Measures how fast each tracer is and how far it is from the exact answer, on the same rays: a line for each "
+        "tracers: measures how fast each tracer is and how far it is from the exact answer, on the same rays: a line "
+        "for each "
         "height map, elevation and method. Rate: rays a second, the median of rounds over all methods in turn; spread: "
         "(p75 - p25) / median; errors: |lambda difference| x max(1, hypot(a, b)), texels, against exact; overshoots: "
         "hits later than exact's, or misses where exact hits. On a terminal a table, elsewhere CSV. With -o the rows "
-        "also go to FILE.part as they come, which is kept if the run is broken off.",
-        "  relief bench tracers --relief bricks --tracers exact,max-pyramid,layers:layers=128 -o bench.csv");
-    addArgument(*parser, "KIND", options->kind, "tracers");
+        "also go to FILE.part as they come, which is kept if the run is broken off.\n"
+        "rows: texture coordinates along rows of a wall of 4,096 texels that fills the row, seen from 0.55 of its "
+        "width "
+        "at each elevation: operations a pixel, pixels a second, largest error in texels; derivatives: of the "
+        "footprint's ellipse.",
+        "  relief bench tracers --relief bricks --tracers exact,max-pyramid,layers:layers=128 -o bench.csv\n"
+        "  relief bench rows --widths 3840 --variants direct,streams,subspan:error=0.25");
+    addArgument(*parser, "KIND", options->kind, "tracers or rows");
     addWhat(*parser, *options);
+    options->rows.add(*parser);
     options->reading.add(*parser);
     addText(*parser, "--rays", options->rays, "N",
             "of a line, default 65536; fewer, with a message, where the exact reference would take too long", "Run");

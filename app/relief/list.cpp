@@ -4,6 +4,7 @@
 #include "filtering/sampler.h"
 #include "help_formatter.h"
 #include "images/reliefs.h"
+#include "measuring/row_methods.h"
 #include "options_common.h"
 #include "output.h"
 #include "relief/any_hit.h"
@@ -68,10 +69,20 @@ Json methodJson(const MethodDescription& method) {
     return json;
 }
 
+Json rowMethodJson(const RowMethodDescription& method) {
+    Json json{{"name", method.name},     {"title", method.title},   {"help", method.help},
+              {"counts", method.counts}, {"source", method.source}, {"options", Json::array()}};
+    for (const OptionDescription& option : method.options) {
+        json["options"].push_back(optionJson(option, method.defaults.at(option.name)));
+    }
+    return json;
+}
+
 std::string listJson() {
     Json json{{"version", RELIEF_VERSION}};
     for (const MethodDescription& method : tracerList()) json["tracers"].push_back(methodJson(method));
     for (const MethodDescription& method : anyHitList()) json["any_hit"].push_back(methodJson(method));
+    for (const RowMethodDescription& method : rowMethodList()) json["rows"].push_back(rowMethodJson(method));
     for (const FilterDescription& filter : filterList()) {
         json["filters"].push_back({{"name", filter.name}, {"help", filter.help}});
     }
@@ -134,6 +145,16 @@ std::string methodText(const MethodDescription& method) {
     return out;
 }
 
+std::string rowMethodText(const RowMethodDescription& method) {
+    std::string out = entry(method.name, method.title + ". " + method.help, 2, 4);
+    out += entry("mul / add / div", method.counts, 6, 18);
+    if (!method.source.empty()) out += entry("source", method.source, 6, 18);
+    for (const OptionDescription& option : method.options) {
+        out += entry(option.name + "=..", optionText(option, method.defaults.at(option.name)), 6, 18);
+    }
+    return out;
+}
+
 std::string listText() {
     const auto ofKind = [](MethodKind kind) {
         std::string text;
@@ -147,6 +168,8 @@ std::string listText() {
     out += "\nMeshes: the relief made of triangles (--tracer NAME)\n" + ofKind(MethodKind::Mesh);
     out += "\nAny-hit queries: whether something is in the way, for shadows and back-tracing\n";
     for (const MethodDescription& method : anyHitList()) out += methodText(method);
+    out += "\nRows: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)\n";
+    for (const RowMethodDescription& method : rowMethodList()) out += rowMethodText(method);
     out += "\nFilters: how colours are sampled (--filter NAME)\n";
     for (const FilterDescription& filter : filterList()) out += entry(filter.name, filter.help, 2, 14);
     out += "\nReliefs: procedural height maps (relief make NAME, --relief NAME)\n";
@@ -171,9 +194,10 @@ void addListCommand(CLI::App& program, Commands& commands) {
     };
     auto options = std::make_shared<ListOptions>();
     CLI::App* parser = addCommand(
-        program, "list", "tracers, filters, reliefs: guarantees, options, units",
+        program, "list", "tracers, rows, filters, reliefs: guarantees, options, units",
         "Lists every tracer with what it promises, the surfaces and rays it is valid for, the maps it needs and its "
-        "options with unit, range and default; then filters, procedural reliefs, the numbers of a view and the layers.",
+        "options with unit, range and default; then row variants with their operations a pixel, filters, procedural "
+        "reliefs, the numbers of a view and the layers.",
         "  relief list --json | less");
     addFlag(*parser, "--json", options->json, "the same for programs", "Output");
     addLanguage(*parser);

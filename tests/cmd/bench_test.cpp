@@ -69,7 +69,43 @@ TEST_P(MeasureTest, BrokenOffRunsKeepTheirRows) {
     for (const std::string& row : rows) EXPECT_EQ(fields(row).size(), 27U) << row;
 }
 
+TEST_P(MeasureTest, RowsInFilesAndOnStandardOutput) {
+    const std::vector<std::string> what{"bench",        "rows",  "--widths",   "640,100",
+                                        "--elevations", "25",    "--variants", "direct,subspan:error=0.5,fill",
+                                        "--precisions", "float", "--pixels",   "2000",
+                                        "--rounds",     "2"};
+    const auto with = [&](const std::string& output) {
+        std::vector<std::string> all = what;
+        all.insert(all.end(), {"-o", output});
+        return all;
+    };
+    const auto out = lines(runFine(what));
+    ASSERT_EQ(out.size(), 1 + 2 * 3U);
+    EXPECT_EQ(out[0],
+              "variant,width,elevation,precision,streams,span,anchor,threads,mul,add,div,rate,spread,error_max");
+    EXPECT_EQ(runFine(with(path("r.csv"))), "");
+    const auto csv = lines(read("r.csv"));
+    ASSERT_EQ(csv.size(), out.size());
+    for (std::size_t r = 0; r < csv.size(); ++r) {
+        const auto row = fields(csv[r]);
+        const auto other = fields(out[r]);
+        for (const std::size_t column : {0U, 1U, 2U, 3U, 5U, 8U, 9U, 10U, 13U}) EXPECT_EQ(row[column], other[column]);
+    }
+    EXPECT_EQ(fields(csv[1])[8], "8");
+    EXPECT_EQ(fields(csv[3])[13], "") << "a fill has no error";
+    EXPECT_EQ(runFine(with(path("r.json"))), "");
+    EXPECT_EQ(nlohmann::json::parse(read("r.json")).size(), 6U);
+    EXPECT_EQ(files(), (std::vector<std::string>{"r.csv", "r.json"})) << "no .part is left";
+}
+
 TEST_P(MeasureTest, WrongRequestsAreRefused) {
+    expectRefusal({"bench", "rows", "--variants", "direct,none"}, 2, {"\"none\"", "row-constant"});
+    expectRefusal({"bench", "rows", "--variants", "subspan:span=0"}, 2, {"span", "65536"});
+    expectRefusal({"bench", "rows", "--variants", "direct:span=2"}, 2, {"\"span\"", "direct"});
+    expectRefusal({"bench", "rows", "--widths", "0"}, 2, {"--widths"});
+    expectRefusal({"bench", "rows", "--precisions", "half"}, 2, {"\"half\"", "double"});
+    expectRefusal({"bench", "rows", "--elevations", "random"}, 2, {"--elevations", "random"});
+    expectRefusal({"bench", "rows", "-o", path("b.txt")}, 2, {".csv"});
     expectRefusal({"bench"}, 2, {"KIND"});
     expectRefusal({"bench", "cars"}, 2, {"\"cars\"", "tracers"});
     expectRefusal(bench({"--tracers", "exact,none"}), 2, {"\"none\"", "max-pyramid"});

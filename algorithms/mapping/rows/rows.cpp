@@ -172,12 +172,15 @@ RowPlan planRow(const Homography& map, double y, PixelSpan span, const RowOption
         anchor = (anchor + step - 1) / step * step;
     }
     RowPlan plan{inFrontOf(map, y, span, smallestRowQ<T>(map, y, span, options, anchor)), anchor};
-    if (plan.valid.empty() || !drifts(options.variant) || options.anchor != kRecommended) return plan;
-    // u and v are monotone where q does not change sign, so their ends are the largest.
-    const TexelPoint left = map.at(static_cast<double>(plan.valid.begin) + 0.5, y);
-    const TexelPoint right = map.at(static_cast<double>(plan.valid.end) - 0.5, y);
-    const double largest = std::max({std::abs(left.s), std::abs(left.t), std::abs(right.s), std::abs(right.t)});
-    plan.anchor = recommendedAnchor<T>(largest, std::abs(map.qx) / std::min(left.q, right.q), options);
+    if (plan.valid.empty() || !drifts(options.variant)) return plan;
+    if (options.anchor == kRecommended) {
+        // u and v are monotone where q does not change sign, so their ends are the largest.
+        const TexelPoint left = map.at(static_cast<double>(plan.valid.begin) + 0.5, y);
+        const TexelPoint right = map.at(static_cast<double>(plan.valid.end) - 0.5, y);
+        const double largest = std::max({std::abs(left.s), std::abs(left.t), std::abs(right.s), std::abs(right.t)});
+        plan.anchor = recommendedAnchor<T>(largest, std::abs(map.qx) / std::min(left.q, right.q), options);
+    }
+    if (plan.anchor >= plan.valid.size()) plan.anchor = 0;  // the row ends before the first restart
     return plan;
 }
 

@@ -1,0 +1,100 @@
+// relief bench rows [-o FILE.csv|json]
+#include "bench_rows.h"
+
+#include <unistd.h>
+
+#include "journal.h"
+#include "measuring/bench_rows.h"
+#include "measuring/bench_tracers.h"
+#include "output.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
+constexpr std::int64_t kMostRounds = 1000;
+
+RowBenchOptions rowOptions(const RowBenchCommand& given, const OptionText& elevations, const OptionText& rounds) {
+    RowBenchOptions options;
+    if (given.variants) {
+        options.methods.clear();
+        for (const std::string& text : splitText(*given.variants, ',')) {
+            options.methods.push_back(parseRowMethod(text, "--variants"));
+        }
+    }
+    if (given.widths) {
+        options.widths.clear();
+        for (const std::string& text : splitText(*given.widths, ',')) {
+            options.widths.push_back(parseWhole(text, "--widths", 1, kWidestRow));
+        }
+    }
+    if (elevations) {
+        options.elevations.clear();
+        for (const std::string& text : splitText(*elevations, ',')) {
+            const Elevation elevation = parseElevation(text, "--elevations");
+            if (!elevation) {
+                throw InputError("--elevations", Message(MessageId::NotANumber, {{"text", text}}));
+            }
+            options.elevations.push_back(*elevation);
+        }
+    }
+    if (given.precisions) {
+        options.precisions.clear();
+        for (const std::string& text : splitText(*given.precisions, ',')) {
+            if (text != "float" && text != "double") {
+                throw InputError("--precisions",
+                                 Message(MessageId::UnknownName,
+                                         {{"what", "precision"}, {"name", text}, {"known", "float, double"}}));
+            }
+            options.precisions.push_back(text == "float" ? RowPrecision::Float : RowPrecision::Double);
+        }
+    }
+    if (given.pixels) options.pixels = parseWhole(*given.pixels, "--pixels", 1, kMostPixels);
+    if (rounds) options.rounds = static_cast<int>(parseWhole(*rounds, "--rounds", 1, kMostRounds));
+    return options;
+}
+
+std::string fileText(const std::vector<RowBenchRow>& rows, bool json) {
+    if (json) return rowBenchJson(rows);
+    std::string text = rowBenchCsvHeader();
+    for (const RowBenchRow& row : rows) text += rowBenchCsvLine(row);
+    return text;
+}
+
+}  // namespace
+
+void RowBenchCommand::add(CLI::App& parser) {
+    const char* group = "What is measured (rows)";
+    addText(parser, "--variants", variants, "NAME,...",
+            "each with options as NAME:OPTION=VALUE, such as streams:streams=4:anchor=0; default: all of relief list, "
+            "some of them in two forms",
+            group);
+    addText(parser, "--widths", widths, "N,...", "pixels of a row, up to 1048576, default 640,3840,16384,65536", group);
+    addText(parser, "--precisions", precisions, "float,double", "default both", group);
+    addText(parser, "--pixels", pixels, "N", "of the rows that one timing covers, default 4194304", group);
+}
+
+int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds, const OptionText& output,
+                         Session& session) const {
+    RowBenchOptions options = rowOptions(*this, elevations, rounds);
+    std::optional<Journal> journal;
+    if (output) journal.emplace(*output, rowBenchCsvHeader());
+    options.onRow = [&](const RowBenchRow& row) {
+        if (journal) journal->write(rowBenchCsvLine(row));
+    };
+    const std::vector<RowBenchRow> rows = benchRows(options, session.work());
+    session.eraseBar();
+    if (output) {
+        TextOutput file(*output, session.stop());
+        file.write(fileText(rows, fileEnding(*output) == "json"));
+        file.commit();
+        journal->remove();
+    } else {
+        const bool terminal = isatty(STDOUT_FILENO) == 1;
+        writeStandardOutput(terminal ? rowBenchText(rows) : fileText(rows, false), session.stop());
+    }
+    return 0;
+}
+
+}  // namespace relief::app
