@@ -28,15 +28,31 @@ class ConeSearch {
           width_(pyramid.level(0).width()),
           height_(pyramid.level(0).height()) {}
 
-    // kappa: one a sector, at least what it holds already.
-    void search(int x, int y, float apex, double* kappa) const {
+    // The cell that decided a sector, in any period.
+    struct Seed {
+        int x = 0;
+        int y = 0;
+        bool known = false;
+    };
+    using Seeds = std::array<Seed, kMaxSectors>;
+
+    // kappa: one a sector, at least what it holds already. seeds: what decided a cell nearby is likely to decide this
+    // one, and prunes the rest; then what decides this one.
+    void search(int x, int y, float apex, double* kappa, Seeds& seeds) const {
         const int around = wraps_ ? 1 : 0;
+        const Seeds before = seeds;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(sectors_.count()); ++k) {
+            if (!before[k].known) continue;
+            const int i = ((before[k].x % width_) + width_) % width_;
+            const int j = ((before[k].y % height_) + height_) % height_;
+            visit(x, y, apex, 0, i, j, before[k].x - i, before[k].y - j, kappa, seeds);
+        }
         // The own period first: what it finds prunes the others.
-        visit(x, y, apex, pyramid_.levels() - 1, 0, 0, 0, 0, kappa);
+        visit(x, y, apex, pyramid_.levels() - 1, 0, 0, 0, 0, kappa, seeds);
         for (int py = -around; py <= around; ++py) {
             for (int px = -around; px <= around; ++px) {
                 if (px == 0 && py == 0) continue;
-                visit(x, y, apex, pyramid_.levels() - 1, 0, 0, px * width_, py * height_, kappa);
+                visit(x, y, apex, pyramid_.levels() - 1, 0, 0, px * width_, py * height_, kappa, seeds);
             }
         }
     }
@@ -77,7 +93,8 @@ class ConeSearch {
         return sectors_.meeting(x0, x1, y0, y1);
     }
 
-    void visit(int x, int y, float apex, int level, int i, int j, int shiftX, int shiftY, double* kappa) const {
+    void visit(int x, int y, float apex, int level, int i, int j, int shiftX, int shiftY, double* kappa,
+               Seeds& seeds) const {
         const float highest = pyramid_.level(level)(i, j);
         if (highest <= apex) return;
         const Box box{(i << level) + shiftX - x, std::min((i + 1) << level, width_) + shiftX - x,
@@ -94,7 +111,9 @@ class ConeSearch {
         if (level == 0) {
             if (away == 0) return;  // the 3 x 3 cells, below the apex by its choice
             for (int k = 0; k < sectors_.count(); ++k) {
-                if ((set >> k & 1U) != 0) kappa[k] = std::max(kappa[k], rise / away);
+                if ((set >> k & 1U) == 0 || !(rise / away > kappa[k])) continue;
+                kappa[k] = rise / away;
+                seeds[static_cast<std::size_t>(k)] = {box.x0 + x, box.y0 + y, true};
             }
             return;
         }
@@ -106,7 +125,7 @@ class ConeSearch {
             const int ci = 2 * i + (nearX ^ (n & 1));
             const int cj = 2 * j + (nearY ^ (n >> 1));
             if (ci < below.width() && cj < below.height()) {
-                visit(x, y, apex, level - 1, ci, cj, shiftX, shiftY, kappa);
+                visit(x, y, apex, level - 1, ci, cj, shiftX, shiftY, kappa, seeds);
             }
         }
     }
@@ -165,11 +184,12 @@ void conservativeCones(const HeightField& field, int sectors, std::vector<float>
     constexpr float kSteeper = 1 + 2.4e-7F;
     overRows("map cone", cells.height(), work, [&](int y) {
         std::array<double, kMaxSectors> kappa{};
+        ConeSearch::Seeds seeds;
         for (int x = 0; x < cells.width(); ++x) {
             const float top = highestAround(cells, grid, x, y);
             const double guard = (static_cast<double>(map->highest()) - static_cast<double>(top)) / reach;
             kappa.fill(guard);
-            search.search(x, y, top, kappa.data());
+            search.search(x, y, top, kappa.data(), seeds);
             const std::size_t at =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(cells.width()) + static_cast<std::size_t>(x);
             apex[at] = top;
@@ -187,9 +207,10 @@ void dummerCones(const HeightField& field, std::vector<float>& slopes, Work& wor
     const double reach = std::hypot(field.width(), field.height());
     const ConeSearch search(pyramid, wraps, false, true, reach, 1);
     overRows("map cone-dummer", field.height(), work, [&](int y) {
+        ConeSearch::Seeds seeds;
         for (int x = 0; x < field.width(); ++x) {
             double kappa = 0;
-            search.search(x, y, field.heights()(x, y), &kappa);
+            search.search(x, y, field.heights()(x, y), &kappa, seeds);
             slopes[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width()) +
                    static_cast<std::size_t>(x)] = static_cast<float>(kappa);
         }
