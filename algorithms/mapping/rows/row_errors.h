@@ -1,0 +1,40 @@
+// One row by several variants as plain arrays, for pictures: coordinates, errors along the row, who computed which
+// pixel.
+//
+// Frames and units: as rows.h has them; errors in texels against the map in double. Pixels that a variant cut
+// off at the horizon hold NaN, so that curves break there. Cost: O(pixels) a variant, for one row at a time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mapping/rows/rows.h"
+
+namespace relief {
+
+struct RowCurve {
+    RowOptions options;
+    PixelSpan valid;            // evaluated pixels
+    std::int64_t anchor = 0;    // pixels between restarts as resolved; 0: none
+    std::vector<double> u, v;   // texels, of the pixels of the span in order
+    std::vector<double> error;  // the larger of |u|'s and |v|'s, texels
+    std::vector<std::int32_t>
+        stream;                       // which stream made the pixel: streams: n mod k; opposed: 0 left, 1 right; else 0
+    std::vector<std::int64_t> exact;  // pixels at which a restart or a division made the value anew, in order;
+                                      // empty where every pixel is (direct, row-constant) or only the ends are (affine)
+    double worst = 0;                 // largest error; its pixel
+    std::int64_t worstPixel = 0;
+};
+
+struct RowErrors {
+    PixelSpan span;               // pixels of the row
+    std::vector<double> x;        // their centres
+    std::vector<double> u, v, q;  // in double; NaN where q is not positive
+    std::vector<RowCurve> curves;
+};
+
+// T: float or double, the precision of the variants.
+template <typename T>
+RowErrors rowErrors(const Homography& map, double y, PixelSpan span, const std::vector<RowOptions>& variants);
+
+}  // namespace relief
