@@ -55,7 +55,8 @@ class Block {
           rows_(std::max<std::int64_t>(options.pixels / width, 1)),
           map_(obliqueWall(options.texels, width, elevation)),
           block_(wallRows(width, rows_, elevation)),
-          out_(width, rows_),
+          cached_(width, rows_),
+          pastCache_(width, rows_),
           terms_(derivativeTerms<T>(map_)) {
         for (auto* plane : {&a_, &b_, &c_, &f_}) plane->resize(static_cast<std::size_t>(width));
         for (const RowMethod& method : options.methods) ready_.push_back(make(method, elevation));
@@ -125,11 +126,14 @@ class Block {
     }
 
     void run(const Ready<T>& ready) {
-        if (ready.options) return evaluateRows(map_, block_, *ready.options, out_, work_);
         if (ready.derivative) return derivatives(*ready.derivative, ready.row.anchor);
+        if (ready.options) {
+            const bool lanes = ready.row.streams > 2 && hasStreamLanes(ready.row.streams);
+            return evaluateRows(map_, block_, *ready.options, lanes ? pastCache_ : cached_, work_);
+        }
         for (std::int64_t r = 0; r < rows_; ++r) {
-            fillPastCache(out_.u(r), width_, T(1));
-            fillPastCache(out_.v(r), width_, T(1));
+            fillPastCache(pastCache_.u(r), width_, T(1));
+            fillPastCache(pastCache_.v(r), width_, T(1));
         }
         finishStores();
     }
@@ -165,8 +169,8 @@ class Block {
         double worst = 0;
         forErrorRows([&](std::int64_t r) {
             const double y = lineOf(r);
-            T* u = out_.u(0);
-            T* v = out_.v(0);
+            T* u = cached_.u(0);
+            T* v = cached_.v(0);
             const PixelSpan valid = evaluateRow(map_, y, {0, width_}, options, u, v);
             const long double wu = map_.sy * static_cast<long double>(y) + map_.s1;
             const long double wv = map_.ty * static_cast<long double>(y) + map_.t1;
@@ -207,7 +211,8 @@ class Block {
     std::int64_t width_, rows_;
     Homography map_;
     RowBlock block_;
-    TexelRows<T> out_;
+    // Two, so that what is written past the cache does not meet the lines that others left in it.
+    TexelRows<T> cached_, pastCache_;
     DerivativeTerms<T> terms_;
     std::vector<T> a_, b_, c_, f_;
     std::vector<Ready<T>> ready_;
