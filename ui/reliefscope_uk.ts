@@ -419,6 +419,216 @@
         <source>error against exact</source>
         <translation>похибка проти точного</translation>
     </message>
+    <message>
+        <source>map euclidean</source>
+        <translation>карта euclidean</translation>
+    </message>
+    <message>
+        <source>map euclidean-conservative</source>
+        <translation>карта euclidean-conservative</translation>
+    </message>
+    <message>
+        <source>map refined-sampled</source>
+        <translation>карта refined-sampled</translation>
+    </message>
+    <message>
+        <source>map refined</source>
+        <translation>карта refined</translation>
+    </message>
+    <message>
+        <source>map cone</source>
+        <translation>карта cone</translation>
+    </message>
+    <message>
+        <source>map cone-dummer</source>
+        <translation>карта cone-dummer</translation>
+    </message>
+    <message>
+        <source>map relaxed-cone</source>
+        <translation>карта relaxed-cone</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::DistanceView</name>
+    <message>
+        <source>Distance map</source>
+        <translation>Карта відстаней</translation>
+    </message>
+    <message>
+        <source>The map that is shown</source>
+        <translation>Карта, яку показано</translation>
+    </message>
+    <message>
+        <source>Another map that is taken away: what is left is where they differ</source>
+        <translation>Інша карта, яку віднімають: лишається те, чим вони відрізняються</translation>
+    </message>
+    <message>
+        <source>Azimuth sector of the rays that the values are for</source>
+        <translation>Азимутальний сектор променів, для яких ці значення</translation>
+    </message>
+    <message>
+        <source>the method&apos;s map</source>
+        <translation>карта методу</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>без різниці</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>лінії</translation>
+    </message>
+    <message>
+        <source>Lines of equal value</source>
+        <translation>Лінії рівних значень</translation>
+    </message>
+    <message>
+        <source>near the ray</source>
+        <translation>біля променя</translation>
+    </message>
+    <message>
+        <source>Only the surroundings of the ray</source>
+        <translation>Лише околиця променя</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>усе</translation>
+    </message>
+    <message>
+        <source>Show all of the slice (R); wheel zooms, drag moves, click chooses a step</source>
+        <translation>Показати весь зріз (R); колесо змінює масштаб, перетягування рухає, клацання вибирає крок</translation>
+    </message>
+    <message>
+        <source>Slices at constant x, seen along the rows</source>
+        <translation>Зрізи за сталого x, погляд уздовж рядків</translation>
+    </message>
+    <message>
+        <source>Slices at constant y, seen along the columns</source>
+        <translation>Зрізи за сталого y, погляд уздовж стовпців</translation>
+    </message>
+    <message>
+        <source>Slices at constant height, seen from above</source>
+        <translation>Зрізи за сталої висоти, погляд згори</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Зріз</translation>
+    </message>
+    <message>
+        <source>Which slice is shown</source>
+        <translation>Який зріз показано</translation>
+    </message>
+    <message>
+        <source>at the step</source>
+        <translation>на кроці</translation>
+    </message>
+    <message>
+        <source>The slice goes through the current step of the ray</source>
+        <translation>Зріз проходить через поточний крок променя</translation>
+    </message>
+    <message>
+        <source>Progress of the map</source>
+        <translation>Перебіг побудови карти</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Скасувати</translation>
+    </message>
+    <message>
+        <source>Stop building the map (Esc)</source>
+        <translation>Зупинити побудову карти (Esc)</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Побудувати</translation>
+    </message>
+    <message>
+        <source>Build the map</source>
+        <translation>Побудувати карту</translation>
+    </message>
+    <message>
+        <source>beyond the edge</source>
+        <translation>за краєм</translation>
+    </message>
+    <message>
+        <source>heights a texel</source>
+        <translation>висот на тексель</translation>
+    </message>
+    <message>
+        <source>texels</source>
+        <translation>текселів</translation>
+    </message>
+    <message>
+        <source>in the relief</source>
+        <translation>у рельєфі</translation>
+    </message>
+    <message>
+        <source>at the surface: to be tested</source>
+        <translation>біля поверхні: перевіряти</translation>
+    </message>
+    <message>
+        <source>texel (%1, %2): </source>
+        <translation>тексель (%1, %2): </translation>
+    </message>
+    <message>
+        <source>voxel (%1, %2, %3): </source>
+        <translation>воксель (%1, %2, %3): </translation>
+    </message>
+    <message>
+        <source> · x %1, y %2</source>
+        <translation> · x %1, y %2</translation>
+    </message>
+    <message>
+        <source> · height %1</source>
+        <translation> · висота %1</translation>
+    </message>
+    <message>
+        <source> · step %1</source>
+        <translation> · крок %1</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Копіювати значення</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Копіювати картинку</translation>
+    </message>
+    <message>
+        <source>Export figure…</source>
+        <translation>Експортувати рисунок…</translation>
+    </message>
+    <message>
+        <source>Export the distance map</source>
+        <translation>Експорт карти відстаней</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Рисунки</translation>
+    </message>
+    <message>
+        <source>The map was not built: it was cancelled.</source>
+        <translation>Карту не побудовано: її скасовано.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 з %2</translation>
+    </message>
+    <message>
+        <source>the ray&apos;s sector</source>
+        <translation>сектор променя</translation>
+    </message>
+    <message>
+        <source>sector %1</source>
+        <translation>сектор %1</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::LatestJob</name>
+    <message>
+        <source>not enough memory for this</source>
+        <translation>на це не вистачає пам’яті</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MainWindow</name>
@@ -885,6 +1095,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Save picture with its legend…</source>
         <translation>Зберегти зображення з легендою…</translation>
+    </message>
+    <message>
+        <source>Distance map</source>
+        <translation>Карта відстаней</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,19 @@ bool parseSize(std::string_view text, int& width, int& height) {
     return whole(text.substr(0, x), width) && whole(text.substr(x + 1), height);
 }
 
+void checkAxis(const std::string& text) {
+    if (text == "x" || text == "y" || text == "z") return;
+    throw InputError("--axis",
+                     Message(MessageId::UnknownName, {{"what", "axis"}, {"name", text}, {"known", "x, y, z"}}));
+}
+
+int wholeNumber(const std::string& text, const std::string& subject) {
+    constexpr double kMost = 1e6;
+    const double number = parseNumber(text, subject);
+    if (number >= 0 && number <= kMost && number == static_cast<int>(number)) return static_cast<int>(number);
+    throw InputError(subject, Message(MessageId::NumberOutOfRange, {{"value", number}, {"range", "0, 1, 2, ..."}}));
+}
+
 }  // namespace
 
 Arguments parseArguments(int count, char** arguments) {
@@ -58,6 +71,15 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.widthMm = parseNumber(value(), argument);
         } else if (argument == "--dpi") {
             parsed.dpi = parseNumber(value(), argument);
+        } else if (argument == "--map") {
+            parsed.map = value();
+        } else if (argument == "--minus") {
+            parsed.minus = value();
+        } else if (argument == "--axis") {
+            parsed.axis = value();
+            checkAxis(parsed.axis);
+        } else if (argument == "--slice") {
+            parsed.slice = wholeNumber(value(), argument);
         } else if (argument == "--dark") {
             parsed.dark = true;
         } else if (argument == "--size") {
@@ -74,6 +96,11 @@ Arguments parseArguments(int count, char** arguments) {
     };
     needs(!parsed.figure.empty() && parsed.output.empty(), "--export", "-o FILE");
     needs(!parsed.output.empty() && parsed.figure.empty(), "-o", "--export VIEW");
+    const bool distance = parsed.figure == "distance";
+    needs(!parsed.map.empty() && !distance, "--map", "--export distance");
+    needs(!parsed.minus.empty() && !distance, "--minus", "--export distance");
+    needs(!parsed.axis.empty() && !distance, "--axis", "--export distance");
+    needs(parsed.slice >= 0 && !distance, "--slice", "--export distance");
     return parsed;
 }
 
@@ -89,7 +116,12 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --size WxH            size of the window, pixels
   --screenshot FILE     open the window, save it as a PNG, and end
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
-                        VIEW: profile, pyramid, result
+                        VIEW: distance, profile, pyramid, result
+  --map KIND            of distance: euclidean, euclidean-conservative, refined-sampled, refined, cone, cone-dummer,
+                        relaxed-cone (the method's)
+  --minus KIND          the difference: this map is taken away
+  --axis x|y|z          slices at constant x, y or height (along the ray)
+  --slice N             which one, from 0 (the one at the scenario's step)
   --width MM            of the figure (160)
   --dpi N               pixels an inch of a PNG (300)
   --dark                light on dark, as in the window

@@ -18,6 +18,11 @@ struct Arguments {
     double widthMm = 160;
     double dpi = 300;
     bool dark = false;
+    // Of the view "distance".
+    std::string map;  // the kind; empty: the method's
+    std::string minus;
+    std::string axis;  // "x", "y", "z"; empty: as the ray runs
+    int slice = -1;    // -1: the one at the step
 };
 
 // Throws InputError for what is not understood.

@@ -67,6 +67,10 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     request.dpi = arguments.dpi;
     request.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
     request.style.language = reliefui::uiLanguage();
+    request.distance.kind = arguments.map;
+    request.distance.minus = arguments.minus;
+    if (!arguments.axis.empty()) request.distance.axis = static_cast<reliefui::SliceAxis>(arguments.axis.front() - 'x');
+    if (arguments.slice >= 0) request.distance.slice = arguments.slice;
     reliefui::checkFigure(request, arguments.output);
     Start start = chosenStart(arguments.file, shippedPictures());
     reliefui::prepareFigures();

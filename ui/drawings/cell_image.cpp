@@ -19,15 +19,20 @@ CellImage cellImage(const Cells& cells, const Style& style, int longest) {
     image.width = (values.width() + image.step - 1) / image.step;
     image.height = (values.height() + image.step - 1) / image.step;
     image.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
-    const double range = cells.high > cells.low ? cells.high - cells.low : 1;
+    const bool marks = cells.map == ColorMap::Distance || cells.map == ColorMap::Difference;
+    const bool flat = !(cells.high > cells.low);
+    const double range = flat ? 1 : cells.high - cells.low;
     const auto factor = static_cast<float>((kCodes - 1) / range);
     const auto low = static_cast<float>(cells.low);
     std::uint8_t* out = image.rgb.data();
     for (int y = 0; y < image.height; ++y) {
         const auto row = values.row(y * image.step);
         for (int x = 0; x < image.width; ++x) {
-            const float code = (row[static_cast<std::size_t>(x * image.step)] - low) * factor + 0.5F;
-            const Rgba& color = codes[static_cast<std::size_t>(std::clamp(code, 0.0F, kCodes - 1.0F))];
+            const float value = row[static_cast<std::size_t>(x * image.step)];
+            const float code = (value - low) * factor + 0.5F;
+            const bool special = marks && (flat || !(code >= 0.0F));
+            const Rgba color = special ? style.cell(cells.map, static_cast<double>(value), cells.low, cells.high)
+                                       : codes[static_cast<std::size_t>(std::clamp(code, 0.0F, kCodes - 1.0F))];
             *out++ = color.r;
             *out++ = color.g;
             *out++ = color.b;
@@ -56,11 +61,29 @@ CellText cellText(double cellWidth, double cellHeight, const Style& style) {
 }
 
 bool textFits(const CellText& text, double width, double height) {
-    return text.pixels > 0 && width >= (text.decimals + 2) * kDigitWidth * text.pixels && height >= 1.1 * text.pixels;
+    return text.pixels > 0 && width >= text.characters() * kDigitWidth * text.pixels && height >= 1.1 * text.pixels;
 }
+
+namespace {
+
+// Distances and slopes of one grid all with the same decimals, about three figures of the largest.
+CellText measuredText(const Cells& cells, double scale, const Style& style) {
+    CellText text;
+    text.digits = cells.high >= 10 ? 2 : 1;
+    text.decimals = cells.high >= 10 ? 1 : (cells.high >= 1 ? 2 : 3);
+    text.sign = cells.low < 0;
+    const double pixels = std::min({cells.cellWidth * scale * 0.84 / (text.characters() * kDigitWidth),
+                                    cells.cellHeight * scale * 0.45, style.textPixels(1.7)});
+    constexpr double kSmallest = 0.6;  // times the text size
+    if (pixels >= style.textPixels(kSmallest)) text.pixels = pixels;
+    return text;
+}
+
+}  // namespace
 
 CellText cellText(const Cells& cells, const CellRange& range, double scale, const Style& style) {
     if (!cells.print) return {};
+    if (cells.map == ColorMap::Distance || cells.map == ColorMap::Difference) return measuredText(cells, scale, style);
     CellText text = cellText(cells.cellWidth * scale, cells.cellHeight * scale, style);
     if (text.pixels <= 0) return text;
     for (int j = range.j0; j < range.j1; ++j) {
@@ -73,7 +96,9 @@ CellText cellText(const Cells& cells, const CellRange& range, double scale, cons
     return text;
 }
 
-std::string cellValueText(float value, const CellText& text) {
+std::string cellValueText(const Cells& cells, float value, const CellText& text) {
+    const bool mark = std::isnan(value) || (cells.map == ColorMap::Distance && value < 0);
+    if (mark) return {};
     return relief::fixedText(static_cast<double>(value), text.decimals);
 }
 

@@ -25,12 +25,16 @@ CellImage cellImage(const Cells& cells, const Style& style, int longest = 2048);
 struct CellText {
     double pixels = 0;
     int decimals = 2;
+    int digits = 1;  // before the point
+    bool sign = false;
+    int characters() const { return digits + 1 + decimals + (sign ? 1 : 0); }
 };
 CellText cellText(double cellWidth, double cellHeight, const Style& style);
 // One decimal is enough where all values of the range have no more.
 CellText cellText(const Cells& cells, const CellRange& range, double scale, const Style& style);
 // In what is seen of a cell.
 bool textFits(const CellText& text, double width, double height);
-std::string cellValueText(float value, const CellText& text);
+// Empty where the value is a mark.
+std::string cellValueText(const Cells& cells, float value, const CellText& text);
 
 }  // namespace reliefui

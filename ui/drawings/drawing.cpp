@@ -6,8 +6,8 @@
 namespace reliefui {
 
 std::string idText(const ItemId& id) {
-    constexpr std::array<std::string_view, 9> kNames{"",    "level",  "texel",   "step", "ray",
-                                                     "hit", "legend", "surface", "layer"};
+    constexpr std::array<std::string_view, 10> kNames{"",    "level",  "texel",   "step",  "ray",
+                                                      "hit", "legend", "surface", "layer", "iso-line"};
     std::string text(kNames[static_cast<std::size_t>(id.kind)]);
     const auto part = [&](std::int64_t number) {
         text += '/';

@@ -49,7 +49,7 @@ struct Box {
 };
 
 // What an item stands for, the same from one build of the drawing to the next.
-enum class ItemKind : std::uint8_t { None, Level, Texel, Step, Ray, Hit, Legend, Surface, Layer };
+enum class ItemKind : std::uint8_t { None, Level, Texel, Step, Ray, Hit, Legend, Surface, Layer, IsoLine };
 struct ItemId {
     ItemKind kind = ItemKind::None;
     int level = 0;
@@ -76,6 +76,8 @@ enum class Role : std::uint8_t {
     Hit,
     Miss,
     Overshoot,
+    Empty,  // known to be: spheres and cones
+    IsoLine,
     Surface,
     Plateau,
     Layer,
@@ -110,7 +112,9 @@ enum class Shape : std::uint8_t {
 };
 Shape shapeOf(relief::Decision decision);
 
-enum class ColorMap : std::uint8_t { Height, Level, Count };
+// Distance: values from 0; marks below 0 (surface voxels) and NaN (in the relief) have colours of their own. Difference:
+// around 0, which is white.
+enum class ColorMap : std::uint8_t { Height, Level, Count, Distance, Difference };
 
 // Outline or fill of a box. inset: points by which the outline lies inside it; minSide: points below which it is not
 // drawn smaller, so that single texels of a big map can still be seen.

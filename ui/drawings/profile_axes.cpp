@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawings/axis_ticks.h"
 #include "drawings/profile_drawing.h"
 #include "scenario/step_sentence.h"
 
@@ -16,30 +17,6 @@ constexpr double kTick = 3;         // points
 constexpr double kNumberRoom = 30;  // left of the height axis
 constexpr double kTitleRoom = 29;   // below the other
 constexpr double kLowTitleRoom = 16;
-
-// 1, 2 or 5 times a power of ten, so that at most `most` of them fit into the range.
-double niceStep(double range, double most) {
-    const double rough = range / std::max(most, 1.0);
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= rough) return factor * power;
-    }
-    return 10 * power;
-}
-
-std::string tickText(double value, double step) {
-    const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
-    return relief::fixedText(value, decimals);
-}
-
-// The marks of one axis between two of its values.
-std::vector<double> ticks(double low, double high, double step) {
-    std::vector<double> all;
-    constexpr double kMost = 200;
-    const double first = std::ceil(low / step - 1e-6);
-    for (double n = first; n * step <= high + 1e-6 * step && n - first < kMost; ++n) all.push_back(n * step);
-    return all;
-}
 
 void addText(Drawing& drawing, Point at, Message text, Anchor anchor, Point offset, bool yields = false) {
     Label label;

@@ -70,12 +70,11 @@ struct ItemPainter {
         const CellText text = cellText(cells, range, map.scale, style);
         QFont font("DejaVu Sans");
         if (text.pixels > 0) font.setPixelSize(std::max(1, static_cast<int>(text.pixels)));
-        const double spread = cells.high > cells.low ? cells.high - cells.low : 1;
         painter.setFont(font);
         for (int j = range.j0; j < range.j1; ++j) {
             for (int i = range.i0; i < range.i1; ++i) {
                 const float value = (*cells.values)(i, j);
-                const Rgba color = style.mapped(cells.map, (static_cast<double>(value) - cells.low) / spread);
+                const Rgba color = style.cell(cells.map, static_cast<double>(value), cells.low, cells.high);
                 const QRectF box = qrect(map.toScreen(cellBox(cells, i, j)));
                 painter.setRenderHint(QPainter::Antialiasing, false);
                 painter.fillRect(box, qcolor(color));
@@ -87,7 +86,7 @@ struct ItemPainter {
                 }
                 if (!textFits(text, box.width(), box.height())) continue;
                 painter.setPen(qcolor(Style::textOn(color)));
-                painter.drawText(box, Qt::AlignCenter, QString::fromStdString(cellValueText(value, text)));
+                painter.drawText(box, Qt::AlignCenter, QString::fromStdString(cellValueText(cells, value, text)));
             }
         }
     }

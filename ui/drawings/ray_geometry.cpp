@@ -72,7 +72,9 @@ bool clip(Segment& segment, const Box& box) {
     };
     if (!slab(segment.first.x, dx, box.x0, box.x1) || !slab(segment.first.y, dy, box.y0, box.y1)) return false;
     const Point origin = segment.first;
-    segment = {{origin.x + from * dx, origin.y + from * dy}, {origin.x + to * dx, origin.y + to * dy}};
+    // An end that lies inside keeps its bits.
+    if (to < 1) segment.second = {origin.x + to * dx, origin.y + to * dy};
+    if (from > 0) segment.first = {origin.x + from * dx, origin.y + from * dy};
     return true;
 }
 
@@ -143,6 +145,22 @@ std::vector<Box> wrapped(const Box& box, const Box& domain, bool wraps) {
         }
     }
     return pieces;
+}
+
+std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const Box& box) {
+    std::vector<std::vector<Point>> runs;
+    bool open = false;  // the last run goes on
+    for (std::size_t k = 1; k < line.size(); ++k) {
+        Segment piece{line[k - 1], line[k]};
+        if (!clip(piece, box)) {
+            open = false;
+            continue;
+        }
+        if (!open || !(piece.first == line[k - 1])) runs.push_back({piece.first});
+        runs.back().push_back(piece.second);
+        open = piece.second == line[k];
+    }
+    return runs;
 }
 
 bool coversStretch(relief::Decision decision) {

@@ -35,6 +35,9 @@ using Segment = std::pair<Point, Point>;
 std::vector<Segment> wrapped(const Segment& segment, const Box& domain, bool wraps);
 std::vector<Box> wrapped(const Box& box, const Box& domain, bool wraps);
 
+// The parts of a line that lie within the box.
+std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const Box& box);
+
 // The decisions that cover the ray without overlapping: what its stretches are coloured by.
 bool coversStretch(relief::Decision decision);
 

@@ -34,6 +34,10 @@ constexpr std::array<Rgba, 2> kGrey{{{0x10, 0x10, 0x10, 255}, {0xF8, 0xF8, 0xF8,
 // Levels: from fine (light) to coarse (dark blue), one hue.
 constexpr std::array<Rgba, 3> kLevels{{{0xDE, 0xEB, 0xF7, 255}, {0x6B, 0xAE, 0xD6, 255}, {0x08, 0x30, 0x6B, 255}}};
 
+// Around white, safe for colour-blind eyes.
+constexpr std::array<Rgba, 5> kAroundZero{
+    {{0x7A, 0x43, 0x06, 255}, {0xD9, 0xA4, 0x5B, 255}, kWhite, {0x74, 0xAD, 0xD8, 255}, {0x14, 0x4E, 0x94, 255}}};
+
 Rgba between(std::span<const Rgba> anchors, double t) {
     const double place = t * static_cast<double>(anchors.size() - 1);
     const auto low = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
@@ -66,6 +70,7 @@ Rgba Style::color(Role role) const {
         case Role::Ray:
             return kVermilion;
         case Role::Skipped:
+        case Role::Empty:
             return kBlueGreen;
         case Role::Descended:
         case Role::Ascended:
@@ -95,6 +100,8 @@ Rgba Style::color(Role role) const {
             return dark ? Rgba{0xA0, 0xA4, 0xAA, 255} : Rgba{0x70, 0x74, 0x7A, 255};
         case Role::Sample:
             return dark ? Rgba{0xEC, 0xEC, 0xEC, 255} : Rgba{0x20, 0x20, 0x20, 255};
+        case Role::IsoLine:
+            return dark ? Rgba{0xF4, 0xF4, 0xF4, 255} : Rgba{0x18, 0x18, 0x18, 255};
         case Role::Plateau:
             return levelLine({});
         case Role::Background:
@@ -129,7 +136,11 @@ Stroke Style::stroke(Role role, Emphasis emphasis) const {
         case Role::Frame:
         case Role::Layer:
         case Role::Sample:
+        case Role::IsoLine:
             width = 0.6;
+            break;
+        case Role::Empty:
+            width = 1.4;
             break;
         case Role::Ascended:
         case Role::Miss:
@@ -188,6 +199,14 @@ Rgba Style::textOn(Rgba ground) {
     return luma > 140 ? Rgba{0x10, 0x10, 0x10, 255} : Rgba{0xF4, 0xF4, 0xF4, 255};
 }
 
+Rgba Style::cell(ColorMap map, double value, double low, double high) const {
+    const bool marks = map == ColorMap::Distance || map == ColorMap::Difference;
+    if (marks && std::isnan(value)) return color(Role::HeightFill);
+    if (map == ColorMap::Distance && value < 0) return color(Role::Tested);
+    if (map == ColorMap::Difference && high <= low) return kWhite;
+    return mapped(map, (value - low) / (high > low ? high - low : 1));
+}
+
 Rgba Style::mapped(ColorMap map, double t) const {
     if (std::isnan(t)) return {0xCC, 0x00, 0xCC, 255};
     const double clamped = std::clamp(t, 0.0, 1.0);
@@ -195,7 +214,10 @@ Rgba Style::mapped(ColorMap map, double t) const {
         case ColorMap::Level:
             return between(kLevels, clamped);
         case ColorMap::Count:
+        case ColorMap::Distance:
             return between(kCividis, clamped);
+        case ColorMap::Difference:
+            return between(kAroundZero, clamped);
         case ColorMap::Height:
             break;
     }

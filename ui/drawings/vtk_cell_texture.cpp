@@ -17,7 +17,7 @@
 namespace reliefui {
 
 VtkCellTexture::VtkCellTexture(const Cells& cells, const Style& style)
-    : values_(cells.values), map_(cells.map), heights_(style.heights), low_(cells.low), high_(cells.high) {
+    : values_(cells.values), map_(cells.map), heights_(style.heights), theme_(style.theme), low_(cells.low), high_(cells.high) {
     const CellImage pixels = cellImage(cells, style);
     step_ = pixels.step;
     width_ = pixels.width;
@@ -47,7 +47,9 @@ VtkCellTexture::~VtkCellTexture() = default;
 
 bool VtkCellTexture::serves(const Cells& cells, const Style& style) const {
     return values_ == cells.values && map_ == cells.map && low_ == cells.low && high_ == cells.high &&
-           (map_ != ColorMap::Height || heights_ == style.heights);
+           (map_ != ColorMap::Height || heights_ == style.heights) &&
+           (map_ != ColorMap::Distance || theme_ == style.theme) &&
+           (map_ != ColorMap::Difference || theme_ == style.theme);
 }
 
 void VtkCellTexture::draw(const Cells& cells, const ViewMap& map, const Box& screen, int height,

@@ -37,6 +37,7 @@ class VtkCellTexture {
     std::shared_ptr<const relief::FloatImage> values_;
     ColorMap map_;
     HeightColors heights_;
+    Theme theme_;
     double low_;
     double high_;
     int step_ = 1;

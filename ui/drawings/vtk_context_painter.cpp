@@ -179,9 +179,8 @@ void VtkContextPainter::Pass::operator()(const Cells& cells) {
 }
 
 void VtkContextPainter::Pass::smallCells(const Cells& cells, const CellRange& range) {
-    const double spread = cells.high > cells.low ? cells.high - cells.low : 1;
     const auto colorOf = [&](int i, int j) {
-        return style.mapped(cells.map, (static_cast<double>((*cells.values)(i, j)) - cells.low) / spread);
+        return style.cell(cells.map, static_cast<double>((*cells.values)(i, j)), cells.low, cells.high);
     };
     for (int j = range.j0; j < range.j1; ++j) {
         for (int i = range.i0; i < range.i1; ++i) {
@@ -206,7 +205,9 @@ void VtkContextPainter::Pass::smallCells(const Cells& cells, const CellRange& ra
         for (int i = range.i0; i < range.i1; ++i) {
             const Box box = map.toScreen(cellBox(cells, i, j)).cut(screen);
             if (!textFits(size, box.width(), box.height())) continue;
-            text(cellValueText((*cells.values)(i, j), size), box, size.pixels, Style::textOn(colorOf(i, j)), false);
+            const std::string value = cellValueText(cells, (*cells.values)(i, j), size);
+            if (value.empty()) continue;
+            text(value, box, size.pixels, Style::textOn(colorOf(i, j)), false);
         }
     }
 }

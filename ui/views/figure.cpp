@@ -9,6 +9,8 @@
 
 #include "drawings/qpainter_painter.h"
 #include "images/files.h"
+#include "relief/maps/map_choice.h"
+#include "views/distance_maps.h"
 #include "views/result_painting.h"
 
 namespace reliefui {
@@ -96,6 +98,24 @@ void paintProfile(QPainter& painter, const Snapshot& snapshot, const ProfileOpti
     paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
 }
 
+void paintDistance(QPainter& painter, const Snapshot& snapshot, const DistanceOptions& options, const Box& page,
+                   const Style& style) {
+    relief::Work work;
+    const DistanceMaps maps = distanceMaps(snapshot, options, {}, work);
+    const DistanceSource source = distanceSource(snapshot, maps);
+    const double unit = style.pixelsPerPoint();
+    const int step = snapshot.scenario.step;
+    const auto pictureIn = [&](const Box& room) {
+        return distancePicture(source, options, step, room.width() / unit, room.height() / unit, style.language);
+    };
+    // What the legend names does not depend on the room.
+    const Drawing legend =
+        distanceLegend(source, pictureIn(figureRoom({}, page, style)), page.width() / unit - 12, style.language);
+    const DistancePicture picture = pictureIn(figureRoom(legend, page, style));
+    const Drawing marks = distanceMarks(source, picture.frame, step);
+    paintFigure(painter, {&picture.drawing, &marks}, legend, page, style);
+}
+
 void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
                double unitsPerPoint) {
     Style style = request.style;
@@ -106,6 +126,8 @@ void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
         paintResult(painter, snapshot, page, style);
     } else if (request.view == "pyramid") {
         paintPyramid(painter, snapshot, page, style);
+    } else if (request.view == "distance") {
+        paintDistance(painter, snapshot, request.distance, page, style);
     } else {
         paintProfile(painter, snapshot, request.profile, page, style);
     }
@@ -177,7 +199,7 @@ ProfileSource profileSource(const Snapshot& s) {
 }
 
 const std::vector<std::string>& figureViews() {
-    static const std::vector<std::string> kViews{"profile", "pyramid", "result"};
+    static const std::vector<std::string> kViews{"distance", "profile", "pyramid", "result"};
     return kViews;
 }
 
@@ -192,6 +214,9 @@ void checkFigure(const FigureRequest& request, const std::string& path) {
     const std::string ending = endingOf(path);
     if (ending != ".svg" && ending != ".pdf" && ending != ".png") {
         throw InputError(path, Message(MessageId::FormatUnknown, {{"extension", ending}, {"known", "svg, pdf, png"}}));
+    }
+    for (const std::string& kind : {request.distance.kind, request.distance.minus}) {
+        if (!kind.empty()) relief::methodOfMap(kind);  // throws
     }
     requireRange("--width", request.widthMm, kLeastMm, kMostMm);
     requireRange("--dpi", request.dpi, kLeastDpi, kMostDpi);

@@ -7,6 +7,7 @@
 
 #include <QImage>
 
+#include "drawings/distance_drawing.h"
 #include "drawings/profile_drawing.h"
 #include "drawings/pyramid_drawing.h"
 #include "drawings/style.h"
@@ -24,12 +25,14 @@ struct FigureRequest {
     double dpi = 300;      // of pixels
     Style style;           // theme and language; points are the page's
     ProfileOptions profile;
+    DistanceOptions distance;
 };
 
-// "profile", "pyramid", "result".
+// "distance", "profile", "pyramid", "result".
 const std::vector<std::string>& figureViews();
 
 // SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown view, ending, width or resolution,
+// for maps that there are none of,
 // WorkError if it cannot be written.
 void checkFigure(const FigureRequest& request, const std::string& path);
 void writeFigure(const Snapshot& snapshot, const FigureRequest& request, const std::string& path);

@@ -13,6 +13,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "views/distance_view.h"
 #include "views/drawing_canvas.h"
 #include "views/profile_view.h"
 #include "views/pyramid_view.h"
@@ -119,6 +120,7 @@ QDockWidget* MainWindow::addPane(const QString& title, const QString& name, QWid
 void MainWindow::makePanes() {
     pyramid_ = new PyramidView(workspace_, this);
     profile_ = new ProfileView(workspace_, this);
+    distance_ = new DistanceView(workspace_, this);
     trace_ = new Trace3dView(workspace_, this);
     auto* const time = new QWidget(this);
     auto* const column = new QVBoxLayout(time);
@@ -143,10 +145,15 @@ void MainWindow::makePanes() {
             Qt::BottomDockWidgetArea);
     addPane(tr("Scene"), QStringLiteral("scene-pane"), scroll, panel, Qt::LeftDockWidgetArea);
     addPane(tr("Profile"), QStringLiteral("profile-pane"), profile_, profile_->canvas(), Qt::RightDockWidgetArea);
+    const auto say = [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); };
     connect(profile_, &ProfileView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
             &PaneTitle::setNote);
-    connect(profile_, &ProfileView::saved, this,
-            [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); });
+    connect(profile_, &ProfileView::saved, this, say);
+    addPane(tr("Distance map"), QStringLiteral("distance-pane"), distance_, distance_->canvas(),
+            Qt::RightDockWidgetArea);
+    connect(distance_, &DistanceView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
+            &PaneTitle::setNote);
+    connect(distance_, &DistanceView::saved, this, say);
 }
 
 void MainWindow::makeMessages() {
@@ -185,6 +192,7 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::LeftDockWidgetArea, scene);
     splitDockWidget(trace, pyramid, Qt::Vertical);
     tabifyDockWidget(pyramid, panes_[5].dock);
+    tabifyDockWidget(panes_[5].dock, panes_[6].dock);
     for (const Pane& pane : panes_) pane.whole->show();
     pyramid->raise();
     shareRoom();

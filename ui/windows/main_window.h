@@ -12,6 +12,7 @@ class QMenu;
 
 namespace reliefui {
 
+class DistanceView;
 class MessageBar;
 class PaneTitle;
 class ProfileView;
@@ -33,6 +34,7 @@ class MainWindow : public QMainWindow {
     ResultView* result() { return result_; }
     PyramidView* pyramid() { return pyramid_; }
     ProfileView* profile() { return profile_; }
+    DistanceView* distance() { return distance_; }
     Trace3dView* trace() { return trace_; }
     StepTable* steps() { return steps_; }
     MessageBar* messages() { return messages_; }
@@ -97,6 +99,7 @@ class MainWindow : public QMainWindow {
     ResultView* result_ = nullptr;
     PyramidView* pyramid_ = nullptr;
     ProfileView* profile_ = nullptr;
+    DistanceView* distance_ = nullptr;
     Trace3dView* trace_ = nullptr;
     StepTable* steps_ = nullptr;
     StepBar* stepBar_ = nullptr;

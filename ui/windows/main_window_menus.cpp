@@ -14,6 +14,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "views/distance_view.h"
 #include "views/result_painting.h"
 #include "views/result_view.h"
 #include "windows/main_window.h"
@@ -90,6 +91,7 @@ void MainWindow::makeEditMenu() {
     menu->addSeparator();
     auto* const cancel = addAction(menu, tr("C&ancel"), QKeySequence(Qt::Key_Escape), tr("Cancel what is running"));
     connect(cancel, &QAction::triggered, workspace_, &Workspace::cancel);
+    connect(cancel, &QAction::triggered, distance_, &DistanceView::cancel);
 }
 
 void MainWindow::makeViewMenu() {

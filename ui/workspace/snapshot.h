@@ -42,6 +42,7 @@ struct Snapshot {
     std::shared_ptr<const relief::MaxPyramidMap> maxima;           // over the cells of the field
     std::shared_ptr<const relief::Pyramid> means;                  // over the texels
     std::shared_ptr<const relief::Pyramid> minima;                 // over the texels
+    std::shared_ptr<relief::MapCache> maps;                        // that were built for it, and take more
 };
 
 }  // namespace reliefui

@@ -135,6 +135,7 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     snapshot->minima = maps_->get<relief::Pyramid>({"min-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {
         return relief::Pyramid(relief::PyramidKind::Min, field.heights(), w);
     });
+    snapshot->maps = maps_;
     snapshot->means = maps_->get<relief::Pyramid>({"mean-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {
         return relief::Pyramid(relief::PyramidKind::Mean, field.heights(), w);
     });
