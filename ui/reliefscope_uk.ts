@@ -1935,6 +1935,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>%1: surface at %2</source>
         <translation>%1: поверхня на %2</translation>
     </message>
+    <message>
+        <source>%1: empty for %2 texels</source>
+        <translation>%1: порожньо на %2 текселів</translation>
+    </message>
+    <message>
+        <source>%1: cone of slope %2</source>
+        <translation>%1: конус із нахилом %2</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::Workspace</name>

@@ -40,8 +40,8 @@ Message titleOf(const DistancePicture& picture, relief::Language language) {
     const bool level = frame.axis == SliceAxis::Z;
     const std::string at =
         level ? relief::fixedText(frame.slab > 0 ? frame.plane / frame.slab : 0, 3) : relief::fixedText(frame.plane, 2);
-    const MessageId id = level ? MessageId::DrawSliceZ
-                               : (frame.axis == SliceAxis::X ? MessageId::DrawSliceX : MessageId::DrawSliceY);
+    const MessageId id =
+        level ? MessageId::DrawSliceZ : (frame.axis == SliceAxis::X ? MessageId::DrawSliceX : MessageId::DrawSliceY);
     return Message(id, {{"map", name}, {"at", at}});
 }
 
@@ -54,26 +54,31 @@ void addDistanceAxes(DistancePicture& picture, relief::Language language) {
     const bool level = frame.axis == SliceAxis::Z;
     drawing.add({}, Role::Frame, Rectangle{plot, false, -0.5, 0});
     const auto tick = [&](Point from, Point to) { drawing.add({}, Role::Frame, Polyline{{from, to}, false}); };
+    const Message upwards = level ? Message(MessageId::DrawAxisY)
+                                  : Message(MessageId::DrawHeightAxis, {{"texels", relief::numberText(frame.slab, 3)}});
+    addText(drawing, {plot.x0, plot.y0}, upwards, Anchor::BottomLeft, {kTick - kNumberRoom + 2, -3}, true);
+    const Message across(frame.axis == SliceAxis::X ? MessageId::DrawAxisY : MessageId::DrawAxisX);
+    if (lowPane(frame)) {
+        addText(drawing, {plot.x1, plot.y1}, across, Anchor::Right, {0, kTick + 6});
+    } else {
+        addText(drawing, {plot.center().x, plot.y1}, across, Anchor::Top, {0, kTick + 13});
+    }
     const double stepU = niceStep(frame.window.width(), plot.width() / 52);
     for (const double u : ticks(frame.window.x0, frame.window.x1, stepU)) {
         const double x = frame.at(Point{u, 0}).x;
         tick({x, plot.y1}, {x, plot.y1 + kTick});
         addText(drawing, {x, plot.y1}, plainText(tickText(u, stepU)), Anchor::Top, {0, kTick + 1}, true);
     }
-    const double low = level ? frame.window.y0 : 0;
-    const double high = level ? frame.window.y1 : 1;
-    const double stepV = niceStep(high - low, plot.height() / 22);
+    // Of heights, what the window shows of them.
+    const double slab = std::max(frame.slab, 1e-9);
+    const double low = level ? frame.window.y0 : std::max(0.0, 1 - frame.window.y1 / slab);
+    const double high = level ? frame.window.y1 : std::min(1.0, 1 - frame.window.y0 / slab);
+    const double stepV = niceStep(std::max(high - low, 1e-9), plot.height() / 22);
     for (const double v : ticks(low, high, stepV)) {
         const double y = frame.at(Point{0, level ? v : (1 - v) * frame.slab}).y;
         tick({plot.x0 - kTick, y}, {plot.x0, y});
         addText(drawing, {plot.x0, y}, plainText(tickText(v, stepV)), Anchor::Right, {-kTick - 2, 0}, true);
     }
-    const Message across(frame.axis == SliceAxis::X ? MessageId::DrawAxisY : MessageId::DrawAxisX);
-    addText(drawing, {plot.center().x, plot.y1}, across, Anchor::Top, {0, kTick + 13});
-    const Message upwards =
-        level ? Message(MessageId::DrawAxisY)
-              : Message(MessageId::DrawHeightAxis, {{"texels", relief::numberText(frame.slab, 3)}});
-    addText(drawing, {plot.x0, plot.y0}, upwards, Anchor::BottomLeft, {kTick - kNumberRoom + 2, -3});
     Label title;
     title.at = {plot.x1, plot.y0};
     title.text = titleOf(picture, language);
@@ -168,8 +173,7 @@ Drawing distanceLegend(const DistanceSource& source, const DistancePicture& pict
     if (!source.hasRay) return rows.take();
     rows.line(Role::Ray, Message(MessageId::DrawRay));
     if (source.walk) {
-        rows.line(Role::Empty,
-                  Message(source.walk.cones ? MessageId::DrawEmptyCone : MessageId::DrawEmptySphere));
+        rows.line(Role::Empty, Message(source.walk.cones ? MessageId::DrawEmptyCone : MessageId::DrawEmptySphere));
     }
     return rows.take();
 }

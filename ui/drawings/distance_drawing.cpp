@@ -29,12 +29,11 @@ void addCells(DistancePicture& picture, const DistanceSource& source) {
     const DistanceFrame& frame = picture.frame;
     const bool upright = frame.axis != SliceAxis::Z;
     const Box ends = cellDomain(*source.field);
-    const std::pair<double, double> endsU = frame.axis == SliceAxis::X ? std::pair(ends.y0, ends.y1) : std::pair(ends.x0, ends.x1);
+    const std::pair<double, double> endsU =
+        frame.axis == SliceAxis::X ? std::pair(ends.y0, ends.y1) : std::pair(ends.x0, ends.x1);
     const std::pair<double, double> endsV = upright ? std::pair(0.0, frame.slab) : std::pair(ends.y0, ends.y1);
-    const auto [i0, i1] =
-        periodsSeen(frame.window.x0, frame.window.x1, slice.start.x, slice.periodU, slice.wrapsU);
-    const auto [j0, j1] =
-        periodsSeen(frame.window.y0, frame.window.y1, slice.start.y, slice.periodV, slice.wrapsV);
+    const auto [i0, i1] = periodsSeen(frame.window.x0, frame.window.x1, slice.start.x, slice.periodU, slice.wrapsU);
+    const auto [j0, j1] = periodsSeen(frame.window.y0, frame.window.y1, slice.start.y, slice.periodV, slice.wrapsV);
     for (int j = j0; j <= j1; ++j) {
         for (int i = i0; i <= i1; ++i) {
             const Point start{slice.start.x + i * slice.periodU, slice.start.y + j * slice.periodV};
@@ -75,8 +74,7 @@ CellSpan spanOf(double low, double high, double start, double side, double perio
     }
     const auto index = [&](double at) {
         const double n = std::floor((at - start) / period);
-        return static_cast<int>(n) * count +
-               std::min(static_cast<int>((at - start - n * period) / side), count - 1);
+        return static_cast<int>(n) * count + std::min(static_cast<int>((at - start - n * period) / side), count - 1);
     };
     return {index(low) - 1, index(high) + 2};
 }
@@ -95,10 +93,10 @@ void addHatches(DistancePicture& picture) {
     const DistanceFrame& frame = picture.frame;
     const int columns = slice.values->width();
     const int rows = slice.values->height();
-    const CellSpan u = spanOf(frame.window.x0, frame.window.x1, slice.start.x, slice.cellWidth, slice.periodU, columns,
-                              slice.wrapsU);
-    const CellSpan v = spanOf(frame.window.y0, frame.window.y1, slice.start.y, slice.cellHeight, slice.periodV, rows,
-                              slice.wrapsV);
+    const CellSpan u =
+        spanOf(frame.window.x0, frame.window.x1, slice.start.x, slice.cellWidth, slice.periodU, columns, slice.wrapsU);
+    const CellSpan v =
+        spanOf(frame.window.y0, frame.window.y1, slice.start.y, slice.cellHeight, slice.periodV, rows, slice.wrapsV);
     std::vector<Box> boxes;
     const auto buried = [&](int i, int j) {
         return std::isnan((*slice.values)(static_cast<int>(relief::wrapIndex(i, columns)),
@@ -130,10 +128,10 @@ void addIsoLines(DistancePicture& picture) {
     if (slice.high <= 0) return;
     const int columns = slice.values->width();
     const int rows = slice.values->height();
-    const CellSpan u = spanOf(frame.window.x0, frame.window.x1, slice.start.x, slice.cellWidth, slice.periodU, columns,
-                              slice.wrapsU);
-    const CellSpan v = spanOf(frame.window.y0, frame.window.y1, slice.start.y, slice.cellHeight, slice.periodV, rows,
-                              slice.wrapsV);
+    const CellSpan u =
+        spanOf(frame.window.x0, frame.window.x1, slice.start.x, slice.cellWidth, slice.periodU, columns, slice.wrapsU);
+    const CellSpan v =
+        spanOf(frame.window.y0, frame.window.y1, slice.start.y, slice.cellHeight, slice.periodV, rows, slice.wrapsV);
     if (u.last - u.first < 2 || v.last - v.first < 2) return;
     relief::FloatImage samples(u.last - u.first, v.last - v.first);
     for (int j = 0; j < samples.height(); ++j) {
@@ -148,6 +146,9 @@ void addIsoLines(DistancePicture& picture) {
     std::vector<double> values = ticks(slice.low, slice.high, picture.isoStep);
     std::erase_if(values, [&](double value) { return std::abs(value) < 1e-6 * picture.isoStep; });
     constexpr double kLabelled = 46;  // points
+    // Where the cells have room for their numbers, the lines need none.
+    constexpr double kPrinted = 24;
+    const bool printed = slice.cellWidth * frame.scale > kPrinted && slice.cellHeight * frame.scale > kPrinted / 2;
     for (const IsoLine& line : isoLines(samples, values)) {
         std::vector<Point> points;
         double length = 0;
@@ -163,7 +164,7 @@ void addIsoLines(DistancePicture& picture) {
             picture.drawing.add({ItemKind::IsoLine, 0, 0, 0}, Role::IsoLine, Polyline{run, false}, Emphasis::Faint);
         }
         const Point middle = points[points.size() / 2];
-        if (length < kLabelled || !frame.plot.grown(-8).contains(middle)) continue;
+        if (printed || length < kLabelled || !frame.plot.grown(-8).contains(middle)) continue;
         Label label;
         label.at = middle;
         label.text = plainText(tickText(line.value, picture.isoStep));
@@ -256,8 +257,8 @@ void addSurface(Drawing& drawing, const DistanceSource& source, const DistanceFr
 DistancePicture distancePicture(const DistanceSource& source, const DistanceOptions& options, int step, double width,
                                 double height, relief::Language language) {
     if (source.second != nullptr && source.second->slopes() != source.first->slopes()) {
-        throw relief::InputError({}, Message(MessageId::DrawOtherKind, {{"first", source.first->kind()},
-                                                                        {"second", source.second->kind()}}));
+        throw relief::InputError({}, Message(MessageId::DrawOtherKind,
+                                             {{"first", source.first->kind()}, {"second", source.second->kind()}}));
     }
     DistancePicture picture;
     picture.kind = source.first->kind();
@@ -265,7 +266,7 @@ DistancePicture distancePicture(const DistanceSource& source, const DistanceOpti
     picture.frame = distanceFrame(source, options, step, width, height);
     SliceOrder order;
     order.axis = picture.frame.axis;
-    order.plane = picture.frame.plane;
+    order.plane = picture.frame.cut;
     order.sector = picture.frame.sector;
     if (source.second != nullptr) order.secondSector = sectorOf(*source.second, source, options);
     picture.slice = mapSlice(*source.first, source.second, order);
@@ -282,7 +283,7 @@ DistanceReading distanceReading(const DistanceSource& source, const DistanceFram
     DistanceReading reading;
     reading.inside = frame.plot.contains(at);
     if (!reading.inside) return reading;
-    reading.place = fromSlice(frame.axis, frame.slab, frame.plane, frame.uvAt(at));
+    reading.place = fromSlice(frame.axis, frame.slab, frame.cut, frame.uvAt(at));
     const Box domain = cellDomain(*source.field);
     const bool wraps = source.field->address() == relief::Address::Repeat;
     reading.onMap = wraps || domain.contains({reading.place[0], reading.place[1]});

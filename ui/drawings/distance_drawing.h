@@ -15,13 +15,13 @@
 namespace reliefui {
 
 struct DistanceOptions {
-    std::string kind;          // of mapKinds(); empty: the method's own, or euclidean
-    std::string minus;         // the map that is taken away; empty: none
+    std::string kind;               // of mapKinds(); empty: the method's own, or euclidean
+    std::string minus;              // the map that is taken away; empty: none
     std::optional<SliceAxis> axis;  // none: at constant x or y, whichever the ray crosses less
-    std::optional<int> slice;  // none: the one that holds the current step, exactly through it
-    std::optional<int> sector; // of a map that has several; none: the ray's
+    std::optional<int> slice;       // none: the one that holds the current step, exactly through it
+    std::optional<int> sector;      // of a map that has several; none: the ray's
     bool isoLines = true;
-    bool nearRay = true;       // only the surroundings of the ray
+    bool nearRay = true;  // only the surroundings of the ray
 
     bool operator==(const DistanceOptions&) const = default;
 };
@@ -42,26 +42,28 @@ struct DistanceSource {
 // Where what lies on the drawing, whose units are points.
 struct DistanceFrame {
     SliceAxis axis = SliceAxis::Y;
-    int slices = 1;     // there are
-    int slice = 0;      // that is shown
-    double plane = 0;   // texels along the axis; of height: h
-    double slab = 0;    // D
+    int slices = 1;    // there are
+    int slice = 0;     // that is shown
+    double plane = 0;  // texels along the axis; of height: h
+    double cut = 0;    // where values are looked up: within the voxel that the plane goes through or touches
+    double slab = 0;   // D
     int sector = 0;
-    int sectors = 1;    // of the first map
+    int sectors = 1;  // of the first map
     bool slopes = false;
-    Box window;         // (u, v) that is shown, texels
+    Box window;  // (u, v) that is shown, texels
     Box plot;
     Box whole;
-    double scale = 1;   // points a texel
+    double scale = 1;  // points a texel
 
-    Point at(Point uv) const {
-        return {plot.x0 + (uv.x - window.x0) * scale, plot.y0 + (uv.y - window.y0) * scale};
-    }
-    Point uvAt(Point p) const {
-        return {window.x0 + (p.x - plot.x0) / scale, window.y0 + (p.y - plot.y0) / scale};
-    }
+    Point at(Point uv) const { return {plot.x0 + (uv.x - window.x0) * scale, plot.y0 + (uv.y - window.y0) * scale}; }
+    Point uvAt(Point p) const { return {window.x0 + (p.x - plot.x0) / scale, window.y0 + (p.y - plot.y0) / scale}; }
     Point at(const Place3& place) const { return at(toSlice(axis, slab, place)); }
 };
+
+// Too low for two rows of words below the plot.
+inline bool lowPane(const DistanceFrame& frame) {
+    return frame.whole.height() < 190;
+}
 
 // The slice: made anew with the map, the slice or the room.
 struct DistancePicture {

@@ -14,8 +14,10 @@ constexpr double kLeft = 34;
 constexpr double kRight = 10;
 constexpr double kTop = 19;
 constexpr double kBottom = 29;
+constexpr double kLowBottom = 16;  // of a low pane: one row of words
 
-// One direction of the window: the ray's stretch and its surroundings, at least `least`, at most `most` around `center`.
+// One direction of the window: the ray's stretch and its surroundings, at least `least`, at most `most` around
+// `center`.
 struct Range {
     double low = 0;
     double high = 1;
@@ -47,8 +49,8 @@ struct Windows {
 
 Windows windowOf(const DistanceSource& source, const DistanceOptions& options, const DistanceFrame& frame,
                  const Place3& current, double aspect) {
-    constexpr double kLeast = 12;         // texels
-    constexpr double kFlattest = 0.35;    // a slice is at least that part of its room high
+    constexpr double kLeast = 12;       // texels
+    constexpr double kFlattest = 0.35;  // a slice is at least that part of its room high
     constexpr double kMostPeriods = 3;
     const Box domain = cellDomain(*source.field);
     const bool upright = frame.axis != SliceAxis::Z;
@@ -79,12 +81,12 @@ Windows windowOf(const DistanceSource& source, const DistanceOptions& options, c
         return windows;
     }
     if (upright) {
-        // Some air above, for spheres that reach beyond the slab.
-        windows.v = {0, frame.slab};
-        const double height = std::max(frame.slab, 1e-9);
-        const double filling = height * aspect;
+        windows.v = around(from.y, to.y, now.y, std::min(kLeast, frame.slab), frame.slab);
+        windows.v = widened(windows.v, windows.v.size(), domainV, false);
+        const double filling = std::max(windows.v.size(), 1e-9) * aspect;
         windows.u = around(from.x, to.x, now.x, kLeast, std::max(kLeast, filling / kFlattest));
         windows.u = widened(windows.u, std::max(windows.u.size(), filling), domainU, wraps);
+        windows.v = widened(windows.v, std::max(windows.v.size(), windows.u.size() / aspect), domainV, false);
         return windows;
     }
     const double most = kMostPeriods * std::max(domainU.size(), domainV.size());
@@ -128,6 +130,24 @@ Place3 stepPlace(const DistanceSource& source, int step) {
     return placeOnRay(source, std::clamp(s.decision == relief::Decision::Hit ? s.lambdaAfter : s.lambdaIn, 0.0, 1.0));
 }
 
+namespace {
+
+// Of the voxel that the step is about, if it is about one.
+std::optional<double> voxelMiddle(const DistanceSource& source, int step, SliceAxis axis) {
+    if (!source.hasRay || source.steps == nullptr || source.steps->empty()) return std::nullopt;
+    const auto last = static_cast<int>(source.steps->size()) - 1;
+    const relief::Step& s = (*source.steps)[static_cast<std::size_t>(std::clamp(step, 0, last))];
+    if (!namesVoxel(source.walk, s)) return std::nullopt;
+    const VoxelBox box = voxelBox(source.walk, *source.field, s);
+    const double middle = axis == SliceAxis::X   ? box.sides.center().x
+                          : axis == SliceAxis::Y ? box.sides.center().y
+                                                 : (box.low + box.high) / 2 * source.field->slabTexels();
+    // The outermost cells of a clamped picture have no end.
+    return std::isfinite(middle) ? std::optional(middle) : std::nullopt;
+}
+
+}  // namespace
+
 DistanceFrame distanceFrame(const DistanceSource& source, const DistanceOptions& options, int step, double width,
                             double height) {
     constexpr double kLeastSide = 8;
@@ -140,18 +160,24 @@ DistanceFrame distanceFrame(const DistanceSource& source, const DistanceOptions&
     frame.whole = {0, 0, width, height};
     const Place3 current = stepPlace(source, step);
     frame.slices = frame.slopes ? 1 : source.first->slices(frame.axis);
+    const auto axis = static_cast<std::size_t>(frame.axis);
+    Place3 cut = current;
     if (options.slice) {
         frame.slice = std::clamp(*options.slice, 0, frame.slices - 1);
         frame.plane = source.first->planeOf(frame.axis, frame.slice, current);
+        cut[axis] = frame.plane;
     } else {
-        frame.slice = source.first->sliceAt(frame.axis, current);
-        // Through the step itself, so that its sphere is cut through the middle.
-        frame.plane = current[static_cast<std::size_t>(frame.axis)];
+        // Through the step itself, so that its sphere is cut through the middle; and the voxel that it left, of which
+        // it may be at a side.
+        frame.plane = current[axis];
+        cut[axis] = voxelMiddle(source, step, frame.axis).value_or(frame.plane);
+        frame.slice = source.first->sliceAt(frame.axis, cut);
     }
+    frame.cut = cut[axis];
     frame.sectors = source.first->sectors();
     frame.sector = sectorOf(*source.first, source, options);
     const Box room{kLeft, kTop, std::max(width - kRight, kLeft + kLeastSide),
-                   std::max(height - kBottom, kTop + kLeastSide)};
+                   std::max(height - (lowPane(frame) ? kLowBottom : kBottom), kTop + kLeastSide)};
     const Windows windows = windowOf(source, options, frame, current, room.width() / room.height());
     frame.window = {windows.u.low, windows.v.low, windows.u.high, windows.v.high};
     const double w = std::max(frame.window.width(), 1e-9);

@@ -189,6 +189,10 @@ class Marks {
         const double to = offPlane(frame_.axis, frame_.plane, placeOnRay(source_, end));
         if (from * to > 0 || from == to) return;
         const Point at = onPlot(end * from / (from - to));
+        // At the chosen step, its own mark says enough.
+        constexpr double kNear = 6;
+        const Point chosen = frame_.at(stepPlace(source_, static_cast<int>(chosen_)));
+        if (std::hypot(chosen.x - at.x, chosen.y - at.y) < kNear) return;
         if (frame_.plot.contains(at)) drawing_.add({}, Role::Ray, Marker{at, Shape::SquareHollow, 10});
     }
 
@@ -206,10 +210,10 @@ class Marks {
         if (s.decision == Decision::Hit && source_.hit.outcome == relief::Outcome::Hit && k != chosen_) return;
         const Point at = frame_.at(stepPlace(source_, static_cast<int>(k)));
         if (!frame_.plot.contains(at)) return;
-        drawing_.add(stepId(k), roleOf(s.decision), Marker{at, shapeOf(s.decision), k == chosen_ ? 10.0 : 6.0},
+        drawing_.add(stepId(k), roleOf(s.decision), Marker{at, shapeOf(s.decision), k == chosen_ ? 8.0 : 6.0},
                      emphasis(k));
         if (k != chosen_) return;
-        drawing_.add(stepId(k), Role::Highlight, Rectangle{{at.x, at.y, at.x, at.y}, false, 0, 15});
+        drawing_.add(stepId(k), Role::Highlight, Rectangle{{at.x, at.y, at.x, at.y}, false, 0, 13});
         const StepBody body = stepBody(source_.walk, *source_.field, *source_.maxima, source_.ray, s);
         if (body) return;
         Label label{at, plainText(std::to_string(k + 1)), Anchor::Left, kNumberSize, {9, 0}, true, false, {}};

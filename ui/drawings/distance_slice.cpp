@@ -56,8 +56,8 @@ SlicedMap::SlicedMap(relief::StoredMap map, const relief::HeightField& field)
         distances_ = distances->get();
         const int footprint = distances_->parameters.footprint;
         const bool boxes = relief::ofBoxes(distances_->kind);
-        x_ = boxes ? overCells(grid.x, distances_->nx(), footprint)
-                   : overTexels(field.width(), distances_->nx(), wraps);
+        x_ =
+            boxes ? overCells(grid.x, distances_->nx(), footprint) : overTexels(field.width(), distances_->nx(), wraps);
         y_ = boxes ? overCells(grid.y, distances_->ny(), footprint)
                    : overTexels(field.height(), distances_->ny(), wraps);
     } else {
@@ -180,8 +180,7 @@ MapSlice mapSlice(SlicedMap& first, SlicedMap* second, const SliceOrder& order) 
     float most = 0;
     for (int j = 0; j < grid.v.count; ++j) {
         for (int i = 0; i < grid.u.count; ++i) {
-            const Place3 place =
-                fromSlice(axis, first.slabTexels(), order.plane, {grid.u.center(i), grid.v.center(j)});
+            const Place3 place = fromSlice(axis, first.slabTexels(), order.plane, {grid.u.center(i), grid.v.center(j)});
             const float a = first.at(place, order.sector);
             const float value =
                 second != nullptr ? difference(a, second->at(place, order.secondSector)) : shownValue(a);

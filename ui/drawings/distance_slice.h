@@ -75,7 +75,8 @@ struct SliceOrder {
     int secondSector = 0;
 };
 
-// One period of the slice, in the voxels of the finer map; NaN: buried. Rows from the top (greatest height) or the least y.
+// One period of the slice, in the voxels of the finer map; NaN: buried. Rows from the top (greatest height) or the
+// least y.
 struct MapSlice {
     std::shared_ptr<const relief::FloatImage> values;
     Point start;  // (u, v) of the first cell's corner

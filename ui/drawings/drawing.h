@@ -112,8 +112,8 @@ enum class Shape : std::uint8_t {
 };
 Shape shapeOf(relief::Decision decision);
 
-// Distance: values from 0; marks below 0 (surface voxels) and NaN (in the relief) have colours of their own. Difference:
-// around 0, which is white.
+// Distance: values from 0; marks below 0 (surface voxels) and NaN (in the relief) have colours of their own.
+// Difference: around 0, which is white.
 enum class ColorMap : std::uint8_t { Height, Level, Count, Distance, Difference };
 
 // Outline or fill of a box. inset: points by which the outline lies inside it; minSide: points below which it is not

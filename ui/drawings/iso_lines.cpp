@@ -38,9 +38,7 @@ class Tracer {
         bool used = false;
     };
 
-    Edge edge(int i, int j, int below) const {
-        return ((static_cast<Edge>(j) * samples_.width()) + i) * 2 + below;
-    }
+    Edge edge(int i, int j, int below) const { return ((static_cast<Edge>(j) * samples_.width()) + i) * 2 + below; }
     double at(int i, int j) const { return static_cast<double>(samples_(i, j)); }
 
     Link& link(int i, int j, int below) {

@@ -131,6 +131,11 @@ void addLayers(Drawing& drawing, const ProfileSource& source, const ProfileFrame
 StepShape stepShape(const ProfileSource& source, std::size_t step) {
     const relief::Step& s = (*source.steps)[step];
     if (s.phase == Phase::Refine) return StepShape::Point;
+    if (source.walk && s.level == 0) {
+        if (s.phase == Phase::Search && s.decision == Decision::Advance) return StepShape::Body;
+        const bool apex = valueIsHeight(source.walk, s) && !source.walk.interpolated;
+        return apex && s.decision != Decision::Start ? StepShape::Plateau : StepShape::Mark;
+    }
     if (s.phase == Phase::Search && s.decision == Decision::Advance) return StepShape::Layer;
     if (s.decision == Decision::Start || !source.atPoints) return StepShape::Plateau;
     return StepShape::Point;
@@ -142,7 +147,10 @@ std::vector<int> profileLevels(const ProfileSource& source, const ProfileOptions
         for (int l = 0; l < source.maxima->pyramid.levels(); ++l) levels.insert(l);
     } else if (options.levels == LevelsShown::Visited && source.steps != nullptr && !source.atPoints) {
         for (std::size_t k = 0; k < source.steps->size(); ++k) {
-            if (stepShape(source, k) == StepShape::Plateau) levels.insert((*source.steps)[k].level);
+            // The apex of a cone is the maximum of no texel.
+            const relief::Step& step = (*source.steps)[k];
+            const bool maximum = !source.walk || step.level > 0;
+            if (maximum && stepShape(source, k) == StepShape::Plateau) levels.insert(step.level);
         }
     }
     return {levels.begin(), levels.end()};
@@ -209,6 +217,9 @@ Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options
         constexpr double kShort = 10;
         rows.line(Role::Plateau, what, {level, levels}, kShort);
         first = false;
+    }
+    if (source.walk && runOf(source.ray) >= kVerticalRun) {
+        rows.line(Role::Empty, Message(source.walk.cones ? MessageId::DrawEmptyCone : MessageId::DrawEmptySphere));
     }
     if (source.layers > 0) rows.line(Role::Layer, Message(MessageId::DrawLayer));
     if (source.atPoints) {

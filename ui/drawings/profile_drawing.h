@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drawings/drawing.h"
+#include "drawings/step_body.h"
 #include "relief/height_field.h"
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/ray.h"
@@ -26,6 +27,7 @@ struct ProfileSource {
     const std::vector<relief::Step>* steps = nullptr;
     bool atPoints = false;  // the method looks at points of the ray only (offset, layers), not at cells
     int layers = 0;         // into which it cuts the slab; 0: it does not
+    MapWalk walk;           // the map of distances or cones that it walks
 };
 
 // Of which levels the maxima are shown: of those that the log names, of all.
@@ -36,8 +38,9 @@ struct ProfileOptions {
     bool nearRay = false;     // only the heights that the ray comes through
 };
 
-// How a log's steps are shown; the decision gives colour and shape. The next kinds of method add theirs.
-enum class StepShape : std::uint8_t { Plateau, Point, Layer };
+// How a log's steps are shown; the decision gives colour and shape. The next kinds of method add theirs. Body: an empty
+// sphere or cone. Mark: nothing but its mark on the ray.
+enum class StepShape : std::uint8_t { Plateau, Point, Layer, Body, Mark };
 StepShape stepShape(const ProfileSource& source, std::size_t step);
 
 // Where what lies on the drawing. `visible` is the part that is seen, `zoom` points of the screen a unit of it: what is
@@ -76,6 +79,8 @@ Drawing profileRelief(const ProfileSource& source, const ProfileOptions& options
 // The ray and its steps. Steps after the chosen one are drawn faintly; where there is no room for all marks and
 // numbers, those near the chosen one and the first come first.
 Drawing profileMarks(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame, int step);
+// Spheres and cones of the steps; part of the marks.
+void addBodies(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame, std::size_t chosen);
 // Numbers and units, at the edges of what is seen.
 Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame);
 // In at most `width` points; only what occurs.

@@ -74,7 +74,10 @@ class Marks {
     }
 
     Drawing take() {
-        if (known()) stretch();
+        if (known()) {
+            stretch();
+            addBodies(drawing_, source_, frame_, chosen_);
+        }
         ray();
         if (known()) {
             samples();
@@ -167,7 +170,8 @@ class Marks {
         for (std::size_t k = 0; k < source_.steps->size() && drawn < kMostSamples; ++k) {
             const relief::Step& s = step(k);
             const StepShape shape = stepShape(source_, k);
-            if (shape == StepShape::Plateau || s.decision == Decision::Miss || s.decision == Decision::Limit) continue;
+            const bool read = shape == StepShape::Point || shape == StepShape::Layer;
+            if (!read || s.decision == Decision::Miss || s.decision == Decision::Limit) continue;
             // A single height is read where the ray enters.
             const double at = single ? 0 : (s.decision == Decision::Refine ? s.lambdaAfter : s.lambdaOut);
             const double height =
@@ -271,7 +275,8 @@ class Marks {
     bool mark(std::size_t k, bool always) {
         const relief::Step& s = step(k);
         if (s.decision == Decision::Hit && isHit()) return false;  // the ring
-        const double lambda = markLambda(s, frame_.lambdaEnd);
+        const StepBody body = stepBody(source_.walk, *source_.field, *source_.maxima, source_.ray, s);
+        const double lambda = body ? body.lambda : markLambda(s, frame_.lambdaEnd);
         if (!(lambda <= frame_.lambdaEnd)) return false;
         const Point on = frame_.onRay(lambda);
         if (!frame_.visible.contains(on)) return false;

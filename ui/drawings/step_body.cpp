@@ -60,7 +60,8 @@ MapWalk walkedMap(const relief::MethodChoice& choice) {
         walk.footprint = optionOf(*known, choice.options, "footprint");
         walk.layers = optionOf(*known, choice.options, "layers");
         walk.sectors = optionOf(*known, choice.options, "sectors");
-        walk.given = choice.options;
+        walk.options = choice.options;
+        walk.options.insert(known->defaults.begin(), known->defaults.end());
         return walk;
     }
     for (const relief::OptionDescription& option : known->options) {

@@ -14,13 +14,13 @@ namespace reliefui {
 
 // The map that a method walks, or the method inside it.
 struct MapWalk {
-    std::string kind;            // as in mapKinds(); empty: none
-    bool cones = false;          // of slopes, not of distances
-    bool interpolated = false;   // read between the centres, at points of the ray; else voxel by voxel
-    int footprint = 1;           // of a voxel, cells a side
-    int layers = 1;              // voxels that the slab is high
-    int sectors = 1;             // azimuth sectors that have values of their own
-    relief::OptionValues given;  // the options that the walking method was given
+    std::string kind;              // as in mapKinds(); empty: none
+    bool cones = false;            // of slopes, not of distances
+    bool interpolated = false;     // read between the centres, at points of the ray; else voxel by voxel
+    int footprint = 1;             // of a voxel, cells a side
+    int layers = 1;                // voxels that the slab is high
+    int sectors = 1;               // azimuth sectors that have values of their own
+    relief::OptionValues options;  // all of the walking method: as given, or its defaults
 
     explicit operator bool() const { return !kind.empty(); }
 };

@@ -17,7 +17,12 @@
 namespace reliefui {
 
 VtkCellTexture::VtkCellTexture(const Cells& cells, const Style& style)
-    : values_(cells.values), map_(cells.map), heights_(style.heights), theme_(style.theme), low_(cells.low), high_(cells.high) {
+    : values_(cells.values),
+      map_(cells.map),
+      heights_(style.heights),
+      theme_(style.theme),
+      low_(cells.low),
+      high_(cells.high) {
     const CellImage pixels = cellImage(cells, style);
     step_ = pixels.step;
     width_ = pixels.width;

@@ -116,8 +116,8 @@ void DistanceView::makeMapBar(QHBoxLayout* bar) {
     }
     iso_ = addButton(bar, tr("lines"), tr("Lines of equal value"), true);
     near_ = addButton(bar, tr("near the ray"), tr("Only the surroundings of the ray"), true);
-    auto* const fit =
-        addButton(bar, tr("fit"), tr("Show all of the slice (R); wheel zooms, drag moves, click chooses a step"), false);
+    auto* const fit = addButton(bar, tr("fit"),
+                                tr("Show all of the slice (R); wheel zooms, drag moves, click chooses a step"), false);
     connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] {
         DistanceOptions next = options_;
         next.kind = kind_->currentData().toString().toStdString();
@@ -266,8 +266,7 @@ void DistanceView::tell(const QPointF& widget) {
     if (!result_) return setReadout({});
     const DistanceSource source = distanceSource(*result_->snapshot, result_->maps);
     const DistanceFrame& frame = result_->picture.frame;
-    const DistanceReading at =
-        distanceReading(source, frame, result_->secondSector, canvas_->toDrawing(widget));
+    const DistanceReading at = distanceReading(source, frame, result_->secondSector, canvas_->toDrawing(widget));
     if (!at.inside) return setReadout({});
     if (!at.onMap) return setReadout(tr("beyond the edge"));
     const QString unit = frame.slopes ? tr("heights a texel") : tr("texels");
@@ -294,8 +293,8 @@ void DistanceView::openMenu(const QPoint& at) {
     QAction* const copy =
         menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
     copy->setEnabled(!value.isEmpty());
-    QAction* const image = menu.addAction(
-        tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(picture(kCopiedWidth)); });
+    QAction* const image = menu.addAction(tr("Copy picture"), this,
+                                          [this] { QApplication::clipboard()->setImage(picture(kCopiedWidth)); });
     QAction* const save = menu.addAction(tr("Export figure…"), this, &DistanceView::askFigure);
     image->setEnabled(result_ != nullptr);
     save->setEnabled(result_ != nullptr);

@@ -30,21 +30,29 @@ std::string shownKind(const DistanceOptions& options, const Snapshot& snapshot) 
     return walk ? walk.kind : relief::mapKinds().front();
 }
 
-relief::OptionValues mapOptions(const std::string& kind, const MapWalk& walk) {
-    relief::OptionValues options;
-    for (const relief::OptionDescription& option : relief::findTracer(relief::methodOfMap(kind)).options) {
-        const auto given = walk.given.find(option.name);
-        if (given != walk.given.end() && fits(option, given->second)) options.insert(*given);
+std::vector<MapOptions> mapOptions(const DistanceOptions& options, const Snapshot& snapshot) {
+    std::vector<MapOptions> all;
+    relief::OptionValues wanted = walkedMap(snapshot.scenario.method).options;
+    for (const std::string& kind : {shownKind(options, snapshot), options.minus}) {
+        if (kind.empty()) continue;
+        const relief::MethodDescription& method = relief::findTracer(relief::methodOfMap(kind));
+        MapOptions one{kind, method.defaults};
+        for (const relief::OptionDescription& option : method.options) {
+            const auto given = wanted.find(option.name);
+            if (given != wanted.end() && fits(option, given->second)) one.options[option.name] = given->second;
+        }
+        wanted = one.options;
+        all.push_back(std::move(one));
     }
-    return options;
+    return all;
 }
 
 DistanceMaps distanceMaps(const Snapshot& snapshot, const DistanceOptions& options, const DistanceMaps& before,
                           relief::Work& work) {
-    const MapWalk walk = walkedMap(snapshot.scenario.method);
     const relief::HeightField& field = snapshot.request->field;
-    const auto build = [&](const std::string& kind) {
-        return relief::buildMap(kind, mapOptions(kind, walk), field, *snapshot.maps, work);
+    const std::vector<MapOptions> wanted = mapOptions(options, snapshot);
+    const auto build = [&](const MapOptions& one) {
+        return relief::buildMap(one.kind, one.options, field, *snapshot.maps, work);
     };
     const auto sliced = [&](const relief::StoredMap& map, const relief::StoredMap& known,
                             const std::shared_ptr<SlicedMap>& same) {
@@ -53,10 +61,10 @@ DistanceMaps distanceMaps(const Snapshot& snapshot, const DistanceOptions& optio
         return std::make_shared<SlicedMap>(map, field);
     };
     DistanceMaps maps;
-    maps.firstMap = build(shownKind(options, snapshot));
+    maps.firstMap = build(wanted.front());
     maps.first = sliced(maps.firstMap, before.firstMap, before.first);
-    if (options.minus.empty()) return maps;
-    maps.secondMap = build(options.minus);
+    if (wanted.size() < 2) return maps;
+    maps.secondMap = build(wanted.back());
     maps.second = sliced(maps.secondMap, before.secondMap, before.second);
     return maps;
 }

@@ -50,15 +50,13 @@ void DistanceView::paintEvent(QPaintEvent* event) {
 
 DistanceView::MapNames DistanceView::namesNow() const {
     const relief::HeightField& field = snapshot_->request->field;
-    const MapWalk walk = walkedMap(snapshot_->scenario.method);
     MapNames now;
     now.heights = field.sharedHeights();
     now.names = {std::string(relief::surfaceName(field.surface())), std::string(relief::addressName(field.address())),
                  relief::numberText(field.reliefDepth())};
-    for (const std::string& kind : {shownKind(options_, *snapshot_), options_.minus}) {
-        now.names.push_back(kind);
-        if (kind.empty()) continue;
-        for (const auto& [name, text] : mapOptions(kind, walk)) now.names.push_back(name + "=" + text);
+    for (const MapOptions& map : mapOptions(options_, *snapshot_)) {
+        now.names.push_back(map.kind);
+        for (const auto& [name, text] : map.options) now.names.push_back(name + "=" + text);
     }
     return now;
 }
@@ -158,8 +156,8 @@ void DistanceView::take(std::shared_ptr<const Result> result) {
 void DistanceView::showMarks() {
     if (!result_) return;
     const DistanceSource source = distanceSource(*result_->snapshot, result_->maps);
-    auto marks = std::make_shared<const Drawing>(
-        distanceMarks(source, result_->picture.frame, workspace_->scenario().step));
+    auto marks =
+        std::make_shared<const Drawing>(distanceMarks(source, result_->picture.frame, workspace_->scenario().step));
     canvas_->setLayers({drawing_, std::move(marks)}, legend_);
 }
 

@@ -126,7 +126,7 @@ class DistanceView : public QWidget {
     std::shared_ptr<const Result> result_;
     std::shared_ptr<const Drawing> drawing_;
     std::shared_ptr<const Drawing> legend_;
-    bool stale_ = true;  // changed while it was hidden
+    bool stale_ = true;               // changed while it was hidden
     std::unique_ptr<LatestJob> job_;  // last: ends before the rest
 };
 

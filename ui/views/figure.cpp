@@ -186,6 +186,7 @@ ProfileSource profileSource(const Snapshot& s) {
     source.ray = s.trace.ray;
     source.hit = s.trace.hit;
     source.steps = &s.trace.steps;
+    source.walk = walkedMap(s.scenario.method);
     for (const relief::MethodDescription& method : relief::tracerList()) {
         if (method.name != s.scenario.method.name) continue;
         source.atPoints = method.guarantee == relief::Guarantee::Approximate && method.maps.empty();

@@ -124,23 +124,33 @@ vtkSmartPointer<vtkActor> TraceMarks::shadow() const {
     return actor;
 }
 
-Box TraceMarks::base(const relief::Step& step) const {
-    return stepBox(field_, step, scene_.baseLevel).cut(scene_.patch);
+TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const MapWalk& walk,
+                                    const relief::MaxPyramidMap& maxima) const {
+    const auto z = [&](double height) { return std::max(scene_.bottom, std::min(height, 1.0) * scene_.scale); };
+    if (namesVoxel(walk, step)) {
+        const VoxelBox voxel = voxelBox(walk, field_, step);
+        return {voxel.sides, z(voxel.low), z(voxel.high), roleOf(step.decision)};
+    }
+    double height = step.value;
+    if (walk && step.level == 0 && !valueIsHeight(walk, step)) {
+        const relief::CellGrid grid(field_);
+        const relief::FloatImage& cells = maxima.pyramid.level(0);
+        const auto i = static_cast<int>(std::clamp<std::int64_t>(step.i - grid.x.firstName, 0, cells.width() - 1));
+        const auto j = static_cast<int>(std::clamp<std::int64_t>(step.j - grid.y.firstName, 0, cells.height() - 1));
+        height = static_cast<double>(cells(i, j));
+    }
+    return {stepBox(field_, step, scene_.baseLevel), scene_.bottom, z(height), roleOf(step.decision)};
 }
 
-double TraceMarks::top(const relief::Step& step) const {
-    return std::max(scene_.bottom, std::min(step.value, 1.0) * scene_.scale);
-}
-
-vtkSmartPointer<vtkActor> TraceMarks::box(const relief::Step& step) const {
+vtkSmartPointer<vtkActor> TraceMarks::box(const Prism& prism) const {
     // A face in the very plane of the block's cut side would flicker.
     constexpr double kOutside = 0.0015;
-    const Box inside = base(step);
+    const Box inside = prism.sides.cut(scene_.patch);
     const Box b = inside.grown(kOutside * scene_.diagonal());
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     if (inside.width() > 0 && inside.height() > 0) {
-        for (const double z : {scene_.bottom, top(step)}) {
+        for (const double z : {prism.low, prism.high}) {
             points->InsertNextPoint(b.x0, -b.y0, z);
             points->InsertNextPoint(b.x1, -b.y0, z);
             points->InsertNextPoint(b.x1, -b.y1, z);
@@ -155,35 +165,36 @@ vtkSmartPointer<vtkActor> TraceMarks::box(const relief::Step& step) const {
     auto actor = actorOf(data);
     actor->GetProperty()->SetLighting(false);
     actor->GetProperty()->SetOpacity(0.26);
-    paintIn(actor, style_.color(roleOf(step.decision)));
+    paintIn(actor, style_.color(prism.role));
     return actor;
 }
 
-vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const relief::Step& step) const {
-    const Box whole = stepBox(field_, step, scene_.baseLevel);
-    const Box b = base(step);
+vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const Prism& prism) const {
+    const Box& whole = prism.sides;
+    const Box b = whole.cut(scene_.patch);
     Tubes tubes;
     if (b.width() > 0 && b.height() > 0) {
-        const Rgba color = style_.color(roleOf(step.decision));
+        const Rgba color = style_.color(prism.role);
         // A side where the patch ends is no side of the texel.
         const bool left = b.x0 == whole.x0;
         const bool right = b.x1 == whole.x1;
         const bool far = b.y0 == whole.y0;
         const bool near = b.y1 == whole.y1;
-        const double high = top(step);
+        const double low = prism.low;
+        const double high = prism.high;
         const auto edge = [&](bool there, const Place& from, const Place& to) {
             if (there) tubes.add(from, to, 0.7 * radius_, color);
         };
-        for (const double z : {scene_.bottom, high}) {
+        for (const double z : {low, high}) {
             edge(far, {b.x0, -b.y0, z}, {b.x1, -b.y0, z});
             edge(near, {b.x0, -b.y1, z}, {b.x1, -b.y1, z});
             edge(left, {b.x0, -b.y0, z}, {b.x0, -b.y1, z});
             edge(right, {b.x1, -b.y0, z}, {b.x1, -b.y1, z});
         }
-        edge(left && far, {b.x0, -b.y0, scene_.bottom}, {b.x0, -b.y0, high});
-        edge(right && far, {b.x1, -b.y0, scene_.bottom}, {b.x1, -b.y0, high});
-        edge(left && near, {b.x0, -b.y1, scene_.bottom}, {b.x0, -b.y1, high});
-        edge(right && near, {b.x1, -b.y1, scene_.bottom}, {b.x1, -b.y1, high});
+        edge(left && far, {b.x0, -b.y0, low}, {b.x0, -b.y0, high});
+        edge(right && far, {b.x1, -b.y0, low}, {b.x1, -b.y0, high});
+        edge(left && near, {b.x0, -b.y1, low}, {b.x0, -b.y1, high});
+        edge(right && near, {b.x1, -b.y1, low}, {b.x1, -b.y1, high});
     }
     auto actor = actorOf(tubes.take());
     lightLittle(actor);

@@ -8,6 +8,7 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
+#include "drawings/step_body.h"
 #include "drawings/style.h"
 #include "views/trace3d_scene.h"
 
@@ -29,9 +30,17 @@ class TraceMarks {
     // Between the ray and the relief under it, and where its shadow lies.
     vtkSmartPointer<vtkActor> curtain() const;
     vtkSmartPointer<vtkActor> shadow() const;
-    // From the foot of the block to the value read, over the step's texel.
-    vtkSmartPointer<vtkActor> box(const relief::Step& step) const;
-    vtkSmartPointer<vtkActor> boxEdges(const relief::Step& step) const;
+    // What the step looked at: from the foot of the block to the value read, over the step's texel; of a walk through a
+    // distance map the voxel, or what it tested.
+    struct Prism {
+        Box sides;  // texels; those beyond the patch are cut off
+        double low = 0;
+        double high = 0;  // Z
+        Role role = Role::Frame;
+    };
+    Prism prism(const relief::Step& step, const MapWalk& walk, const relief::MaxPyramidMap& maxima) const;
+    vtkSmartPointer<vtkActor> box(const Prism& prism) const;
+    vtkSmartPointer<vtkActor> boxEdges(const Prism& prism) const;
     // A ring that faces the eye, before what it lies on.
     std::vector<vtkSmartPointer<vtkActor>> hitRing(vtkCamera* camera) const;
     vtkSmartPointer<vtkTextActor> words(const Place& at, const std::string& text, Role role, double size) const;
@@ -40,9 +49,6 @@ class TraceMarks {
     Place labelPlace(const relief::Step& step) const;
 
   private:
-    Box base(const relief::Step& step) const;
-    double top(const relief::Step& step) const;
-
     const TraceScene& scene_;
     const relief::HeightField& field_;
     const Style& style_;

@@ -22,6 +22,7 @@
 
 #include "drawings/vtk_text.h"
 #include "scenario/step_sentence.h"
+#include "views/trace3d_bodies.h"
 #include "views/trace3d_marks.h"
 #include "views/trace3d_samples.h"
 
@@ -45,6 +46,23 @@ void addLight(vtkRenderer* renderer) {
     light->SetPosition(-0.6, 0.8, 0.9);
     light->SetFocalPoint(0, 0, 0);
     renderer->AddLight(light);
+}
+
+// The number of the step, and what it read.
+QString stepWords(const relief::Step& step, const StepBody& body, const MapWalk& walk, std::size_t number) {
+    const QString value = QString::fromStdString(relief::fixedText(step.value, 3));
+    if (body.kind == StepBody::Kind::Sphere) {
+        return Trace3dView::tr("%1: empty for %2 texels")
+            .arg(number + 1)
+            .arg(QString::fromStdString(relief::fixedText(body.radius, 2)));
+    }
+    if (body.kind == StepBody::Kind::Cone) return Trace3dView::tr("%1: cone of slope %2").arg(number + 1).arg(value);
+    const bool ends = step.decision == relief::Decision::Start || step.decision == relief::Decision::Miss;
+    if (!valueIsHeight(walk, step)) return QString::number(number + 1);
+    if (step.primitive == relief::Primitive::Texel) {
+        return Trace3dView::tr("%1: level %2, %3").arg(number + 1).arg(step.level).arg(value);
+    }
+    return ends ? QString::number(number + 1) : Trace3dView::tr("%1: surface at %2").arg(number + 1).arg(value);
 }
 
 }  // namespace
@@ -220,20 +238,26 @@ void Trace3dView::addStep(const relief::Step& step, std::size_t number) {
         stepProps_.push_back(marks.stretches(shown_->trace.steps, number, later));
     }
     if (step.lambdaOut > step.lambdaIn) stepProps_.push_back(marks.stretch(step));
-    const QString value = QString::fromStdString(relief::fixedText(step.value, 3));
-    QString words = tr("%1: level %2, %3").arg(number + 1).arg(step.level).arg(value);
+    const MapWalk walk = walkedMap(shown_->scenario.method);
+    const relief::HeightField& field = shown_->request->field;
     if (step.primitive == relief::Primitive::Texel) {
-        stepProps_.push_back(marks.box(step));
-        stepProps_.push_back(marks.boxEdges(step));
-    } else {
-        words = tr("%1: surface at %2").arg(number + 1).arg(value);
-        if (step.decision == relief::Decision::Start || step.decision == relief::Decision::Miss)
-            words = QString::number(number + 1);
+        const TraceMarks::Prism prism = marks.prism(step, walk, *shown_->maxima);
+        stepProps_.push_back(marks.box(prism));
+        stepProps_.push_back(marks.boxEdges(prism));
     }
-    for (const auto& mark : sampleMarks(*scene_, shown_->trace.steps, number, style, marks.radius())) {
+    for (const auto& mark : bodyMarks(*scene_, *shown_, walk, number, style, marks.radius())) {
         stepProps_.push_back(mark);
     }
-    stepProps_.push_back(marks.words(marks.labelPlace(step), words.toStdString(), Role::Label, 1));
+    const StepBody body = stepBody(walk, field, *shown_->maxima, shown_->trace.ray, step);
+    const QString words = stepWords(step, body, walk, number);
+    // Samples of layers are shown as sheets; those of a map have their spheres or cones.
+    const std::vector<relief::Step> none;
+    for (const auto& mark :
+         sampleMarks(*scene_, walk.interpolated ? none : shown_->trace.steps, number, style, marks.radius())) {
+        stepProps_.push_back(mark);
+    }
+    stepProps_.push_back(marks.words(body ? aboveBody(*scene_, *shown_, body) : marks.labelPlace(step),
+                                     words.toStdString(), Role::Label, 1));
     for (const auto& prop : stepProps_) renderer_->AddViewProp(prop);
 }
 

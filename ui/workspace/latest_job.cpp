@@ -15,7 +15,9 @@ constexpr auto kBetweenProgress = std::chrono::milliseconds(50);
 }  // namespace
 
 LatestJob::LatestJob(QObject* receiver, Listener listener)
-    : receiver_(receiver), listener_(std::move(listener)), thread_([this](const std::stop_token& quit) { run(quit); }) {}
+    : receiver_(receiver),
+      listener_(std::move(listener)),
+      thread_([this](const std::stop_token& quit) { run(quit); }) {}
 
 LatestJob::~LatestJob() {
     thread_.request_stop();
