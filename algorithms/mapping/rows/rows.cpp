@@ -146,13 +146,17 @@ std::int64_t recommendedAnchor(double largestTexel, double change, const RowOpti
         const auto s = static_cast<double>(steps);
         return (2 * s + 3) * kRoundoff<T> * largestTexel * (1 + s * pixels * change) <= error;
     };
-    std::int64_t low = 1;
-    std::int64_t high = kMostSteps<T> + 1;
-    while (high - low > 1) {
-        const std::int64_t middle = low + (high - low) / 2;
-        (keeps(middle) ? low : high) = middle;
-    }
-    return low * pixels;
+    // The root of the quadratic, without cancellation; then to the whole step, whatever the root rounded.
+    const double most = error / (kRoundoff<T> * largestTexel) - 3;
+    if (!(most > 2)) return pixels;
+    const double growth = static_cast<double>(pixels) * change;
+    const double linear = 2 + 3 * growth;
+    const double root = 2 * most / (linear + std::sqrt(linear * linear + 8 * growth * most));
+    if (root >= static_cast<double>(kMostSteps<T>)) return kMostSteps<T> * pixels;
+    auto steps = std::max(static_cast<std::int64_t>(root), std::int64_t{1});
+    if (steps > 1 && !keeps(steps)) --steps;
+    if (keeps(steps + 1)) ++steps;
+    return steps * pixels;
 }
 
 template <typename T>

@@ -116,6 +116,30 @@ TEST(Rows, AnchoredDriftStaysBelowABilinearWeight) {
     EXPECT_LT((2 * 6 + 3) * kFloatRoundoff * kTexture, kAnchorError);
 }
 
+TEST(Rows, RecommendedAnchorsAreTheLongestThatTheBoundAllows) {
+    Random random(kSeed + 3);
+    for (int n = 0; n < 2000; ++n) {
+        SCOPED_TRACE("seed " + std::to_string(kSeed + 3) + ", case " + std::to_string(n));
+        const double texels = std::exp2(random.real(0.0, 20.0)), error = std::exp2(random.real(-12.0, 0.0));
+        const double change = n % 5 == 0 ? 0 : std::exp2(random.real(-30.0, -4.0));
+        RowOptions options{RowVariant::Streams};
+        options.streams = random.whole(1, 40);
+        const std::int64_t anchor = recommendedAnchor<float>(texels, change, options, error);
+        ASSERT_EQ(anchor % options.streams, 0);
+        const auto bound = [&](std::int64_t pixels) {
+            const double steps = static_cast<double>(pixels) / options.streams;
+            return (2 * steps + 3) * kFloatRoundoff * texels * (1 + static_cast<double>(pixels) * change);
+        };
+        ASSERT_GE(anchor, options.streams);
+        if (anchor > options.streams) {
+            EXPECT_LE(bound(anchor), error * (1 + 1e-12));
+        }
+        if (anchor < 64 * options.streams) {
+            EXPECT_GT(bound(anchor + options.streams), error * (1 - 1e-12));
+        }
+    }
+}
+
 TEST(Rows, AffineIsWrongByTheClosedForm) {
     for (const double ratio : {1.0, 1.5, 4.0, 9.0, 20.0}) {
         for (const bool mirrored : {false, true}) {
