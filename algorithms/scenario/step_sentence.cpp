@@ -148,6 +148,21 @@ Message decisionTitle(Decision decision) {
     return Message(kTitles[static_cast<std::size_t>(decision)]);
 }
 
+namespace {
+
+// The method, or the one inside it, that walks the maps.
+const MethodDescription& innermost(const MethodChoice& method) {
+    const MethodDescription* found = &findTracer(method.name);
+    for (const ChoiceOption& option : choiceOptions(method)) {
+        if (option.description.kind != OptionKind::Method) continue;
+        const auto given = method.options.find(option.description.name);
+        found = &findTracer(given == method.options.end() ? option.defaultValue : given->second);
+    }
+    return *found;
+}
+
+}  // namespace
+
 StepContext stepContext(const MethodChoice& method, const ViewRay& ray, const std::vector<Step>& steps,
                         std::size_t index) {
     const MethodDescription& description = findTracer(method.name);
@@ -156,6 +171,10 @@ StepContext stepContext(const MethodChoice& method, const ViewRay& ray, const st
         std::find(description.maps.begin(), description.maps.end(), "max-pyramid") != description.maps.end();
     if (index > 0) context.before = steps[index - 1].decision;
     context.ray = ray;
+    for (const std::string& map : innermost(method).maps) {
+        context.slopes = context.slopes || map.find("cone") != std::string::npos;
+        context.distances = context.distances || map.starts_with("euclidean") || map.starts_with("refined");
+    }
     // Of the method itself, or of the one inside it.
     for (const ChoiceOption& option : choiceOptions(method)) {
         const std::string& name = option.description.name;
@@ -167,7 +186,28 @@ StepContext stepContext(const MethodChoice& method, const ViewRay& ray, const st
     return context;
 }
 
+namespace {
+
+// What a method that walks distances or cones says by its values; nothing where they are heights.
+std::optional<Message> mapSentence(const Step& step, const StepContext& context) {
+    if (!(context.distances || context.slopes) || step.level > 0 || step.phase != Phase::Search) return std::nullopt;
+    constexpr int kSlopeDecimals = 3;
+    if (step.decision == Decision::Advance) {
+        // A walk goes on from where it leaves the voxel or cell, a march from where it is.
+        const double at = step.primitive == Primitive::Point ? step.zIn() : step.zOut();
+        return Message(context.slopes ? MessageId::StepCone : MessageId::StepSphere,
+                       {{"at", fixedText(at, kHeightDecimals)},
+                        {"value", fixedText(step.value, context.slopes ? kSlopeDecimals : kTexelDecimals)},
+                        {"after", fixedText(1 - step.lambdaAfter, kHeightDecimals)}});
+    }
+    if (step.decision != Decision::Test) return std::nullopt;
+    return aboutTexel(context.slopes ? MessageId::StepTestApex : MessageId::StepTestVoxel, step);
+}
+
+}  // namespace
+
 Message stepSentence(const Step& step, const StepContext& context) {
+    if (const auto special = mapSentence(step, context)) return *special;
     switch (step.decision) {
         case Decision::Start:
             return startSentence(step, context);

@@ -19,6 +19,8 @@ struct StepContext {
     std::optional<Decision> before;  // of the step before, if there is one
     std::optional<ViewRay> ray;      // to say where a hit lies
     int layers = 0;                  // equal layers that the slab is cut into; 0: none, or not known
+    bool distances = false;          // the method walks a map of distances: its values are no heights
+    bool slopes = false;             // the same of cones
 };
 
 // Of the step `index` of a ray's log: what stands before it, and what the method's options say.

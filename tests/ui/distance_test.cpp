@@ -14,6 +14,7 @@
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
 #include "views/result_painting.h"
+#include "views/step_table.h"
 #include "window_fixture.h"
 
 namespace reliefui {
@@ -389,6 +390,26 @@ TEST_F(DistanceTest, ConesAreCutFromTheSideAndFromAbove) {
         }
         EXPECT_GT(cones, 0) << static_cast<int>(axis);
     }
+}
+
+// A distance is no height: neither in words nor in the 3-D trace.
+TEST_F(DistanceTest, StepsAreToldByTheirDistances) {
+    openPane(walled("distance-conservative"));
+    std::set<relief::Decision> told;
+    for (std::size_t k = 0; k < snapshot()->trace.steps.size(); ++k) {
+        const relief::Step& step = snapshot()->trace.steps[k];
+        workspace_->chooseStep(static_cast<int>(k));
+        const QString sentence = window_->steps()->sentence();
+        if (step.decision == relief::Decision::Advance) {
+            const QString distance = QString::number(step.value, 'f', 2) + QStringLiteral(" texels");
+            EXPECT_TRUE(sentence.contains(distance)) << sentence.toStdString();
+        }
+        if (step.decision == relief::Decision::Test) {
+            EXPECT_FALSE(sentence.contains(QStringLiteral("-1"))) << sentence.toStdString();
+        }
+        told.insert(step.decision);
+    }
+    EXPECT_TRUE(told.contains(relief::Decision::Advance));
 }
 
 TEST_F(DistanceTest, EveryMapOfEveryAddressingIsShown) {

@@ -190,6 +190,7 @@ ProfileSource profileSource(const Snapshot& s) {
     for (const relief::MethodDescription& method : relief::tracerList()) {
         if (method.name != s.scenario.method.name) continue;
         source.atPoints = method.guarantee == relief::Guarantee::Approximate && method.maps.empty();
+        if (source.walk) continue;  // layers of voxels are looked at in none
         // Whatever method has layers says so by an option of this name.
         const auto standard = method.defaults.find("layers");
         if (standard == method.defaults.end()) continue;

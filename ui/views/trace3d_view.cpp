@@ -51,6 +51,8 @@ void addLight(vtkRenderer* renderer) {
 // The number of the step, and what it read.
 QString stepWords(const relief::Step& step, const StepBody& body, const MapWalk& walk, std::size_t number) {
     const QString value = QString::fromStdString(relief::fixedText(step.value, 3));
+    constexpr double kNone = 0.005;  // texels
+    if (body.kind == StepBody::Kind::Sphere && body.radius < kNone) return QString::number(number + 1);
     if (body.kind == StepBody::Kind::Sphere) {
         return Trace3dView::tr("%1: empty for %2 texels")
             .arg(number + 1)
