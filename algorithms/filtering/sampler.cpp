@@ -1,15 +1,10 @@
 #include "filtering/sampler.h"
 
-#include <array>
 #include <cmath>
-
-#include "errors.h"
 
 namespace relief {
 
 namespace {
-
-constexpr std::array<std::string_view, 2> kPixelModels{"box", "gaussian"};
 
 // Whole part and rest, reduced first under repeat so that far-off points keep their digits.
 struct Split {
@@ -28,38 +23,6 @@ Split split(double x, int size, Address address) {
 }
 
 }  // namespace
-
-const std::vector<FilterDescription>& filterList() {
-    static const std::vector<FilterDescription> list{
-        {"nearest", "the texel that holds the point"},
-        {"bilinear", "the four texels around the point, weighted by closeness"},
-        {std::string(kSupersample), "many rays a pixel, traced and lit one by one: the picture's truth, slow"},
-    };
-    return list;
-}
-
-const FilterDescription& findFilter(std::string_view name) {
-    std::string known;
-    for (const FilterDescription& filter : filterList()) {
-        if (filter.name == name) return filter;
-        known += (known.empty() ? "" : ", ") + filter.name;
-    }
-    throw InputError("--filter", Message(MessageId::UnknownName,
-                                         {{"what", "filter"}, {"name", std::string(name)}, {"known", known}}));
-}
-
-std::string_view pixelModelName(PixelModel model) {
-    return kPixelModels[static_cast<std::size_t>(model)];
-}
-
-PixelModel parsePixelModel(std::string_view text) {
-    for (std::size_t i = 0; i < kPixelModels.size(); ++i) {
-        if (kPixelModels[i] == text) return static_cast<PixelModel>(i);
-    }
-    throw InputError("--pixel-model",
-                     Message(MessageId::UnknownName,
-                             {{"what", "pixel model"}, {"name", std::string(text)}, {"known", "box, gaussian"}}));
-}
 
 Color sampleNearest(const ColorImage& image, double s, double t, Address address) {
     const int x = addressIndex(split(s, image.width(), address).index, image.width(), address);

@@ -105,7 +105,7 @@ inline constexpr std::string_view kInnerPrefix = "inner.";
 
 // The plain struct from what was given; unknown names and values out of range are errors.
 template <class Options>
-Options parseOptions(const std::string& method, const OptionValues& values) {
+Options parseOptions(const std::string& method, const OptionValues& values, const std::string& subject = "--set") {
     Options options;
     const auto fields = Options::fields();
     for (const auto& [name, text] : values) {
@@ -122,7 +122,7 @@ Options parseOptions(const std::string& method, const OptionValues& values) {
             known += (known.empty() ? "" : ", ") + field.description.name;
         }
         if (found == nullptr) {
-            throw InputError("--set", Message(MessageId::UnknownName, {{"what", "option of " + method},
+            throw InputError(subject, Message(MessageId::UnknownName, {{"what", "option of " + method},
                                                                        {"name", name},
                                                                        {"known", known.empty() ? "none" : known}}));
         }

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "filtering/sampler.h"
 #include "relief/look_up_point.h"
 #include "rendering/error_layer.h"
 #include "rendering/visible_polygons.h"
@@ -27,13 +28,37 @@ const std::vector<Layer>& layerTable() {
                                           {"normal", {"normal.X", "normal.Y", "normal.Z"}},
                                           {"steps", {"steps.Y"}},
                                           {"outcome", {"outcome.Y"}},
-                                          {"error", {"error.Y", "error.kind"}}};
+                                          {"error", {"error.Y", "error.kind"}},
+                                          {"footprint", {"footprint.major", "footprint.minor"}},
+                                          {"hidden", {"hidden.Y"}}};
     return table;
+}
+
+// What a layer needs beyond the frame, made only for those that need it.
+struct LayerTools {
+    ErrorLayer error;
+    VisiblePolygons visible;
+    Work& work;
+};
+
+// Semi-axes, and the share of hidden texels (NaN where the filter asks for none).
+std::array<float, 3> footprintValues(const std::string& name, const Frame& frame, const FrameRequest& request,
+                                     const LayerTools& tools, int x, int y) {
+    const std::optional<FilterQuery> query = filterQuery(frame, request, tools.visible, x, y);
+    if (!query) return {kNaN, kNaN, 0};
+    if (name == "footprint") {
+        const SemiAxes<double> axes = ellipseOf(query->jacobian).semiAxes();
+        return {static_cast<float>(axes.major), static_cast<float>(axes.minor), 0};
+    }
+    if (!frame.filter || !frame.filter->description().visible) return {kNaN, 0, 0};
+    FootprintCounts counts;
+    frame.filter->color(*query, counts, tools.work);
+    return {counts.texels > 0 ? static_cast<float>(static_cast<double>(counts.hidden) / static_cast<double>(counts.texels)) : 0, 0, 0};
 }
 
 // The values of one pixel in the planes of a layer.
 std::array<float, 3> layerValues(const std::string& name, const Frame& frame, const FrameRequest& request,
-                                 const ErrorLayer& error, int x, int y) {
+                                 const LayerTools& tools, int x, int y) {
     const std::size_t i = frame.index(x, y);
     const HitBlock& hits = frame.hits->hits;
     if (name == "color") {
@@ -50,7 +75,8 @@ std::array<float, 3> layerValues(const std::string& name, const Frame& frame, co
         const glm::vec3 n = frame.normal(x, y, request);
         return {n.x, n.y, n.z};
     }
-    if (name == "error") return {error.texels[i], static_cast<float>(error.kinds[i]), 0};
+    if (name == "error") return {tools.error.texels[i], static_cast<float>(tools.error.kinds[i]), 0};
+    if (name == "footprint" || name == "hidden") return footprintValues(name, frame, request, tools, x, y);
     if (name == "steps") return {static_cast<float>(hits.steps[i]), 0, 0};
     return {static_cast<float>(hits.outcome[i]), 0, 0};
 }
@@ -103,6 +129,31 @@ glm::vec3 Frame::normal(int x, int y, const FrameRequest& request) const {
     return glm::length(mapped) > 0 ? glm::vec3(mappedNormal(quad, mapped)) : glm::vec3(quad.normal);
 }
 
+VisiblePolygons Frame::visible(const FrameRequest& request) const {
+    return visiblePolygons(polygons, camera, width, height, request.field.reliefDepth());
+}
+
+std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& request,
+                                       const VisiblePolygons& visible, int x, int y) {
+    const std::size_t i = frame.index(x, y);
+    const Hit hit = frame.hits->hits[i];
+    if (hit.outcome != Outcome::Hit) return std::nullopt;
+    const VisiblePolygon* polygon = nullptr;
+    for (const VisiblePolygon& candidate : visible.polygons) {
+        if (candidate.number == frame.rays->polygon[i]) polygon = &candidate;
+    }
+    assert(polygon != nullptr);
+    FilterQuery query;
+    query.ray = frame.rays->rays[i];
+    query.lambda = hit.lambda;
+    query.place = lookUpPoint(request.field, query.ray, hit);
+    // Of the plane at the hit's height: s = s0 + lambda (s0 - sEye) r, and t alike.
+    const double scale = 1 + hit.lambda * polygon->runPerTexel;
+    const Jacobian top = jacobianAt(polygon->texelFromScreen, x + 0.5, y + 0.5);
+    query.jacobian = {top.ux * scale, top.vx * scale, top.uy * scale, top.vy * scale};
+    return query;
+}
+
 std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y) {
     if (x < 0 || y < 0 || x >= request.width || y >= request.height) {
         throw InputError("--pixel",
@@ -129,7 +180,7 @@ const std::vector<std::string>& layerNames() {
 std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
                                     const std::vector<std::string>& layers, MapCache& maps, Work& work) {
     std::vector<NamedPlane> planes;
-    ErrorLayer error;
+    LayerTools tools{{}, {}, work};
     for (const std::string& name : layers) {
         const Layer* layer = nullptr;
         std::string known;
@@ -141,12 +192,14 @@ std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& requ
             throw InputError("--layers",
                              Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", known}}));
         }
-        if (name == "error") error = errorAgainstExact(frame, request, maps, work);
+        if (name == "error") tools.error = errorAgainstExact(frame, request, maps, work);
+        if (name == "footprint" || name == "hidden") tools.visible = frame.visible(request);
         const std::size_t first = planes.size();
         for (const char* plane : layer->planes) planes.push_back({plane, FloatImage(frame.width, frame.height)});
         for (int y = 0; y < frame.height; ++y) {
+            work.throwIfStopped();
             for (int x = 0; x < frame.width; ++x) {
-                const std::array<float, 3> values = layerValues(name, frame, request, error, x, y);
+                const std::array<float, 3> values = layerValues(name, frame, request, tools, x, y);
                 for (std::size_t k = 0; k < layer->planes.size(); ++k) planes[first + k].plane(x, y) = values[k];
             }
         }

@@ -12,7 +12,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "filtering/sampler.h"
+#include "filtering/texture_filter.h"
 #include "images/files.h"
 #include "relief/maps/baked_normals.h"
 #include "relief/tracers.h"
@@ -20,6 +20,7 @@
 #include "rendering/lighting.h"
 #include "rendering/scene.h"
 #include "rendering/stages.h"
+#include "rendering/visible_polygons.h"
 
 namespace relief {
 
@@ -88,6 +89,7 @@ struct Frame {
     std::shared_ptr<const LightStage> light;
     std::vector<TexturedQuad> polygons;
     double slabTexels = 0;
+    std::shared_ptr<const TextureFilter> filter;  // null: heights in grey, read at the hit
     ShadingNormal shading = ShadingNormal::Relief;
     std::shared_ptr<const BakedNormals> bakedNormals;  // where the method shades by a normal map and none is given
     PinholeCamera camera;
@@ -102,6 +104,8 @@ struct Frame {
     std::optional<ViewRay> ray(int x, int y) const;
     // Distance from the eye along the camera's forward direction to the hit, world units; NaN without a hit.
     double depth(int x, int y) const;
+    // The polygons as this frame saw them.
+    VisiblePolygons visible(const FrameRequest& request) const;
     // Unit normal of the lit surface in world space, whichever the method shades by; zero without a hit.
     glm::vec3 normal(int x, int y, const FrameRequest& request) const;
 };
@@ -130,17 +134,27 @@ class FrameRenderer {
     std::shared_ptr<MapCache> maps_;
     bool partOfMore_;
     std::shared_ptr<const Tracer> tracer_;
+    std::shared_ptr<const TextureFilter> madeFilter(const FrameRequest& request, Work& work);
+
     std::optional<FrameRequest> last_;
     std::shared_ptr<const Frame> frame_;
+    // The mean pyramid of the picture that was filtered last, and the heights that it was made of, if it is grey.
+    std::shared_ptr<const ColorLevels> levels_;
+    std::shared_ptr<const FloatImage> greyOf_;
 };
+
+// What the filter is asked for the pixel; nothing where it has no hit.
+std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& request,
+                                       const VisiblePolygons& visible, int x, int y);
 
 // The view rays of single pixels without a frame: what `relief trace --pixel` asks. Throws InputError outside the
 // picture. Same bits as Frame::ray.
 std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y);
 
 // Planes of the named layers: color (R, G, B), depth, uv (u, v), normal (X, Y, Z), steps, outcome
-// (0 none, 1 hit, 2 miss, 3 limit), error (texels and kind: error_layer.h; computed only when it is asked for). Throws
-// InputError("--layers", ...) for unknown names, Cancelled.
+// (0 none, 1 hit, 2 miss, 3 limit), error (texels and kind: error_layer.h), footprint (semi-axes of the circle of radius
+// 1 pixel in texels of the height map), hidden (share of the texels under the filter that the relief hides). The last
+// three are computed only when they are asked for. Throws InputError("--layers", ...) for unknown names, Cancelled.
 std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
                                     const std::vector<std::string>& layers, MapCache& maps, Work& work);
 const std::vector<std::string>& layerNames();

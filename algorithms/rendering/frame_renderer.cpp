@@ -54,12 +54,13 @@ std::vector<PixelArea> tilesOf(int width, int height) {
 }
 
 void checkRequest(const FrameRequest& request) {
-    findFilter(request.filter.name);
-    if (request.filter.samples < 1 || request.filter.samples > kMaxSamples) {
+    checkFilter(request.filter, "--filter");
+    const int fewest = request.filter.name == kSupersample ? fewestSamples(request.filter.pixelModel) : 1;
+    if (request.filter.samples < fewest || request.filter.samples > kMaxSamples) {
         throw InputError("--supersample",
                          Message(MessageId::OutOfRange, {{"what", "samples along each side of a pixel"},
                                                          {"value", request.filter.samples},
-                                                         {"range", "1 to " + std::to_string(kMaxSamples)}}));
+                                                         {"range", std::to_string(fewest) + " to " + std::to_string(kMaxSamples)}}));
     }
     for (const int side : {request.width - 2 * request.margin, request.height - 2 * request.margin}) {
         if (side >= 1 && side <= kMaxPictureSide) continue;
@@ -104,6 +105,21 @@ FrameBuffers allocate(Frame& frame, const Frame* last, bool shadows, std::uint32
     return buffers;
 }
 
+void reportFilter(Frame& frame, const FrameTotals& totals) {
+    const FilterDescription& filter = frame.filter->description();
+    const auto count = [&](const char* name, double value) { frame.counters[name] = value; };
+    count("texels read", static_cast<double>(totals.texels));
+    if (filter.options.empty()) return;
+    count("footprints", static_cast<double>(totals.footprints));
+    count("footprints not needed: smaller than a texel", static_cast<double>(totals.smallFootprints));
+    if (!filter.visible) return;
+    count("texels traced back", static_cast<double>(totals.texelsTested));
+    count("texels hidden", static_cast<double>(totals.texelsHidden));
+    count("texels not traced back: nothing near is high enough", static_cast<double>(totals.texelsSkipped));
+    count("footprints not traced back", static_cast<double>(totals.clearFootprints));
+    count("footprints with nothing visible", static_cast<double>(totals.hiddenFootprints));
+}
+
 void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& totals, std::uint32_t stale) {
     for (std::size_t s = 0; s < kStages; ++s) {
         frame.stages[s].reused = (stale & (1U << s)) == 0;
@@ -126,6 +142,7 @@ void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& tot
         count("step limits", static_cast<double>(totals.limits));
         if (totals.triangles > 0) count("triangles drawn", static_cast<double>(totals.triangles));
     }
+    if (frame.filter && has(stale, Stage::Color)) reportFilter(frame, totals);
     if (!frame.shadows->shadowed.empty() && has(stale, Stage::Shadows)) {
         count("shadow rays", static_cast<double>(totals.shadowRays));
         count("shadow rays blocked", static_cast<double>(totals.shadowBlocked));
@@ -137,6 +154,13 @@ void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& tot
     count("stages not computed again",
           static_cast<double>(std::count_if(frame.stages.begin(), frame.stages.end(),
                                             [](const StageReport& stage) { return stage.reused; })));
+}
+
+// Heights in grey, for filters that need a whole picture.
+std::shared_ptr<const ColorImage> greyPicture(const FloatImage& heights) {
+    auto picture = std::make_shared<ColorImage>(heights.width(), heights.height());
+    std::transform(heights.pixels().begin(), heights.pixels().end(), picture->pixels().begin(), heightGrey);
+    return picture;
 }
 
 // What a frame says of itself before any pixel is made.
@@ -164,6 +188,21 @@ void runTiles(const TileWorker& worker, const FrameRequest& request, bool tellPr
 
 }  // namespace
 
+std::shared_ptr<const TextureFilter> FrameRenderer::madeFilter(const FrameRequest& request, Work& work) {
+    const bool levels = needsLevels(request.filter);
+    if (!request.color && !levels) return nullptr;
+    std::shared_ptr<const ColorImage> picture = request.color;
+    if (!picture) {
+        picture = levels_ && greyOf_ == request.field.sharedHeights() ? levels_->picture()
+                                                                     : greyPicture(request.field.heights());
+    }
+    if (levels && !(levels_ && levels_->picture() == picture)) {
+        levels_ = std::make_shared<const ColorLevels>(picture, work);
+        greyOf_ = request.color ? nullptr : request.field.sharedHeights();
+    }
+    return makeFilter(request.filter, {picture, levels ? levels_ : nullptr, request.field}, *maps_, work);
+}
+
 std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, Work& work, const Snapshot& snapshot) {
     const auto begin = Clock::now();
     checkRequest(request);
@@ -187,6 +226,8 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     if (request.shadows && has(stale, Stage::Shadows)) {
         query = makeAnyHit({anyHitList().front().name, {}}, request.field, *maps_, work);
     }
+
+    frame->filter = !first && !has(stale, Stage::Color) ? frame_->filter : madeFilter(request, work);
 
     const FrameBuffers buffers = allocate(*frame, frame_.get(), request.shadows, stale);
     FrameTotals totals;

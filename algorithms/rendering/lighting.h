@@ -27,6 +27,11 @@ glm::dvec3 reliefNormal(const TexturedQuad& quad, std::pair<double, double> slop
 // World normal from a normal map's vector (OpenGL: x along s, y against t, z out).
 glm::dvec3 mappedNormal(const TexturedQuad& quad, glm::vec3 tangent);
 
+// The colour of a height where there is no colour picture.
+inline Color heightGrey(double height) {
+    return Color(static_cast<float>(0.2 + 0.6 * height));
+}
+
 // albedo * intensity * (ambient + (1 - ambient) * max(0, n . l)); in shadow only the ambient part.
 Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light, bool shadowed = false);
 

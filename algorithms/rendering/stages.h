@@ -33,13 +33,12 @@ inline constexpr std::array<std::string_view, kInputs> kInputNames{
     "size",   "camera",        "scene",  "height size",    "heights",         "surface", "address", "depth",
     "method", "color picture", "filter", "normal picture", "light direction", "light",   "shadows", "sky"};
 
-// Rays: which polygon covers the pixel, where the view ray enters its slab. Hits: where it meets the relief.
-// Footprints: what part of the texture the pixel sees (filled by the anisotropic filters). Color: filtered colour at
-// the hit. Shadows: whether the light reaches it. Light: the picture.
-enum class Stage : std::uint8_t { Rays, Hits, Footprints, Color, Shadows, Light, Count };
+// Rays: which polygon covers the pixel, where the view ray enters its slab. Hits: where it meets the relief. Color:
+// filtered colour at the hit, of what the pixel's footprint on the texture holds. Shadows: whether the light reaches it.
+// Light: the picture.
+enum class Stage : std::uint8_t { Rays, Hits, Color, Shadows, Light, Count };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Count);
-inline constexpr std::array<std::string_view, kStages> kStageNames{"rays",  "hits",    "footprints",
-                                                                   "color", "shadows", "light"};
+inline constexpr std::array<std::string_view, kStages> kStageNames{"rays", "hits", "color", "shadows", "light"};
 
 struct StageRow {
     std::uint32_t inputs;  // bits of Input, read by this stage itself
@@ -56,8 +55,7 @@ constexpr std::uint32_t bit(Stage stage) {
 inline constexpr std::array<StageRow, kStages> kStageTable{{
     {bit(Input::Size) | bit(Input::Camera) | bit(Input::Scene) | bit(Input::HeightSize) | bit(Input::Depth), 0},
     {bit(Input::Heights) | bit(Input::Surface) | bit(Input::Address) | bit(Input::Method), bit(Stage::Rays)},
-    {bit(Input::Camera) | bit(Input::Filter), bit(Stage::Rays) | bit(Stage::Hits)},
-    {bit(Input::ColorPicture) | bit(Input::Filter) | bit(Input::Address), bit(Stage::Hits) | bit(Stage::Footprints)},
+    {bit(Input::ColorPicture) | bit(Input::Filter) | bit(Input::Address), bit(Stage::Rays) | bit(Stage::Hits)},
     {bit(Input::LightDirection) | bit(Input::Shadows) | bit(Input::NormalPicture) | bit(Input::Heights) |
          bit(Input::Surface) | bit(Input::Address) | bit(Input::Depth),
      bit(Stage::Rays) | bit(Stage::Hits)},

@@ -51,36 +51,46 @@ std::vector<glm::ivec2> sampleOrder(int samples) {
     return order;
 }
 
-std::array<double, 2 * kGaussianRing + 1> sampleWeights(PixelModel model, double place) {
-    std::array<double, 2 * kGaussianRing + 1> weights{};
-    if (model == PixelModel::Box) {
-        weights[kGaussianRing] = 1;
-        return weights;
-    }
+SampleWeights sampleWeights(PixelModel model, PixelAxis axis, int channel, double place) {
+    SampleWeights weights{};
     for (int n = -kGaussianRing; n <= kGaussianRing; ++n) {
-        const double distance = (place - 0.5 - n) / kGaussianSigma;
-        weights[static_cast<std::size_t>(n + kGaussianRing)] = std::exp(-0.5 * distance * distance);
+        const double offset = place - 0.5 - n;
+        weights[static_cast<std::size_t>(n + kGaussianRing)] = axis == PixelAxis::Across
+                                                                   ? pixelFactorAcross(model, channel, offset)
+                                                                   : pixelFactorDown(model, channel, offset);
     }
     return weights;
 }
 
-SampleSums::SampleSums(int width, int height, PixelModel model) : model_(model), sums_(width, height, glm::dvec3(0)) {}
+SampleSums::SampleSums(int width, int height, PixelModel model, int margin)
+    : model_(model), margin_(margin), sums_(width, height, glm::dvec3(0)) {
+    assert(margin >= 0 && margin <= kGaussianRing);
+}
 
 void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work) {
     assert(pass.width() == sums_.width() + 2 * margin() && pass.height() == sums_.height() + 2 * margin());
-    const auto across = sampleWeights(model_, place.x);
-    const auto down = sampleWeights(model_, place.y);
-    const int ring = margin();
-    double weightAcross = 0;
-    double weightDown = 0;
-    for (const double w : across) weightAcross += w;
-    for (const double w : down) weightDown += w;
+    constexpr std::size_t kWeights = 2 * kGaussianRing + 1;
+    std::array<glm::dvec3, kWeights> across{};
+    std::array<glm::dvec3, kWeights> down{};
+    for (int c = 0; c < 3; ++c) {
+        const SampleWeights x = sampleWeights(model_, PixelAxis::Across, c, place.x);
+        const SampleWeights y = sampleWeights(model_, PixelAxis::Down, c, place.y);
+        for (std::size_t n = 0; n < kWeights; ++n) {
+            across[n][c] = x[n];
+            down[n][c] = y[n];
+        }
+    }
+    glm::dvec3 weightAcross(0);
+    glm::dvec3 weightDown(0);
+    for (const glm::dvec3& w : across) weightAcross += w;
+    for (const glm::dvec3& w : down) weightDown += w;
     weight_ += weightAcross * weightDown;
+    const int ring = margin();
     overRows(sums_.height(), work, [&](int y) {
         std::vector<glm::dvec3> row(static_cast<std::size_t>(pass.width()), glm::dvec3(0));
         // A sample n pixels up or to the left of a pixel sees that pixel n to its right or below.
         for (int n = -ring; n <= ring; ++n) {
-            const double weight = down[static_cast<std::size_t>(kGaussianRing + n)];
+            const glm::dvec3 weight = down[static_cast<std::size_t>(kGaussianRing + n)];
             const auto from = pass.row(y + ring - n);
             for (std::size_t x = 0; x < row.size(); ++x) row[x] += weight * glm::dvec3(from[x]);
         }
@@ -124,7 +134,7 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
             counters[std::string("samples: ") + name] += frame->counters.at(name);
         }
         work.progress().advance();
-        if (snapshot && done + 1 < total && toldOf(done + 1)) snapshot(sums.mean(work), done + 1, total);
+        if (snapshot && sums.complete() && done + 1 < total && toldOf(done + 1)) snapshot(sums.mean(work), done + 1, total);
     }
     counters["samples a pixel"] = total;
     return sums.mean(work);

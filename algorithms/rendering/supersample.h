@@ -5,7 +5,7 @@
 // of its own whose camera is shifted by less than a pixel; so memory does not depend on N, and one sample a pixel is
 // the plain frame, bit for bit. Passes come in a low-discrepancy order: any first few of them are spread evenly, and
 // the mean of them is a usable picture.
-// Box: a pixel is the mean of its own samples. Gaussian: samples up to kGaussianReach pixels from the pixel's centre,
+// Box: a pixel is the mean of its own samples; lcd: each channel that of its stripe. Gaussian, crt: samples up to kGaussianReach pixels from the pixel's centre,
 // in neighbouring pixels and beyond the picture's edges too, weighted by exp(-d^2 / (2 sigma^2)) and divided by the
 // sum. Equal bits for any number of threads: sums are taken pixel by pixel in the order of the passes. Cost: N x N
 // frames.
@@ -30,24 +30,33 @@ inline constexpr double kGaussianReach = kGaussianRing + 0.5;
 // All parts (column, row) of an N x N pixel in the order of the passes, by Roberts' R2 sequence.
 std::vector<glm::ivec2> sampleOrder(int samples);
 
-// Along one axis: weight of a sample at `place` in [0, 1] of the pixel's square, for the pixel n = -2 .. 2 to the right
-// of (below) the sample's own.
-std::array<double, 2 * kGaussianRing + 1> sampleWeights(PixelModel model, double place);
+// Along one axis: weight in a channel of a sample at `place` in [0, 1) of the pixel's square, for the pixel
+// n = -2 .. 2 to the right of (below) the sample's own.
+enum class PixelAxis : std::uint8_t { Across, Down };
+using SampleWeights = std::array<double, 2 * kGaussianRing + 1>;
+SampleWeights sampleWeights(PixelModel model, PixelAxis axis, int channel, double place);
 
 // Weighted sums of passes. A pass is a frame with `margin()` pixels more on every side.
 class SampleSums {
   public:
-    SampleSums(int width, int height, PixelModel model);
+    SampleSums(int width, int height, PixelModel model)
+        : SampleSums(width, height, model,
+                     model == PixelModel::Gaussian || model == PixelModel::Crt ? kGaussianRing : 0) {}
+    // For several models side by side: passes with a margin that suits all of them.
+    SampleSums(int width, int height, PixelModel model, int margin);
 
-    int margin() const { return model_ == PixelModel::Gaussian ? kGaussianRing : 0; }
+    int margin() const { return margin_; }
     // place: of the samples in their pixels, [0, 1]^2.
     void add(const ColorImage& pass, glm::dvec2 place, Work& work);
-    ColorImage mean(Work& work) const;
+    // Whether every channel has seen a sample.
+    bool complete() const { return weight_.x > 0 && weight_.y > 0 && weight_.z > 0; }
+    ColorImage mean(Work& work) const;  // complete
 
   private:
     PixelModel model_;
+    int margin_;
     Image<glm::dvec3> sums_;
-    double weight_ = 0;  // the same for all pixels
+    glm::dvec3 weight_{0};  // the same for all pixels
 };
 
 // The supersampled picture of the request (whose filter says N and model); every other setting as it stands. Adds

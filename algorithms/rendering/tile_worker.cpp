@@ -83,22 +83,27 @@ void TileWorker::countOutcomes(const PixelArea& tile) const {
     totals_.limits += outcomes[static_cast<std::size_t>(Outcome::Limit)];
 }
 
-Color TileWorker::albedo(double s, double t) const {
-    if (!request_.color) return Color(static_cast<float>(0.2 + 0.6 * request_.field.at(s, t)));
-    const ColorImage& image = *request_.color;
-    const double x = s * image.width() / request_.field.width();
-    const double y = t * image.height() / request_.field.height();
-    return request_.filter.name == "nearest" ? sampleNearest(image, x, y, request_.field.address())
-                                             : sampleBilinear(image, x, y, request_.field.address());
-}
-
-void TileWorker::colorHits(const PixelArea& tile) const {
+void TileWorker::colorHits(const PixelArea& tile, Work& work) const {
     const HitBlock& hits = frame_.hits->hits;
-    overPixels(tile, [&](int, int, std::size_t i) {
-        if (hits.outcome[i] != Outcome::Hit) return;
-        const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
-        buffers_.color->color.pixels()[i] = albedo(place.x, place.y);
+    FootprintCounts counts;
+    overPixels(tile, [&](int x, int y, std::size_t i) {
+        if (hits.outcome[i] != Outcome::Hit || work.stopped()) return;
+        Color& color = buffers_.color->color.pixels()[i];
+        if (frame_.filter) {
+            color = frame_.filter->color(*filterQuery(frame_, request_, tools_.visible, x, y), counts, work);
+        } else {
+            const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
+            color = heightGrey(request_.field.at(place.x, place.y));
+        }
     });
+    totals_.footprints += counts.footprints;
+    totals_.smallFootprints += counts.bilinear;
+    totals_.texels += counts.texels;
+    totals_.texelsTested += counts.tested;
+    totals_.texelsHidden += counts.hidden;
+    totals_.texelsSkipped += counts.skipped;
+    totals_.clearFootprints += counts.flat;
+    totals_.hiddenFootprints += counts.allHidden;
 }
 
 // From just before the hit, on the free side (the viewer's side of a wall is always its front), to the top plane.

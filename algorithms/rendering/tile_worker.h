@@ -35,6 +35,8 @@ struct FrameTotals {
     using Count = std::atomic<std::int64_t>;
     std::array<Count, kStages> nanoseconds{};
     Count covered{0}, traced{0}, steps{0}, reads{0}, startHighest{0}, hits{0}, misses{0}, limits{0}, triangles{0};
+    Count footprints{0}, smallFootprints{0}, texels{0}, texelsTested{0}, texelsHidden{0}, texelsSkipped{0};
+    Count clearFootprints{0}, hiddenFootprints{0};
     Count shadowRays{0}, shadowBlocked{0}, shadowAway{0}, shadowTop{0}, shadowSteps{0}, shadowLimits{0};
 };
 
@@ -62,7 +64,7 @@ class TileWorker {
     void run(const PixelArea& tile, Work& work) const {
         timed(Stage::Rays, [&] { makeRays(tile); });
         timed(Stage::Hits, [&] { tools_.mesh != nullptr ? drawMesh(tile) : traceRays(tile, work); });
-        timed(Stage::Color, [&] { colorHits(tile); });
+        timed(Stage::Color, [&] { colorHits(tile, work); });
         timed(Stage::Shadows, [&] { castShadows(tile, work); });
         timed(Stage::Light, [&] { lightHits(tile); });
     }
@@ -87,11 +89,10 @@ class TileWorker {
     void traceRays(const PixelArea& tile, Work& work) const;
     void drawMesh(const PixelArea& tile) const;
     void countOutcomes(const PixelArea& tile) const;
-    void colorHits(const PixelArea& tile) const;
+    void colorHits(const PixelArea& tile, Work& work) const;
     void castShadows(const PixelArea& tile, Work& work) const;
     AnyRay shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const;
     void lightHits(const PixelArea& tile) const;
-    Color albedo(double s, double t) const;
 
     const FrameRequest& request_;
     const Frame& frame_;

@@ -99,7 +99,7 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
                          Message(MessageId::OutOfRange, {{"what", "sky"}, {"value", channel}, {"range", "0 to 1000"}}));
     }
     checkMethod(scenario.method, subject);
-    findFilter(scenario.filter.name);
+    checkFilter(scenario.filter, subject.empty() ? "--filter" : subject);
     if (scenario.filter.samples < 1 || scenario.filter.samples > kMaxSamples) {
         throw InputError(subject, Message(MessageId::OutOfRange, {{"what", "supersample"},
                                                                   {"value", scenario.filter.samples},

@@ -195,21 +195,22 @@ void readCamera(Reader reader, Camera& camera) {
     reader.finish();
 }
 
-void readMethod(Reader reader, MethodChoice& method) {
-    reader.read("name", method.name);
-    if (reader.has("options")) {
-        Reader options = reader.child("options");
-        options.acceptAll();
-        for (const auto& [name, value] : options.object().items()) {
-            if (value.is_string()) {
-                method.options[name] = value.get<std::string>();
-            } else if (value.is_number()) {
-                method.options[name] = numberText(value.get<double>());
-            } else {
-                options.fail(name, "a number or a text");
-            }
+void readOptions(Reader reader, OptionValues& options) {
+    reader.acceptAll();
+    for (const auto& [name, value] : reader.object().items()) {
+        if (value.is_string()) {
+            options[name] = value.get<std::string>();
+        } else if (value.is_number()) {
+            options[name] = numberText(value.get<double>());
+        } else {
+            reader.fail(name, "a number or a text");
         }
     }
+}
+
+void readMethod(Reader reader, MethodChoice& method) {
+    reader.read("name", method.name);
+    if (reader.has("options")) readOptions(reader.child("options"), method.options);
     reader.finish();
 }
 
@@ -265,6 +266,7 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
     json["method"] = {{"name", scenario.method.name}};
     if (!scenario.method.options.empty()) json["method"]["options"] = scenario.method.options;
     json["filter"] = scenario.filter.name;
+    if (!scenario.filter.options.empty()) json["filter-options"] = scenario.filter.options;
     if (scenario.filter.name == kSupersample) {
         json["supersample"] = scenario.filter.samples;
         json["pixel-model"] = pixelModelName(scenario.filter.pixelModel);
@@ -316,6 +318,7 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     }
     if (reader.has("method")) readMethod(reader.child("method"), scenario.method);
     reader.named("filter", [&](const std::string& name) { scenario.filter.name = findFilter(name).name; });
+    if (reader.has("filter-options")) readOptions(reader.child("filter-options"), scenario.filter.options);
     reader.readWhole("supersample", scenario.filter.samples);
     reader.named("pixel-model", [&](const std::string& name) { scenario.filter.pixelModel = parsePixelModel(name); });
     reader.named("scene", [&](const std::string& name) { scenario.scene = parseScene(name); });

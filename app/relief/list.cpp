@@ -1,7 +1,7 @@
 // relief list [--json]
 #include <nlohmann/json.hpp>
 
-#include "filtering/sampler.h"
+#include "filtering/filter_choice.h"
 #include "help_formatter.h"
 #include "images/reliefs.h"
 #include "measuring/row_methods.h"
@@ -84,7 +84,11 @@ std::string listJson() {
     for (const MethodDescription& method : anyHitList()) json["any_hit"].push_back(methodJson(method));
     for (const RowMethodDescription& method : rowMethodList()) json["rows"].push_back(rowMethodJson(method));
     for (const FilterDescription& filter : filterList()) {
-        json["filters"].push_back({{"name", filter.name}, {"help", filter.help}});
+        Json entry{{"name", filter.name}, {"help", filter.help}, {"source", filter.source}, {"options", Json::array()}};
+        for (const OptionDescription& option : filter.options) {
+            entry["options"].push_back(optionJson(option, filter.defaults.at(option.name)));
+        }
+        json["filters"].push_back(entry);
     }
     for (const ReliefRecipe& recipe : reliefRecipes()) {
         json["reliefs"].push_back({{"name", recipe.name},
@@ -171,7 +175,14 @@ std::string listText() {
     out += "\nRows: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)\n";
     for (const RowMethodDescription& method : rowMethodList()) out += rowMethodText(method);
     out += "\nFilters: how colours are sampled (--filter NAME)\n";
-    for (const FilterDescription& filter : filterList()) out += entry(filter.name, filter.help, 2, 14);
+    for (const FilterDescription& filter : filterList()) {
+        out += entry(filter.name, filter.help, 2, 14);
+        if (!filter.source.empty()) out += entry("source", filter.source, 6, 12);
+        for (const OptionDescription& option : filter.options) {
+            out += entry("--filter-set " + option.name + "=..", optionText(option, filter.defaults.at(option.name)), 6,
+                         22);
+        }
+    }
     out += "\nReliefs: procedural height maps (relief make NAME, --relief NAME)\n";
     for (const ReliefRecipe& recipe : reliefRecipes()) {
         const std::string size = std::to_string(recipe.defaultSize) + " x " + std::to_string(recipe.defaultSize);

@@ -111,7 +111,7 @@ class ScenarioOptions {
     OptionText reliefDepth_, address_, surface_;
     OptionText tracer_, map_, filter_, supersample_, pixelModel_;
     bool shadows_ = false;
-    std::vector<std::string> settings_;
+    std::vector<std::string> settings_, filterSettings_;
     OptionText scene_, camera_, eye_, target_, fov_, size_, light_;
 };
 

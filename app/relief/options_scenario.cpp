@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "filtering/sampler.h"
+#include "filtering/filter_choice.h"
 #include "images/reliefs.h"
 #include "options_common.h"
 #include "output.h"
@@ -64,12 +64,13 @@ std::string filterNames() {
 }
 
 // "NAME=VALUE".
-void applyMethodOption(MethodChoice& method, const std::string& text) {
+void applySetting(OptionValues& options, const std::string& text, const std::string& subject) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-        throw InputError("--set", Message(MessageId::NotASetting, {{"text", text}, {"example", "layers=64"}}));
+        const std::string example = subject == "--set" ? "layers=64" : "anisotropy=32";
+        throw InputError(subject, Message(MessageId::NotASetting, {{"text", text}, {"example", example}}));
     }
-    method.options[text.substr(0, equals)] = text.substr(equals + 1);
+    options[text.substr(0, equals)] = text.substr(equals + 1);
 }
 
 }  // namespace
@@ -148,16 +149,21 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
     addText(parser, "--surface", surface_, "bilinear|columns",
             "between texels: a smooth surface (default), or each texel a box", group);
     if (look == Look::Yes) {
-        addText(parser, "--filter", filter_, "NAME",
-                "how colours are sampled: " + filterNames() + "; default " + Scenario{}.filter.name, group);
+        addText(parser, "--filter", filter_, "NAME[:OPTION=VALUE...]",
+                "how colours are sampled: " + filterNames() + "; default " + Scenario{}.filter.name +
+                    "; with options such as elliptical:weights=uniform:radius=0.6 (relief list shows what there is)",
+                group);
+        addTexts(parser, "--filter-set", filterSettings_, "NAME=VALUE",
+                 "an option of the filter, such as anisotropy=32; may be repeated", group);
         addText(parser, "--supersample", supersample_, "N",
                 "the picture's truth: N x N rays a pixel, each traced, coloured and lit by itself, 1 to " +
                     std::to_string(kMaxSamples) + "; the filter supersample, which alone means " +
                     std::to_string(FilterChoice{}.samples),
                 group);
-        addText(parser, "--pixel-model", pixelModel_, "box|gaussian",
-                "how samples are weighed: evenly in the pixel's square (default), or by a bell of sigma " +
-                    numberText(kGaussianSigma) + " pixels that reaches into the neighbours",
+        addText(parser, "--pixel-model", pixelModel_, "box|gaussian|lcd|crt",
+                "how samples are weighed: evenly in the pixel's square (default), by a bell of sigma " +
+                    numberText(kGaussianSigma) +
+                    " pixels that reaches into the neighbours, in a display's three stripes, or in a tube's three spots",
                 group);
     }
 }
@@ -224,7 +230,7 @@ void ScenarioOptions::applyPictures(Scenario& scenario) const {
 void ScenarioOptions::applyMethod(Scenario& scenario) const {
     // Options belong to their method: another method does not inherit them.
     if (tracer_ && *tracer_ != scenario.method.name) scenario.method = {findTracer(*tracer_).name, {}};
-    for (const std::string& setting : settings_) applyMethodOption(scenario.method, setting);
+    for (const std::string& setting : settings_) applySetting(scenario.method.options, setting, "--set");
     if (!settings_.empty()) checkMethod(scenario.method, "--set");
     if (reliefDepth_) {
         const std::string option = "--relief-depth";
@@ -236,15 +242,24 @@ void ScenarioOptions::applyMethod(Scenario& scenario) const {
 }
 
 void ScenarioOptions::applyFilter(FilterChoice& filter) const {
-    if (filter_) filter.name = findFilter(*filter_).name;
+    if (filter_) {
+        // Options belong to their filter: another filter does not inherit them.
+        FilterChoice given = parseFilter(*filter_, "--filter");
+        if (given.name == filter.name && given.options.empty()) given.options = filter.options;
+        filter.name = given.name;
+        filter.options = given.options;
+    }
     if (supersample_) {
         if (filter_ && filter.name != kSupersample) {
             throw InputError("--supersample",
                              Message(MessageId::ArgumentsExclude, {{"other", "--filter " + *filter_}}));
         }
         filter.name = kSupersample;
+        filter.options.clear();
         filter.samples = static_cast<int>(parseWhole(*supersample_, "--supersample", 1, kMaxSamples));
     }
+    for (const std::string& setting : filterSettings_) applySetting(filter.options, setting, "--filter-set");
+    if (!filterSettings_.empty()) checkFilter(filter, "--filter-set");
     if (pixelModel_) {
         if (filter.name != kSupersample) throw InputError("--pixel-model", Message(MessageId::SupersampleNeeded));
         filter.pixelModel = parsePixelModel(*pixelModel_);

@@ -70,8 +70,6 @@ Json countJson(double value) {
 Json stagesJson(const Frame& frame) {
     Json stages = Json::array();
     for (std::size_t s = 0; s < kStages; ++s) {
-        // Filled by filters that need it; a stage that has not run says nothing.
-        if (static_cast<Stage>(s) == Stage::Footprints) continue;
         if (static_cast<Stage>(s) == Stage::Shadows && frame.shadows->shadowed.empty()) continue;
         stages.push_back(
             {{"name", kStageNames[s]}, {"seconds", frame.stages[s].seconds}, {"reused", frame.stages[s].reused}});

@@ -36,7 +36,6 @@ QString grouped(std::uint64_t value) {
 QString ledger(const relief::Frame& frame) {
     QString text = StatusLine::tr("Stages of this frame (seconds of all threads together):");
     for (std::size_t s = 0; s < relief::kStages; ++s) {
-        if (static_cast<relief::Stage>(s) == relief::Stage::Footprints) continue;
         const relief::StageReport& stage = frame.stages[s];
         const QString name = QString::fromUtf8(relief::kStageNames[s].data(), int(relief::kStageNames[s].size()));
         const QString done = stage.reused ? StatusLine::tr("kept") : rounded(stage.seconds, 3);

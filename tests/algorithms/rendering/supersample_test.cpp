@@ -188,7 +188,7 @@ TEST(Supersample, gaussianWeightsSumToOne) {
         double spread = 0;
         for (int i = 0; i < samples; ++i) {
             const double place = (i + 0.5) / samples;
-            const auto weights = sampleWeights(PixelModel::Gaussian, place);
+            const auto weights = sampleWeights(PixelModel::Gaussian, PixelAxis::Across, 0, place);
             for (int n = -kGaussianRing; n <= kGaussianRing; ++n) {
                 const double weight = weights[static_cast<std::size_t>(n + kGaussianRing)];
                 const double distance = place - 0.5 - n;

@@ -1,0 +1,42 @@
+// The mean pyramid of a colour picture, in linear light, weighted by area at odd sizes; and point sampling of it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "filtering/level_axis.h"
+#include "images/image.h"
+#include "work.h"
+
+namespace relief {
+
+// Level 0 is the picture itself (shared, not copied); each further level halves the size, rounded up, down to 1 x 1. A
+// texel of level l stands for the 2^l x 2^l texels of level 0 below it, clipped at the last row and column.
+class ColorLevels {
+  public:
+    // In parallel over rows; equal bits for any number of threads. Throws Cancelled.
+    ColorLevels(std::shared_ptr<const ColorImage> picture, Work& work);
+
+    int count() const { return static_cast<int>(above_.size()) + 1; }
+    int top() const { return count() - 1; }
+    int width() const { return picture_->width(); }
+    int height() const { return picture_->height(); }
+    const std::shared_ptr<const ColorImage>& picture() const { return picture_; }
+    const ColorImage& level(int l) const { return l == 0 ? *picture_ : above_[static_cast<std::size_t>(l) - 1]; }
+    LevelAxis across(int l, Address address) const { return LevelAxis::of(width(), l, address); }
+    LevelAxis down(int l, Address address) const { return LevelAxis::of(height(), l, address); }
+    std::size_t bytes() const;
+
+    // Bilinear within one level, between the true centres of its texels; (s, t) in texels of level 0, unwrapped.
+    Color bilinear(int l, glm::dvec2 place, Address address) const;
+    // Between two levels; level >= 0, any real number.
+    Color trilinear(double level, glm::dvec2 place, Address address) const;
+
+  private:
+    std::shared_ptr<const ColorImage> picture_;
+    std::vector<ColorImage> above_;
+};
+
+}  // namespace relief

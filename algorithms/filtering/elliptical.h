@@ -1,0 +1,121 @@
+// Anisotropic filtering: all texels in the ellipse of the pixel, weighted. [TEX]; Heckbert 1989.
+//
+//     colour = sum w(i, j) share(j) share(i) texel(i, j) / sum w share share
+//
+// over the texels (i, j) of the chosen level whose centres lie in the ellipse of radius R pixels. Per texel row the
+// ends of the span are solved from the quadratic form, so only texels inside are visited.
+#pragma once
+
+#include <cmath>
+
+#include "filtering/footprint_log.h"
+#include "filtering/level_footprint.h"
+#include "filtering/weight_map.h"
+
+namespace relief {
+
+// The weight functions: U, V in texels of the level from the centre, r2 = r^2 / R^2 in [0, 1].
+struct UniformWeight {
+    float operator()(double, double, float) const { return 1; }
+};
+struct GaussianWeight {
+    float exponent;  // -R^2 / (2 sigma^2)
+    float operator()(double, double, float r2) const { return std::exp(exponent * r2); }
+};
+struct TableWeight {
+    const RadialTable& table;
+    float operator()(double, double, float r2) const { return table(r2); }
+};
+// Blind to the pixel's projection.
+struct TexelDistanceWeight {
+    float operator()(double u, double v, float) const { return static_cast<float>(1 / (1 + std::hypot(u, v))); }
+};
+struct MapWeight {
+    const WeightMap& map;
+    PixelFromTexel toPixel;
+    glm::vec3 operator()(double u, double v, float) const {
+        return map.at(static_cast<float>(toPixel.dx(u, v)), static_cast<float>(toPixel.dy(u, v)));
+    }
+};
+// A round pixel's map: one channel is enough.
+struct RoundMapWeight {
+    const WeightMap& map;
+    PixelFromTexel toPixel;
+    float operator()(double u, double v, float) const {
+        return map.at(static_cast<float>(toPixel.dx(u, v)), static_cast<float>(toPixel.dy(u, v))).x;
+    }
+};
+
+// visit(i, j, u, v, share): every texel of the level whose centre lies in the ellipse; u, v its centre less the
+// footprint's.
+template <class Visit>
+void overEllipse(const LevelFootprint& f, const LevelAxis& across, const LevelAxis& down, const Visit& visit) {
+    const double height = f.ellipse.halfExtents(f.radius).v;
+    down.over(f.centre.y - height, f.centre.y + height, [&](int j, double y, float rowShare) {
+        const double v = y - f.centre.y;
+        const Span<double> span = f.ellipse.rowSpan(v, f.radius);
+        if (span.empty()) return;
+        across.over(f.centre.x + span.begin, f.centre.x + span.end, [&](int i, double x, float share) {
+            visit(i, j, x - f.centre.x, v, share * rowShare);
+        });
+    });
+}
+
+// Calls body with the weight function of the settings.
+template <class Body>
+auto withWeights(const EllipticalSettings& settings, const RadialTable& table, const WeightMap& map,
+                 const LevelFootprint& f, const Body& body) {
+    if (settings.weights == WeightKind::TexelDistance) return body(TexelDistanceWeight{});
+    if (settings.shaped()) return body(MapWeight{map, pixelFromTexel(f.widened)});
+    switch (settings.source) {
+        case WeightSource::Table:
+            return body(TableWeight{table});
+        case WeightSource::Map:
+            return body(RoundMapWeight{map, pixelFromTexel(f.widened)});
+        case WeightSource::Direct:
+            break;
+    }
+    if (settings.weights == WeightKind::Uniform) return body(UniformWeight{});
+    const double ratio = settings.radius / settings.sigma;
+    return body(GaussianWeight{static_cast<float>(-0.5 * ratio * ratio)});
+}
+
+// The picture, the settings and what is computed from both once; shared by threads.
+class EllipticalKernel {
+  public:
+    EllipticalKernel(std::shared_ptr<const ColorLevels> levels, Address address, const EllipticalSettings& settings);
+
+    const ColorLevels& levels() const { return *levels_; }
+    Address address() const { return address_; }
+    const EllipticalSettings& settings() const { return settings_; }
+    // Beyond the picture itself.
+    std::size_t bytes() const {
+        return levels_->bytes() - levels_->picture()->bytes() + table_.bytes() + map_.bytes();
+    }
+    LevelAxis across(int l) const { return levels_->across(l, address_); }
+    LevelAxis down(int l) const { return levels_->down(l, address_); }
+
+    LevelFootprint footprint(const Jacobian& j, glm::dvec2 centre) const {
+        return levelFootprint(j, centre, settings_, *levels_, address_);
+    }
+    // centre: texels of level 0. log: may be null; then nothing is written down.
+    Color filter(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts, FootprintLog* log = nullptr) const;
+    // What is not an ellipse: bilinear, shape, top.
+    Color special(const LevelFootprint& f, const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts) const;
+
+    template <class Body>
+    auto weighted(const LevelFootprint& f, const Body& body) const {
+        return withWeights(settings_, table_, map_, f, body);
+    }
+
+  private:
+    Color shape(const LevelFootprint& f, const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts) const;
+
+    std::shared_ptr<const ColorLevels> levels_;
+    Address address_;
+    EllipticalSettings settings_;
+    RadialTable table_;
+    WeightMap map_;
+};
+
+}  // namespace relief

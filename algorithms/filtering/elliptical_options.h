@@ -1,0 +1,85 @@
+// The settings of the anisotropic filters, described once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "filtering/pixel_model.h"
+#include "relief/describe.h"
+
+namespace relief {
+
+// How texels in a footprint are weighed. Uniform: all alike, what [TEX] starts from. Gaussian: the Gaussian model of
+// the pixel. TexelDistance: by distance in texels, ignoring how the pixel is projected: the contrast to it. Box, Lcd,
+// Crt: the pixel model's own shape, which only a map of weights can hold.
+enum class WeightKind : std::uint8_t { Uniform, Gaussian, TexelDistance, Box, Lcd, Crt };
+// Direct: the formula at each texel. Table: of r^2. Map: two-dimensional, over the pixel.
+enum class WeightSource : std::uint8_t { Direct, Table, Map };
+
+struct EllipticalOptions {
+    std::string weights = "gaussian";
+    double sigma = 0.53;
+    double radius = 0;
+    std::string levels = "pyramid";
+    double floor = 1.25;
+    double anisotropy = 16;
+    std::string texelSize = "on";
+    std::string source = "direct";
+    int resolution = 64;
+
+    template <class Options>
+    static std::vector<OptionField<Options>> fieldsOf() {
+        return {
+            {{"weights",
+              OptionKind::Choice,
+              "",
+              0,
+              1,
+              1,
+              {"uniform", "gaussian", "texel-distance", "box", "lcd", "crt"},
+              "how the texels of a footprint are weighed"},
+             &Options::weights},
+            {{"sigma", OptionKind::Real, "pixels", 0.1, 2, 0.01, {}, "of the Gaussian pixel"}, &Options::sigma},
+            {{"radius", OptionKind::Real, "pixels", 0, 4, 0.05, {}, "of the footprint; 0: what suits the weights"},
+             &Options::radius},
+            {{"levels", OptionKind::Choice, "", 0, 1, 1, {"pyramid", "exhaustive"}, "the level by the footprint's minor axis, or always level 0"},
+             &Options::levels},
+            {{"floor", OptionKind::Real, "texels", 0.5, 8, 0.05, {}, "smallest minor semi-axis of the 1-pixel circle on the level chosen"},
+             &Options::floor},
+            {{"anisotropy", OptionKind::Real, "", 1, 64, 1, {}, "largest ratio of the axes; longer footprints get wider"},
+             &Options::anisotropy},
+            {{"texel-size", OptionKind::Choice, "", 0, 1, 1, {"on", "off"}, "whether the Gaussian makes allowance for the size of texels"},
+             &Options::texelSize},
+            {{"source", OptionKind::Choice, "", 0, 1, 1, {"direct", "table", "map"}, "where weights come from: the formula, a table over the distance, a map of the pixel"},
+             &Options::source},
+            {{"resolution", OptionKind::Integer, "cells", 8, 1024, 1, {}, "of the map of weights along each side; the table has its square"},
+             &Options::resolution},
+        };
+    }
+    static std::vector<OptionField<EllipticalOptions>> fields() { return fieldsOf<EllipticalOptions>(); }
+
+    bool operator==(const EllipticalOptions&) const = default;
+};
+
+// What the texts mean, with the defaults that belong to the weights put in.
+struct EllipticalSettings {
+    WeightKind weights = WeightKind::Gaussian;
+    WeightSource source = WeightSource::Direct;
+    double sigma = 0.53;      // pixels
+    double radius = 1.325;    // pixels: nothing beyond counts
+    bool exhaustive = false;  // level 0 always
+    double floor = 1.25;      // texels
+    double anisotropy = 16;
+    bool texelSize = true;  // the covariance of texels is allowed for: Gaussian weights only
+    int resolution = 64;
+
+    static EllipticalSettings of(const EllipticalOptions& options);
+    // Semi-axes that a footprint must have, in texels of its level, for every channel to see a texel: a circle of
+    // radius sqrt(1/2) holds a texel's centre wherever it lies.
+    double smallestMinor() const;
+    // The pixel whose shape the weights have, where they have one.
+    bool shaped() const { return weights >= WeightKind::Box; }
+    PixelModel model() const;
+};
+
+}  // namespace relief

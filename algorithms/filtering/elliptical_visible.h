@@ -1,0 +1,88 @@
+// elliptical-visible: anisotropic filtering of what the pixel really sees. Behind a relief the footprint contains texels
+// that higher ground hides; each texel is traced back from its surface point towards the viewer and counts only if
+// nothing is in the way; the weights of the others are divided by their own sum. [ANISO17], [TEX].
+//
+// Frame: the view ray (a, b) in texels of the height map a unit of descent; texel (i, j) of the level chosen has its
+// surface point at (s, t, h), its centre and the height there. It is hidden if the segment
+//
+//     (s - mu a, t - mu b, h + mu),  0 < mu <= 1 - h
+//
+// meets the surface. Three forms, U, V the texel less the hit, h0 the hit's height:
+//   plane          weight by the plane's ellipse, at (U, V): the paper's
+//   position       weight at the texel's true place in the pixel, (U + (h - h0) a, V + (h - h0) b)
+//   position-area  times the projected area of the surface there, max(0, 1 + a h_s + b h_t)
+// All equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at the hit's height.
+// None visible: the colour at the hit.
+//
+// Skip, lossless: with L the lowest height under the footprint, a blocker must rise above L by more than 1/(|a| + |b|)
+// (bilinear; 1/(2 max(|a|, |b|)) for columns) to reach over a texel's border; if no height within reach of any
+// back-traced segment does, no texel is tested. The reach is bounded by the highest point, twice over.
+#pragma once
+
+#include <memory>
+
+#include "filtering/elliptical.h"
+#include "filtering/height_bounds.h"
+#include "relief/any_hit.h"
+#include "relief/ray.h"
+
+namespace relief {
+
+enum class VisibleForm : std::uint8_t { Plane, Position, PositionArea };
+
+struct VisibleOptions : EllipticalOptions {
+    std::string form = "position-area";
+
+    static std::vector<OptionField<VisibleOptions>> fields() {
+        auto all = EllipticalOptions::fieldsOf<VisibleOptions>();
+        all.push_back({{"form",
+                        OptionKind::Choice,
+                        "",
+                        0,
+                        1,
+                        1,
+                        {"plane", "position", "position-area"},
+                        "where in the pixel a texel counts: its place on the plane, its own, and with its area seen"},
+                       &VisibleOptions::form});
+        return all;
+    }
+};
+
+// Where a pixel's view ray met the relief, in texels of the height map.
+struct SeenPoint {
+    ViewRay ray;
+    double lambda = 0;
+    glm::dvec2 place{0};  // where colours are looked up
+};
+
+class VisibleKernel {
+  public:
+    VisibleKernel(EllipticalKernel plain, VisibleForm form, const HeightField& field,
+                  std::shared_ptr<const AnyHitQuery> query, std::shared_ptr<const HeightBoundsMap> range);
+
+    std::size_t bytes() const { return plain_.bytes() + range_->bytes() + query_->bytes(); }
+    // False: every test is made, for proving that skipping changes nothing.
+    void setSkip(bool skip) { skip_ = skip; }
+    // j, centre: in texels of the colour picture's level 0.
+    Color filter(const Jacobian& j, glm::dvec2 centre, const SeenPoint& seen, FootprintCounts& counts, Work& work,
+                 FootprintLog* log = nullptr) const;
+
+  private:
+    struct Texel;
+    struct Region;
+    Region regionOf(const LevelFootprint& f, const SeenPoint& seen) const;
+    std::vector<Texel> gather(const LevelFootprint& f, const SeenPoint& seen, const Region& region) const;
+    void test(std::vector<Texel>& texels, const SeenPoint& seen, FootprintCounts& counts, Work& work,
+              FootprintLog* log) const;
+    glm::dvec2 fieldTexels(glm::dvec2 levelPlace, int level) const;
+
+    EllipticalKernel plain_;
+    VisibleForm form_;
+    HeightField field_;
+    std::shared_ptr<const AnyHitQuery> query_;
+    std::shared_ptr<const HeightBoundsMap> range_;
+    glm::dvec2 perColor_;  // texels of the height map per texel of the colour picture
+    bool skip_ = true;
+};
+
+}  // namespace relief

@@ -1,0 +1,48 @@
+// The filter by name, and its settings: what scenarios, the command line and the window share.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "filtering/pixel_model.h"
+#include "relief/describe.h"
+
+namespace relief {
+
+// Samples along each side of a pixel, at most.
+inline constexpr int kMaxSamples = 64;
+
+// The filter whose samples are rays: the renderer's, not the texture's.
+inline constexpr std::string_view kSupersample = "supersample";
+
+struct FilterChoice {
+    std::string name = "bilinear";
+    OptionValues options;                     // of the filter, name to text
+    int samples = 8;                          // supersample: along each side of a pixel, 1 to kMaxSamples
+    PixelModel pixelModel = PixelModel::Box;  // supersample
+    bool operator==(const FilterChoice&) const = default;
+};
+
+struct FilterDescription {
+    std::string name;
+    std::string help;
+    std::string source;
+    std::vector<OptionDescription> options;
+    std::map<std::string, std::string> defaults;  // of the options, as text
+    bool footprint = false;                       // reads the pixel's projection onto the texture
+    bool visible = false;                         // and what the relief hides of it
+};
+
+const std::vector<FilterDescription>& filterList();
+// Throws InputError("--filter", ...) with the known names.
+const FilterDescription& findFilter(std::string_view name);
+// The name, the options and their values. Throws InputError; `subject` stands for what was given.
+void checkFilter(const FilterChoice& choice, const std::string& subject);
+// "elliptical:weights=uniform:radius=0.6". Throws InputError naming the subject.
+FilterChoice parseFilter(std::string_view text, const std::string& subject);
+// The same text back: the name, and the options that were given.
+std::string filterText(const FilterChoice& choice);
+
+}  // namespace relief

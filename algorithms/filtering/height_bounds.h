@@ -1,0 +1,31 @@
+// The least and the greatest height over a rectangle of the map: for skipping what nothing can hide.
+#pragma once
+
+#include <memory>
+
+#include "images/pyramid.h"
+#include "relief/height_field.h"
+#include "relief/maps/map_cache.h"
+
+namespace relief {
+
+struct HeightBoundsMap {
+    Pyramid lowest;
+    Pyramid highest;
+    std::size_t bytes() const { return lowest.bytes() + highest.bytes(); }
+};
+
+struct HeightBounds {
+    double low = 0;
+    double high = 0;
+};
+
+// From the cache, or built in parallel. Of texels, whatever the surface and the addressing.
+std::shared_ptr<const HeightBoundsMap> heightBoundsMap(const HeightField& field, MapCache& cache, Work& work);
+
+// Bounds of all heights of the surface over [s0, s1] x [t0, t1] (texels, unwrapped, any finite), for bilinear surfaces
+// and for columns; exact or wider. At most a few tens of values are read.
+HeightBounds heightBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,
+                        double t1);
+
+}  // namespace relief

@@ -1,0 +1,165 @@
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "measuring/bench_filters.h"
+#include "measuring/machine.h"
+#include "measuring/text_table.h"
+
+namespace relief {
+
+namespace {
+
+constexpr int kDigits = 3;  // of what people read
+
+using Value = std::variant<std::string, std::int64_t, double>;
+struct Column {
+    std::string_view name;
+    Value (*get)(const FilterBenchRow&);
+};
+
+// As given, or by default; "-" where the filter has no such option.
+std::string option(const FilterBenchRow& row, const std::string& name) {
+    const FilterDescription& filter = findFilter(row.filter.name);
+    const auto usual = filter.defaults.find(name);
+    if (usual == filter.defaults.end()) return "-";
+    const auto given = row.filter.options.find(name);
+    return given == row.filter.options.end() ? usual->second : given->second;
+}
+
+// The options that have columns.
+constexpr std::array<std::string_view, 4> kOwnColumns{"weights", "levels", "source", "resolution"};
+
+std::string shortText(const FilterBenchRow& row) {
+    FilterChoice choice = row.filter;
+    for (const std::string_view name : kOwnColumns) choice.options.erase(std::string(name));
+    return filterText(choice);
+}
+
+// Shapes are always read from a map, whatever the option says.
+std::string implementation(const FilterBenchRow& row) {
+    const std::string weights = option(row, "weights");
+    if (weights == "box" || weights == "lcd" || weights == "crt") return "map";
+    return weights == "texel-distance" ? "direct" : option(row, "source");
+}
+
+std::string mapSize(const FilterBenchRow& row) {
+    const std::string source = implementation(row);
+    return source == "map" || source == "table" ? option(row, "resolution") : "-";
+}
+
+const std::vector<Column>& columns() {
+    using R = FilterBenchRow;
+    static const std::vector<Column> all{
+        {"filter", [](const R& r) -> Value { return shortText(r); }},
+        {"weights", [](const R& r) -> Value { return option(r, "weights"); }},
+        {"levels", [](const R& r) -> Value { return option(r, "levels"); }},
+        {"pixel_model", [](const R& r) -> Value { return std::string(pixelModelName(r.pixelModel)); }},
+        {"implementation", [](const R& r) -> Value { return implementation(r); }},
+        {"map_size", [](const R& r) -> Value { return mapSize(r); }},
+        {"scene", [](const R& r) -> Value { return r.scene; }},
+        {"elevation", [](const R& r) -> Value { return r.elevation; }},
+        {"threads", [](const R& r) -> Value { return std::int64_t{r.threads}; }},
+        {"rate", [](const R& r) -> Value { return r.rate; }},
+        {"spread", [](const R& r) -> Value { return r.spread; }},
+        {"rmse", [](const R& r) -> Value { return r.rmse; }},
+        {"psnr", [](const R& r) -> Value { return r.psnr; }},
+        {"flip", [](const R& r) -> Value { return r.flip; }},
+        {"texels_read", [](const R& r) -> Value { return r.texelsRead; }},
+        {"tested", [](const R& r) -> Value { return r.tested; }},
+        {"hidden", [](const R& r) -> Value { return r.hidden; }},
+        {"skipped", [](const R& r) -> Value { return r.skipped; }},
+    };
+    return all;
+}
+
+std::string fieldText(const Value& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) {
+        return text->find_first_of(",\"") == std::string::npos ? *text : '"' + *text + '"';
+    }
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
+    const double number = std::get<double>(value);
+    return std::isfinite(number) ? numberText(number) : "";
+}
+
+bool sameBlock(const FilterBenchRow& a, const FilterBenchRow& b) {
+    return a.scene == b.scene && a.elevation == b.elevation;
+}
+
+// One line a filter: the errors against each pixel model beside each other.
+TableRow tableRow(std::span<const FilterBenchRow> models) {
+    const auto number = [](double value) { return readable(value, kDigits); };
+    const FilterBenchRow& first = models.front();
+    TableRow row{filterText(first.filter), number(first.rate / 1e6), number(first.spread * 100)};
+    for (const FilterBenchRow& model : models) {
+        row.push_back(number(model.rmse * 1000));
+        row.push_back(number(model.flip * 1000));
+    }
+    for (const double value : {first.texelsRead, first.tested, first.hidden, first.skipped}) {
+        row.push_back(number(value));
+    }
+    return row;
+}
+
+}  // namespace
+
+std::string filterBenchCsvHeader() {
+    std::string out;
+    for (const Column& column : columns()) out.append(out.empty() ? "" : ",").append(column.name);
+    return out + "\n";
+}
+
+std::string filterBenchCsvLine(const FilterBenchRow& row) {
+    std::string out;
+    for (const Column& column : columns()) {
+        if (&column != &columns().front()) out += ',';
+        out += fieldText(column.get(row));
+    }
+    return out + "\n";
+}
+
+std::string filterBenchJson(std::span<const FilterBenchRow> rows) {
+    auto all = nlohmann::ordered_json::array();
+    for (const FilterBenchRow& row : rows) {
+        nlohmann::ordered_json object;
+        for (const Column& column : columns()) {
+            std::visit([&](const auto& value) { object[std::string(column.name)] = value; }, column.get(row));
+        }
+        all.push_back(std::move(object));
+    }
+    return all.dump(1) + "\n";
+}
+
+std::string filterBenchText(std::span<const FilterBenchRow> rows) {
+    std::string out;
+    std::size_t first = 0;
+    while (first < rows.size()) {
+        std::size_t models = 1;
+        while (first + models < rows.size() && rows[first + models].filter == rows[first].filter &&
+               sameBlock(rows[first], rows[first + models])) {
+            ++models;
+        }
+        TableRow head{"", "Mpixels/s", "+-%"};
+        for (std::size_t m = 0; m < models; ++m) {
+            const std::string name(pixelModelName(rows[first + m].pixelModel));
+            head.push_back("rmse " + name);
+            head.push_back("flip " + name);
+        }
+        for (const char* name : {"texels", "tested", "hidden", "skipped"}) head.emplace_back(name);
+        std::vector<TableRow> block{head};
+        std::size_t last = first;
+        for (; last < rows.size() && sameBlock(rows[first], rows[last]); last += models) {
+            block.push_back(tableRow(rows.subspan(last, models)));
+        }
+        out += (first == 0 ? "" : "\n") + rows[first].scene + ", elevation " + numberText(rows[first].elevation) +
+               " degrees\n" + textTable(block);
+        first = last;
+    }
+    if (rows.empty()) return out;
+    return out + "\nMpixels/s: millions of pixels a second, " + std::to_string(rows.front().threads) +
+           " threads, median, +-: (p75 - p25) / median. rmse (linear light) and flip: times 1000,\nagainst the "
+           "supersampled picture of that pixel model. texels: read a pixel; tested, hidden, skipped: of a pixel. " +
+           cpuText() + ", " + compilerText() + ", " + commitText() + "\n";
+}
+
+}  // namespace relief
