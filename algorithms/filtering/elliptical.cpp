@@ -90,7 +90,7 @@ Color EllipticalKernel::filter(const Jacobian& j, glm::dvec2 centre, FootprintCo
             sum += glm::dvec3(w * image(x, y));
             total += glm::dvec3(w);
             ++texels;
-            if (log != nullptr) log->texels.push_back({x, y, u + f.centre.x, v + f.centre.y, Color(w)});
+            if (log != nullptr) log->texels.push_back({x, y, f.level, u + f.centre.x, v + f.centre.y, 1, Color(w)});
         });
         for (int c = 0; c < 3; ++c) {
             // A table's or a map's last cell may be zero where it is the only one.

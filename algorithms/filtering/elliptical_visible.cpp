@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace relief {
+#include "filtering/surface_pieces.h"
+#include "filtering/visible_piece.h"
 
-// One texel of the level, before and after its test.
-struct VisibleKernel::Texel {
-    int i, j;
-    double u, v;         // centre less the footprint's, texels of the level
-    double share;
-    double s, t, h;      // its surface point, texels of the height map
-    double du, dv;       // its place in the footprint, texels of the level
-    double area;
-    bool hidden = false;
-    bool tested = false;
-    glm::dvec2 blocker{0};
-};
+namespace relief {
 
 // Heights under what the footprint may see, and whether any of them can hide another.
 struct VisibleKernel::Region {
@@ -24,48 +14,6 @@ struct VisibleKernel::Region {
     bool flat = false;
     bool clear = false;
 };
-
-namespace {
-
-// The row of a capsule: an ellipse moved along a straight way, from `from` to `to` (texels): the spans of the ellipse
-// at both ends, and of the parallelogram between the points of its outline where the way is a tangent.
-Span<double> capsuleSpan(const Ellipse& e, double radius, glm::dvec2 from, glm::dvec2 to, double v) {
-    Span<double> out;
-    const auto join = [&](double begin, double end) {
-        if (out.empty()) {
-            out = {begin, end};
-        } else {
-            out = {std::min(out.begin, begin), std::max(out.end, end)};
-        }
-    };
-    for (const glm::dvec2& at : {from, to}) {
-        const Span<double> span = e.rowSpan(v - at.y, radius);
-        if (!span.empty()) join(at.x + span.begin, at.x + span.end);
-    }
-    const glm::dvec2 way = to - from;
-    // Conjugate of the way: [[A, B/2], [B/2, C]] way turned by a right angle, brought onto the outline.
-    const glm::dvec2 gradient{e.a * way.x + 0.5 * e.b * way.y, 0.5 * e.b * way.x + e.c * way.y};
-    glm::dvec2 side{-gradient.y, gradient.x};
-    const double form = e.form(side.x, side.y);
-    if (form > 0) {
-        side *= radius * std::sqrt(e.f / form);
-        const std::array<glm::dvec2, 4> corner{from + side, to + side, to - side, from - side};
-        for (std::size_t n = 0; n < 4; ++n) {
-            const glm::dvec2& p = corner[n];
-            const glm::dvec2& q = corner[(n + 1) % 4];
-            if ((p.y - v) * (q.y - v) > 0) continue;
-            if (p.y == q.y) {
-                join(std::min(p.x, q.x), std::max(p.x, q.x));
-            } else {
-                const double x = p.x + (q.x - p.x) * ((v - p.y) / (q.y - p.y));
-                join(x, x);
-            }
-        }
-    }
-    return out;
-}
-
-}  // namespace
 
 VisibleKernel::VisibleKernel(EllipticalKernel plain, VisibleForm form, const HeightField& field,
                              std::shared_ptr<const AnyHitQuery> query, std::shared_ptr<const HeightBoundsMap> range)
@@ -123,84 +71,34 @@ VisibleKernel::Region VisibleKernel::regionOf(const LevelFootprint& f, const See
     return region;
 }
 
-std::vector<VisibleKernel::Texel> VisibleKernel::gather(const LevelFootprint& f, const SeenPoint& seen,
-                                                        const Region& region) const {
-    std::vector<Texel> texels;
-    const LevelAxis columns = plain_.across(f.level);
-    const LevelAxis rows = plain_.down(f.level);
-    const double h0 = 1 - seen.lambda;
-    // The view ray in texels of the level.
-    const glm::dvec2 run{std::ldexp(seen.ray.a / perColor_.x, -f.level), std::ldexp(seen.ray.b / perColor_.y, -f.level)};
-    const auto add = [&](int i, int j, double u, double v, float share) {
-        Texel texel{i, j, u, v, share, 0, 0, 0, u, v, 1};
-        const glm::dvec2 place = fieldTexels(f.centre + glm::dvec2(u, v), f.level);
-        if (field_.address() == Address::Border &&
-            (place.x < 0 || place.y < 0 || place.x > field_.width() || place.y > field_.height())) {
-            return;
-        }
-        texel.s = place.x;
-        texel.t = place.y;
-        texel.h = field_.at(place.x, place.y);
-        if (form_ != VisibleForm::Plane) {
-            texel.du += (texel.h - h0) * run.x;
-            texel.dv += (texel.h - h0) * run.y;
-            if (!f.ellipse.contains(texel.du, texel.dv, f.radius)) return;
-        }
-        if (form_ == VisibleForm::PositionArea && field_.surface() == Surface::Bilinear) {
-            const auto [hs, ht] = field_.slope(place.x, place.y);
-            texel.area = 1 + seen.ray.a * hs + seen.ray.b * ht;
-            if (!(texel.area > 0)) return;  // turned away from the viewer
-        }
-        texels.push_back(texel);
-    };
-    if (form_ == VisibleForm::Plane) {
-        overEllipse(f, columns, rows, add);
-        return texels;
-    }
-    const glm::dvec2 from = -(region.under.low - h0) * run;
-    const glm::dvec2 to = -(region.under.high - h0) * run;
-    const double height = f.ellipse.halfExtents(f.radius).v;
-    rows.over(f.centre.y + std::min(from.y, to.y) - height, f.centre.y + std::max(from.y, to.y) + height,
-              [&](int j, double y, float rowShare) {
-                  const double v = y - f.centre.y;
-                  const Span<double> span = capsuleSpan(f.ellipse, f.radius, from, to, v);
-                  if (span.empty()) return;
-                  columns.over(f.centre.x + span.begin, f.centre.x + span.end, [&](int i, double x, float share) {
-                      add(i, j, x - f.centre.x, v, share * rowShare);
-                  });
-              });
-    return texels;
-}
-
-void VisibleKernel::test(std::vector<Texel>& texels, const SeenPoint& seen, FootprintCounts& counts, Work& work,
-                         FootprintLog* log) const {
+void VisibleKernel::test(std::vector<Piece>& pieces, const SeenPoint& seen, FootprintCounts& counts, Work& work,
+                         bool log) const {
     AnyRayBlock rays;
     std::vector<std::size_t> which;
-    for (std::size_t n = 0; n < texels.size(); ++n) {
-        const Texel& texel = texels[n];
-        if (texel.h >= 1) continue;  // at the top plane
-        const double mu = 1 - texel.h;
-        rays.push({texel.s, texel.t, texel.h, -mu * seen.ray.a, -mu * seen.ray.b, mu});
+    for (std::size_t n = 0; n < pieces.size(); ++n) {
+        const Piece& piece = pieces[n];
+        if (piece.h >= 1) continue;  // at the top plane
+        const double mu = 1 - piece.h;
+        rays.push({piece.s, piece.t, piece.h, -mu * seen.ray.a, -mu * seen.ray.b, mu});
         which.push_back(n);
     }
     SightBlock sights;
     NullSink sink;
     query_->look(rays, sights, sink, work);
     for (std::size_t n = 0; n < which.size(); ++n) {
-        Texel& texel = texels[which[n]];
+        FootprintTexel& texel = pieces[which[n]].texel;
         texel.tested = true;
         texel.hidden = sights.sight[n] == Sight::Blocked;
-        if (!texel.hidden || log == nullptr) continue;
+        if (!texel.hidden || !log) continue;
         // Once more with a log: what it ended at is what hides the texel.
         AnyRayBlock one;
         one.push(rays[n]);
         SightBlock again;
         StepLog steps;
         query_->look(one, again, steps, work);
-        if (!steps.steps.empty()) {
-            const double mu = steps.steps.back().lambdaIn;
-            texel.blocker = {std::floor(rays.s[n] + mu * rays.ds[n]) + 0.5, std::floor(rays.t[n] + mu * rays.dt[n]) + 0.5};
-        }
+        if (steps.steps.empty()) continue;
+        const double mu = steps.steps.back().lambdaIn;
+        texel.blocker = {std::floor(rays.s[n] + mu * rays.ds[n]) + 0.5, std::floor(rays.t[n] + mu * rays.dt[n]) + 0.5};
     }
     counts.tested += static_cast<std::int64_t>(which.size());
 }
@@ -218,45 +116,80 @@ Color VisibleKernel::filter(const Jacobian& j, glm::dvec2 centre, const SeenPoin
         if (log != nullptr) log->skipped = true;
         return color;
     }
-    std::vector<Texel> texels = gather(f, seen, region);
+    std::vector<Piece> pieces;
+    if (form_ == VisibleForm::Plane) {
+        gatherTexels(f, pieces);
+    } else {
+        SurfacePieces(*this, f, seen).gather(region.under, pieces);
+    }
     if (region.clear && skip_) {
-        counts.skipped += static_cast<std::int64_t>(texels.size());
+        counts.skipped += static_cast<std::int64_t>(pieces.size());
         ++counts.flat;
     } else {
-        test(texels, seen, counts, work, log);
+        test(pieces, seen, counts, work, log != nullptr);
     }
-    const ColorImage& image = plain_.levels().level(f.level);
-    const double toUnit = 1 / (f.ellipse.f * f.radius * f.radius);
-    glm::dvec3 sum(0);
-    glm::dvec3 total(0);
-    plain_.weighted(f, [&](const auto& weight) {
-        for (const Texel& texel : texels) {
-            const auto r2 = static_cast<float>(std::clamp(f.ellipse.form(texel.du, texel.dv) * toUnit, 0.0, 1.0));
-            const auto w = weight(texel.du, texel.dv, r2) * static_cast<float>(texel.share * texel.area);
-            counts.hidden += texel.hidden ? 1 : 0;
-            if (log != nullptr) {
-                log->texels.push_back({texel.i, texel.j, texel.u + f.centre.x, texel.v + f.centre.y, Color(w),
-                                       texel.tested, texel.hidden, texel.blocker});
-            }
-            if (texel.hidden) continue;
-            sum += glm::dvec3(w * image(texel.i, texel.j));
-            total += glm::dvec3(w);
-        }
-    });
     ++counts.footprints;
-    counts.texels += static_cast<std::int64_t>(texels.size());
-    Color color(sum / total);
-    if (!(total.x > 0 && total.y > 0 && total.z > 0)) {
+    counts.texels += static_cast<std::int64_t>(pieces.size());
+    bool none = false;
+    Color color = summed(f, pieces, counts, log, none);
+    if (none) {
         ++counts.allHidden;
         color = plain_.levels().bilinear(0, centre, plain_.address());
     }
     if (log != nullptr) {
         log->footprint = f;
         log->skipped = region.clear && skip_;
-        log->allHidden = !(total.x > 0 && total.y > 0 && total.z > 0);
+        log->allHidden = none;
         log->color = color;
     }
     return color;
+}
+
+Color VisibleKernel::summed(const LevelFootprint& f, const std::vector<Piece>& pieces, FootprintCounts& counts,
+                            FootprintLog* log, bool& none) const {
+    const double toUnit = 1 / (f.ellipse.f * f.radius * f.radius);
+    glm::dvec3 sum(0);
+    glm::dvec3 total(0);
+    plain_.weighted(f, [&](const auto& weight) {
+        for (const Piece& piece : pieces) {
+            const auto r2 = static_cast<float>(std::clamp(f.ellipse.form(piece.du, piece.dv) * toUnit, 0.0, 1.0));
+            const auto w = weight(piece.du, piece.dv, r2) * static_cast<float>(piece.share);
+            counts.hidden += piece.texel.hidden ? 1 : 0;
+            if (log != nullptr) {
+                log->texels.push_back(piece.texel);
+                log->texels.back().weight = Color(w);
+            }
+            if (piece.texel.hidden) continue;
+            sum += glm::dvec3(w * piece.color);
+            total += glm::dvec3(w);
+        }
+    });
+    none = !(total.x > 0 && total.y > 0 && total.z > 0);
+    return none ? Color(0) : Color(sum / total);
+}
+
+void VisibleKernel::gatherTexels(const LevelFootprint& f, std::vector<Piece>& pieces) const {
+    const ColorImage& image = plain_.levels().level(f.level);
+    overEllipse(f, plain_.across(f.level), plain_.down(f.level),
+                [&](int i, int j, double u, double v, float share) {
+                    const glm::dvec2 place = fieldTexels(f.centre + glm::dvec2(u, v), f.level);
+                    if (outside(place)) return;
+                    Piece piece;
+                    piece.texel = {i, j, f.level, u + f.centre.x, v + f.centre.y};
+                    piece.color = image(i, j);
+                    piece.share = share;
+                    piece.s = place.x;
+                    piece.t = place.y;
+                    piece.h = field_.at(place.x, place.y);
+                    piece.du = u;
+                    piece.dv = v;
+                    pieces.push_back(piece);
+                });
+}
+
+bool VisibleKernel::outside(glm::dvec2 place) const {
+    return field_.address() == Address::Border &&
+           (place.x < 0 || place.y < 0 || place.x > field_.width() || place.y > field_.height());
 }
 
 }  // namespace relief

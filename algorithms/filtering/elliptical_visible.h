@@ -11,6 +11,8 @@
 //   plane          weight by the plane's ellipse, at (U, V): the paper's
 //   position       weight at the texel's true place in the pixel, (U + (h - h0) a, V + (h - h0) b)
 //   position-area  times the projected area of the surface there, max(0, 1 + a h_s + b h_t)
+// The last two sum over the surface itself: where the relief under a texel is steep, so that its parts lie far apart in
+// the pixel, it is taken in parts, first the finer levels' texels, then parts of texels.
 // All equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at the hit's height.
 // None visible: the colour at the hit.
 //
@@ -68,12 +70,15 @@ class VisibleKernel {
                  FootprintLog* log = nullptr) const;
 
   private:
-    struct Texel;
+    friend class SurfacePieces;
+    struct Piece;
     struct Region;
     Region regionOf(const LevelFootprint& f, const SeenPoint& seen) const;
-    std::vector<Texel> gather(const LevelFootprint& f, const SeenPoint& seen, const Region& region) const;
-    void test(std::vector<Texel>& texels, const SeenPoint& seen, FootprintCounts& counts, Work& work,
-              FootprintLog* log) const;
+    void gatherTexels(const LevelFootprint& f, std::vector<Piece>& pieces) const;
+    void test(std::vector<Piece>& pieces, const SeenPoint& seen, FootprintCounts& counts, Work& work, bool log) const;
+    Color summed(const LevelFootprint& f, const std::vector<Piece>& pieces, FootprintCounts& counts, FootprintLog* log,
+                 bool& none) const;
+    bool outside(glm::dvec2 place) const;
     glm::dvec2 fieldTexels(glm::dvec2 levelPlace, int level) const;
 
     EllipticalKernel plain_;

@@ -8,12 +8,14 @@
 
 namespace relief {
 
-// One texel of a footprint, on the level chosen.
+// One texel of a footprint: of the level chosen, or of a finer one, or a part of one, where steep relief is under it.
 struct FootprintTexel {
-    int i = 0;           // texel of the level, addressed
+    int i = 0;  // texel of its level, addressed
     int j = 0;
-    double u = 0;        // its centre in texels of the level, unwrapped
+    int level = 0;
+    double u = 0;     // its centre in texels of the footprint's level, unwrapped
     double v = 0;
+    double size = 1;  // its side in texels of its own level
     Color weight{0};     // before it is divided by the sum; the same in all channels but for lcd and crt
     bool tested = false;
     bool hidden = false;
