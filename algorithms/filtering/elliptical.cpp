@@ -66,8 +66,7 @@ Color EllipticalKernel::shape(const LevelFootprint& f, const Jacobian& j, glm::d
     return Color(sum / total);
 }
 
-Color EllipticalKernel::filter(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts,
-                               FootprintLog* log) const {
+Color EllipticalKernel::filter(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts, FootprintLog* log) const {
     const LevelFootprint f = footprint(j, centre);
     Color color(0);
     if (log != nullptr) log->footprint = f;

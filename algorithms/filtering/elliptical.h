@@ -55,9 +55,8 @@ void overEllipse(const LevelFootprint& f, const LevelAxis& across, const LevelAx
         const double v = y - f.centre.y;
         const Span<double> span = f.ellipse.rowSpan(v, f.radius);
         if (span.empty()) return;
-        across.over(f.centre.x + span.begin, f.centre.x + span.end, [&](int i, double x, float share) {
-            visit(i, j, x - f.centre.x, v, share * rowShare);
-        });
+        across.over(f.centre.x + span.begin, f.centre.x + span.end,
+                    [&](int i, double x, float share) { visit(i, j, x - f.centre.x, v, share * rowShare); });
     });
 }
 
@@ -89,9 +88,7 @@ class EllipticalKernel {
     Address address() const { return address_; }
     const EllipticalSettings& settings() const { return settings_; }
     // Beyond the picture itself.
-    std::size_t bytes() const {
-        return levels_->bytes() - levels_->picture()->bytes() + table_.bytes() + map_.bytes();
-    }
+    std::size_t bytes() const { return levels_->bytes() - levels_->picture()->bytes() + table_.bytes() + map_.bytes(); }
     LevelAxis across(int l) const { return levels_->across(l, address_); }
     LevelAxis down(int l) const { return levels_->down(l, address_); }
 

@@ -33,7 +33,7 @@ VisibleKernel::Region VisibleKernel::regionOf(const LevelFootprint& f, const See
     const double a = seen.ray.a;
     const double b = seen.ray.b;
     const HeightBounds all{range_->lowest.level(range_->lowest.levels() - 1)(0, 0),
-                          range_->highest.level(range_->highest.levels() - 1)(0, 0)};
+                           range_->highest.level(range_->highest.levels() - 1)(0, 0)};
     const HalfExtents<double> half = f.ellipse.halfExtents(f.radius);
     const glm::dvec2 centre = fieldTexels(f.centre, f.level);
     // A texel's centre may lie half a texel of the level off what it stands for, and one texel is added all round.
@@ -44,7 +44,7 @@ VisibleKernel::Region VisibleKernel::regionOf(const LevelFootprint& f, const See
         const double s0 = std::min(-near * a, -far * a), s1 = std::max(-near * a, -far * a);
         const double t0 = std::min(-near * b, -far * b), t1 = std::max(-near * b, -far * b);
         return heightBounds(*range_, field_, centre.x - extent.x + s0, centre.y - extent.y + t0,
-                           centre.x + extent.x + s1, centre.y + extent.y + t1);
+                            centre.x + extent.x + s1, centre.y + extent.y + t1);
     };
     Region region{all};
     if (form_ == VisibleForm::Plane) {
@@ -62,8 +62,8 @@ VisibleKernel::Region VisibleKernel::regionOf(const LevelFootprint& f, const See
         top = rangeOver(near, far + reach).high;
     }
     const double rise = top - region.under.low;
-    const double run = field_.surface() == Surface::Bilinear ? std::abs(a) + std::abs(b)
-                                                             : 2 * std::max(std::abs(a), std::abs(b));
+    const double run =
+        field_.surface() == Surface::Bilinear ? std::abs(a) + std::abs(b) : 2 * std::max(std::abs(a), std::abs(b));
     region.flat = rise <= 0;
     // Columns: the way to the next texel is half a texel only from a texel's centre.
     const bool centred = f.level == 0 && perColor_ == glm::dvec2(1);
@@ -97,8 +97,10 @@ void VisibleKernel::test(std::vector<Piece>& pieces, const SeenPoint& seen, Foot
         StepLog steps;
         query_->look(one, again, steps, work);
         if (steps.steps.empty()) continue;
-        const double mu = steps.steps.back().lambdaIn;
-        texel.blocker = {std::floor(rays.s[n] + mu * rays.ds[n]) + 0.5, std::floor(rays.t[n] + mu * rays.dt[n]) + 0.5};
+        // The log has heights as descents; the middle of the stay in the cell that is in the way.
+        const double z = 1 - 0.5 * (steps.steps.back().lambdaIn + steps.steps.back().lambdaOut);
+        const double mu = (z - rays.z[n]) / rays.dz[n];
+        texel.blocker = {rays.s[n] + mu * rays.ds[n], rays.t[n] + mu * rays.dt[n]};
     }
     counts.tested += static_cast<std::int64_t>(which.size());
 }
@@ -170,21 +172,20 @@ Color VisibleKernel::summed(const LevelFootprint& f, const std::vector<Piece>& p
 
 void VisibleKernel::gatherTexels(const LevelFootprint& f, std::vector<Piece>& pieces) const {
     const ColorImage& image = plain_.levels().level(f.level);
-    overEllipse(f, plain_.across(f.level), plain_.down(f.level),
-                [&](int i, int j, double u, double v, float share) {
-                    const glm::dvec2 place = fieldTexels(f.centre + glm::dvec2(u, v), f.level);
-                    if (outside(place)) return;
-                    Piece piece;
-                    piece.texel = {i, j, f.level, u + f.centre.x, v + f.centre.y};
-                    piece.color = image(i, j);
-                    piece.share = share;
-                    piece.s = place.x;
-                    piece.t = place.y;
-                    piece.h = field_.at(place.x, place.y);
-                    piece.du = u;
-                    piece.dv = v;
-                    pieces.push_back(piece);
-                });
+    overEllipse(f, plain_.across(f.level), plain_.down(f.level), [&](int i, int j, double u, double v, float share) {
+        const glm::dvec2 place = fieldTexels(f.centre + glm::dvec2(u, v), f.level);
+        if (outside(place)) return;
+        Piece piece;
+        piece.texel = {i, j, f.level, u + f.centre.x, v + f.centre.y};
+        piece.color = image(i, j);
+        piece.share = share;
+        piece.s = place.x;
+        piece.t = place.y;
+        piece.h = field_.at(place.x, place.y);
+        piece.du = u;
+        piece.dv = v;
+        pieces.push_back(piece);
+    });
 }
 
 bool VisibleKernel::outside(glm::dvec2 place) const {

@@ -1,6 +1,6 @@
-// elliptical-visible: anisotropic filtering of what the pixel really sees. Behind a relief the footprint contains texels
-// that higher ground hides; each texel is traced back from its surface point towards the viewer and counts only if
-// nothing is in the way; the weights of the others are divided by their own sum. [ANISO17], [TEX].
+// elliptical-visible: anisotropic filtering of what the pixel really sees. Behind a relief the footprint contains
+// texels that higher ground hides; each texel is traced back from its surface point towards the viewer and counts only
+// if nothing is in the way; the weights of the others are divided by their own sum. [ANISO17], [TEX].
 //
 // Frame: the view ray (a, b) in texels of the height map a unit of descent; texel (i, j) of the level chosen has its
 // surface point at (s, t, h), its centre and the height there. It is hidden if the segment

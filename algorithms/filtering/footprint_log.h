@@ -13,13 +13,13 @@ struct FootprintTexel {
     int i = 0;  // texel of its level, addressed
     int j = 0;
     int level = 0;
-    double u = 0;     // its centre in texels of the footprint's level, unwrapped
+    double u = 0;  // its centre in texels of the footprint's level, unwrapped
     double v = 0;
     double size = 1;  // its side in texels of its own level
-    Color weight{0};     // before it is divided by the sum; the same in all channels but for lcd and crt
+    Color weight{0};  // before it is divided by the sum; the same in all channels but for lcd and crt
     bool tested = false;
     bool hidden = false;
-    glm::dvec2 blocker{0};  // hidden: the texel of the height map that hides it, unwrapped, its centre
+    glm::dvec2 blocker{0};  // hidden: where the relief is in the way, texels of the height map, unwrapped
 };
 
 struct FootprintLog {
@@ -32,14 +32,14 @@ struct FootprintLog {
 
 // What was read and what was not needed, of many pixels.
 struct FootprintCounts {
-    std::int64_t footprints = 0;     // of them filtered as ellipses
-    std::int64_t bilinear = 0;       // footprints smaller than a texel
-    std::int64_t texels = 0;         // read
-    std::int64_t tested = 0;         // traced back
-    std::int64_t hidden = 0;         // of the tested
-    std::int64_t skipped = 0;        // texels whose test was not needed
-    std::int64_t flat = 0;           // footprints none of whose texels needed a test
-    std::int64_t allHidden = 0;      // footprints without a visible texel
+    std::int64_t footprints = 0;  // of them filtered as ellipses
+    std::int64_t bilinear = 0;    // footprints smaller than a texel
+    std::int64_t texels = 0;      // read
+    std::int64_t tested = 0;      // traced back
+    std::int64_t hidden = 0;      // of the tested
+    std::int64_t skipped = 0;     // texels whose test was not needed
+    std::int64_t flat = 0;        // footprints none of whose texels needed a test
+    std::int64_t allHidden = 0;   // footprints without a visible texel
 
     void add(const FootprintCounts& other) {
         footprints += other.footprints;

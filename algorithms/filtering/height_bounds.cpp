@@ -52,12 +52,12 @@ Stretches stretches(double low, double high, int size, Address address) {
 std::shared_ptr<const HeightBoundsMap> heightBoundsMap(const HeightField& field, MapCache& cache, Work& work) {
     return cache.get<HeightBoundsMap>({"height-bounds", field.sharedHeights()}, work, [&](Work& w) {
         return HeightBoundsMap{Pyramid(PyramidKind::Min, field.heights(), w),
-                              Pyramid(PyramidKind::Max, field.heights(), w)};
+                               Pyramid(PyramidKind::Max, field.heights(), w)};
     });
 }
 
 HeightBounds heightBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,
-                        double t1) {
+                          double t1) {
     const Stretches across = stretches(s0, s1, field.width(), field.address());
     const Stretches down = stretches(t0, t1, field.height(), field.address());
     // Three or four nodes along the longer side.

@@ -26,6 +26,6 @@ std::shared_ptr<const HeightBoundsMap> heightBoundsMap(const HeightField& field,
 // Bounds of all heights of the surface over [s0, s1] x [t0, t1] (texels, unwrapped, any finite), for bilinear surfaces
 // and for columns; exact or wider. At most a few tens of values are read.
 HeightBounds heightBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,
-                        double t1);
+                          double t1);
 
 }  // namespace relief

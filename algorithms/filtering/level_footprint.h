@@ -1,7 +1,7 @@
 // From a pixel's Jacobian to the level of the mean pyramid on which its footprint is read, and the ellipse there.
 //
-// Source: [TEX] (the ellipse, the level by the minor axis); the covariance of texels: Heckbert 1989 section 3.5, with the
-// level's box average taken off and level 0's bilinear reconstruction put on:
+// Source: [TEX] (the ellipse, the level by the minor axis); the covariance of texels: Heckbert 1989 section 3.5, with
+// the level's box average taken off and level 0's bilinear reconstruction put on:
 //
 //     sigma^2 J J^T / 4^l + (1 / (4 4^l) - 1/12) I
 //
@@ -25,11 +25,11 @@ enum class FootprintKind : std::uint8_t { Ellipse, Bilinear, Shape, Top };
 struct LevelFootprint {
     FootprintKind kind = FootprintKind::Ellipse;
     int level = 0;
-    glm::dvec2 centre{0};    // texels of the level, within the picture under repeat
-    Ellipse ellipse;         // of the circle of radius 1 pixel, texels of the level, widened where too thin
-    Jacobian widened;        // a Jacobian with this ellipse and the pixel's orientation, texels of the level
-    double radius = 1;       // pixels
-    double major = 1;        // semi-axes of the 1-pixel circle on level 0, texels, as seen
+    glm::dvec2 centre{0};  // texels of the level, within the picture under repeat
+    Ellipse ellipse;       // of the circle of radius 1 pixel, texels of the level, widened where too thin
+    Jacobian widened;      // a Jacobian with this ellipse and the pixel's orientation, texels of the level
+    double radius = 1;     // pixels
+    double major = 1;      // semi-axes of the 1-pixel circle on level 0, texels, as seen
     double minor = 1;
 };
 

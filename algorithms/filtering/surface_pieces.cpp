@@ -72,22 +72,22 @@ void SurfacePieces::gather(HeightBounds under, std::vector<VisibleKernel::Piece>
     // Parts of a texel may be seen where its centre is not.
     const double rim = 0.5;
     const double height = f_.ellipse.halfExtents(f_.radius).v + rim;
-    rows.over(f_.centre.y + std::min(from.y, to.y) - height, f_.centre.y + std::max(from.y, to.y) + height,
-              [&](int j, double y, float rowShare) {
-                  const double v = y - f_.centre.y;
-                  Span<double> span;
-                  for (const double at : {v - rim, v, v + rim}) {
-                      const Span<double> one = capsuleSpan(f_.ellipse, f_.radius, from, to, at);
-                      if (one.empty()) continue;
-                      span = span.empty() ? one
-                                          : Span<double>{std::min(span.begin, one.begin), std::max(span.end, one.end)};
-                  }
-                  if (span.empty()) return;
-                  columns.over(f_.centre.x + span.begin - rim, f_.centre.x + span.end + rim,
-                               [&](int i, double x, float share) {
-                                   add({f_.level, i, j, x - f_.centre.x, v, share, rowShare});
-                               });
-              });
+    rows.over(
+        f_.centre.y + std::min(from.y, to.y) - height, f_.centre.y + std::max(from.y, to.y) + height,
+        [&](int j, double y, float rowShare) {
+            const double v = y - f_.centre.y;
+            Span<double> span;
+            for (const double at : {v - rim, v, v + rim}) {
+                const Span<double> one = capsuleSpan(f_.ellipse, f_.radius, from, to, at);
+                if (one.empty()) continue;
+                span = span.empty() ? one : Span<double>{std::min(span.begin, one.begin), std::max(span.end, one.end)};
+            }
+            if (span.empty()) return;
+            columns.over(f_.centre.x + span.begin - rim, f_.centre.x + span.end + rim,
+                         [&](int i, double x, float share) {
+                             add({f_.level, i, j, x - f_.centre.x, v, share, rowShare});
+                         });
+        });
 }
 
 // Whether any of its heights could put it into the ellipse. Its own extent is made good by a wider ellipse.
@@ -152,8 +152,9 @@ void SurfacePieces::addParts(const Block& block, HeightBounds bounds) {
     const double h = field.at(place.x, place.y);
     const auto parts = [&](double before, double after) {
         const double rise = 2 * std::max(std::abs(h - before), std::abs(after - h));
-        return static_cast<int>(std::clamp(std::ceil(std::min(rise, bounds.high - bounds.low) * runPixels_ / kLargestSpread),
-                                           1.0, double{kMostParts}));
+        return static_cast<int>(
+            std::clamp(std::ceil(std::min(rise, bounds.high - bounds.low) * runPixels_ / kLargestSpread), 1.0,
+                       double{kMostParts}));
     };
     const int across = parts(field.at(place.x - half.x, place.y), field.at(place.x + half.x, place.y));
     const int down = parts(field.at(place.x, place.y - half.y), field.at(place.x, place.y + half.y));
@@ -202,11 +203,11 @@ void SurfacePieces::addWalls(const Block& block, glm::dvec2 place, double h) {
         (acrossS ? at.x : at.y) += side * (half + kFront);
         const double foot = field.at(at.x, at.y);
         if (!(foot < h) || kernel_.outside(at)) continue;
-        const int count = static_cast<int>(
-            std::clamp(std::ceil((h - foot) * runPixels_ / kLargestSpread), 1.0, double{kMostParts}));
+        const int count =
+            static_cast<int>(std::clamp(std::ceil((h - foot) * runPixels_ / kLargestSpread), 1.0, double{kMostParts}));
         // Its area in the pixel: its length times the run of the ray over its height, in texels of the level.
-        const double area = (h - foot) / count * std::abs(run) *
-                            (acrossS ? block.height / toField_.x : block.width / toField_.y);
+        const double area =
+            (h - foot) / count * std::abs(run) * (acrossS ? block.height / toField_.x : block.width / toField_.y);
         const glm::dvec2 local = at / toField_ - f_.centre;
         for (int n = 0; n < count; ++n) {
             push(block, local.x, local.y, 1, color, area, {at, foot + (h - foot) * (n + 0.5) / count});

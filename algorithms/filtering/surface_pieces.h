@@ -45,9 +45,9 @@ class SurfacePieces {
     const SeenPoint& seen_;
     std::vector<VisibleKernel::Piece>* pieces_ = nullptr;
     double h0_;
-    glm::dvec2 run_;        // of the view ray, texels of the footprint's level a unit of descent
-    double runPixels_;      // its length in the pixel
-    glm::dvec2 toField_;    // texels of the height map per texel of the footprint's level
+    glm::dvec2 run_;      // of the view ray, texels of the footprint's level a unit of descent
+    double runPixels_;    // its length in the pixel
+    glm::dvec2 toField_;  // texels of the height map per texel of the footprint's level
     bool area_;
     bool columns_;
 };

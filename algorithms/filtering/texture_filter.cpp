@@ -124,7 +124,9 @@ FilterDescription described(std::string name, std::string help, std::string sour
 constexpr const char* kFilterSet = "--filter-set";
 
 VisibleForm parsedForm(const std::string& text) {
-    return text == "plane" ? VisibleForm::Plane : text == "position" ? VisibleForm::Position : VisibleForm::PositionArea;
+    return text == "plane"      ? VisibleForm::Plane
+           : text == "position" ? VisibleForm::Position
+                                : VisibleForm::PositionArea;
 }
 
 }  // namespace
@@ -133,13 +135,23 @@ const std::vector<FilterDescription>& filterList() {
     static const std::vector<FilterDescription> list{
         {"nearest", "the texel that holds the point", "", {}, {}},
         {"bilinear", "the four texels around the point, weighted by closeness", "", {}, {}},
-        {"trilinear", "two levels of the mean pyramid, by the longer side of the pixel's projection", "Williams 1983", {}, {}, true},
-        described<EllipticalOptions>("elliptical", "all texels in the ellipse of the pixel, weighted by the pixel's own shape",
+        {"trilinear",
+         "two levels of the mean pyramid, by the longer side of the pixel's projection",
+         "Williams 1983",
+         {},
+         {},
+         true},
+        described<EllipticalOptions>("elliptical",
+                                     "all texels in the ellipse of the pixel, weighted by the pixel's own shape",
                                      "Heckbert 1989; [TEX]", false),
         described<VisibleOptions>("elliptical-visible",
                                   "the same without the texels that the relief hides from the viewer", "[ANISO17]",
                                   true),
-        {std::string(kSupersample), "many rays a pixel, traced and lit one by one: the picture's truth, slow", "", {}, {}},
+        {std::string(kSupersample),
+         "many rays a pixel, traced and lit one by one: the picture's truth, slow",
+         "",
+         {},
+         {}},
     };
     return list;
 }
@@ -211,10 +223,9 @@ std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, cons
             filter, ready, EllipticalKernel(ready.levels, address, EllipticalSettings::of(options)));
     }
     const auto options = parseOptions<VisibleOptions>(filter.name, choice.options, kFilterSet);
-    VisibleKernel kernel(EllipticalKernel(ready.levels, address, EllipticalSettings::of(options)),
-                         parsedForm(options.form), tools.field,
-                         makeAnyHit({anyHitList().front().name, {}}, tools.field, maps, work),
-                         heightBoundsMap(tools.field, maps, work));
+    VisibleKernel kernel(
+        EllipticalKernel(ready.levels, address, EllipticalSettings::of(options)), parsedForm(options.form), tools.field,
+        makeAnyHit({anyHitList().front().name, {}}, tools.field, maps, work), heightBoundsMap(tools.field, maps, work));
     kernel.setSkip(tools.skip);
     return std::make_unique<VisibleFilter>(filter, ready, std::move(kernel));
 }

@@ -3,9 +3,9 @@
 
 #include <memory>
 
+#include "filtering/elliptical_visible.h"
 #include "filtering/filter_choice.h"
 #include "filtering/footprint_log.h"
-#include "filtering/elliptical_visible.h"
 
 namespace relief {
 
@@ -35,10 +35,10 @@ class TextureFilter {
 
 // What filters are made of.
 struct FilterTools {
-    std::shared_ptr<const ColorImage> picture;    // not null
-    std::shared_ptr<const ColorLevels> levels;    // of the picture; null: built here, if the filter needs it
+    std::shared_ptr<const ColorImage> picture;  // not null
+    std::shared_ptr<const ColorLevels> levels;  // of the picture; null: built here, if the filter needs it
     HeightField field;
-    bool skip = true;                             // tests that cannot matter are skipped
+    bool skip = true;  // tests that cannot matter are skipped
 };
 
 // `supersample` reads each of its samples bilinearly. Throws InputError (names, options), Cancelled.

@@ -10,7 +10,7 @@ namespace relief {
 struct VisibleKernel::Piece {
     FootprintTexel texel;  // place, size, and what became of it
     Color color{0};
-    double share = 1;      // of a texel of the footprint's level
+    double share = 1;            // of a texel of the footprint's level
     double s = 0, t = 0, h = 0;  // its surface point, texels of the height map
     double du = 0, dv = 0;       // its place in the footprint, texels of the footprint's level
 };

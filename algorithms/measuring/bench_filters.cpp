@@ -21,8 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kPatch = 6;                 // texels
-constexpr int kCheck = 8;                 // texels
+constexpr int kPatch = 6;                  // texels
+constexpr int kCheck = 8;                  // texels
 constexpr double kFilterSceneDepth = 0.1;  // texture widths
 constexpr std::size_t kQueryGrain = 1024;
 

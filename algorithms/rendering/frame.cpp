@@ -53,7 +53,10 @@ std::array<float, 3> footprintValues(const std::string& name, const Frame& frame
     if (!frame.filter || !frame.filter->description().visible) return {kNaN, 0, 0};
     FootprintCounts counts;
     frame.filter->color(*query, counts, tools.work);
-    return {counts.texels > 0 ? static_cast<float>(static_cast<double>(counts.hidden) / static_cast<double>(counts.texels)) : 0, 0, 0};
+    return {counts.texels > 0
+                ? static_cast<float>(static_cast<double>(counts.hidden) / static_cast<double>(counts.texels))
+                : 0,
+            0, 0};
 }
 
 // The values of one pixel in the planes of a layer.
@@ -133,8 +136,8 @@ VisiblePolygons Frame::visible(const FrameRequest& request) const {
     return visiblePolygons(polygons, camera, width, height, request.field.reliefDepth());
 }
 
-std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& request,
-                                       const VisiblePolygons& visible, int x, int y) {
+std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& request, const VisiblePolygons& visible,
+                                       int x, int y) {
     const std::size_t i = frame.index(x, y);
     const Hit hit = frame.hits->hits[i];
     if (hit.outcome != Outcome::Hit) return std::nullopt;

@@ -144,17 +144,18 @@ class FrameRenderer {
 };
 
 // What the filter is asked for the pixel; nothing where it has no hit.
-std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& request,
-                                       const VisiblePolygons& visible, int x, int y);
+std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& request, const VisiblePolygons& visible,
+                                       int x, int y);
 
 // The view rays of single pixels without a frame: what `relief trace --pixel` asks. Throws InputError outside the
 // picture. Same bits as Frame::ray.
 std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y);
 
 // Planes of the named layers: color (R, G, B), depth, uv (u, v), normal (X, Y, Z), steps, outcome
-// (0 none, 1 hit, 2 miss, 3 limit), error (texels and kind: error_layer.h), footprint (semi-axes of the circle of radius
-// 1 pixel in texels of the height map), hidden (share of the texels under the filter that the relief hides). The last
-// three are computed only when they are asked for. Throws InputError("--layers", ...) for unknown names, Cancelled.
+// (0 none, 1 hit, 2 miss, 3 limit), error (texels and kind: error_layer.h), footprint (semi-axes of the circle of
+// radius 1 pixel in texels of the height map), hidden (share of the texels under the filter that the relief hides). The
+// last three are computed only when they are asked for. Throws InputError("--layers", ...) for unknown names,
+// Cancelled.
 std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
                                     const std::vector<std::string>& layers, MapCache& maps, Work& work);
 const std::vector<std::string>& layerNames();

@@ -57,10 +57,11 @@ void checkRequest(const FrameRequest& request) {
     checkFilter(request.filter, "--filter");
     const int fewest = request.filter.name == kSupersample ? fewestSamples(request.filter.pixelModel) : 1;
     if (request.filter.samples < fewest || request.filter.samples > kMaxSamples) {
-        throw InputError("--supersample",
-                         Message(MessageId::OutOfRange, {{"what", "samples along each side of a pixel"},
-                                                         {"value", request.filter.samples},
-                                                         {"range", std::to_string(fewest) + " to " + std::to_string(kMaxSamples)}}));
+        throw InputError(
+            "--supersample",
+            Message(MessageId::OutOfRange, {{"what", "samples along each side of a pixel"},
+                                            {"value", request.filter.samples},
+                                            {"range", std::to_string(fewest) + " to " + std::to_string(kMaxSamples)}}));
     }
     for (const int side : {request.width - 2 * request.margin, request.height - 2 * request.margin}) {
         if (side >= 1 && side <= kMaxPictureSide) continue;
@@ -194,7 +195,7 @@ std::shared_ptr<const TextureFilter> FrameRenderer::madeFilter(const FrameReques
     std::shared_ptr<const ColorImage> picture = request.color;
     if (!picture) {
         picture = levels_ && greyOf_ == request.field.sharedHeights() ? levels_->picture()
-                                                                     : greyPicture(request.field.heights());
+                                                                      : greyPicture(request.field.heights());
     }
     if (levels && !(levels_ && levels_->picture() == picture)) {
         levels_ = std::make_shared<const ColorLevels>(picture, work);

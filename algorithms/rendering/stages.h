@@ -34,8 +34,8 @@ inline constexpr std::array<std::string_view, kInputs> kInputNames{
     "method", "color picture", "filter", "normal picture", "light direction", "light",   "shadows", "sky"};
 
 // Rays: which polygon covers the pixel, where the view ray enters its slab. Hits: where it meets the relief. Color:
-// filtered colour at the hit, of what the pixel's footprint on the texture holds. Shadows: whether the light reaches it.
-// Light: the picture.
+// filtered colour at the hit, of what the pixel's footprint on the texture holds. Shadows: whether the light reaches
+// it. Light: the picture.
 enum class Stage : std::uint8_t { Rays, Hits, Color, Shadows, Light, Count };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Count);
 inline constexpr std::array<std::string_view, kStages> kStageNames{"rays", "hits", "color", "shadows", "light"};

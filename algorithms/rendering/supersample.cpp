@@ -134,7 +134,8 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
             counters[std::string("samples: ") + name] += frame->counters.at(name);
         }
         work.progress().advance();
-        if (snapshot && sums.complete() && done + 1 < total && toldOf(done + 1)) snapshot(sums.mean(work), done + 1, total);
+        if (snapshot && sums.complete() && done + 1 < total && toldOf(done + 1))
+            snapshot(sums.mean(work), done + 1, total);
     }
     counters["samples a pixel"] = total;
     return sums.mean(work);

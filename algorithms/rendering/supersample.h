@@ -5,10 +5,10 @@
 // of its own whose camera is shifted by less than a pixel; so memory does not depend on N, and one sample a pixel is
 // the plain frame, bit for bit. Passes come in a low-discrepancy order: any first few of them are spread evenly, and
 // the mean of them is a usable picture.
-// Box: a pixel is the mean of its own samples; lcd: each channel that of its stripe. Gaussian, crt: samples up to kGaussianReach pixels from the pixel's centre,
-// in neighbouring pixels and beyond the picture's edges too, weighted by exp(-d^2 / (2 sigma^2)) and divided by the
-// sum. Equal bits for any number of threads: sums are taken pixel by pixel in the order of the passes. Cost: N x N
-// frames.
+// Box: a pixel is the mean of its own samples; lcd: each channel that of its stripe. Gaussian, crt: samples up to
+// kGaussianReach pixels from the pixel's centre, in neighbouring pixels and beyond the picture's edges too, weighted by
+// exp(-d^2 / (2 sigma^2)) and divided by the sum. Equal bits for any number of threads: sums are taken pixel by pixel
+// in the order of the passes. Cost: N x N frames.
 #pragma once
 
 #include <array>

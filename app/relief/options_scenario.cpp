@@ -160,11 +160,12 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
                     std::to_string(kMaxSamples) + "; the filter supersample, which alone means " +
                     std::to_string(FilterChoice{}.samples),
                 group);
-        addText(parser, "--pixel-model", pixelModel_, "box|gaussian|lcd|crt",
-                "how samples are weighed: evenly in the pixel's square (default), by a bell of sigma " +
-                    numberText(kGaussianSigma) +
-                    " pixels that reaches into the neighbours, in a display's three stripes, or in a tube's three spots",
-                group);
+        addText(
+            parser, "--pixel-model", pixelModel_, "box|gaussian|lcd|crt",
+            "how samples are weighed: evenly in the pixel's square (default), by a bell of sigma " +
+                numberText(kGaussianSigma) +
+                " pixels that reaches into the neighbours, in a display's three stripes, or in a tube's three spots",
+            group);
     }
 }
 

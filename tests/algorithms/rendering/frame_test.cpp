@@ -206,7 +206,8 @@ TEST(Frame, layersHaveTheirPlanes) {
     std::vector<std::string> names;
     for (const NamedPlane& plane : planes) names.push_back(plane.name);
     EXPECT_EQ(names, (std::vector<std::string>{"R", "G", "B", "depth.Z", "uv.u", "uv.v", "normal.X", "normal.Y",
-                                               "normal.Z", "steps.Y", "outcome.Y", "error.Y", "error.kind"}));
+                                               "normal.Z", "steps.Y", "outcome.Y", "error.Y", "error.kind",
+                                               "footprint.major", "footprint.minor", "hidden.Y"}));
     EXPECT_EQ(planes[0].plane(80, 60), frame->light->color(80, 60).r);
     EXPECT_EQ(planes[10].plane(80, 60), 1.0F);
     EXPECT_THROW(layerPlanes(*frame, request, {"taste"}, maps, work), InputError);

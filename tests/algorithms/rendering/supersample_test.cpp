@@ -29,7 +29,7 @@ std::shared_ptr<const Frame> rendered(const FrameRequest& request, int threads =
 }
 
 FrameRequest supersampledRequest(FrameRequest request, int samples, PixelModel model = PixelModel::Box) {
-    request.filter = {std::string(kSupersample), samples, model};
+    request.filter = {std::string(kSupersample), {}, samples, model};
     return request;
 }
 
