@@ -1,6 +1,7 @@
-// relief bench tracers | rows [-o FILE.csv|json]
+// relief bench tracers | rows | filters [-o FILE.csv|json]
 #include <unistd.h>
 
+#include "bench_filters.h"
 #include "bench_rows.h"
 #include "images/reliefs.h"
 #include "journal.h"
@@ -22,6 +23,7 @@ struct BenchCommandOptions {
     std::vector<std::string> heights, recipes;
     ReadingOptions reading;
     RowBenchCommand rows;
+    FilterBenchCommand filters;
     RunOptions run;
 };
 
@@ -107,12 +109,17 @@ std::string fileText(const std::vector<BenchRow>& rows, bool json) {
 int runBench(const BenchCommandOptions& given, Session& session) {
     given.run.apply(session);
     const std::string& kind = needed(given.kind, "KIND", "bench");
-    if (kind != "tracers" && kind != "rows") {
-        throw InputError(
-            "", Message(MessageId::UnknownName, {{"what", "benchmark"}, {"name", kind}, {"known", "tracers, rows"}}));
+    if (kind != "tracers" && kind != "rows" && kind != "filters") {
+        throw InputError("", Message(MessageId::UnknownName,
+                                     {{"what", "benchmark"}, {"name", kind}, {"known", "tracers, rows, filters"}}));
     }
     if (given.output) checkOutput(*given.output, {"csv", "json"});
     if (kind == "rows") return given.rows.run(given.elevations, given.rounds, given.output, session);
+    if (kind == "filters") {
+        const bool own = !given.heights.empty() || !given.recipes.empty();
+        return given.filters.run(own ? chosenPictures(given) : std::vector<Pictures>{}, given.elevations,
+                                 given.reliefDepth, given.rounds, given.seed, given.output, session);
+    }
     BenchOptions options = benchOptions(given);
     loadMaps(chosenPictures(given), options, session);
     std::optional<Journal> journal;
@@ -147,7 +154,7 @@ void addWhat(CLI::App& parser, BenchCommandOptions& options) {
     addText(parser, "--elevations", options.elevations, "DEGREES,...",
             "from which the relief is seen, " + numberText(kLowestElevation) +
                 " to 90, neighbouring rays as a picture has them; random: entry, azimuth and elevation at random; "
-                "default 80,60,25,8,2,random; rows: of the row's middle, default 60,25,8",
+                "default 80,60,25,8,2,random; rows (of the row's middle) and filters: default 60,25,8",
             group);
     addText(parser, "--lowest", options.lowest, "DEGREES", "elevation of the flattest random rays, default 1", group);
     addText(parser, "--surface", options.surface, "bilinear|columns", "default bilinear", group);
@@ -170,12 +177,16 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
         "rows: texture coordinates along rows of a wall of 4,096 texels that fills the row, seen from 0.55 of its "
         "width "
         "at each elevation: operations a pixel, pixels a second, largest error in texels; derivatives: of the "
-        "footprint's ellipse.",
+        "footprint's ellipse.\n"
+        "filters: the colour alone, against the supersampled picture of the same view: pixels a second, errors in "
+        "linear light against each pixel model, texels read, traced back, hidden and skipped a pixel.",
         "  relief bench tracers --relief bricks --tracers exact,max-pyramid,layers:layers=128 -o bench.csv\n"
-        "  relief bench rows --widths 3840 --variants direct,streams,subspan:error=0.25");
-    addArgument(*parser, "KIND", options->kind, "tracers or rows");
+        "  relief bench rows --widths 3840 --variants direct,streams,subspan:error=0.25\n"
+        "  relief bench filters --scenes bricks --elevations 25 -o filters.csv");
+    addArgument(*parser, "KIND", options->kind, "tracers, rows or filters");
     addWhat(*parser, *options);
     options->rows.add(*parser);
+    options->filters.add(*parser);
     options->reading.add(*parser);
     addText(*parser, "--rays", options->rays, "N",
             "of a line, default 65536; fewer, with a message, where the exact reference would take too long", "Run");

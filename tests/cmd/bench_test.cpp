@@ -131,4 +131,29 @@ TEST_P(MeasureTest, StressSaysWhatItCovered) {
     EXPECT_TRUE(files().empty());
 }
 
+TEST_P(MeasureTest, FiltersAgainstTheReference) {
+    const std::vector<std::string> what{"bench",        "filters",   "--scenes",
+                                        "checker",      "--filters", "bilinear,elliptical,elliptical:source=map",
+                                        "--elevations", "40",        "--size",
+                                        "48x32",        "--samples", "4",
+                                        "--rounds",     "1",         "--pixel-models",
+                                        "gaussian,lcd", "-o",        "f.csv"};
+    const Result result = run(what);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto rows = lines(read("f.csv"));
+    ASSERT_EQ(rows.size(), 7U);
+    EXPECT_EQ(rows[0],
+              "filter,weights,levels,pixel_model,implementation,map_size,scene,elevation,threads,rate,spread,rmse,"
+              "psnr,flip,texels_read,tested,hidden,skipped");
+    const double bilinear = std::stod(fields(rows[1])[11]);
+    const double elliptical = std::stod(fields(rows[3])[11]);
+    EXPECT_LT(elliptical, 0.5 * bilinear);
+    EXPECT_EQ(fields(rows[5])[4], "map");
+    EXPECT_EQ(fields(rows[5])[5], "64");
+    expectRefusal({"bench", "filters", "--scenes", "moon"}, 2, {"\"moon\"", "checker"});
+    expectRefusal({"bench", "filters", "--filters", "elliptical:sigma=9"}, 2, {"--filters", "sigma"});
+    expectRefusal({"render", "--relief", "bricks", "--filter", "elliptical", "--filter-set", "radius", "-o", "x.png"},
+                  2, {"--filter-set", "radius"});
+}
+
 }  // namespace relief::test

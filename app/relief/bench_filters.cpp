@@ -1,0 +1,154 @@
+// relief bench filters [-o FILE.csv|json]
+#include "bench_filters.h"
+
+#include <unistd.h>
+
+#include "journal.h"
+#include "measuring/bench_tracers.h"
+#include "output.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr std::int64_t kMostRounds = 1000;
+constexpr int kMostSide = 4096;
+constexpr int kSceneSide = 512;
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string out;
+    for (const std::string& name : names) out.append(out.empty() ? "" : ", ").append(name);
+    return out;
+}
+
+FilterScene namedScene(const std::string& name, std::uint64_t seed) {
+    const std::vector<std::string> known = filterSceneNames();
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+        throw InputError(
+            "--scenes", Message(MessageId::UnknownName, {{"what", "scene"}, {"name", name}, {"known", joined(known)}}));
+    }
+    return filterScene(name, kSceneSide, seed);
+}
+
+// Height maps of the user's, with their colours or with patches.
+FilterScene givenScene(Pictures pictures, const OptionText& color, double depth, std::uint64_t seed, Session& session) {
+    if (color) pictures.color = *color;
+    Scenario scenario;
+    scenario.pictures = pictures;
+    AssetStore store;
+    const Assets assets = store.load(pictures, session.work());
+    noteHeights(session, assets, scenario);
+    return {pictures.height.empty() ? pictures.recipe : pictures.height,
+            HeightField(assets.heights, Surface::Bilinear, Address::Repeat, depth),
+            assets.color ? assets.color : patchPicture(*assets.heights, seed)};
+}
+
+FilterBenchOptions filterOptions(const FilterBenchCommand& given, const OptionText& elevations,
+                                 const OptionText& rounds) {
+    FilterBenchOptions options;
+    options.filters = defaultFilters();
+    if (given.filters) {
+        options.filters.clear();
+        for (const std::string& text : splitText(*given.filters, ',')) {
+            options.filters.push_back(parseFilter(text, "--filters"));
+            if (options.filters.back().name != kSupersample) continue;
+            throw InputError("--filters", Message(MessageId::UnknownName, {{"what", "filter of textures"},
+                                                                           {"name", std::string(kSupersample)},
+                                                                           {"known", "the others"}}));
+        }
+    }
+    if (given.pixelModels) {
+        options.pixelModels.clear();
+        for (const std::string& text : splitText(*given.pixelModels, ',')) {
+            options.pixelModels.push_back(parsePixelModel(text));
+        }
+    }
+    if (elevations) {
+        options.elevations.clear();
+        for (const std::string& text : splitText(*elevations, ',')) {
+            const Elevation elevation = parseElevation(text, "--elevations");
+            if (!elevation) throw InputError("--elevations", Message(MessageId::NotANumber, {{"text", text}}));
+            options.elevations.push_back(*elevation);
+        }
+    }
+    if (given.size) {
+        const SizeText size = parseSize(*given.size, "--size", kMostSide);
+        options.width = size.width;
+        options.height = size.height;
+    }
+    if (given.samples) {
+        options.samples = static_cast<int>(parseWhole(*given.samples, "--samples", 3, kMaxSamples));
+    }
+    if (rounds) options.rounds = static_cast<int>(parseWhole(*rounds, "--rounds", 1, kMostRounds));
+    return options;
+}
+
+std::string fileText(const std::vector<FilterBenchRow>& rows, bool json) {
+    if (json) return filterBenchJson(rows);
+    std::string text = filterBenchCsvHeader();
+    for (const FilterBenchRow& row : rows) text += filterBenchCsvLine(row);
+    return text;
+}
+
+}  // namespace
+
+void FilterBenchCommand::add(CLI::App& parser) {
+    const char* group = "What is measured (filters)";
+    addText(parser, "--filters", filters, "NAME,...",
+            "each with options as NAME:OPTION=VALUE, such as elliptical:weights=uniform; default: what the papers "
+            "compare",
+            group);
+    addText(
+        parser, "--scenes", scenes, "NAME,...",
+        joined(filterSceneNames()) + "; default all; --height or --relief takes their place, --color has its colours",
+        group);
+    addText(parser, "--color", color, "FILE", "colours of the height map given; default: coloured patches", group);
+    addText(parser, "--pixel-models", pixelModels, "NAME,...",
+            "of the reference: box, gaussian, lcd, crt; default box,gaussian", group);
+    addText(parser, "--size", size, "WxH", "of the pictures, default 320x240", group);
+    addText(parser, "--samples", samples, "N", "of the reference, along each side of a pixel, 3 to 64, default 16",
+            group);
+}
+
+int FilterBenchCommand::run(const std::vector<Pictures>& pictures, const OptionText& elevations,
+                            const OptionText& reliefDepth, const OptionText& rounds, const OptionText& seed,
+                            const OptionText& output, Session& session) const {
+    FilterBenchOptions options = filterOptions(*this, elevations, rounds);
+    const std::uint64_t number = seed ? parseSeed(*seed, "--seed") : 1;
+    Scenario scenario;
+    if (reliefDepth) {
+        const std::string option = "--relief-depth";
+        setScenarioNumber(scenario, "relief-depth", parseNumber(*reliefDepth, option), option);
+    }
+    for (const Pictures& one : pictures) {
+        options.scenes.push_back(givenScene(one, color, scenario.reliefDepth, number, session));
+    }
+    if (pictures.empty()) {
+        for (const std::string& name : scenes ? splitText(*scenes, ',') : filterSceneNames()) {
+            options.scenes.push_back(namedScene(name, number));
+            FilterScene& scene = options.scenes.back();
+            if (!reliefDepth) continue;
+            scene.field =
+                HeightField(scene.field.sharedHeights(), Surface::Bilinear, Address::Repeat, scenario.reliefDepth);
+        }
+    }
+    std::optional<Journal> journal;
+    if (output) journal.emplace(*output, filterBenchCsvHeader());
+    options.onRow = [&](const FilterBenchRow& row) {
+        if (journal) journal->write(filterBenchCsvLine(row));
+    };
+    const std::vector<FilterBenchRow> rows = benchFilters(options, session.work());
+    session.eraseBar();
+    if (output) {
+        TextOutput file(*output, session.stop());
+        file.write(fileText(rows, fileEnding(*output) == "json"));
+        file.commit();
+        journal->remove();
+    } else {
+        const bool terminal = isatty(STDOUT_FILENO) == 1;
+        writeStandardOutput(terminal ? filterBenchText(rows) : fileText(rows, false), session.stop());
+    }
+    return 0;
+}
+
+}  // namespace relief::app
