@@ -137,7 +137,7 @@ TEST_P(MeasureTest, FiltersAgainstTheReference) {
                                         "--elevations", "40",        "--size",
                                         "48x32",        "--samples", "4",
                                         "--rounds",     "1",         "--pixel-models",
-                                        "gaussian,lcd", "-o",        "f.csv"};
+                                        "gaussian,lcd", "-o",        path("f.csv")};
     const Result result = run(what);
     ASSERT_EQ(result.status, 0) << result.err;
     const auto rows = lines(read("f.csv"));
