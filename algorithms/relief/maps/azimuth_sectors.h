@@ -1,6 +1,7 @@
 // Which azimuth sectors a rectangle of directions meets. Sectors: azimuthSector() of distance_map.h.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -31,23 +32,34 @@ class AzimuthSectors {
     // the rectangle holds the origin.
     SectorSet meeting(double x0, double x1, double y0, double y1) const {
         if (count_ <= 2 || (x0 <= 0 && x1 >= 0 && y0 <= 0 && y1 >= 0)) return all();
-        // Borders are sines and cosines rounded; a corner this near a border counts on both sides.
-        const double slack = 1e-9 * (std::abs(x0) + std::abs(x1) + std::abs(y0) + std::abs(y1));
         SectorSet set = 0;
         for (int k = 0; k < count_; ++k) {
-            const Border& from = borders_[static_cast<std::size_t>(k)];
-            const Border& to = borders_[static_cast<std::size_t>(k) + 1];
-            // Corners in turn; sides: how far each lies on the inner side of both borders.
-            const std::array<Border, 4> corners{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
-            std::array<double, 4> after{};
-            std::array<double, 4> before{};
-            for (std::size_t n = 0; n < 4; ++n) {
-                after[n] = from.x * corners[n].y - from.y * corners[n].x + slack;
-                before[n] = corners[n].x * to.y - corners[n].y * to.x + slack;
-            }
-            if (meets(after, before)) set |= SectorSet{1} << k;
+            if (meets(k, x0, x1, y0, y1)) set |= SectorSet{1} << k;
         }
         return set;
+    }
+
+    // Whether sector k is among them.
+    bool meets(int k, double x0, double x1, double y0, double y1) const {
+        if (count_ <= 2 || (x0 <= 0 && x1 >= 0 && y0 <= 0 && y1 >= 0)) return true;
+        // Borders are sines and cosines rounded; a corner this near a border counts on both sides.
+        const double slack = 1e-9 * (std::abs(x0) + std::abs(x1) + std::abs(y0) + std::abs(y1));
+        const Border& from = borders_[static_cast<std::size_t>(k)];
+        const Border& to = borders_[static_cast<std::size_t>(k) + 1];
+        // Wholly beyond a border, or its middle between both: most rectangles are one or the other.
+        const auto most = [&](double a, double b) { return std::max(a * x0, a * x1) + std::max(b * y0, b * y1); };
+        if (most(-from.y, from.x) + slack < 0 || most(to.y, -to.x) + slack < 0) return false;
+        const Border middle{0.5 * (x0 + x1), 0.5 * (y0 + y1)};
+        if (from.x * middle.y > from.y * middle.x && middle.x * to.y > middle.y * to.x) return true;
+        // Corners in turn; sides: how far each lies on the inner side of both borders.
+        const std::array<Border, 4> corners{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
+        std::array<double, 4> after{};
+        std::array<double, 4> before{};
+        for (std::size_t n = 0; n < 4; ++n) {
+            after[n] = from.x * corners[n].y - from.y * corners[n].x + slack;
+            before[n] = corners[n].x * to.y - corners[n].y * to.x + slack;
+        }
+        return meets(after, before);
     }
 
   private:

@@ -7,10 +7,11 @@
 
 namespace relief {
 
-// kappa of every cell by branch and bound over the max pyramid: a node is opened only if its maximum, at its least gap,
-// could still steepen the slope. O(N^2 log N) on ordinary reliefs. apex: A of each cell.
-void conservativeCones(const HeightField& field, int sectors, std::vector<float>& apex, std::vector<float>& slopes,
-                       Work& work);
+// How much steeper a conservative cone may be stored than it must be, as a share.
+inline constexpr double kConeSlack = 0.01;
+// kappa of every cell, all sectors; at least what is needed, at most 1 + slack times that. apex: A of each cell.
+void conservativeCones(const HeightField& field, int sectors, double slack, std::vector<float>& apex,
+                       std::vector<float>& slopes, Work& work);
 // The same between texel centres, without a guard: (h_q - h_p) / |q - p|.
 void dummerCones(const HeightField& field, std::vector<float>& slopes, Work& work);
 // Policarpo & Oliveira: along sampled azimuths, for each texel seen from above the apex, where the ray through it

@@ -45,7 +45,7 @@ ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const Heig
     std::vector<float> apex;
     switch (kind) {
         case ConeKind::Conservative:
-            conservativeCones(field, parameters.sectors, apex, slopes, work);
+            conservativeCones(field, parameters.sectors, kConeSlack, apex, slopes, work);
             break;
         case ConeKind::Dummer:
             dummerCones(field, slopes, work);

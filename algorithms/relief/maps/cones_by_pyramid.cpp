@@ -153,53 +153,7 @@ void overRows(const char* what, int rows, Work& work, const Body& body) {
     work.throwIfStopped();
 }
 
-float highestAround(const FloatImage& cells, const CellGrid& grid, int x, int y) {
-    const auto place = [](const GridAxis& axis, int k) {
-        return axis.wraps ? (k + axis.cells) % axis.cells : std::clamp(k, 0, axis.cells - 1);
-    };
-    float highest = 0;
-    for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-            highest = std::max(highest, cells(place(grid.x, x + dx), place(grid.y, y + dy)));
-        }
-    }
-    return highest;
-}
-
 }  // namespace
-
-void conservativeCones(const HeightField& field, int sectors, std::vector<float>& apex, std::vector<float>& slopes,
-                       Work& work) {
-    MapCache own;
-    const auto map = maxPyramidMap(field, own, work);
-    const FloatImage& cells = map->pyramid.level(0);
-    const CellGrid grid(field);
-    const bool wraps = field.address() == Address::Repeat;
-    // Cells farther than half a period have a copy that is nearer, but in another direction; the guard covers them.
-    const double reach =
-        wraps ? std::max(1.0, 0.5 * std::min(grid.x.cells, grid.y.cells)) : std::hypot(grid.x.cells, grid.y.cells);
-    const ConeSearch search(map->pyramid, wraps, field.address() == Address::Clamp, false, reach, sectors);
-    apex.resize(cells.size());
-    // Rounded up: float has 24 bits.
-    constexpr float kSteeper = 1 + 2.4e-7F;
-    overRows("map cone", cells.height(), work, [&](int y) {
-        std::array<double, kMaxSectors> kappa{};
-        ConeSearch::Seeds seeds;
-        for (int x = 0; x < cells.width(); ++x) {
-            const float top = highestAround(cells, grid, x, y);
-            const double guard = (static_cast<double>(map->highest()) - static_cast<double>(top)) / reach;
-            kappa.fill(guard);
-            search.search(x, y, top, kappa.data(), seeds);
-            const std::size_t at =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(cells.width()) + static_cast<std::size_t>(x);
-            apex[at] = top;
-            for (int k = 0; k < sectors; ++k) {
-                slopes[static_cast<std::size_t>(k) * cells.size() + at] =
-                    static_cast<float>(kappa[static_cast<std::size_t>(k)]) * kSteeper;
-            }
-        }
-    });
-}
 
 void dummerCones(const HeightField& field, std::vector<float>& slopes, Work& work) {
     const Pyramid pyramid(PyramidKind::Max, field.heights(), work);

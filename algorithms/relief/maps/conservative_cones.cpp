@@ -1,0 +1,443 @@
+// Conservative cones. For a block of cells, the nodes of the max pyramid that may steepen one of them; for each of its
+// cells, those of the nodes that may steepen its own; these are opened down to the cell that does, to within a slack.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "relief/maps/azimuth_sectors.h"
+#include "relief/maps/cone_builders.h"
+#include "relief/maps/cone_lanes.h"
+#include "relief/maps/cone_planes.h"
+#include "relief/maps/max_pyramid_map.h"
+
+namespace relief {
+
+namespace {
+
+constexpr int kBlock = 8;               // cells across
+constexpr double kRounded = 1 - 1e-12;  // squares of doubles
+constexpr std::size_t kBlockCells = kBlock * kBlock;
+constexpr int kNear = 3;  // cells around a cell that are looked at first
+constexpr int kWindow = kBlock + 2 * kNear;
+
+// A cell that decided a slope, in any period.
+struct Decider {
+    int x = 0;
+    int y = 0;
+    double height = 0;
+    bool operator==(const Decider&) const = default;
+};
+
+struct Cells {
+    int x0, x1, y0, y1;  // [x0, x1) x [y0, y1)
+};
+
+struct Scene {
+    Scene(const HeightField& field, const MaxPyramidMap& map, int sectorCount, double slackShare, Work& work)
+        : grid(field),
+          cells(map.pyramid.level(0)),
+          planes(map.pyramid, work),
+          wraps(field.address() == Address::Repeat),
+          unbounded(field.address() == Address::Clamp),
+          width(cells.width()),
+          height(cells.height()),
+          reach(wraps ? std::max(1.0, 0.5 * std::min(width, height)) : std::hypot(width, height)),
+          squaredReach(reach * reach),
+          highest(static_cast<double>(map.highest())),
+          looser(1 + slackShare),
+          sectors(sectorCount) {}
+
+    CellGrid grid;
+    const FloatImage& cells;
+    ConePlanes planes;
+    bool wraps;
+    bool unbounded;  // clamp: the outermost cells have no outer edge
+    int width;
+    int height;
+    // Cells farther than half a period have a copy that is nearer, but in another direction; the guard covers them.
+    double reach;
+    double squaredReach;
+    double highest;
+    double looser;
+    AzimuthSectors sectors;
+
+    static int place(const GridAxis& axis, int k) {
+        return axis.wraps ? ((k % axis.cells) + axis.cells) % axis.cells : std::clamp(k, 0, axis.cells - 1);
+    }
+    // Whether a direction from a cell of `from` to one of `to` is in a sector.
+    bool meets(const Cells& from, const Cells& to, int sector) const {
+        if (sectors.count() == 1) return true;
+        double x0 = to.x0 - from.x1;
+        double x1 = to.x1 - from.x0;
+        double y0 = to.y0 - from.y1;
+        double y1 = to.y1 - from.y0;
+        if (unbounded) {
+            constexpr double kFar = 1e9;
+            if (from.x1 == width || to.x0 == 0) x0 = -kFar;
+            if (from.x0 == 0 || to.x1 == width) x1 = kFar;
+            if (from.y1 == height || to.y0 == 0) y0 = -kFar;
+            if (from.y0 == 0 || to.y1 == height) y1 = kFar;
+        }
+        return sectors.meets(sector, x0, x1, y0, y1);
+    }
+};
+
+// Exact: sides are below 2^15 cells, copies next to each other.
+std::int64_t squaredGap(const Cells& from, const Cells& to) {
+    const std::int64_t x = std::max({0, to.x0 - from.x1, from.x0 - to.x1});
+    const std::int64_t y = std::max({0, to.y0 - from.y1, from.y0 - to.y1});
+    return x * x + y * y;
+}
+
+// One block of cells; kept from one to the next of a row for what decided there.
+class BlockCones {
+  public:
+    explicit BlockCones(const Scene& scene) : scene_(scene) {}
+
+    void build(int x0, int y0, std::vector<float>& apex, std::vector<float>& slopes);
+
+  private:
+    // At least so far above the block's cells, seen from every one, must be what matters: falls by the gap.
+    struct Fall {
+        static constexpr int kSteps = 32;
+        std::array<double, kSteps> above{};
+        double flattest = 0;
+        double apex = 0;  // at the block's middle; a plane below the apexes
+        double slopeX = 0;
+        double slopeY = 0;
+        double lowest = 0;
+    };
+
+    void start(int x0, int y0);
+    void guess(int sector);
+    void measureFall();
+    void collect(int level, int i, int j, int shiftX, int shiftY, int sector);
+    bool matters(const ConePlanes::Node& node, const ConeNodes::Place& at, std::int64_t gap2) const;
+    void refine(std::size_t at, int sector);
+    void open(std::size_t at, const ConeNodes::Place& node, int sector);
+    void raise(std::size_t at, const Decider& by, int sector);
+    Cells cellsOf(const ConeNodes::Place& node) const {
+        return {(node.i << node.level) + node.shiftX, std::min((node.i + 1) << node.level, scene_.width) + node.shiftX,
+                (node.j << node.level) + node.shiftY,
+                std::min((node.j + 1) << node.level, scene_.height) + node.shiftY};
+    }
+    Cells cellAt(std::size_t at) const {
+        const int x = block_.x0 + static_cast<int>(at % kBlock);
+        const int y = block_.y0 + static_cast<int>(at / kBlock);
+        return {x, x + 1, y, y + 1};
+    }
+    // The block's cells that there are: at the picture's edge it is cut.
+    template <class Body>
+    void overCells(const Body& body) const {
+        for (int y = 0; y < block_.y1 - block_.y0; ++y) {
+            for (int x = 0; x < block_.x1 - block_.x0; ++x) body(static_cast<std::size_t>(y * kBlock + x));
+        }
+    }
+    template <class Body>
+    void fromEveryPeriod(const Body& body) const {
+        const int around = scene_.wraps ? 1 : 0;
+        body(0, 0);  // the own first: what it finds prunes the others
+        for (int py = -around; py <= around; ++py) {
+            for (int px = -around; px <= around; ++px) {
+                if (px != 0 || py != 0) body(px * scene_.width, py * scene_.height);
+            }
+        }
+    }
+
+    const Scene& scene_;
+    Cells block_{};
+    std::array<float, kWindow * kWindow> window_{};  // the cells around; -1: none
+    std::array<float, kBlockCells> apex_{};
+    std::array<double, kBlockCells> slope_{};  // attained by a cell, or the guard
+    std::array<Decider, kBlockCells> decider_{};
+    std::array<bool, kBlockCells> decided_{};
+    std::array<std::vector<Decider>, kMaxSectors> seeds_;
+    Fall fall_;
+    ConeNodes nodes_;
+    std::vector<std::uint32_t> which_;
+};
+
+void BlockCones::start(int x0, int y0) {
+    block_ = {x0, std::min(x0 + kBlock, scene_.width), y0, std::min(y0 + kBlock, scene_.height)};
+    const auto places = [](const GridAxis& axis, int from) {
+        std::array<int, kWindow> all{};
+        for (int n = 0; n < kWindow; ++n) {
+            const int k = from - kNear + n;
+            all[static_cast<std::size_t>(n)] = axis.wraps || (k >= 0 && k < axis.cells) ? Scene::place(axis, k) : -1;
+        }
+        return all;
+    };
+    const auto xs = places(scene_.grid.x, x0);
+    const auto ys = places(scene_.grid.y, y0);
+    auto* to = window_.data();
+    for (const int y : ys) {
+        for (const int x : xs) *to++ = x < 0 || y < 0 ? -1.0F : scene_.cells(x, y);
+    }
+    std::array<float, kWindow * kBlock> across{};
+    for (int y = 0; y < kWindow; ++y) {
+        for (int x = 0; x < kBlock; ++x) {
+            const float* cell = window_.data() + y * kWindow + x + kNear;
+            across[static_cast<std::size_t>(y * kBlock + x)] = std::max({cell[-1], cell[0], cell[1]});
+        }
+    }
+    for (int n = 0; n < kBlock * kBlock; ++n) {
+        const float* cell = across.data() + n + kNear * kBlock;
+        apex_[static_cast<std::size_t>(n)] = std::max({cell[-kBlock], cell[0], cell[kBlock]});
+    }
+}
+
+// Lower bounds of the slopes: the guard, the cells next to the 3 x 3, and what decided the last block.
+void BlockCones::guess(int sector) {
+    std::array<float, kBlockCells> steepest{};
+    std::array<int, kBlockCells> by{};  // place in the window from the cell's own
+    for (int y = -kNear; y <= kNear; ++y) {
+        for (int x = -kNear; x <= kNear; ++x) {
+            const auto gap2 = static_cast<double>(squaredGap({0, 1, 0, 1}, {x, x + 1, y, y + 1}));
+            if (gap2 == 0 || gap2 >= scene_.squaredReach) continue;
+            if (!scene_.sectors.meets(sector, x - 1, x + 1, y - 1, y + 1)) continue;
+            const auto inverse = static_cast<float>(1 / std::sqrt(gap2));
+            const int offset = y * kWindow + x;
+            for (int row = 0; row < kBlock; ++row) {
+                const float* cells = window_.data() + (row + kNear) * kWindow + kNear + offset;
+                const float* apexes = apex_.data() + row * kBlock;
+                float* best = steepest.data() + row * kBlock;
+                int* from = by.data() + row * kBlock;
+                for (int n = 0; n < kBlock; ++n) {
+                    const float slope = (cells[n] - apexes[n]) * inverse;
+                    from[n] = slope > best[n] ? offset : from[n];
+                    best[n] = std::max(best[n], slope);
+                }
+            }
+        }
+    }
+    overCells([&](std::size_t n) {
+        slope_[n] = (scene_.highest - static_cast<double>(apex_[n])) / scene_.reach;
+        decided_[n] = false;
+        if (by[n] != 0) {
+            const auto place = static_cast<std::size_t>((static_cast<int>(n) / kBlock + kNear) * kWindow +
+                                                        static_cast<int>(n) % kBlock + kNear + by[n]);
+            raise(n,
+                  {block_.x0 - kNear + static_cast<int>(place % kWindow),
+                   block_.y0 - kNear + static_cast<int>(place / kWindow), static_cast<double>(window_[place])},
+                  sector);
+        }
+    });
+    for (const Decider& seed : seeds_[static_cast<std::size_t>(sector)]) {
+        overCells([&](std::size_t n) { raise(n, seed, sector); });
+    }
+}
+
+void BlockCones::raise(std::size_t at, const Decider& by, int sector) {
+    const Cells cell = cellAt(at);
+    const Cells other{by.x, by.x + 1, by.y, by.y + 1};
+    const double rise = by.height - static_cast<double>(apex_[at]);
+    if (rise <= 0) return;
+    const auto gap2 = static_cast<double>(squaredGap(cell, other));
+    // Gap 0: the 3 x 3 cells, below the apex by its choice.
+    if (gap2 == 0 || gap2 >= scene_.squaredReach || !(rise * rise > slope_[at] * slope_[at] * gap2)) return;
+    if (!scene_.meets(cell, other, sector)) return;
+    slope_[at] = rise / std::sqrt(gap2);
+    decider_[at] = by;
+    decided_[at] = true;
+}
+
+void BlockCones::measureFall() {
+    static const std::array<double, Fall::kSteps> gaps = [] {
+        std::array<double, Fall::kSteps> all{};
+        for (int k = 1; k < Fall::kSteps; ++k) all[static_cast<std::size_t>(k)] = std::exp2(0.5 * (k - 1));
+        return all;
+    }();
+    constexpr double kMost = std::numeric_limits<double>::infinity();
+    const double middleX = 0.5 * (block_.x1 - block_.x0 - 1);
+    const double middleY = 0.5 * (block_.y1 - block_.y0 - 1);
+    const auto wayX = [&](std::size_t n) { return static_cast<double>(n % kBlock) - middleX; };
+    const auto wayY = [&](std::size_t n) { return static_cast<double>(n / kBlock) - middleY; };
+    double sumX = 0;
+    double sumY = 0;
+    double squareX = 0;
+    double squareY = 0;
+    fall_ = {};
+    fall_.above.fill(-kMost);
+    fall_.flattest = fall_.lowest = fall_.apex = kMost;
+    overCells([&](std::size_t n) {
+        const auto apex = static_cast<double>(apex_[n]);
+        const double slope = slope_[n] * scene_.looser;
+        sumX += wayX(n) * apex;
+        sumY += wayY(n) * apex;
+        squareX += wayX(n) * wayX(n);
+        squareY += wayY(n) * wayY(n);
+        fall_.flattest = std::min(fall_.flattest, slope);
+        fall_.lowest = std::min(fall_.lowest, apex);
+        for (std::size_t k = 0; k < gaps.size(); ++k) {
+            fall_.above[k] = std::max(fall_.above[k], -apex - slope * gaps[k]);
+        }
+    });
+    fall_.slopeX = squareX > 0 ? sumX / squareX : 0;
+    fall_.slopeY = squareY > 0 ? sumY / squareY : 0;
+    overCells([&](std::size_t n) {
+        fall_.apex =
+            std::min(fall_.apex, static_cast<double>(apex_[n]) - fall_.slopeX * wayX(n) - fall_.slopeY * wayY(n));
+    });
+}
+
+// Whether a cell of the node may rise above the cone of a cell of the block: by the maximum at the least gap, and by
+// the planes, the gap from below by its tangent between the middles (it is convex).
+bool BlockCones::matters(const ConePlanes::Node& node, const ConeNodes::Place& at, std::int64_t gap2) const {
+    constexpr double kMargin = 1e-9;
+    const int step = std::min(static_cast<int>(std::bit_width(static_cast<std::uint64_t>(gap2))), Fall::kSteps - 1);
+    if (static_cast<double>(node.highest) + fall_.above[static_cast<std::size_t>(step)] <= 0) return false;
+    const NodeSpan x = NodeSpan::of(at.level, at.i, scene_.width);
+    const NodeSpan y = NodeSpan::of(at.level, at.j, scene_.height);
+    const double wayX = x.middle + at.shiftX - 0.5 * (block_.x0 + block_.x1 - 1);
+    const double wayY = y.middle + at.shiftY - 0.5 * (block_.y0 + block_.y1 - 1);
+    const double gapX = std::max(std::abs(wayX) - 1, 0.0);
+    const double gapY = std::max(std::abs(wayY) - 1, 0.0);
+    const double away = std::sqrt(gapX * gapX + gapY * gapY);
+    const double share = away > 0 ? fall_.flattest / away : 0.0;
+    const double fallX = std::copysign(share * gapX, wayX);
+    const double fallY = std::copysign(share * gapY, wayY);
+    const double halfX = 0.5 * (block_.x1 - block_.x0 - 1);
+    const double halfY = 0.5 * (block_.y1 - block_.y0 - 1);
+    const double room = static_cast<double>(node.value) - fall_.apex - fall_.flattest * away +
+                        x.half * std::abs(static_cast<double>(node.gradientX) - fallX) +
+                        y.half * std::abs(static_cast<double>(node.gradientY) - fallY) +
+                        halfX * std::abs(fall_.slopeX - fallX) + halfY * std::abs(fall_.slopeY - fallY);
+    return room > -kMargin;
+}
+
+void BlockCones::collect(int level, int i, int j, int shiftX, int shiftY, int sector) {
+    const ConePlanes::Node& node = scene_.planes.at(level, i, j);
+    if (static_cast<double>(node.highest) <= fall_.lowest) return;
+    const ConeNodes::Place at{level, i, j, shiftX, shiftY};
+    const Cells cells = cellsOf(at);
+    const std::int64_t gap2 = squaredGap(block_, cells);
+    if (static_cast<double>(gap2) >= scene_.squaredReach || !matters(node, at, gap2) ||
+        !scene_.meets(block_, cells, sector))
+        return;
+    // Smaller nodes than this tell the block's cells no more.
+    constexpr std::int64_t kFine = 4;
+    constexpr int kSmallest = 1;
+    const std::int64_t size = kFine << level;
+    if (level <= kSmallest || size * size <= gap2) {
+        const NodeSpan x = NodeSpan::of(level, i, scene_.width);
+        const NodeSpan y = NodeSpan::of(level, j, scene_.height);
+        const auto narrow = [](double value) { return static_cast<float>(value); };
+        nodes_.add(narrow(x.middle + shiftX - block_.x0), narrow(y.middle + shiftY - block_.y0), narrow(x.half),
+                   narrow(y.half), node.highest, node.value, node.gradientX, node.gradientY, at);
+        return;
+    }
+    for (int cj = 2 * j; cj < std::min(2 * j + 2, scene_.planes.height(level - 1)); ++cj) {
+        for (int ci = 2 * i; ci < std::min(2 * i + 2, scene_.planes.width(level - 1)); ++ci) {
+            collect(level - 1, ci, cj, shiftX, shiftY, sector);
+        }
+    }
+}
+
+// A node that may steepen this cell, down to its cells.
+void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) {
+    const Cells cell = cellAt(at);
+    const auto apex = static_cast<double>(apex_[at]);
+    const ConePlanes::Node& plane = scene_.planes.at(node.level, node.i, node.j);
+    const double rise = static_cast<double>(plane.highest) - apex;
+    if (rise <= 0) return;
+    const Cells cells = cellsOf(node);
+    const auto gap2 = static_cast<double>(squaredGap(cell, cells));
+    const double slope = slope_[at] * scene_.looser;
+    if (gap2 >= scene_.squaredReach || rise * rise < slope * slope * gap2 * kRounded) return;
+    if (node.level == 0) {
+        raise(at, {cells.x0, cells.y0, static_cast<double>(plane.highest)}, sector);
+        return;
+    }
+    constexpr double kMargin = 1e-9;
+    const NodeSpan x = NodeSpan::of(node.level, node.i, scene_.width);
+    const NodeSpan y = NodeSpan::of(node.level, node.j, scene_.height);
+    const double wayX = x.middle + node.shiftX - cell.x0;
+    const double wayY = y.middle + node.shiftY - cell.y0;
+    const double gapX = std::max(std::abs(wayX) - 1, 0.0);
+    const double gapY = std::max(std::abs(wayY) - 1, 0.0);
+    const double away = std::sqrt(gapX * gapX + gapY * gapY);
+    const double share = away > 0 ? slope / away : 0.0;
+    const double room = static_cast<double>(plane.value) - apex - slope * away +
+                        x.half * std::abs(static_cast<double>(plane.gradientX) - std::copysign(share * gapX, wayX)) +
+                        y.half * std::abs(static_cast<double>(plane.gradientY) - std::copysign(share * gapY, wayY));
+    if (room <= -kMargin || !scene_.meets(cell, cells, sector)) return;
+    // The nearer children first.
+    const int nearX = wayX > 0 ? 0 : 1;
+    const int nearY = wayY > 0 ? 0 : 1;
+    for (int n = 0; n < 4; ++n) {
+        const int ci = 2 * node.i + (nearX ^ (n & 1));
+        const int cj = 2 * node.j + (nearY ^ (n >> 1));
+        if (ci < scene_.planes.width(node.level - 1) && cj < scene_.planes.height(node.level - 1)) {
+            open(at, {node.level - 1, ci, cj, node.shiftX, node.shiftY}, sector);
+        }
+    }
+}
+
+void BlockCones::refine(std::size_t at, int sector) {
+    // What decided its neighbours is likely to decide this one.
+    if (at % kBlock > 0 && decided_[at - 1]) raise(at, decider_[at - 1], sector);
+    if (at >= kBlock && decided_[at - kBlock]) raise(at, decider_[at - kBlock], sector);
+    const std::size_t found = nodesAbove(nodes_, static_cast<float>(at % kBlock), static_cast<float>(at / kBlock),
+                                         apex_[at], static_cast<float>(slope_[at] * scene_.looser), which_.data());
+    for (std::size_t n = 0; n < found; ++n) open(at, nodes_.places[which_[n]], sector);
+}
+
+void BlockCones::build(int x0, int y0, std::vector<float>& apex, std::vector<float>& slopes) {
+    start(x0, y0);
+    const std::size_t cells = scene_.cells.size();
+    const auto index = [&](std::size_t n) {
+        const Cells cell = cellAt(n);
+        return static_cast<std::size_t>(cell.y0) * static_cast<std::size_t>(scene_.width) +
+               static_cast<std::size_t>(cell.x0);
+    };
+    overCells([&](std::size_t n) { apex[index(n)] = apex_[n]; });
+    // Rounded up: float has 24 bits.
+    constexpr float kSteeper = 1 + 2.4e-7F;
+    for (int sector = 0; sector < scene_.sectors.count(); ++sector) {
+        guess(sector);
+        measureFall();
+        nodes_.clear();
+        fromEveryPeriod([&](int shiftX, int shiftY) { collect(scene_.planes.top(), 0, 0, shiftX, shiftY, sector); });
+        nodes_.finish();
+        which_.resize(nodes_.size() + 1);
+        std::vector<Decider>& seeds = seeds_[static_cast<std::size_t>(sector)];
+        seeds.clear();
+        overCells([&](std::size_t n) {
+            refine(n, sector);
+            slopes[static_cast<std::size_t>(sector) * cells + index(n)] =
+                static_cast<float>(slope_[n] * scene_.looser) * kSteeper;
+            constexpr std::size_t kSeeds = 4;
+            if (decided_[n] && seeds.size() < kSeeds &&
+                std::find(seeds.begin(), seeds.end(), decider_[n]) == seeds.end()) {
+                seeds.push_back(decider_[n]);
+            }
+        });
+    }
+}
+
+}  // namespace
+
+void conservativeCones(const HeightField& field, int sectors, double slack, std::vector<float>& apex,
+                       std::vector<float>& slopes, Work& work) {
+    MapCache own;
+    const auto map = maxPyramidMap(field, own, work);
+    const Scene scene(field, *map, sectors, slack, work);
+    apex.resize(scene.cells.size());
+    const int rows = (scene.height + kBlock - 1) / kBlock;
+    work.progress().begin("map cone", rows);
+    work.arena().execute([&] {
+        tbb::parallel_for(0, rows, [&](int row) {
+            BlockCones block(scene);
+            for (int x = 0; x < scene.width && !work.stopped(); x += kBlock) block.build(x, row * kBlock, apex, slopes);
+            work.progress().advance();
+        });
+    });
+    work.throwIfStopped();
+}
+
+}  // namespace relief
