@@ -15,7 +15,7 @@
 namespace relief {
 
 // Conservative: apex A on the highest of 3 x 3 cells, kappa = max over other cells q of (Cmax(q) - A) / gap(q); holds
-//   for every point of the cell and the interpolated surface. Cells of cell_grid.h.
+//   for every point of the cell and the interpolated surface. Stored up to kConeSlack steeper. Cells of cell_grid.h.
 // Dummer: apex on the texel's height, texel centres only; as published. Texels.
 // Relaxed: the widest cone within which a ray from outside crosses the surface at most once, from sampled directions.
 enum class ConeKind : std::uint8_t { Conservative, Dummer, Relaxed };

@@ -9,11 +9,9 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-#include "relief/maps/azimuth_sectors.h"
 #include "relief/maps/cone_builders.h"
 #include "relief/maps/cone_lanes.h"
-#include "relief/maps/cone_planes.h"
-#include "relief/maps/max_pyramid_map.h"
+#include "relief/maps/cone_scene.h"
 
 namespace relief {
 
@@ -25,79 +23,10 @@ constexpr std::size_t kBlockCells = kBlock * kBlock;
 constexpr int kNear = 3;  // cells around a cell that are looked at first
 constexpr int kWindow = kBlock + 2 * kNear;
 
-// A cell that decided a slope, in any period.
-struct Decider {
-    int x = 0;
-    int y = 0;
-    double height = 0;
-    bool operator==(const Decider&) const = default;
-};
-
-struct Cells {
-    int x0, x1, y0, y1;  // [x0, x1) x [y0, y1)
-};
-
-struct Scene {
-    Scene(const HeightField& field, const MaxPyramidMap& map, int sectorCount, double slackShare, Work& work)
-        : grid(field),
-          cells(map.pyramid.level(0)),
-          planes(map.pyramid, work),
-          wraps(field.address() == Address::Repeat),
-          unbounded(field.address() == Address::Clamp),
-          width(cells.width()),
-          height(cells.height()),
-          reach(wraps ? std::max(1.0, 0.5 * std::min(width, height)) : std::hypot(width, height)),
-          squaredReach(reach * reach),
-          highest(static_cast<double>(map.highest())),
-          looser(1 + slackShare),
-          sectors(sectorCount) {}
-
-    CellGrid grid;
-    const FloatImage& cells;
-    ConePlanes planes;
-    bool wraps;
-    bool unbounded;  // clamp: the outermost cells have no outer edge
-    int width;
-    int height;
-    // Cells farther than half a period have a copy that is nearer, but in another direction; the guard covers them.
-    double reach;
-    double squaredReach;
-    double highest;
-    double looser;
-    AzimuthSectors sectors;
-
-    static int place(const GridAxis& axis, int k) {
-        return axis.wraps ? ((k % axis.cells) + axis.cells) % axis.cells : std::clamp(k, 0, axis.cells - 1);
-    }
-    // Whether a direction from a cell of `from` to one of `to` is in a sector.
-    bool meets(const Cells& from, const Cells& to, int sector) const {
-        if (sectors.count() == 1) return true;
-        double x0 = to.x0 - from.x1;
-        double x1 = to.x1 - from.x0;
-        double y0 = to.y0 - from.y1;
-        double y1 = to.y1 - from.y0;
-        if (unbounded) {
-            constexpr double kFar = 1e9;
-            if (from.x1 == width || to.x0 == 0) x0 = -kFar;
-            if (from.x0 == 0 || to.x1 == width) x1 = kFar;
-            if (from.y1 == height || to.y0 == 0) y0 = -kFar;
-            if (from.y0 == 0 || to.y1 == height) y1 = kFar;
-        }
-        return sectors.meets(sector, x0, x1, y0, y1);
-    }
-};
-
-// Exact: sides are below 2^15 cells, copies next to each other.
-std::int64_t squaredGap(const Cells& from, const Cells& to) {
-    const std::int64_t x = std::max({0, to.x0 - from.x1, from.x0 - to.x1});
-    const std::int64_t y = std::max({0, to.y0 - from.y1, from.y0 - to.y1});
-    return x * x + y * y;
-}
-
 // One block of cells; kept from one to the next of a row for what decided there.
 class BlockCones {
   public:
-    explicit BlockCones(const Scene& scene) : scene_(scene) {}
+    explicit BlockCones(const ConeScene& scene) : scene_(scene) {}
 
     void build(int x0, int y0, std::vector<float>& apex, std::vector<float>& slopes);
 
@@ -120,13 +49,13 @@ class BlockCones {
     bool matters(const ConePlanes::Node& node, const ConeNodes::Place& at, std::int64_t gap2) const;
     void refine(std::size_t at, int sector);
     void open(std::size_t at, const ConeNodes::Place& node, int sector);
-    void raise(std::size_t at, const Decider& by, int sector);
-    Cells cellsOf(const ConeNodes::Place& node) const {
+    void raise(std::size_t at, const ConeDecider& by, int sector);
+    ConeCells cellsOf(const ConeNodes::Place& node) const {
         return {(node.i << node.level) + node.shiftX, std::min((node.i + 1) << node.level, scene_.width) + node.shiftX,
                 (node.j << node.level) + node.shiftY,
                 std::min((node.j + 1) << node.level, scene_.height) + node.shiftY};
     }
-    Cells cellAt(std::size_t at) const {
+    ConeCells cellAt(std::size_t at) const {
         const int x = block_.x0 + static_cast<int>(at % kBlock);
         const int y = block_.y0 + static_cast<int>(at / kBlock);
         return {x, x + 1, y, y + 1};
@@ -149,14 +78,14 @@ class BlockCones {
         }
     }
 
-    const Scene& scene_;
-    Cells block_{};
+    const ConeScene& scene_;
+    ConeCells block_{};
     std::array<float, kWindow * kWindow> window_{};  // the cells around; -1: none
     std::array<float, kBlockCells> apex_{};
     std::array<double, kBlockCells> slope_{};  // attained by a cell, or the guard
-    std::array<Decider, kBlockCells> decider_{};
+    std::array<ConeDecider, kBlockCells> decider_{};
     std::array<bool, kBlockCells> decided_{};
-    std::array<std::vector<Decider>, kMaxSectors> seeds_;
+    std::array<std::vector<ConeDecider>, kMaxSectors> seeds_;
     Fall fall_;
     ConeNodes nodes_;
     std::vector<std::uint32_t> which_;
@@ -168,7 +97,8 @@ void BlockCones::start(int x0, int y0) {
         std::array<int, kWindow> all{};
         for (int n = 0; n < kWindow; ++n) {
             const int k = from - kNear + n;
-            all[static_cast<std::size_t>(n)] = axis.wraps || (k >= 0 && k < axis.cells) ? Scene::place(axis, k) : -1;
+            all[static_cast<std::size_t>(n)] =
+                axis.wraps || (k >= 0 && k < axis.cells) ? ConeScene::place(axis, k) : -1;
         }
         return all;
     };
@@ -227,14 +157,14 @@ void BlockCones::guess(int sector) {
                   sector);
         }
     });
-    for (const Decider& seed : seeds_[static_cast<std::size_t>(sector)]) {
+    for (const ConeDecider& seed : seeds_[static_cast<std::size_t>(sector)]) {
         overCells([&](std::size_t n) { raise(n, seed, sector); });
     }
 }
 
-void BlockCones::raise(std::size_t at, const Decider& by, int sector) {
-    const Cells cell = cellAt(at);
-    const Cells other{by.x, by.x + 1, by.y, by.y + 1};
+void BlockCones::raise(std::size_t at, const ConeDecider& by, int sector) {
+    const ConeCells cell = cellAt(at);
+    const ConeCells other{by.x, by.x + 1, by.y, by.y + 1};
     const double rise = by.height - static_cast<double>(apex_[at]);
     if (rise <= 0) return;
     const auto gap2 = static_cast<double>(squaredGap(cell, other));
@@ -295,18 +225,11 @@ bool BlockCones::matters(const ConePlanes::Node& node, const ConeNodes::Place& a
     const NodeSpan y = NodeSpan::of(at.level, at.j, scene_.height);
     const double wayX = x.middle + at.shiftX - 0.5 * (block_.x0 + block_.x1 - 1);
     const double wayY = y.middle + at.shiftY - 0.5 * (block_.y0 + block_.y1 - 1);
-    const double gapX = std::max(std::abs(wayX) - 1, 0.0);
-    const double gapY = std::max(std::abs(wayY) - 1, 0.0);
-    const double away = std::sqrt(gapX * gapX + gapY * gapY);
-    const double share = away > 0 ? fall_.flattest / away : 0.0;
-    const double fallX = std::copysign(share * gapX, wayX);
-    const double fallY = std::copysign(share * gapY, wayY);
+    const ConeTangent fall(wayX, wayY, fall_.flattest);
     const double halfX = 0.5 * (block_.x1 - block_.x0 - 1);
     const double halfY = 0.5 * (block_.y1 - block_.y0 - 1);
-    const double room = static_cast<double>(node.value) - fall_.apex - fall_.flattest * away +
-                        x.half * std::abs(static_cast<double>(node.gradientX) - fallX) +
-                        y.half * std::abs(static_cast<double>(node.gradientY) - fallY) +
-                        halfX * std::abs(fall_.slopeX - fallX) + halfY * std::abs(fall_.slopeY - fallY);
+    const double room = fall.room(node, x, y) - fall_.apex + halfX * std::abs(fall_.slopeX - fall.x) +
+                        halfY * std::abs(fall_.slopeY - fall.y);
     return room > -kMargin;
 }
 
@@ -314,7 +237,7 @@ void BlockCones::collect(int level, int i, int j, int shiftX, int shiftY, int se
     const ConePlanes::Node& node = scene_.planes.at(level, i, j);
     if (static_cast<double>(node.highest) <= fall_.lowest) return;
     const ConeNodes::Place at{level, i, j, shiftX, shiftY};
-    const Cells cells = cellsOf(at);
+    const ConeCells cells = cellsOf(at);
     const std::int64_t gap2 = squaredGap(block_, cells);
     if (static_cast<double>(gap2) >= scene_.squaredReach || !matters(node, at, gap2) ||
         !scene_.meets(block_, cells, sector))
@@ -340,12 +263,12 @@ void BlockCones::collect(int level, int i, int j, int shiftX, int shiftY, int se
 
 // A node that may steepen this cell, down to its cells.
 void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) {
-    const Cells cell = cellAt(at);
+    const ConeCells cell = cellAt(at);
     const auto apex = static_cast<double>(apex_[at]);
     const ConePlanes::Node& plane = scene_.planes.at(node.level, node.i, node.j);
     const double rise = static_cast<double>(plane.highest) - apex;
     if (rise <= 0) return;
-    const Cells cells = cellsOf(node);
+    const ConeCells cells = cellsOf(node);
     const auto gap2 = static_cast<double>(squaredGap(cell, cells));
     const double slope = slope_[at] * scene_.looser;
     if (gap2 >= scene_.squaredReach || rise * rise < slope * slope * gap2 * kRounded) return;
@@ -358,13 +281,7 @@ void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) 
     const NodeSpan y = NodeSpan::of(node.level, node.j, scene_.height);
     const double wayX = x.middle + node.shiftX - cell.x0;
     const double wayY = y.middle + node.shiftY - cell.y0;
-    const double gapX = std::max(std::abs(wayX) - 1, 0.0);
-    const double gapY = std::max(std::abs(wayY) - 1, 0.0);
-    const double away = std::sqrt(gapX * gapX + gapY * gapY);
-    const double share = away > 0 ? slope / away : 0.0;
-    const double room = static_cast<double>(plane.value) - apex - slope * away +
-                        x.half * std::abs(static_cast<double>(plane.gradientX) - std::copysign(share * gapX, wayX)) +
-                        y.half * std::abs(static_cast<double>(plane.gradientY) - std::copysign(share * gapY, wayY));
+    const double room = ConeTangent(wayX, wayY, slope).room(plane, x, y) - apex;
     if (room <= -kMargin || !scene_.meets(cell, cells, sector)) return;
     // The nearer children first.
     const int nearX = wayX > 0 ? 0 : 1;
@@ -391,7 +308,7 @@ void BlockCones::build(int x0, int y0, std::vector<float>& apex, std::vector<flo
     start(x0, y0);
     const std::size_t cells = scene_.cells.size();
     const auto index = [&](std::size_t n) {
-        const Cells cell = cellAt(n);
+        const ConeCells cell = cellAt(n);
         return static_cast<std::size_t>(cell.y0) * static_cast<std::size_t>(scene_.width) +
                static_cast<std::size_t>(cell.x0);
     };
@@ -405,7 +322,7 @@ void BlockCones::build(int x0, int y0, std::vector<float>& apex, std::vector<flo
         fromEveryPeriod([&](int shiftX, int shiftY) { collect(scene_.planes.top(), 0, 0, shiftX, shiftY, sector); });
         nodes_.finish();
         which_.resize(nodes_.size() + 1);
-        std::vector<Decider>& seeds = seeds_[static_cast<std::size_t>(sector)];
+        std::vector<ConeDecider>& seeds = seeds_[static_cast<std::size_t>(sector)];
         seeds.clear();
         overCells([&](std::size_t n) {
             refine(n, sector);
@@ -426,7 +343,7 @@ void conservativeCones(const HeightField& field, int sectors, double slack, std:
                        std::vector<float>& slopes, Work& work) {
     MapCache own;
     const auto map = maxPyramidMap(field, own, work);
-    const Scene scene(field, *map, sectors, slack, work);
+    const ConeScene scene(field, *map, sectors, slack, work);
     apex.resize(scene.cells.size());
     const int rows = (scene.height + kBlock - 1) / kBlock;
     work.progress().begin("map cone", rows);
