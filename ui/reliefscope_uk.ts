@@ -4,6 +4,46 @@
 <context>
     <name>core</name>
     <message>
+        <source>u, v linear along the row, no perspective: wrong on purpose.</source>
+        <translation>u, v лінійні вздовж рядка, без перспективи: навмисно хибно.</translation>
+    </message>
+    <message>
+        <source>(A x + B y + C) / (G x + H y + I), the denominator made for each of u and v.</source>
+        <translation>(A x + B y + C) / (G x + H y + I), знаменник обчислюється окремо для u та для v.</translation>
+    </message>
+    <message>
+        <source>(u_t + A n) / (u_b + G n): what does not change along a row once.</source>
+        <translation>(u_t + A n) / (u_b + G n): що вздовж рядка не змінюється, обчислюється раз.</translation>
+    </message>
+    <message>
+        <source>w += A, q += G, a denominator for each of u and v. Starts again from an exact value every anchor pixels; without that it drifts.</source>
+        <translation>w += A, q += G, знаменник окремо для u та для v. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+    </message>
+    <message>
+        <source>The same with one q for u and v. Starts again from an exact value every anchor pixels; without that it drifts.</source>
+        <translation>Те саме з одним q для u та v. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+    </message>
+    <message>
+        <source>The same with one 1 / q for u and v. Starts again from an exact value every anchor pixels; without that it drifts.</source>
+        <translation>Те саме з одним 1 / q для u та v. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+    </message>
+    <message>
+        <source>Pixel n from pixel n - k, k streams at once; 2, 4, 8, 16 and 32 run in vector lanes. Starts again from an exact value every anchor pixels; without that it drifts.</source>
+        <translation>Піксель n із пікселя n - k, k потоків разом; 2, 4, 8, 16 та 32 ідуть у векторних смугах. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+    </message>
+    <message>
+        <source>From both ends of the row to its middle. Starts again from an exact value every anchor pixels; without that it drifts.</source>
+        <translation>Від обох кінців рядка до середини. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+    </message>
+    <message>
+        <source>Interleaved streams, the rows by several threads. Starts again from an exact value every anchor pixels; without that it drifts.</source>
+        <translation>Чергування потоків, рядки у кількох нитках процесора. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+    </message>
+    <message>
+        <source>A division every m pixels, u and v linear between; m as given, or the longest that keeps an error.</source>
+        <translation>Ділення кожні m пікселів, між ними u та v лінійні; m задане або найдовше, що зберігає похибку.</translation>
+    </message>
+    <message>
         <source>Steps to the edge of an empty cone above each cell; where the ray is below its apex, the cell itself is tested.</source>
         <translation>Кроки до краю порожнього конуса над кожною коміркою; де промінь нижче вершини конуса, перевіряється сама комірка.</translation>
     </message>
@@ -1100,6 +1140,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>Distance map</source>
         <translation>Карта відстаней</translation>
     </message>
+    <message>
+        <source>Rows</source>
+        <translation>Рядки</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -1541,6 +1585,133 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Move the camera</source>
         <translation>Пересунути камеру</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::RowsView</name>
+    <message>
+        <source>Rows</source>
+        <translation>Рядки</translation>
+    </message>
+    <message>
+        <source>variants</source>
+        <translation>варіанти</translation>
+    </message>
+    <message>
+        <source>Which variants are compared, and their options</source>
+        <translation>Які варіанти порівнюються, та їхні параметри</translation>
+    </message>
+    <message>
+        <source>How many pixels the picture is wide: on long rows rounding adds up</source>
+        <translation>Скільки пікселів завширшки картинка: на довгих рядках округлення накопичується</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s width</source>
+        <translation>ширина картинки</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 пікселів</translation>
+    </message>
+    <message>
+        <source>The numbers that the variants compute in</source>
+        <translation>Числа, якими обчислюють варіанти</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>лог.</translation>
+    </message>
+    <message>
+        <source>Errors on a logarithmic scale</source>
+        <translation>Похибки в логарифмічному масштабі</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>усе</translation>
+    </message>
+    <message>
+        <source>Show all of the row (R); wheel zooms, drag moves, click chooses a pixel</source>
+        <translation>Показати весь рядок (R); коліщатко наближує, перетягування рухає, клацання вибирає піксель</translation>
+    </message>
+    <message>
+        <source>Variant %1</source>
+        <translation>Варіант %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>немає</translation>
+    </message>
+    <message>
+        <source>Streams of the row</source>
+        <translation>Потоків у рядку</translation>
+    </message>
+    <message>
+        <source>Pixels between two divisions</source>
+        <translation>Пікселів між двома діленнями</translation>
+    </message>
+    <message>
+        <source>error ≤ </source>
+        <translation>похибка ≤ </translation>
+    </message>
+    <message>
+        <source>m as given</source>
+        <translation>m як задано</translation>
+    </message>
+    <message>
+        <source>The longest span that keeps this error, texels</source>
+        <translation>Найдовший відрізок, що зберігає цю похибку, тексели</translation>
+    </message>
+    <message>
+        <source>anchor </source>
+        <translation>перезапуск </translation>
+    </message>
+    <message>
+        <source>Pixels between exact restarts; 0: never; auto: as keeps 1/256 texel</source>
+        <translation>Пікселів між точними перезапусками; 0: ніколи; авто: щоб зберегти 1/256 текселя</translation>
+    </message>
+    <message>
+        <source>anchor: auto</source>
+        <translation>перезапуск: авто</translation>
+    </message>
+    <message>
+        <source>pixel %1</source>
+        <translation>піксель %1</translation>
+    </message>
+    <message>
+        <source> · beyond the horizon</source>
+        <translation> · за горизонтом</translation>
+    </message>
+    <message>
+        <source>: u %1, v %2, error %3 texels</source>
+        <translation>: u %1, v %2, похибка %3 текселів</translation>
+    </message>
+    <message>
+        <source> · stream %1 of %2</source>
+        <translation> · потік %1 із %2</translation>
+    </message>
+    <message>
+        <source> · made anew here</source>
+        <translation> · тут обчислено наново</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Копіювати значення</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Копіювати картинку</translation>
+    </message>
+    <message>
+        <source>Export figure…</source>
+        <translation>Експортувати рисунок…</translation>
+    </message>
+    <message>
+        <source>Export the rows</source>
+        <translation>Експорт рядків</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Рисунки</translation>
     </message>
 </context>
 <context>

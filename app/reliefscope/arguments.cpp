@@ -80,6 +80,10 @@ Arguments parseArguments(int count, char** arguments) {
             checkAxis(parsed.axis);
         } else if (argument == "--slice") {
             parsed.slice = wholeNumber(value(), argument);
+        } else if (argument == "--variants") {
+            parsed.variants = value();
+        } else if (argument == "--row-width") {
+            parsed.rowWidth = wholeNumber(value(), argument);
         } else if (argument == "--dark") {
             parsed.dark = true;
         } else if (argument == "--size") {
@@ -101,6 +105,9 @@ Arguments parseArguments(int count, char** arguments) {
     needs(!parsed.minus.empty() && !distance, "--minus", "--export distance");
     needs(!parsed.axis.empty() && !distance, "--axis", "--export distance");
     needs(parsed.slice >= 0 && !distance, "--slice", "--export distance");
+    const bool rows = parsed.figure == "rows";
+    needs(!parsed.variants.empty() && !rows, "--variants", "--export rows");
+    needs(parsed.rowWidth > 0 && !rows, "--row-width", "--export rows");
     return parsed;
 }
 
@@ -116,12 +123,15 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --size WxH            size of the window, pixels
   --screenshot FILE     open the window, save it as a PNG, and end
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
-                        VIEW: distance, profile, pyramid, result
+                        VIEW: distance, profile, pyramid, result, rows
   --map KIND            of distance: euclidean, euclidean-conservative, refined-sampled, refined, cone, cone-dummer,
                         relaxed-cone (the method's)
   --minus KIND          the difference: this map is taken away
   --axis x|y|z          slices at constant x, y or height (along the ray)
   --slice N             which one, from 0 (the one at the scenario's step)
+  --variants LIST       of rows: up to four, as relief bench rows takes them
+                        (affine,direct,incremental:anchor=0,streams:streams=4)
+  --row-width N         of rows: as if the picture were so many pixels wide
   --width MM            of the figure (160)
   --dpi N               pixels an inch of a PNG (300)
   --dark                light on dark, as in the window

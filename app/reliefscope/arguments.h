@@ -23,6 +23,9 @@ struct Arguments {
     std::string minus;
     std::string axis;  // "x", "y", "z"; empty: as the ray runs
     int slice = -1;    // -1: the one at the step
+    // Of the view "rows".
+    std::string variants;  // with commas between; empty: its own choice
+    int rowWidth = 0;      // 0: the picture's
 };
 
 // Throws InputError for what is not understood.

@@ -2,6 +2,8 @@
 // line before a window opens.
 #include <cstdio>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <QApplication>
 
@@ -60,6 +62,18 @@ std::string shippedPictures() {
     return reliefui::datasetsFolder(program.parent_path().string());
 }
 
+std::vector<std::string> betweenCommas(const std::string& text) {
+    std::vector<std::string> parts{{}};
+    for (const char c : text) {
+        if (c == ',') {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
 int exportFigure(int count, char** values, const Arguments& arguments) {
     reliefui::FigureRequest request;
     request.view = arguments.figure;
@@ -70,6 +84,8 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     request.distance.kind = arguments.map;
     request.distance.minus = arguments.minus;
     if (!arguments.axis.empty()) request.distance.axis = static_cast<reliefui::SliceAxis>(arguments.axis.front() - 'x');
+    if (!arguments.variants.empty()) request.rows.methods = betweenCommas(arguments.variants);
+    request.rows.pixels = arguments.rowWidth;
     if (arguments.slice >= 0) request.distance.slice = arguments.slice;
     reliefui::checkFigure(request, arguments.output);
     Start start = chosenStart(arguments.file, shippedPictures());

@@ -90,6 +90,9 @@ enum class Role : std::uint8_t {
     Title,
     Legend,
     Highlight,
+    Series,        // one of several things compared; which one, its tint says
+    SeriesDashed,  // another quantity of the same
+    Stream,        // of pixels computed in turn; which one, its tint says
     Count
 };
 Role roleOf(relief::Decision decision);
@@ -193,7 +196,7 @@ struct Label {
 
 using Primitive = std::variant<Rectangle, Cells, Area, Polyline, Circle, Ring, Marker, Hatch, Label>;
 
-// Of a pyramid: lines of role Plateau have the colour of their level.
+// Of a pyramid: lines of role Plateau have the colour of their level. Of series and streams: level is their number.
 struct LevelTint {
     int level = 0;
     int levels = 1;

@@ -47,7 +47,7 @@ struct ItemPainter {
     void operator()(const Rectangle& r) const {
         const Box box = screenBox(r, map, style.pixelsPerPoint());
         if (!box.overlaps(screen.grown(50))) return;
-        if (r.fill) painter.fillRect(qrect(box), qcolor(style.fill(item.role, item.emphasis)));
+        if (r.fill) painter.fillRect(qrect(box), qcolor(style.fill(item)));
         if (r.fill && item.emphasis != Emphasis::Strong) return;
         painter.setBrush(Qt::NoBrush);
         painter.setPen(qpen(stroke()));
@@ -110,7 +110,7 @@ struct ItemPainter {
         for (const Point& p : area.line) polygon << qpoint(map.toScreen(p));
         polygon << qpoint(map.toScreen(Point{area.line.back().x, area.base}));
         painter.setPen(Qt::NoPen);
-        painter.setBrush(qcolor(style.fill(item.role, item.emphasis)));
+        painter.setBrush(qcolor(style.fill(item)));
         painter.drawPolygon(polygon);
     }
 
@@ -143,7 +143,7 @@ struct ItemPainter {
 
     void operator()(const Circle& c) const {
         painter.setPen(qpen(stroke()));
-        painter.setBrush(c.fill ? QBrush(qcolor(style.fill(item.role, item.emphasis))) : QBrush(Qt::NoBrush));
+        painter.setBrush(c.fill ? QBrush(qcolor(style.fill(item))) : QBrush(Qt::NoBrush));
         painter.drawEllipse(qpoint(map.toScreen(c.center)), c.radius * map.scale, c.radius * map.scale);
     }
 
@@ -201,7 +201,7 @@ void paintLabel(QPainter& painter, const Item& item, const Label& label, const V
     const Box box = labelBox(label, map, width, height, style.pixelsPerPoint());
     if (box.empty() || !box.overlaps(screen)) return;
     if (!room.place(box) && label.yields) return;
-    Rgba color = style.color(item.role);
+    Rgba color = style.color(item);
     if (label.plate && item.emphasis == Emphasis::Faint) color.a = kFaintPlate;
     if (label.plate) {
         painter.setPen(Qt::NoPen);

@@ -17,6 +17,7 @@ constexpr Rgba kBlueGreen{0x00, 0x9E, 0x73, 255};
 constexpr Rgba kYellow{0xF0, 0xE4, 0x42, 255};
 constexpr Rgba kVermilion{0xD5, 0x5E, 0x00, 255};
 constexpr Rgba kReddishPurple{0xCC, 0x79, 0xA7, 255};
+constexpr Rgba kBlue{0x00, 0x72, 0xB2, 255};
 constexpr Rgba kMissGrey{0x99, 0x99, 0x99, 255};
 
 // Anchors of cividis (Nunez, Anderton, Renslow 2018), evenly spaced.
@@ -104,6 +105,11 @@ Rgba Style::color(Role role) const {
             return dark ? Rgba{0xF4, 0xF4, 0xF4, 255} : Rgba{0x18, 0x18, 0x18, 255};
         case Role::Plateau:
             return levelLine({});
+        case Role::Series:
+        case Role::SeriesDashed:
+            return series(0);
+        case Role::Stream:
+            return stream(0);
         case Role::Background:
             return background();
         case Role::HeightFill:
@@ -147,7 +153,12 @@ Stroke Style::stroke(Role role, Emphasis emphasis) const {
             dash = {3, 2.2};
             break;
         case Role::Plateau:
+        case Role::Series:
             width = 1.5;
+            break;
+        case Role::SeriesDashed:
+            width = 1.5;
+            dash = {5, 3};
             break;
         case Role::Overshoot:
             dash = {5, 2};
@@ -165,13 +176,41 @@ Stroke Style::stroke(Role role, Emphasis emphasis) const {
 
 Stroke Style::stroke(const Item& item) const {
     Stroke own = stroke(item.role, item.emphasis);
-    if (item.role != Role::Plateau) return own;
+    if (item.role != Role::Plateau) {
+        const std::uint8_t alpha = own.color.a;
+        own.color = color(item);
+        own.color.a = alpha;
+        return own;
+    }
     const std::uint8_t alpha = own.color.a;
     own.color = levelLine(item.tint);
     own.color.a = alpha;
     // Coarse ones are wider: seen also where a fine one of the same height lies on them.
     constexpr double kWider = 1.0;
     own.width *= 1 + kWider * item.tint.level / std::max(item.tint.levels - 1, 1);
+    return own;
+}
+
+Rgba Style::series(int number) const {
+    const std::array<Rgba, 4> colors{kVermilion, kMissGrey, kReddishPurple, theme == Theme::Dark ? kWhite : kBlack};
+    return colors[static_cast<std::size_t>(number) % colors.size()];
+}
+
+Rgba Style::stream(int number) const {
+    const bool dark = theme == Theme::Dark;  // yellow is hard to see on white, blue on black
+    const std::array<Rgba, 5> colors{kSkyBlue, kOrange, kBlueGreen, dark ? kYellow : kBlue, dark ? kBlue : kYellow};
+    return colors[static_cast<std::size_t>(number) % colors.size()];
+}
+
+Rgba Style::color(const Item& item) const {
+    if (item.role == Role::Series || item.role == Role::SeriesDashed) return series(item.tint.level);
+    if (item.role == Role::Stream) return stream(item.tint.level);
+    return color(item.role);
+}
+
+Rgba Style::fill(const Item& item) const {
+    Rgba own = color(item);
+    own.a = fill(item.role, item.emphasis).a;
     return own;
 }
 

@@ -50,11 +50,17 @@ struct Style {
     Stroke stroke(Role role, Emphasis emphasis) const;
     Stroke stroke(const Item& item) const;  // with its tint
     Rgba fill(Role role, Emphasis emphasis) const;
+    // With its tint.
+    Rgba color(const Item& item) const;
+    Rgba fill(const Item& item) const;
     // Black or white, whichever is read better on this ground.
     static Rgba textOn(Rgba ground);
 
     // The colour of a line that stands for a level: the part of the level map that is seen on this background.
     Rgba levelLine(const LevelTint& tint) const;
+    // Of a thing compared with others, of a stream of pixels: no colour of one is one of the other.
+    Rgba series(int number) const;
+    Rgba stream(int number) const;
 
     // t in [0, 1], clamped; NaN is shown as no colour of the map.
     Rgba mapped(ColorMap map, double t) const;

@@ -201,7 +201,8 @@ std::vector<Point> shapePolygon(Shape shape, double size) {
 }
 
 bool hasHalo(const Item& item) {
-    return item.emphasis != Emphasis::Faint && item.role != Role::Frame && item.role != Role::Plateau;
+    return item.emphasis != Emphasis::Faint && item.role != Role::Frame && item.role != Role::Plateau &&
+           item.role != Role::Series && item.role != Role::SeriesDashed && item.role != Role::Stream;
 }
 
 bool shapeFilled(Shape shape) {

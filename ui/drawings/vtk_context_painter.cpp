@@ -151,7 +151,7 @@ void VtkContextPainter::Pass::operator()(const Rectangle& r) {
     if (!whole.overlaps(screen.grown(50))) return;
     // Far zoomed in, only what is near the screen: dashes are counted out.
     const Box box = whole.cut(screen.grown(100));
-    if (r.fill) fillBox(box.cut(screen), style.fill(item->role, item->emphasis));
+    if (r.fill) fillBox(box.cut(screen), style.fill(*item));
     if (r.fill && item->emphasis != Emphasis::Strong) return;
     begin(style.stroke(*item));
     outline(box);
@@ -216,7 +216,7 @@ void VtkContextPainter::Pass::operator()(const Area& area) {
     if (area.line.size() < 2) return;
     flush();
     context().GetPen()->SetLineType(vtkPen::NO_PEN);
-    setBrush(style.fill(item->role, item->emphasis));
+    setBrush(style.fill(*item));
     std::vector<float> strip;
     const float base = flip(map.toScreen(Point{0, area.base}).y);
     for (const Point& p : area.line) {
@@ -252,7 +252,7 @@ void VtkContextPainter::Pass::operator()(const Polyline& l) {
 void VtkContextPainter::Pass::operator()(const Circle& c) {
     const Stroke own = style.stroke(*item);
     const Point at = map.toScreen(c.center);
-    if (c.fill) ring(at, c.radius * map.scale / 2, c.radius * map.scale, style.fill(item->role, item->emphasis));
+    if (c.fill) ring(at, c.radius * map.scale / 2, c.radius * map.scale, style.fill(*item));
     ring(at, c.radius * map.scale, own.width, own.color);
 }
 
@@ -312,7 +312,7 @@ void VtkContextPainter::Pass::label(const Label& l, LabelRoom& room) {
     const Box box = labelBox(l, map, width, height, style.pixelsPerPoint());
     if (box.empty() || !box.overlaps(screen)) return;
     if (!room.place(box) && l.yields) return;
-    Rgba color = style.color(item->role);
+    Rgba color = style.color(*item);
     if (l.plate && item->emphasis == Emphasis::Faint) color.a = kFaintPlate;
     if (l.plate) {
         fillBox(box, color);

@@ -9,6 +9,7 @@
 
 #include "drawings/qpainter_painter.h"
 #include "images/files.h"
+#include "measuring/bench_rows.h"
 #include "relief/maps/map_choice.h"
 #include "views/distance_maps.h"
 #include "views/result_painting.h"
@@ -26,6 +27,7 @@ constexpr double kPointsPerInch = 72;
 // Units of a page of vectors: fine enough for text, whose sizes are whole numbers of them.
 constexpr double kVectorDpi = 576;
 constexpr double kDrawingAspect = 0.56;  // height over width
+constexpr double kRowsAspect = 0.78;     // two plots, and what they cost
 constexpr double kLeastMm = 20;
 constexpr double kMostMm = 2000;
 constexpr double kLeastDpi = 20;
@@ -40,6 +42,7 @@ std::string endingOf(const std::string& path) {
 }
 
 double aspectOf(const Snapshot& snapshot, const FigureRequest& request) {
+    if (request.view == "rows") return kRowsAspect;
     if (request.view != "result") return kDrawingAspect;
     return static_cast<double>(snapshot.layer.image.height()) / std::max(1, snapshot.layer.image.width());
 }
@@ -116,6 +119,27 @@ void paintDistance(QPainter& painter, const Snapshot& snapshot, const DistanceOp
     paintFigure(painter, {&picture.drawing, &marks}, legend, page, style);
 }
 
+void paintRows(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
+               const Style& style) {
+    const std::optional<RowsPlace> place = rowsPlace(snapshot);
+    const std::vector<relief::RowMethod> methods = rowMethods(request.rows, "--variants");
+    if (!place || methods.empty()) {
+        const Drawing empty = emptyDrawing(place                     ? MessageId::DrawRowNoVariant
+                                           : snapshot.scenario.pixel ? MessageId::DrawNoRelief
+                                                                     : MessageId::DrawNoRow);
+        paintFigure(painter, {&empty}, {}, page, style);
+        return;
+    }
+    const RowsData data = rowsData(widened(*place, request.rows.pixels), methods, request.rows.inDouble);
+    const double unit = style.pixelsPerPoint();
+    const Drawing legend = rowsLegend(data, page.width() / unit - 12, style.language);
+    const Box room = figureRoom(legend, page, style);
+    const RowsFrame frame = rowsFrame(data, request.rows, request.rowsRange, room.width() / unit, room.height() / unit);
+    const Drawing axes = rowsAxes(data, frame);
+    const Drawing plots = rowsPlots(data, frame);
+    paintFigure(painter, {&axes, &plots}, legend, page, style);
+}
+
 void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
                double unitsPerPoint) {
     Style style = request.style;
@@ -128,6 +152,8 @@ void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
         paintPyramid(painter, snapshot, page, style);
     } else if (request.view == "distance") {
         paintDistance(painter, snapshot, request.distance, page, style);
+    } else if (request.view == "rows") {
+        paintRows(painter, snapshot, request, page, style);
     } else {
         paintProfile(painter, snapshot, request.profile, page, style);
     }
@@ -200,8 +226,24 @@ ProfileSource profileSource(const Snapshot& s) {
     return source;
 }
 
+std::optional<RowsPlace> rowsPlace(const Snapshot& s) {
+    if (!s.scenario.pixel || !s.frame || s.coarse) return std::nullopt;
+    const relief::PixelChoice pixel = *s.scenario.pixel;
+    const relief::VisiblePolygons visible = s.frame->visible(*s.request);
+    const relief::VisiblePolygon* polygon = visible.at(pixel.x, pixel.y, s.frame->width);
+    if (polygon == nullptr) return std::nullopt;
+    RowsPlace place;
+    place.map = polygon->texelFromScreen;
+    place.y = pixel.y + 0.5;
+    place.line = pixel.y;
+    place.span = polygon->span(pixel.y, s.frame->width);
+    place.width = s.frame->width;
+    place.chosen = pixel.x;
+    return place;
+}
+
 const std::vector<std::string>& figureViews() {
-    static const std::vector<std::string> kViews{"distance", "profile", "pyramid", "result"};
+    static const std::vector<std::string> kViews{"distance", "profile", "pyramid", "result", "rows"};
     return kViews;
 }
 
@@ -219,6 +261,10 @@ void checkFigure(const FigureRequest& request, const std::string& path) {
     }
     for (const std::string& kind : {request.distance.kind, request.distance.minus}) {
         if (!kind.empty()) relief::methodOfMap(kind);  // throws
+    }
+    if (request.view == "rows") {
+        rowMethods(request.rows, "--variants");  // throws
+        requireRange("--row-width", request.rows.pixels, 0, static_cast<double>(relief::kWidestRow));
     }
     requireRange("--width", request.widthMm, kLeastMm, kMostMm);
     requireRange("--dpi", request.dpi, kLeastDpi, kMostDpi);

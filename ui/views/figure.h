@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "drawings/distance_drawing.h"
 #include "drawings/profile_drawing.h"
 #include "drawings/pyramid_drawing.h"
+#include "drawings/rows_drawing.h"
 #include "drawings/style.h"
 #include "workspace/snapshot.h"
 
@@ -18,6 +20,8 @@ namespace reliefui {
 // What panes draw of a snapshot.
 PyramidSource pyramidSource(const Snapshot& snapshot, bool overCells, bool nearRay);
 ProfileSource profileSource(const Snapshot& snapshot);
+// Nothing where the chosen pixel shows the sky, or there is none. Not of coarse snapshots.
+std::optional<RowsPlace> rowsPlace(const Snapshot& snapshot);
 
 struct FigureRequest {
     std::string view;      // one of figureViews()
@@ -26,9 +30,11 @@ struct FigureRequest {
     Style style;           // theme and language; points are the page's
     ProfileOptions profile;
     DistanceOptions distance;
+    RowsOptions rows;
+    RowsRange rowsRange;
 };
 
-// "distance", "profile", "pyramid", "result".
+// "distance", "profile", "pyramid", "result", "rows".
 const std::vector<std::string>& figureViews();
 
 // SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown view, ending, width or resolution,

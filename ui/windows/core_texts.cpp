@@ -131,6 +131,29 @@ namespace {
     QT_TRANSLATE_NOOP("core", "eight terraces with vertical walls"),
     QT_TRANSLATE_NOOP("core", "blocks of 0 and 1"),
     QT_TRANSLATE_NOOP("core", "the 8 x 8 example of the max pyramid's paper"),
+    QT_TRANSLATE_NOOP("core", "u, v linear along the row, no perspective: wrong on purpose."),
+    QT_TRANSLATE_NOOP("core", "(A x + B y + C) / (G x + H y + I), the denominator made for each of u and v."),
+    QT_TRANSLATE_NOOP("core", "(u_t + A n) / (u_b + G n): what does not change along a row once."),
+    QT_TRANSLATE_NOOP("core",
+                      "w += A, q += G, a denominator for each of u and v. Starts again from an exact value every "
+                      "anchor pixels; without that it drifts."),
+    QT_TRANSLATE_NOOP("core",
+                      "The same with one q for u and v. Starts again from an exact value every anchor pixels; without "
+                      "that it drifts."),
+    QT_TRANSLATE_NOOP("core",
+                      "The same with one 1 / q for u and v. Starts again from an exact value every anchor pixels; "
+                      "without that it drifts."),
+    QT_TRANSLATE_NOOP("core",
+                      "Pixel n from pixel n - k, k streams at once; 2, 4, 8, 16 and 32 run in vector lanes. Starts "
+                      "again from an exact value every anchor pixels; without that it drifts."),
+    QT_TRANSLATE_NOOP("core",
+                      "From both ends of the row to its middle. Starts again from an exact value every anchor pixels; "
+                      "without that it drifts."),
+    QT_TRANSLATE_NOOP("core",
+                      "Interleaved streams, the rows by several threads. Starts again from an exact value every anchor "
+                      "pixels; without that it drifts."),
+    QT_TRANSLATE_NOOP(
+        "core", "A division every m pixels, u and v linear between; m as given, or the longest that keeps an error."),
 };
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "views/pyramid_view.h"
 #include "views/result_painting.h"
 #include "views/result_view.h"
+#include "views/rows_view.h"
 #include "views/step_table.h"
 #include "views/trace3d_view.h"
 #include "windows/message_bar.h"
@@ -121,6 +122,7 @@ void MainWindow::makePanes() {
     pyramid_ = new PyramidView(workspace_, this);
     profile_ = new ProfileView(workspace_, this);
     distance_ = new DistanceView(workspace_, this);
+    rows_ = new RowsView(workspace_, this);
     trace_ = new Trace3dView(workspace_, this);
     auto* const time = new QWidget(this);
     auto* const column = new QVBoxLayout(time);
@@ -154,6 +156,10 @@ void MainWindow::makePanes() {
     connect(distance_, &DistanceView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
             &PaneTitle::setNote);
     connect(distance_, &DistanceView::saved, this, say);
+    addPane(tr("Rows"), QStringLiteral("rows-pane"), rows_, rows_->canvas(), Qt::RightDockWidgetArea);
+    connect(rows_, &RowsView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
+            &PaneTitle::setNote);
+    connect(rows_, &RowsView::saved, this, say);
 }
 
 void MainWindow::makeMessages() {
@@ -193,6 +199,7 @@ void MainWindow::resetLayout() {
     splitDockWidget(trace, pyramid, Qt::Vertical);
     tabifyDockWidget(pyramid, panes_[5].dock);
     tabifyDockWidget(panes_[5].dock, panes_[6].dock);
+    for (std::size_t i = 7; i < panes_.size(); ++i) tabifyDockWidget(panes_[i - 1].dock, panes_[i].dock);
     for (const Pane& pane : panes_) pane.whole->show();
     pyramid->raise();
     shareRoom();

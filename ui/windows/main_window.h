@@ -18,6 +18,7 @@ class PaneTitle;
 class ProfileView;
 class PyramidView;
 class ResultView;
+class RowsView;
 class StatusLine;
 class StepBar;
 class StepTable;
@@ -35,6 +36,7 @@ class MainWindow : public QMainWindow {
     PyramidView* pyramid() { return pyramid_; }
     ProfileView* profile() { return profile_; }
     DistanceView* distance() { return distance_; }
+    RowsView* rows() { return rows_; }
     Trace3dView* trace() { return trace_; }
     StepTable* steps() { return steps_; }
     MessageBar* messages() { return messages_; }
@@ -100,6 +102,7 @@ class MainWindow : public QMainWindow {
     PyramidView* pyramid_ = nullptr;
     ProfileView* profile_ = nullptr;
     DistanceView* distance_ = nullptr;
+    RowsView* rows_ = nullptr;
     Trace3dView* trace_ = nullptr;
     StepTable* steps_ = nullptr;
     StepBar* stepBar_ = nullptr;

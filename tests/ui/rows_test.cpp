@@ -1,0 +1,396 @@
+// The rows pane: its data against closed forms, what it draws, and its use as a person would.
+#include <cmath>
+#include <map>
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QProcess>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTranslator>
+
+#include "drawings/rows_drawing.h"
+#include "errors.h"
+#include "measuring/bench_rows.h"
+#include "scenario/scenario.h"
+#include "views/drawing_canvas.h"
+#include "views/rows_view.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kPatienceMs = 20000;
+
+RowsPlace wallPlace(std::int64_t width, double elevation) {
+    RowsPlace place;
+    place.map = relief::obliqueWall(4096, width, elevation);
+    place.y = relief::wallRows(width, 3, elevation).firstY;
+    place.span = {0, width};
+    place.width = width;
+    place.chosen = width / 3;
+    return place;
+}
+
+RowsData dataOf(const RowsPlace& place, const std::vector<std::string>& methods, bool inDouble = false) {
+    RowsOptions options;
+    options.methods = methods;
+    return rowsData(place, rowMethods(options, "test"), inDouble);
+}
+
+std::vector<Item> itemsOf(const Drawing& drawing, Role role) {
+    std::vector<Item> items;
+    for (const Item& item : drawing.items) {
+        if (item.role == role) items.push_back(item);
+    }
+    return items;
+}
+
+TEST(Rows, AffineIsWorstWhereTheClosedFormSays) {
+    for (const double elevation : {60.0, 25.0, 8.0}) {
+        const RowsData data = dataOf(wallPlace(3840, elevation), {"affine"}, true);
+        ASSERT_TRUE(data.affine);
+        const relief::RowCurve& curve = data.row.curves[0];
+        // Pixels stand half a pixel at most from the place; there the error is flat.
+        EXPECT_NEAR(static_cast<double>(curve.worstPixel) + 0.5, data.affine->x, 1);
+        EXPECT_NEAR(curve.worst, data.affine->error, 1e-5 * data.affine->error);
+        const auto [low, high] = std::minmax_element(data.row.q.begin(), data.row.q.end());
+        const double root = std::sqrt(*high / *low);
+        EXPECT_NEAR(data.affine->share, (root - 1) / (root + 1), 1e-12);
+        const double change = std::abs(data.row.u.back() - data.row.u.front());
+        EXPECT_NEAR(curve.worst / change, data.affine->share, 1e-4);
+
+        // It is drawn there.
+        const RowsFrame frame = rowsFrame(data, {}, {}, 640, 400);
+        const auto marks = itemsOf(rowsPlots(data, frame), Role::Highlight);
+        ASSERT_EQ(marks.size(), 1u);
+        const Point at = std::get<Marker>(marks[0].primitive).at;
+        EXPECT_NEAR(frame.pixelAt(at.x), data.affine->x, 1e-6);
+        EXPECT_NEAR(at.y, frame.errorAt(curve.worst), 0.01);
+    }
+}
+
+TEST(Rows, AnchoredRowsStayBelowAWeightAndTheOthersDrift) {
+    const RowsData data = dataOf(wallPlace(65536, 8), {"incremental", "streams:streams=4", "incremental:anchor=0"});
+    EXPECT_LT(data.row.curves[0].worst, relief::kAnchorError);
+    EXPECT_LT(data.row.curves[1].worst, relief::kAnchorError);
+    EXPECT_GT(data.row.curves[2].worst, 100 * relief::kAnchorError);
+    RowsOptions options;
+    for (const bool logarithmic : {true, false}) {
+        options.logarithmic = logarithmic;
+        const RowsFrame frame = rowsFrame(data, options, {}, 640, 400);
+        const double weight = frame.errorAt(relief::kAnchorError);
+        // The lines: of the first and of the streams all below the line of 1/256, of the last not.
+        double highest[3] = {1e9, 1e9, 1e9};
+        int streams = 0;
+        for (const Item& item : rowsPlots(data, frame).items) {
+            const auto* line = std::get_if<Polyline>(&item.primitive);
+            if (line == nullptr || line->points.front().y < frame.lower.y0) continue;
+            if (item.role != Role::Series && item.role != Role::Stream) continue;
+            const int curve = item.role == Role::Stream ? 1 : item.tint.level;
+            streams += item.role == Role::Stream ? 1 : 0;
+            for (const Point& p : line->points) {
+                highest[curve] = std::min(highest[curve], p.y);
+                EXPECT_GE(p.y, frame.lower.y0 - 1e-9);
+                EXPECT_LE(p.y, frame.lower.y1 + 1e-9);
+            }
+        }
+        EXPECT_EQ(streams, 4) << "a line each";
+        EXPECT_GT(highest[0], weight);
+        EXPECT_GT(highest[1], weight);
+        EXPECT_LT(highest[2], weight);
+    }
+}
+
+TEST(Rows, StreamsHaveTheirColours) {
+    const RowsData data = dataOf(wallPlace(640, 25), {"streams:streams=4", "opposed"});
+    const RowsFrame frame = rowsFrame(data, {}, {100, 130}, 640, 400);
+    ASSERT_EQ(frame.lens, (relief::PixelSpan{100, 130}));
+    ASSERT_EQ(frame.strips.size(), 2u);
+    std::map<int, int> boxes;
+    for (const Item& item : itemsOf(rowsPlots(data, frame), Role::Stream)) {
+        const auto* box = std::get_if<Rectangle>(&item.primitive);
+        if (box == nullptr) continue;
+        const Point middle = box->box.center();
+        const RowsReading at = rowsReading(data, frame, middle);
+        ASSERT_TRUE(at.inside && at.curve);
+        const std::int64_t anchor = data.row.curves[0].anchor;
+        if (*at.curve == 0) {
+            const std::int64_t n = anchor > 0 ? at.pixel % anchor : at.pixel;
+            EXPECT_EQ(item.tint.level, n % 4) << at.pixel;
+        } else {
+            EXPECT_EQ(item.tint.level, at.pixel < 320 ? 0 : 1);
+        }
+        ++boxes[static_cast<int>(*at.curve)];
+    }
+    EXPECT_EQ(boxes[0], 30);
+    EXPECT_EQ(boxes[1], 30);
+    // No two neighbours look the same, in either theme.
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        Style style;
+        style.theme = theme;
+        for (int s = 0; s < 4; ++s) EXPECT_NE(style.stream(s), style.stream(s + 1));
+        for (int s = 0; s < 3; ++s) EXPECT_NE(style.series(s), style.series(s + 1));
+    }
+}
+
+TEST(Rows, AWiderPictureHasTheSameCoordinates) {
+    const RowsPlace place = wallPlace(640, 25);
+    const RowsPlace wide = widened(place, 65536);
+    EXPECT_EQ(wide.span, (relief::PixelSpan{0, 65536}));
+    const double scale = 65536.0 / 640;
+    for (const double x : {0.5, 200.25, 639.5}) {
+        const relief::TexelPoint a = place.map.at(x, place.y);
+        const relief::TexelPoint b = wide.map.at(x * scale, place.y);
+        EXPECT_NEAR(a.s, b.s, 1e-8);
+        EXPECT_NEAR(a.t, b.t, 1e-8);
+    }
+    EXPECT_NEAR(static_cast<double>(wide.chosen) / scale, static_cast<double>(place.chosen) + 0.5, 1);
+}
+
+TEST(Rows, CountsAreThePapers) {
+    const RowsData data = dataOf(wallPlace(640, 60), {"affine", "direct", "incremental:anchor=0", "streams:anchor=0"});
+    const double expected[4][3] = {{0, 2, 0}, {8, 8, 2}, {0, 4, 2}, {0, 3, 2}};
+    for (std::size_t c = 0; c < 4; ++c) {
+        EXPECT_EQ(data.counts[c].mul, expected[c][0]);
+        EXPECT_EQ(data.counts[c].add, expected[c][1]);
+        EXPECT_EQ(data.counts[c].div, expected[c][2]);
+    }
+}
+
+TEST(Rows, TheVariantsAreToldInUkrainian) {
+    QTranslator translator;
+    ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
+    for (const relief::RowMethodDescription& method : relief::rowMethodList()) {
+        if (!std::holds_alternative<relief::RowVariant>(method.kind)) continue;
+        EXPECT_FALSE(translator.translate("core", method.help.c_str()).isEmpty()) << method.help;
+    }
+}
+
+TEST(Rows, WhatIsNoRowVariantIsRefused) {
+    for (const char* const name : {"fill", "derivatives-direct", "nonsense", "streams:streams=0", "affine:anchor=3"}) {
+        RowsOptions options;
+        options.methods = {name};
+        EXPECT_THROW(rowMethods(options, "test"), relief::InputError) << name;
+    }
+    RowsOptions options;
+    options.methods.assign(kMostRowCurves + 1, "affine");
+    EXPECT_THROW(rowMethods(options, "test"), relief::InputError);
+}
+
+TEST(Rows, EveryVariantIsDrawnWithinThePlots) {
+    for (int v = 0; v < relief::kRowVariants; ++v) {
+        const std::string name(relief::rowVariantName(static_cast<relief::RowVariant>(v)));
+        for (const std::int64_t width : {std::int64_t{1}, std::int64_t{2}, std::int64_t{3}, std::int64_t{700}}) {
+            for (const bool inDouble : {false, true}) {
+                const RowsData data = dataOf(wallPlace(width, 8), {name}, inDouble);
+                const RowsFrame frame = rowsFrame(data, {}, {}, 500, 300);
+                for (const Item& item : rowsPlots(data, frame).items) {
+                    const auto* line = std::get_if<Polyline>(&item.primitive);
+                    if (line == nullptr) continue;
+                    for (const Point& p : line->points) {
+                        EXPECT_TRUE(frame.whole.contains(p)) << name << " " << width << " " << p.x << " " << p.y;
+                    }
+                }
+                EXPECT_FALSE(rowsLegend(data, 500, relief::Language::English).items.empty());
+                EXPECT_FALSE(rowsAxes(data, frame).items.empty());
+            }
+        }
+    }
+}
+
+class RowsPane : public WindowTest {
+  protected:
+    void openPane() {
+        relief::Scenario scenario = smallScenario();
+        scenario.camera.elevation = 35;
+        scenario.camera.azimuth = 50;
+        openWindow(scenario);
+        window_->findChild<QDockWidget*>(QStringLiteral("rows-pane"))->raise();
+        settle();
+        ASSERT_NE(view()->shown(), nullptr);
+    }
+    void settle() {
+        QTest::qWait(100);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled(); }, kPatienceMs));
+    }
+    RowsView* view() { return window_->rows(); }
+    DrawingCanvas* canvas() { return view()->canvas(); }
+};
+
+TEST_F(RowsPane, ItShowsTheRowOfTheChosenPixel) {
+    openPane();
+    EXPECT_GT(colorsIn(grab(canvas())), 50);
+    const auto shown = [&] { return *view()->shown(); };
+    EXPECT_EQ(shown().place.line, scenario().pixel->y);
+    EXPECT_EQ(shown().place.chosen, scenario().pixel->x);
+    // The ray of a pixel enters where the row says.
+    const auto i = static_cast<std::size_t>(shown().place.chosen - shown().row.span.begin);
+    constexpr double kRounding = 1e-6;
+    EXPECT_NEAR(shown().row.u[i], snapshot()->trace.ray.s0, kRounding);
+    EXPECT_NEAR(shown().row.v[i], snapshot()->trace.ray.t0, kRounding);
+
+    const int other = scenario().pixel->y - 20;
+    workspace_->choosePixel(scenario().pixel->x, other);
+    waitForFull();
+    settle();
+    EXPECT_EQ(shown().place.line, other);
+}
+
+TEST_F(RowsPane, AClickChoosesAPixelOfTheRowAndTheWheelZoomsAlongIt) {
+    openPane();
+    const RowsFrame home = view()->frame();
+    const double pixel = home.from + 0.7 * (home.to - home.from);
+    const QPoint at = canvas()->toWidget({home.xAt(pixel), home.lower.center().y}).toPoint();
+    QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, at);
+    waitForFull();
+    settle();
+    EXPECT_NEAR(scenario().pixel->x, pixel, 1 + (home.to - home.from) / home.upper.width());
+    EXPECT_EQ(view()->shown()->place.chosen, scenario().pixel->x);
+    QWheelEvent wheel(at, canvas()->mapToGlobal(at), {}, QPoint(0, 960), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(canvas(), &wheel);
+    const RowsFrame near = view()->frame();
+    EXPECT_LT(near.to - near.from, 0.3 * (home.to - home.from));
+    EXPECT_NEAR(near.xAt(pixel), home.xAt(pixel), 3);
+    QTest::mousePress(canvas(), Qt::LeftButton, Qt::NoModifier, at);
+    QMouseEvent move(QEvent::MouseMove, at + QPoint(40, 0), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(canvas(), &move);
+    QTest::mouseRelease(canvas(), Qt::LeftButton, Qt::NoModifier, at + QPoint(40, 0));
+    EXPECT_LT(view()->frame().from, near.from) << "dragged to the right";
+    const int before = scenario().pixel->x;
+    EXPECT_EQ(scenario().pixel->x, before) << "a drag chooses nothing";
+    QTest::keyClick(canvas(), Qt::Key_R);
+    EXPECT_EQ(view()->frame().from, home.from);
+    EXPECT_EQ(view()->frame().to, home.to);
+}
+
+TEST_F(RowsPane, HoverReadsOut) {
+    openPane();
+    // Filling the window: there is room for the strips.
+    QWidget* const title = window_->findChild<QDockWidget*>(QStringLiteral("rows-pane"))->titleBarWidget();
+    QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(60, title->height() / 2));
+    settle();
+    const RowsFrame& frame = view()->frame();
+    const RowsData& data = *view()->shown();
+    // On the line of the first variant, in the middle of the row.
+    const std::size_t curve = 3;
+    const auto pixel = static_cast<std::int64_t>((frame.from + frame.to) / 2);
+    const auto i = static_cast<std::size_t>(pixel - data.row.span.begin);
+    const Point at{frame.xAt(static_cast<double>(pixel) + 0.5), frame.yAt(data.row.curves[0].u[i])};
+    QTest::mouseMove(canvas(), canvas()->toWidget(at).toPoint());
+    QTest::qWait(50);
+    const QString text = view()->readout();
+    EXPECT_TRUE(text.contains(QStringLiteral("affine"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("error"))) << text.toStdString();
+    // In the strip of streams each pixel is its stream's.
+    ASSERT_EQ(frame.strips.size(), 1u);
+    const double part = (0.5 + static_cast<double>(frame.lens.size() / 2)) / static_cast<double>(frame.lens.size());
+    const Point box{frame.strips[0].x0 + part * frame.strips[0].width(), frame.strips[0].center().y};
+    QTest::mouseMove(canvas(), canvas()->toWidget(box).toPoint());
+    QTest::qWait(50);
+    const std::int64_t below = frame.lens.begin + frame.lens.size() / 2;
+    const std::int32_t stream = data.row.curves[curve].stream[static_cast<std::size_t>(below - data.row.span.begin)];
+    EXPECT_TRUE(view()->readout().contains(QStringLiteral("pixel %1 ").arg(below))) << view()->readout().toStdString();
+    EXPECT_TRUE(view()->readout().contains(QStringLiteral("stream %1 of 4").arg(stream)))
+        << view()->readout().toStdString();
+}
+
+TEST_F(RowsPane, TheControlsChooseVariantsAndWidth) {
+    openPane();
+    const QImage before = grab(canvas());
+    const auto find = [&](const char* name) { return view()->findChild<QWidget*>(QString::fromLatin1(name)); };
+    auto* const open = qobject_cast<QToolButton*>(find("rows-variants"));
+    open->click();
+    auto* const variant = qobject_cast<QComboBox*>(find("rows-3-variant"));
+    ASSERT_TRUE(variant != nullptr && variant->isVisible());
+    variant->setCurrentIndex(variant->findText(QStringLiteral("subspan")));
+    Q_EMIT variant->activated(variant->currentIndex());
+    settle();
+    EXPECT_EQ(view()->options().methods[2], "subspan");
+    auto* const span = qobject_cast<QSpinBox*>(find("rows-3-span"));
+    ASSERT_TRUE(span->isVisible());
+    span->setValue(32);
+    qobject_cast<QSpinBox*>(find("rows-4-streams"))->setValue(8);
+    settle();
+    EXPECT_EQ(view()->options().methods[2], "subspan:span=32");
+    EXPECT_EQ(view()->options().methods[3], "streams:streams=8");
+    EXPECT_EQ(view()->shown()->row.curves[2].options.span, 32);
+    auto* const pixels = qobject_cast<QComboBox*>(find("rows-pixels"));
+    pixels->setCurrentIndex(pixels->findData(65536));
+    Q_EMIT pixels->activated(pixels->currentIndex());
+    settle();
+    EXPECT_EQ(view()->shown()->place.width, 65536);
+    EXPECT_NE(grab(canvas()), before);
+    RowsOptions none;
+    none.methods.clear();
+    view()->setOptions(none);
+    settle();
+    EXPECT_EQ(view()->shown(), nullptr);
+    EXPECT_GT(colorsIn(grab(canvas())), 1) << "it says so";
+}
+
+TEST_F(RowsPane, TheSkyHasNoRow) {
+    openPane();
+    relief::Scenario scenario = this->scenario();
+    scenario.scene = relief::SceneKind::Cube;
+    scenario.camera.distance = 4;
+    scenario.pixel = relief::PixelChoice{0, 0};
+    workspace_->change(scenario, QStringLiteral("cube"));
+    waitForFull();
+    settle();
+    EXPECT_EQ(view()->shown(), nullptr);
+    EXPECT_GT(colorsIn(grab(canvas())), 1) << "it says so";
+}
+
+TEST_F(RowsPane, ItIsExportedAsItIsShown) {
+    openPane();
+    const QTemporaryDir folder;
+    for (const char* const ending : {"svg", "pdf", "png"}) {
+        const QString file = folder.filePath(QStringLiteral("rows.") + QString::fromLatin1(ending));
+        view()->saveFigure(file);
+        EXPECT_GT(QFileInfo(file).size(), 3000) << ending;
+    }
+    EXPECT_GT(colorsIn(view()->picture(800)), 50);
+}
+
+// By the program, without a display.
+TEST(Rows, TheProgramExportsThem) {
+    const QTemporaryDir folder;
+    const QString scenario = folder.filePath(QStringLiteral("scenario.json"));
+    relief::saveScenario(scenario.toStdString(), smallScenario());
+    const auto run = [&](const QStringList& more) {
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.remove(QStringLiteral("DISPLAY"));
+        environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
+        process.setProcessEnvironment(environment);
+        process.start(QStringLiteral(RELIEFSCOPE), QStringList{scenario} + more);
+        process.waitForFinished(60000);
+        return process.exitCode();
+    };
+    const QStringList exportTo{QStringLiteral("--export"), QStringLiteral("rows"), QStringLiteral("-o")};
+    for (const char* const ending : {"svg", "pdf", "png"}) {
+        const QString file = folder.filePath(QStringLiteral("rows.") + QString::fromLatin1(ending));
+        EXPECT_EQ(run(exportTo + QStringList{file}), 0);
+        EXPECT_GT(QFileInfo(file).size(), 3000) << ending;
+    }
+    const QImage own(folder.filePath(QStringLiteral("rows.png")));
+    EXPECT_GT(colorsIn(own), 50);
+    const QString other = folder.filePath(QStringLiteral("other.png"));
+    const QString variants = QStringLiteral("--variants");
+    EXPECT_EQ(run(exportTo + QStringList{other, variants, QStringLiteral("subspan:error=0.5,opposed"),
+                                         QStringLiteral("--row-width"), QStringLiteral("16384")}),
+              0);
+    EXPECT_NE(QImage(other), own);
+    EXPECT_EQ(run(exportTo + QStringList{other, variants, QStringLiteral("fill")}), 2);
+    EXPECT_EQ(run(exportTo + QStringList{other, QStringLiteral("--row-width"), QStringLiteral("1000000")}), 0);
+    EXPECT_EQ(run({variants, QStringLiteral("affine")}), 2);
+}
+
+}  // namespace
+
+}  // namespace reliefui
