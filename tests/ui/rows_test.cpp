@@ -105,6 +105,22 @@ TEST(Rows, AnchoredRowsStayBelowAWeightAndTheOthersDrift) {
     }
 }
 
+TEST(Rows, ScalesAreWhatTheAxesSay) {
+    const RowsData data = dataOf(wallPlace(3840, 25), {"affine", "direct"});
+    RowsOptions options;
+    const RowsFrame decades = rowsFrame(data, options, {}, 640, 400);
+    EXPECT_LE(data.row.curves[0].worst, std::pow(10, decades.errorHigh));
+    EXPECT_NEAR(decades.errorAt(std::pow(10, decades.errorHigh)), decades.lower.y0, 1e-9);
+    const double decade = decades.lower.height() / (decades.errorHigh - decades.errorLow);
+    EXPECT_NEAR(decades.errorAt(1), decades.lower.y0 + decades.errorHigh * decade, 1e-9);
+    EXPECT_NEAR(decades.errorAt(0.01), decades.errorAt(1) + 2 * decade, 1e-9);
+    EXPECT_EQ(decades.errorAt(0), decades.lower.y1);
+    options.logarithmic = false;
+    const RowsFrame linear = rowsFrame(data, options, {}, 640, 400);
+    EXPECT_EQ(linear.errorAt(0), linear.lower.y1);
+    EXPECT_NEAR(linear.errorAt(linear.errorHigh / 4), linear.lower.y1 - linear.lower.height() / 4, 1e-9);
+}
+
 TEST(Rows, StreamsHaveTheirColours) {
     const RowsData data = dataOf(wallPlace(640, 25), {"streams:streams=4", "opposed"});
     const RowsFrame frame = rowsFrame(data, {}, {100, 130}, 640, 400);

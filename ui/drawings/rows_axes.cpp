@@ -159,7 +159,7 @@ void addStrips(Drawing& drawing, const RowsData& data, const RowsFrame& frame) {
             number.anchor = Anchor::Center;
             number.size = 0.62;
             number.plate = true;
-            number.room = box.grown(1);
+            number.room = box.grown(2.5);  // a plate of the same colour may touch its neighbours
             drawing.items.push_back({{}, Role::Stream, Emphasis::Normal, std::move(number), tint});
         }
         const double chosen = strip.x0 + side * (static_cast<double>(data.place.chosen - frame.lens.begin) + 0.5);
