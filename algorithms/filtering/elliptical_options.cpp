@@ -11,13 +11,13 @@ namespace {
 constexpr double kCoveringRadius = 0.7072;
 // Beyond this many sigma a Gaussian pixel is cut: 4% of the peak, chosen by measured error.
 constexpr double kGaussianCut = 2.5;
-// Radii at which these come nearest to a Gaussian pixel (checker, brick; 60, 25, 8 degrees). Nearest to a box pixel they
-// come at 0.6 and 0.7.
+// Radii at which these come nearest to a Gaussian pixel (checker, brick; 60, 25, 8 degrees). Nearest to a box pixel
+// they come at 0.6 and 0.7.
 constexpr double kUniformRadius = 0.9;
 constexpr double kTexelDistanceRadius = 1.15;
 
-// Texels of a level across half a pixel whose shape a map has: below it the shape is too coarse (brick, box pixel: error
-// 5.6 at 1.4, 3.6 at 2, 2.0 at 3, times 1000, for 1, 1.6 and 5 times the texels).
+// Texels of a level across half a pixel whose shape a map has: below it the shape is too coarse (brick, box pixel:
+// error 5.6 at 1.4, 3.6 at 2, 2.0 at 3, times 1000, for 1, 1.6 and 5 times the texels).
 constexpr double kShapeFloor = 2;
 
 WeightKind weightKind(const std::string& name) {
