@@ -104,10 +104,6 @@
         <translation>скільки вокселів у висоту шару</translation>
     </message>
     <message>
-        <source>a step by the distance: from where the ray leaves the voxel, or from where it is</source>
-        <translation>крок на відстань: звідти, де промінь виходить із вокселя, або звідти, де він є</translation>
-    </message>
-    <message>
         <source>how distances are stored</source>
         <translation>як зберігаються відстані</translation>
     </message>
@@ -487,6 +483,119 @@
         <source>map relaxed-cone</source>
         <translation>карта relaxed-cone</translation>
     </message>
+    <message>
+        <source>two levels of the mean pyramid, by the longer side of the pixel&apos;s projection</source>
+        <translation>два рівні піраміди середніх, за довшою стороною проєкції пікселя</translation>
+    </message>
+    <message>
+        <source>all texels in the ellipse of the pixel, weighted by the pixel&apos;s own shape</source>
+        <translation>усі тексели в еліпсі пікселя, зважені за формою самого пікселя</translation>
+    </message>
+    <message>
+        <source>the same without the texels that the relief hides from the viewer</source>
+        <translation>те саме без текселів, які рельєф ховає від глядача</translation>
+    </message>
+    <message>
+        <source>how the texels of a footprint are weighed</source>
+        <translation>як зважуються тексели сліду</translation>
+    </message>
+    <message>
+        <source>of the Gaussian pixel</source>
+        <translation>гаусового пікселя</translation>
+    </message>
+    <message>
+        <source>of the footprint; 0: what suits the weights</source>
+        <translation>сліду; 0: той, що пасує до ваг</translation>
+    </message>
+    <message>
+        <source>the level by the footprint&apos;s minor axis, or always level 0</source>
+        <translation>рівень за малою віссю сліду або завжди рівень 0</translation>
+    </message>
+    <message>
+        <source>smallest minor semi-axis of the 1-pixel circle on the level chosen</source>
+        <translation>найменша мала піввісь кола в 1 піксель на вибраному рівні</translation>
+    </message>
+    <message>
+        <source>largest ratio of the axes; longer footprints get wider</source>
+        <translation>найбільше відношення осей; довші сліди ширшають</translation>
+    </message>
+    <message>
+        <source>whether the Gaussian makes allowance for the size of texels</source>
+        <translation>чи враховує гаусіана розмір текселів</translation>
+    </message>
+    <message>
+        <source>where weights come from: the formula, a table over the distance, a map of the pixel</source>
+        <translation>звідки беруться ваги: формула, таблиця за відстанню чи карта пікселя</translation>
+    </message>
+    <message>
+        <source>of the map of weights along each side; the table has its square</source>
+        <translation>карти ваг уздовж кожної сторони; таблиця має її квадрат</translation>
+    </message>
+    <message>
+        <source>where in the pixel a texel counts: its place on the plane, its own, and with its area seen</source>
+        <translation>де в пікселі рахується тексель: його місце на площині, справжнє, і з видимою площею</translation>
+    </message>
+    <message>
+        <source>samples along each side of a pixel</source>
+        <translation>проб уздовж кожної сторони пікселя</translation>
+    </message>
+    <message>
+        <source>what a pixel of the display is: how samples are weighed</source>
+        <translation>що таке піксель екрана: як зважуються проби</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Ваги</translation>
+    </message>
+    <message>
+        <source>Sigma</source>
+        <translation>Сигма</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Радіус</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Рівні</translation>
+    </message>
+    <message>
+        <source>Anisotropy</source>
+        <translation>Анізотропія</translation>
+    </message>
+    <message>
+        <source>Texel size</source>
+        <translation>Розмір текселя</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Джерело ваг</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Роздільність</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Форма</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Проби</translation>
+    </message>
+    <message>
+        <source>Pixel model</source>
+        <translation>Модель пікселя</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>комірок</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <comment>option</comment>
+        <translation>Найменша вісь</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::DistanceView</name>
@@ -661,6 +770,96 @@
     <message>
         <source>sector %1</source>
         <translation>сектор %1</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::FilterBox</name>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;. %2</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;. %2</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::FootprintView</name>
+    <message>
+        <source>Footprint</source>
+        <translation>Слід пікселя</translation>
+    </message>
+    <message>
+        <source>The ellipses of the pixels around: how they overlap</source>
+        <translation>Еліпси сусідніх пікселів: як вони перекриваються</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Сусіди</translation>
+    </message>
+    <message>
+        <source>this pixel alone</source>
+        <translation>лише цей піксель</translation>
+    </message>
+    <message>
+        <source>and 4 neighbours</source>
+        <translation>і 4 сусіди</translation>
+    </message>
+    <message>
+        <source>and 8 neighbours</source>
+        <translation>і 8 сусідів</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>усе</translation>
+    </message>
+    <message>
+        <source>Show all of the footprint (R); wheel zooms, drag moves</source>
+        <translation>Показати весь слід (R); коліщатко масштабує, перетягування рухає</translation>
+    </message>
+    <message>
+        <source>level %1, texel (%2, %3): does not count</source>
+        <translation>рівень %1, тексель (%2, %3): не враховується</translation>
+    </message>
+    <message>
+        <source>level %1, texel (%2, %3)</source>
+        <translation>рівень %1, тексель (%2, %3)</translation>
+    </message>
+    <message>
+        <source>, part %1</source>
+        <translation>, частина %1</translation>
+    </message>
+    <message>
+        <source>: hidden by the relief at (%1, %2), weight %3 left out</source>
+        <translation>: схований рельєфом у (%1, %2), вагу %3 не враховано</translation>
+    </message>
+    <message>
+        <source>: weight %1, %2%</source>
+        <translation>: вага %1, %2%</translation>
+    </message>
+    <message>
+        <source> (%1, %2, %3)</source>
+        <translation> (%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source> · seen</source>
+        <translation> · видно</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Копіювати значення</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Копіювати картинку</translation>
+    </message>
+    <message>
+        <source>Export figure…</source>
+        <translation>Експортувати рисунок…</translation>
+    </message>
+    <message>
+        <source>Export the footprint</source>
+        <translation>Експортувати слід пікселя</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Рисунки</translation>
     </message>
 </context>
 <context>
@@ -1144,6 +1343,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>Rows</source>
         <translation>Рядки</translation>
     </message>
+    <message>
+        <source>Footprint</source>
+        <translation>Слід пікселя</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -1563,6 +1766,34 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>u %1, v %2</source>
         <translation>u %1, v %2</translation>
     </message>
+    <message>
+        <source>nothing to show: only the filter elliptical-visible asks what the relief hides</source>
+        <translation>показувати нічого: лише фільтр elliptical-visible питає, що ховає рельєф</translation>
+    </message>
+    <message>
+        <source>footprint: major over minor axis</source>
+        <translation>слід: більша вісь до меншої</translation>
+    </message>
+    <message>
+        <source>texels of the footprint hidden by the relief, %</source>
+        <translation>текселі сліду, сховані рельєфом, %</translation>
+    </message>
+    <message>
+        <source>Footprint anisotropy</source>
+        <translation>Анізотропія сліду</translation>
+    </message>
+    <message>
+        <source>Hidden by the relief</source>
+        <translation>Сховане рельєфом</translation>
+    </message>
+    <message>
+        <source>%1% of the footprint hidden</source>
+        <translation>сховано %1% сліду</translation>
+    </message>
+    <message>
+        <source>footprint: semi-axes %1 × %2 texels, ratio %3</source>
+        <translation>слід: півосі %1 × %2 текселів, відношення %3</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::ResultView</name>
@@ -1787,6 +2018,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>The relief keeps the light off itself</source>
         <translation>Рельєф заступає світло сам собі</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Фільтр</translation>
     </message>
 </context>
 <context>

@@ -30,7 +30,7 @@ CellImage cellImage(const Cells& cells, const Style& style, int longest) {
         for (int x = 0; x < image.width; ++x) {
             const float value = row[static_cast<std::size_t>(x * image.step)];
             const float code = (value - low) * factor + 0.5F;
-            const bool special = marks && (flat || !(code >= 0.0F));
+            const bool special = cells.map == ColorMap::Picture || (marks && (flat || !(code >= 0.0F)));
             const Rgba color = special ? style.cell(cells.map, static_cast<double>(value), cells.low, cells.high)
                                        : codes[static_cast<std::size_t>(std::clamp(code, 0.0F, kCodes - 1.0F))];
             *out++ = color.r;

@@ -76,6 +76,12 @@ enum class Role : std::uint8_t {
     Hit,
     Miss,
     Overshoot,
+    Footprint,    // of a pixel: all that counts
+    PixelCircle,  // of radius 1 pixel
+    Neighbour,    // footprints beside it
+    Weight,
+    Hidden,
+    Blocker,
     Empty,  // known to be: spheres and cones
     IsoLine,
     Surface,
@@ -117,7 +123,8 @@ Shape shapeOf(relief::Decision decision);
 
 // Distance: values from 0; marks below 0 (surface voxels) and NaN (in the relief) have colours of their own.
 // Difference: around 0, which is white.
-enum class ColorMap : std::uint8_t { Height, Level, Count, Distance, Difference };
+// Picture: the values are colours, 65536 red + 256 green + blue (whole numbers that a float holds exactly).
+enum class ColorMap : std::uint8_t { Height, Level, Count, Distance, Difference, Picture };
 
 // Outline or fill of a box. inset: points by which the outline lies inside it; minSide: points below which it is not
 // drawn smaller, so that single texels of a big map can still be seen.
@@ -161,6 +168,7 @@ struct Circle {
     Point center;
     double radius = 0;
     bool fill = false;
+    bool rim = false;  // a dark one, which sets it off from any ground
 };
 
 // A ring of `radius` points with a halo: seen on any ground.

@@ -43,8 +43,8 @@ double LegendRows::textRoom(const Message& message) const {
     return static_cast<double>(letters) * kLetter * kTextSize;
 }
 
-void LegendRows::add(Role role, Primitive primitive, LevelTint tint) {
-    drawing_.items.push_back({{ItemKind::Legend, 0, 0, 0}, role, Emphasis::Normal, std::move(primitive), tint});
+void LegendRows::add(Role role, Primitive primitive, LevelTint tint, Emphasis emphasis) {
+    drawing_.items.push_back({{ItemKind::Legend, 0, 0, 0}, role, emphasis, std::move(primitive), tint});
 }
 
 void LegendRows::text(Point at, Message message) {

@@ -22,7 +22,7 @@ class LegendRows {
     // A mark of a decision, and its name; one entry for each that is `seen`.
     void decisions(const std::array<bool, relief::kDecisionNames.size()>& seen);
 
-    void add(Role role, Primitive primitive, LevelTint tint = {});
+    void add(Role role, Primitive primitive, LevelTint tint = {}, Emphasis emphasis = Emphasis::Normal);
     Drawing take();
 
     static constexpr double kSign = 14;

@@ -142,7 +142,9 @@ struct ItemPainter {
     }
 
     void operator()(const Circle& c) const {
-        painter.setPen(qpen(stroke()));
+        Stroke s = stroke();
+        if (c.rim) s = {Style::rim(), Style::rimWidth(s.width, c.radius * map.scale), {}};
+        painter.setPen(qpen(s));
         painter.setBrush(c.fill ? QBrush(qcolor(style.fill(item))) : QBrush(Qt::NoBrush));
         painter.drawEllipse(qpoint(map.toScreen(c.center)), c.radius * map.scale, c.radius * map.scale);
     }

@@ -80,13 +80,22 @@ Rgba Style::color(Role role) const {
             return kOrange;
         case Role::Refined:
             return kYellow;
+        case Role::Neighbour:
+            return kSkyBlue;
+        case Role::Weight:
+            return kYellow;
+        case Role::Blocker:
+            return kVermilion;
         case Role::Overshoot:
+        case Role::Hidden:
             return kReddishPurple;
         case Role::Miss:
             return kMissGrey;
         case Role::Limit:
         case Role::Hit:
         case Role::Highlight:
+        case Role::Footprint:
+        case Role::PixelCircle:
             return dark ? kWhite : kBlack;
         case Role::Start:
         case Role::Advanced:
@@ -147,6 +156,17 @@ Stroke Style::stroke(Role role, Emphasis emphasis) const {
             break;
         case Role::Empty:
             width = 1.4;
+            break;
+        case Role::Footprint:
+        case Role::Hidden:
+            width = 1.7;
+            break;
+        case Role::PixelCircle:
+            width = 1.2;
+            dash = {4, 2.5};
+            break;
+        case Role::Weight:
+            width = 0.8;
             break;
         case Role::Ascended:
         case Role::Miss:
@@ -239,6 +259,11 @@ Rgba Style::textOn(Rgba ground) {
 }
 
 Rgba Style::cell(ColorMap map, double value, double low, double high) const {
+    if (map == ColorMap::Picture) {
+        const auto code = static_cast<std::uint32_t>(std::clamp(value, 0.0, 16777215.0));
+        const auto byte = [&](unsigned shift) { return static_cast<std::uint8_t>(code >> shift & 0xFFU); };
+        return {byte(16), byte(8), byte(0), 255};
+    }
     const bool marks = map == ColorMap::Distance || map == ColorMap::Difference;
     if (marks && std::isnan(value)) return color(Role::HeightFill);
     if (map == ColorMap::Distance && value < 0) return color(Role::Tested);
@@ -258,6 +283,7 @@ Rgba Style::mapped(ColorMap map, double t) const {
         case ColorMap::Difference:
             return between(kAroundZero, clamped);
         case ColorMap::Height:
+        case ColorMap::Picture:
             break;
     }
     return heights == HeightColors::Cividis ? between(kCividis, clamped) : between(kGrey, clamped);

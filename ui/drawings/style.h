@@ -46,6 +46,9 @@ struct Style {
     Rgba background() const;
     Rgba text() const;
     Rgba color(Role role) const;
+    // Around a disc; it must not cover a small one.
+    static constexpr Rgba rim() { return {0, 0, 0, 210}; }
+    static constexpr double rimWidth(double width, double radius) { return std::min(width, 0.3 * radius); }
     Rgba halo() const;  // what is drawn around marks, so that they are seen on any ground
     Stroke stroke(Role role, Emphasis emphasis) const;
     Stroke stroke(const Item& item) const;  // with its tint

@@ -253,7 +253,8 @@ void VtkContextPainter::Pass::operator()(const Circle& c) {
     const Stroke own = style.stroke(*item);
     const Point at = map.toScreen(c.center);
     if (c.fill) ring(at, c.radius * map.scale / 2, c.radius * map.scale, style.fill(*item));
-    ring(at, c.radius * map.scale, own.width, own.color);
+    const double radius = c.radius * map.scale;
+    ring(at, radius, c.rim ? Style::rimWidth(own.width, radius) : own.width, c.rim ? Style::rim() : own.color);
 }
 
 void VtkContextPainter::Pass::operator()(const Ring& r) {

@@ -140,6 +140,29 @@ void paintRows(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
     paintFigure(painter, {&axes, &plots}, legend, page, style);
 }
 
+void paintFootprint(QPainter& painter, const Snapshot& snapshot, const FootprintOptions& options, const Box& page,
+                    const Style& style) {
+    if (!snapshot.footprint) {
+        const bool hit = snapshot.trace.onRelief;
+        const MessageId why = hit ? MessageId::DrawFootprintNoHit : MessageId::DrawNoRelief;
+        const Drawing empty = emptyDrawing(snapshot.scenario.pixel ? why : MessageId::DrawFootprintNoPixel);
+        paintFigure(painter, {&empty}, {}, page, style);
+        return;
+    }
+    const PixelFootprint& footprint = *snapshot.footprint;
+    const double width = page.width() / style.pixelsPerPoint() - 12;
+    Drawing legend = footprintLegend(footprint, options, true, width, style.language);
+    const Box room = figureRoom(legend, page, style);
+    const Drawing texture = footprintTexture(footprint, room.width() / room.height());
+    const double scale = ViewMap::fitting(texture.bounds, room).scale / style.pixelsPerPoint();
+    const FootprintMarks marks = footprintMarks(footprint, options, texture.bounds, scale);
+    if (!marks.weights) legend = footprintLegend(footprint, options, false, width, style.language);
+    painter.save();
+    painter.setClipRect(QRectF(page.x0, page.y0, page.width(), page.height()));
+    paintFigure(painter, {&texture, &marks.drawing}, legend, page, style);
+    painter.restore();
+}
+
 void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
                double unitsPerPoint) {
     Style style = request.style;
@@ -154,6 +177,8 @@ void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
         paintDistance(painter, snapshot, request.distance, page, style);
     } else if (request.view == "rows") {
         paintRows(painter, snapshot, request, page, style);
+    } else if (request.view == "footprint") {
+        paintFootprint(painter, snapshot, request.footprint, page, style);
     } else {
         paintProfile(painter, snapshot, request.profile, page, style);
     }
@@ -243,7 +268,7 @@ std::optional<RowsPlace> rowsPlace(const Snapshot& s) {
 }
 
 const std::vector<std::string>& figureViews() {
-    static const std::vector<std::string> kViews{"distance", "profile", "pyramid", "result", "rows"};
+    static const std::vector<std::string> kViews{"distance", "footprint", "profile", "pyramid", "result", "rows"};
     return kViews;
 }
 

@@ -9,6 +9,7 @@
 #include <QImage>
 
 #include "drawings/distance_drawing.h"
+#include "drawings/footprint_drawing.h"
 #include "drawings/profile_drawing.h"
 #include "drawings/pyramid_drawing.h"
 #include "drawings/rows_drawing.h"
@@ -32,9 +33,10 @@ struct FigureRequest {
     DistanceOptions distance;
     RowsOptions rows;
     RowsRange rowsRange;
+    FootprintOptions footprint;
 };
 
-// "distance", "profile", "pyramid", "result", "rows".
+// "distance", "footprint", "profile", "pyramid", "result", "rows".
 const std::vector<std::string>& figureViews();
 
 // SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown view, ending, width or resolution,

@@ -52,6 +52,10 @@ std::vector<Swatch> swatches(const LayerPicture& layer) {
                 {QColor(0, 0, 64), false, ResultText::tr("a corner of the texture")}};
     }
     if (layer.layer == Layer::Error) return errorSwatches(layer);
+    if (layer.layer == Layer::Hidden) {
+        return {{QColor(0x2b, 0x30, 0x38), false,
+                 ResultText::tr("nothing to show: only the filter elliptical-visible asks what the relief hides")}};
+    }
     std::vector<Swatch> list;
     for (std::size_t i = layer.outcomes.size(); i-- > 0;) {
         if (layer.outcomes[i] == 0) continue;
@@ -100,6 +104,8 @@ QSize paintSwatches(QPainter* painter, const LayerPicture& layer, QPoint bottomL
 // A scale's title, and how far along it a value in [low, high] lies.
 QString scaleTitle(Layer layer) {
     if (layer == Layer::Error) return ResultText::tr("error against exact, texels");
+    if (layer == Layer::Anisotropy) return ResultText::tr("footprint: major over minor axis");
+    if (layer == Layer::Hidden) return ResultText::tr("texels of the footprint hidden by the relief, %");
     return layer == Layer::Steps ? ResultText::tr("steps of the ray")
                                  : ResultText::tr("distance to the hit, texture widths");
 }
@@ -108,6 +114,8 @@ QSize paintScale(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft
                  const QFontMetrics& metrics) {
     const QString title = scaleTitle(layer.layer);
     const bool error = layer.layer == Layer::Error;
+    const bool logarithmic = error || layer.layer == Layer::Anisotropy;
+    const double unit = layer.layer == Layer::Hidden ? 100 : 1;
     const int pad = scaled(8, style);
     const int bar = std::max(scaled(180, style), metrics.horizontalAdvance(title));
     const int thick = metrics.height() * 2 / 3;
@@ -126,10 +134,11 @@ QSize paintScale(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft
     }
     y += thick + scaled(3, style);
     const QRect labels(x, y, bar, metrics.height());
-    const double middle = error ? std::sqrt(layer.low * layer.high) : (layer.low + layer.high) / 2;
-    painter->drawText(labels, Qt::AlignLeft, (error ? QStringLiteral("≤ ") : QString()) + number(layer.low));
-    painter->drawText(labels, Qt::AlignHCenter, number(middle));
-    painter->drawText(labels, Qt::AlignRight, number(layer.high));
+    const double middle = logarithmic ? std::sqrt(layer.low * layer.high) : (layer.low + layer.high) / 2;
+    const bool beyond = layer.layer == Layer::Anisotropy && layer.high >= kLargestAnisotropy;
+    painter->drawText(labels, Qt::AlignLeft, (error ? QStringLiteral("≤ ") : QString()) + number(unit * layer.low));
+    painter->drawText(labels, Qt::AlignHCenter, number(unit * middle));
+    painter->drawText(labels, Qt::AlignRight, (beyond ? QStringLiteral("≥ ") : QString()) + number(unit * layer.high));
     return size;
 }
 
@@ -184,6 +193,10 @@ QString layerTitle(Layer layer) {
             return ResultText::tr("Error");
         case Layer::TexturePlace:
             return ResultText::tr("Texture place");
+        case Layer::Anisotropy:
+            return ResultText::tr("Footprint anisotropy");
+        case Layer::Hidden:
+            return ResultText::tr("Hidden by the relief");
         case Layer::Normals:
             break;
     }
@@ -257,7 +270,8 @@ QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLef
         const QSize kinds = paintSwatches(painter, layer, bottomLeft - QPoint(0, scale.height()), style, metrics);
         return {std::max(scale.width(), kinds.width()), scale.height() + kinds.height()};
     }
-    const bool scale = layer.layer == Layer::Steps || layer.layer == Layer::Depth;
+    const bool scale = layer.layer == Layer::Steps || layer.layer == Layer::Depth || layer.layer == Layer::Anisotropy ||
+                       (layer.layer == Layer::Hidden && layer.applies);
     return scale ? paintScale(painter, layer, bottomLeft, style, metrics)
                  : paintSwatches(painter, layer, bottomLeft, style, metrics);
 }
@@ -302,6 +316,16 @@ void addLayerValue(QStringList& lines, const Snapshot& snapshot, int x, int y) {
                      .arg(number(static_cast<double>(snapshot.layer.error->texels[i])), kind);
     }
     if (frame.hits->hits.outcome[i] != relief::Outcome::Hit) return;
+    if (snapshot.layer.planes) {
+        const std::vector<relief::NamedPlane>& planes = *snapshot.layer.planes;
+        const auto value = [&](std::size_t plane) { return static_cast<double>(planes[plane].plane(x, y)); };
+        if (snapshot.layer.layer == Layer::Hidden) {
+            lines << ResultText::tr("%1% of the footprint hidden").arg(number(100 * value(0)));
+        } else {
+            lines << ResultText::tr("footprint: semi-axes %1 × %2 texels, ratio %3")
+                         .arg(number(value(0)), number(value(1)), number(anisotropy(planes, x, y)));
+        }
+    }
     if (snapshot.layer.layer == Layer::Depth) {
         lines << ResultText::tr("distance %1 texture widths").arg(number(frame.depth(x, y)));
     }

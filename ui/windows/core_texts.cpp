@@ -130,6 +130,34 @@ namespace {
     QT_TRANSLATE_NOOP("core", "smooth hills: a few sines"),
     QT_TRANSLATE_NOOP("core", "eight terraces with vertical walls"),
     QT_TRANSLATE_NOOP("core", "blocks of 0 and 1"),
+    QT_TRANSLATE_NOOP("core", "two levels of the mean pyramid, by the longer side of the pixel's projection"),
+    QT_TRANSLATE_NOOP("core", "all texels in the ellipse of the pixel, weighted by the pixel's own shape"),
+    QT_TRANSLATE_NOOP("core", "the same without the texels that the relief hides from the viewer"),
+    QT_TRANSLATE_NOOP("core", "how the texels of a footprint are weighed"),
+    QT_TRANSLATE_NOOP("core", "of the Gaussian pixel"),
+    QT_TRANSLATE_NOOP("core", "of the footprint; 0: what suits the weights"),
+    QT_TRANSLATE_NOOP("core", "the level by the footprint's minor axis, or always level 0"),
+    QT_TRANSLATE_NOOP("core", "smallest minor semi-axis of the 1-pixel circle on the level chosen"),
+    QT_TRANSLATE_NOOP("core", "largest ratio of the axes; longer footprints get wider"),
+    QT_TRANSLATE_NOOP("core", "whether the Gaussian makes allowance for the size of texels"),
+    QT_TRANSLATE_NOOP("core", "where weights come from: the formula, a table over the distance, a map of the pixel"),
+    QT_TRANSLATE_NOOP("core", "of the map of weights along each side; the table has its square"),
+    QT_TRANSLATE_NOOP("core",
+                      "where in the pixel a texel counts: its place on the plane, its own, and with its area seen"),
+    QT_TRANSLATE_NOOP("core", "samples along each side of a pixel"),
+    QT_TRANSLATE_NOOP("core", "what a pixel of the display is: how samples are weighed"),
+    QT_TRANSLATE_NOOP("core", "Weights"),
+    QT_TRANSLATE_NOOP("core", "Sigma"),
+    QT_TRANSLATE_NOOP("core", "Radius"),
+    QT_TRANSLATE_NOOP("core", "Levels"),
+    QT_TRANSLATE_NOOP("core", "Anisotropy"),
+    QT_TRANSLATE_NOOP("core", "Texel size"),
+    QT_TRANSLATE_NOOP("core", "Source"),
+    QT_TRANSLATE_NOOP("core", "Resolution"),
+    QT_TRANSLATE_NOOP("core", "Form"),
+    QT_TRANSLATE_NOOP("core", "Samples"),
+    QT_TRANSLATE_NOOP("core", "Pixel model"),
+    QT_TRANSLATE_NOOP("core", "cells"),
     QT_TRANSLATE_NOOP("core", "the 8 x 8 example of the max pyramid's paper"),
     QT_TRANSLATE_NOOP("core", "u, v linear along the row, no perspective: wrong on purpose."),
     QT_TRANSLATE_NOOP("core", "(A x + B y + C) / (G x + H y + I), the denominator made for each of u and v."),
@@ -156,19 +184,36 @@ namespace {
         "core", "A division every m pixels, u and v linear between; m as given, or the longest that keeps an error."),
 };
 
+[[maybe_unused]] const char* const kOptions[][2] = {
+    QT_TRANSLATE_NOOP3("core", "Floor", "option"),
+};
+
 }  // namespace
 
 QString coreText(const std::string& english) {
     return QCoreApplication::translate("core", english.c_str());
 }
 
-QString controlTitle(const std::string& name) {
+namespace {
+
+std::string capitalised(const std::string& name) {
     std::string title = name;
     for (char& c : title) {
         if (c == '-' || c == '_') c = ' ';
     }
     if (!title.empty() && title.front() >= 'a' && title.front() <= 'z') title.front() -= 'a' - 'A';
-    return coreText(title);
+    return title;
+}
+
+}  // namespace
+
+QString controlTitle(const std::string& name) {
+    return coreText(capitalised(name));
+}
+
+QString optionTitle(const std::string& name) {
+    // Without a translation of its own it has the word's.
+    return QCoreApplication::translate("core", capitalised(name).c_str(), "option");
 }
 
 QString unitSuffix(const std::string& unit) {

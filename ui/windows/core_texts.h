@@ -10,6 +10,8 @@ namespace reliefui {
 
 // "relief-depth": "Relief depth".
 QString controlTitle(const std::string& name);
+// Of a method's or filter's option, where the word means something else than elsewhere ("floor").
+QString optionTitle(const std::string& name);
 // A help text or a unit.
 QString coreText(const std::string& english);
 // "degrees": "°"; others with a space before them.

@@ -15,6 +15,7 @@
 
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
+#include "views/footprint_view.h"
 #include "views/profile_view.h"
 #include "views/pyramid_view.h"
 #include "views/result_painting.h"
@@ -160,6 +161,12 @@ void MainWindow::makePanes() {
     connect(rows_, &RowsView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
             &PaneTitle::setNote);
     connect(rows_, &RowsView::saved, this, say);
+    footprint_ = new FootprintView(workspace_, this);
+    addPane(tr("Footprint"), QStringLiteral("footprint-pane"), footprint_, footprint_->canvas(),
+            Qt::RightDockWidgetArea);
+    connect(footprint_, &FootprintView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
+            &PaneTitle::setNote);
+    connect(footprint_, &FootprintView::saved, this, say);
 }
 
 void MainWindow::makeMessages() {
@@ -198,8 +205,7 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::LeftDockWidgetArea, scene);
     splitDockWidget(trace, pyramid, Qt::Vertical);
     tabifyDockWidget(pyramid, panes_[5].dock);
-    tabifyDockWidget(panes_[5].dock, panes_[6].dock);
-    for (std::size_t i = 7; i < panes_.size(); ++i) tabifyDockWidget(panes_[i - 1].dock, panes_[i].dock);
+    for (std::size_t i = 6; i < panes_.size(); ++i) tabifyDockWidget(panes_[i - 1].dock, panes_[i].dock);
     for (const Pane& pane : panes_) pane.whole->show();
     pyramid->raise();
     shareRoom();

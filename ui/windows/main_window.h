@@ -13,6 +13,7 @@ class QMenu;
 namespace reliefui {
 
 class DistanceView;
+class FootprintView;
 class MessageBar;
 class PaneTitle;
 class ProfileView;
@@ -37,6 +38,7 @@ class MainWindow : public QMainWindow {
     ProfileView* profile() { return profile_; }
     DistanceView* distance() { return distance_; }
     RowsView* rows() { return rows_; }
+    FootprintView* footprint() { return footprint_; }
     Trace3dView* trace() { return trace_; }
     StepTable* steps() { return steps_; }
     MessageBar* messages() { return messages_; }
@@ -103,6 +105,7 @@ class MainWindow : public QMainWindow {
     ProfileView* profile_ = nullptr;
     DistanceView* distance_ = nullptr;
     RowsView* rows_ = nullptr;
+    FootprintView* footprint_ = nullptr;
     Trace3dView* trace_ = nullptr;
     StepTable* steps_ = nullptr;
     StepBar* stepBar_ = nullptr;

@@ -68,7 +68,7 @@ void OptionsForm::rebuild(const std::vector<Control>& controls) {
 void OptionsForm::addControl(const Control& control) {
     const QString name = QString::fromStdString(control.key);
     const QString indent(3 * control.depth, QChar(0x00a0));
-    auto* const label = new QLabel(indent + controlTitle(control.option.name), this);
+    auto* const label = new QLabel(indent + optionTitle(control.option.name), this);
     label->setToolTip(optionToolTip(control.option));
     if (isNumber(control.option)) {
         auto* const number = new NumberControl(control.option, this);

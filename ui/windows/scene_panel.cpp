@@ -10,6 +10,7 @@
 #include "rendering/scene.h"
 #include "views/orbit.h"
 #include "windows/core_texts.h"
+#include "windows/filter_box.h"
 #include "windows/number_control.h"
 #include "windows/options_form.h"
 #include "windows/pictures_box.h"
@@ -74,6 +75,7 @@ ScenePanel::ScenePanel(Workspace* workspace, QWidget* parent) : QWidget(parent),
     addNumbers(light, {"light-elevation", "light-azimuth", "ambient", "intensity"});
     addShadows(light);
     addMethod(addGroup(column, tr("Method")));
+    addGroup(column, tr("Filter"))->addRow(new FilterBox(workspace, this));
     addNumbers(addGroup(column, tr("Picture drawn")), {"width", "height"});
     column->addStretch(1);
     connect(workspace_, &Workspace::scenarioChanged, this, &ScenePanel::refresh);

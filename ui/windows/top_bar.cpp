@@ -92,6 +92,7 @@ void TopBar::makeFilter() {
     connect(filter_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
         scenario.filter.name = filter_->currentData().toString().toStdString();
+        scenario.filter.options.clear();  // another filter takes none of them
         workspace_->change(scenario, tr("Filter"));
     });
 }

@@ -140,7 +140,58 @@ void paintError(LayerPicture& out, const relief::Frame& frame, const relief::Fra
     out.error = std::move(error);
 }
 
+// Of a plane of the core's, in the order of the frame's pixels.
+float planeValue(const relief::NamedPlane& plane, int x, int y) {
+    return plane.plane(x, y);
+}
+
+void paintAnisotropy(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
+                     relief::MapCache& maps, relief::Work& work) {
+    static const std::array<std::uint32_t, kMapSize> colors = countColors();
+    auto planes = std::make_shared<const std::vector<relief::NamedPlane>>(
+        relief::layerPlanes(frame, request, {"footprint"}, maps, work));
+    out.low = 1;
+    out.high = 2;
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x) {
+            const double ratio = anisotropy(*planes, x, y);
+            if (std::isfinite(ratio)) out.high = std::max(out.high, std::min(ratio, kLargestAnisotropy));
+        }
+    }
+    eachPixel(out.image, [&](int x, int y) {
+        const double ratio = anisotropy(*planes, x, y);
+        if (std::isnan(ratio)) return kNothing;
+        return colors[static_cast<std::size_t>(errorShare(out, ratio) * (kMapSize - 1) + 0.5)];
+    });
+    out.planes = std::move(planes);
+}
+
+void paintHidden(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
+                 relief::MapCache& maps, relief::Work& work) {
+    out.applies = frame.filter && frame.filter->description().visible;
+    if (!out.applies) {
+        out.image.fill(kNothing);
+        return;
+    }
+    auto planes = std::make_shared<const std::vector<relief::NamedPlane>>(
+        relief::layerPlanes(frame, request, {"hidden"}, maps, work));
+    const relief::NamedPlane& shares = planes->front();
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x) {
+            out.high = std::max(out.high, static_cast<double>(planeValue(shares, x, y)));  // NaN is never larger
+        }
+    }
+    mapValues(out, [&](int x, int y) { return static_cast<double>(planeValue(shares, x, y)); });
+    out.planes = std::move(planes);
+}
+
 }  // namespace
+
+double anisotropy(const std::vector<relief::NamedPlane>& planes, int x, int y) {
+    const auto major = static_cast<double>(planeValue(planes[0], x, y));
+    const auto minor = static_cast<double>(planeValue(planes[1], x, y));
+    return minor > 0 ? major / minor : (std::isnan(major) ? major : std::numeric_limits<double>::infinity());
+}
 
 double errorShare(const LayerPicture& layer, double texels) {
     const double range = std::log(layer.high / layer.low);
@@ -178,6 +229,12 @@ LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::Fr
             break;
         case Layer::TexturePlace:
             paintTexturePlaces(out, frame, request);
+            break;
+        case Layer::Anisotropy:
+            paintAnisotropy(out, frame, request, maps, work);
+            break;
+        case Layer::Hidden:
+            paintHidden(out, frame, request, maps, work);
             break;
         case Layer::Outcome:
             paintOutcomes(out, frame);

@@ -1,23 +1,27 @@
 // What the result view can show beside the colour, as pictures: steps, error against the exact tracer, outcome, depth,
-// normals and texture coordinates of a frame.
+// normals, texture coordinates, how oblong the pixels' footprints are and how much of them the relief hides.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <QImage>
 
+#include "images/files.h"
 #include "rendering/error_layer.h"
 
 namespace reliefui {
 
-enum class Layer : std::uint8_t { Color, Steps, Error, Outcome, Depth, Normals, TexturePlace };
-inline constexpr int kLayers = 7;
+enum class Layer : std::uint8_t { Color, Steps, Error, Outcome, Depth, Normals, TexturePlace, Anisotropy, Hidden };
+inline constexpr int kLayers = 9;
 
-// low and high: the values at the ends of the colour map (steps; texels; texture widths). The error's scale is
-// logarithmic above `low`; what is smaller, above all zero, has a colour of its own. outcomes: pixels that are sky,
-// hit, miss, step limit. error: of the error layer only.
+// low and high: the values at the ends of the colour map (steps; texels; texture widths; ratio of the
+// axes; share). The scales of error and anisotropy are logarithmic above `low`; of the error what is smaller, above all
+// zero, has a colour of its own. outcomes: pixels that are sky, hit, miss, step limit. error: of the error layer only.
+// planes: of the footprint's layers, for reading values out. applies: false where the filter knows nothing of what the
+// layer shows.
 struct LayerPicture {
     Layer layer = Layer::Color;
     QImage image;
@@ -25,6 +29,8 @@ struct LayerPicture {
     double high = 0;
     std::array<std::int64_t, 4> outcomes{};
     std::shared_ptr<const relief::ErrorLayer> error;
+    std::shared_ptr<const std::vector<relief::NamedPlane>> planes;
+    bool applies = true;
 };
 
 // Colours of the outcomes, in the order of relief::Outcome; misses and limits carry a hatch as well.
@@ -42,6 +48,10 @@ inline constexpr double kLeastError = 1e-3;
 inline constexpr double kErrorFloor = 0.15;
 // Place of an error on its map, in [0, 1].
 double errorShare(const LayerPicture& layer, double texels);
+// Larger ratios of the axes share a colour.
+inline constexpr double kLargestAnisotropy = 1024;
+// Of the planes of an anisotropy layer; NaN where nothing was hit.
+double anisotropy(const std::vector<relief::NamedPlane>& planes, int x, int y);
 bool overshootHatched(int x, int y);
 bool wrongOutcomeMarked(int x, int y);
 

@@ -13,6 +13,7 @@
 #include "rendering/frame.h"
 #include "scenario/scenario.h"
 #include "workspace/layers.h"
+#include "workspace/pixel_footprint.h"
 
 namespace reliefui {
 
@@ -38,6 +39,7 @@ struct Snapshot {
     LayerPicture layer;                                   // what the result view was asked to show instead of it
     relief::Guarantee guarantee = relief::Guarantee::Approximate;  // of the method with these options
     std::size_t methodBytes = 0;                                   // of its maps
+    std::shared_ptr<const PixelFootprint> footprint;               // of the pixel; null where it has no hit
     PixelTrace trace;                                              // in full-size pixels, also when coarse
     std::shared_ptr<const relief::MaxPyramidMap> maxima;           // over the cells of the field
     std::shared_ptr<const relief::Pyramid> means;                  // over the texels

@@ -128,6 +128,13 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     snapshot->guarantee = size.renderer->tracer()->guarantee();
     snapshot->methodBytes = size.renderer->tracer()->bytes();
     snapshot->trace = trace(scenario, snapshot->assets, *size.renderer->tracer(), work);
+    if (scenario.pixel) {
+        const auto inFrame = [](int at, int side, int whole) { return std::clamp(at * side / whole, 0, side - 1); };
+        const int x = inFrame(scenario.pixel->x, request->width, scenario.width);
+        const int y = inFrame(scenario.pixel->y, request->height, scenario.height);
+        const double scale = static_cast<double>(request->width) / scenario.width;
+        snapshot->footprint = pixelFootprint(*size.frame, *request, x, y, scale, filtered_, work);
+    }
     const int last = std::max(0, static_cast<int>(snapshot->trace.steps.size()) - 1);
     snapshot->scenario.step = order.lastStep ? last : std::clamp(scenario.step, 0, last);
     const relief::HeightField& field = request->field;

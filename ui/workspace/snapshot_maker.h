@@ -52,6 +52,7 @@ class SnapshotMaker {
     std::shared_ptr<relief::MapCache> maps_ = std::make_shared<relief::MapCache>();
     Size full_;
     Size coarse_;
+    FilteredPicture filtered_;
     double secondsPerPixel_ = 0;   // of a frame whose rays were traced; 0: not known yet
     int coarser_ = 0;              // than the estimate says, as coarse frames have shown
     double lightPerPixel_ = 2e-8;  // of a frame of which only the light changed

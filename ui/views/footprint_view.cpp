@@ -1,0 +1,254 @@
+#include "views/footprint_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "scenario/step_sentence.h"
+#include "views/drawing_canvas.h"
+#include "views/figure.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kCopiedWidth = 1600;  // pixels
+// Of the pane's height: what explains must leave room for what is explained.
+constexpr double kMostLegend = 0.4;
+// Twice as far out as at first, and a little to the side.
+constexpr double kBeyond = 1.5;
+
+QString number(double value, int decimals) {
+    return QString::fromStdString(relief::fixedText(value, decimals));
+}
+
+}  // namespace
+
+FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)) {
+    setAccessibleName(tr("Footprint"));
+    setFocusProxy(canvas_);
+    auto* const bar = new QHBoxLayout;
+    makeBar(bar);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(bar);
+    column->addWidget(canvas_, 1);
+    canvas_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(canvas_, &QWidget::customContextMenuRequested, this, &FootprintView::openMenu);
+    connect(canvas_, &DrawingCanvas::pointed, this, &FootprintView::tell);
+    connect(canvas_, &DrawingCanvas::left, this, [this] {
+        setReadout({});
+        if (!chosen_) return;
+        chosen_.reset();
+        redraw();
+    });
+    connect(canvas_, &DrawingCanvas::resized, this, &FootprintView::refresh);
+    connect(canvas_, &DrawingCanvas::moved, this, &FootprintView::redraw);
+    connect(workspace_, &Workspace::snapshotChanged, this, &FootprintView::refresh);
+    connect(workspace_, &Workspace::styleChanged, this, &FootprintView::refresh);
+    refresh();
+}
+
+void FootprintView::makeBar(QHBoxLayout* bar) {
+    bar->setContentsMargins(4, 2, 6, 2);
+    neighbours_ = new QComboBox(this);
+    neighbours_->setObjectName(QStringLiteral("footprint-neighbours"));
+    neighbours_->setToolTip(tr("The ellipses of the pixels around: how they overlap"));
+    neighbours_->setAccessibleName(tr("Neighbours"));
+    neighbours_->addItem(tr("this pixel alone"), 0);
+    neighbours_->addItem(tr("and 4 neighbours"), 4);
+    neighbours_->addItem(tr("and 8 neighbours"), 8);
+    bar->addWidget(neighbours_);
+    bar->addStretch(1);
+    auto* const fit = new QToolButton(this);
+    fit->setText(tr("fit"));
+    fit->setToolTip(tr("Show all of the footprint (R); wheel zooms, drag moves"));
+    fit->setAccessibleName(fit->toolTip());
+    fit->setAutoRaise(true);
+    bar->addWidget(fit);
+    connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
+    connect(neighbours_, qOverload<int>(&QComboBox::activated), this, [this] {
+        FootprintOptions next = options_;
+        next.neighbours = neighbours_->currentData().toInt();
+        setOptions(next);
+    });
+}
+
+void FootprintView::setOptions(const FootprintOptions& options) {
+    if (options == options_) return;
+    options_ = options;
+    neighbours_->setCurrentIndex(neighbours_->findData(options.neighbours));
+    refresh();
+}
+
+// A pane behind another tab counts as visible for Qt; it only lies outside the window.
+bool FootprintView::inSight() const {
+    return isVisible() && !visibleRegion().isEmpty();
+}
+
+void FootprintView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &FootprintView::refresh);
+}
+
+void FootprintView::resetZoom() {
+    canvas_->resetZoom();
+}
+
+void FootprintView::refresh() {
+    stale_ = !inSight();
+    if (stale_) return;
+    canvas_->setStyle(workspace_->style());
+    shown_ = workspace_->snapshot();
+    const std::shared_ptr<const PixelFootprint> before = footprint_;
+    footprint_ = shown_ ? shown_->footprint : nullptr;
+    if (footprint_ != before) chosen_.reset();
+    if (!footprint_) {
+        using relief::MessageId;
+        const bool hit = shown_ && shown_->trace.onRelief;
+        showEmpty(!shown_                   ? MessageId::DrawNoPicture
+                  : !shown_->scenario.pixel ? MessageId::DrawFootprintNoPixel
+                                            : (hit ? MessageId::DrawFootprintNoHit : MessageId::DrawNoRelief));
+        return;
+    }
+    // The legend first: what it needs is not left to the texture.
+    const double unit = workspace_->style().pixelsPerPoint();
+    Drawing legend =
+        footprintLegend(*footprint_, options_, true, canvas_->width() / unit - 12, workspace_->style().language);
+    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
+    legend_ = std::make_shared<const Drawing>(std::move(legend));
+    canvas_->setLayers({}, legend_);
+    const QSizeF room = canvas_->room();
+    const double aspect = room.height() > 0 ? room.width() / room.height() : 1;
+    texture_ = std::make_shared<const Drawing>(footprintTexture(*footprint_, aspect, kBeyond));
+    canvas_->setLayers({texture_}, legend_);
+    redraw();
+}
+
+void FootprintView::redraw() {
+    if (!footprint_ || !texture_ || !inSight()) return;
+    FootprintMarks marks = footprintMarks(*footprint_, options_, canvas_->visible(), canvas_->zoom(), chosen_);
+    marks_ = std::make_shared<const Drawing>(std::move(marks.drawing));
+    const bool legend = legend_ && !legend_->bounds.empty();
+    if (legend && !marks.weights) {
+        // One sign less, one hint more: it is as high as before.
+        const double unit = workspace_->style().pixelsPerPoint();
+        Drawing other =
+            footprintLegend(*footprint_, options_, false, canvas_->width() / unit - 12, workspace_->style().language);
+        canvas_->setLayers({texture_, marks_}, std::make_shared<const Drawing>(std::move(other)));
+    } else {
+        canvas_->setLayers({texture_, marks_}, legend_);
+    }
+}
+
+void FootprintView::showEmpty(relief::MessageId why) {
+    texture_.reset();
+    marks_.reset();
+    auto drawing = std::make_shared<Drawing>();
+    drawing->bounds = {0, 0, 100, 100};
+    Label label;
+    label.at = {50, 50};
+    label.text = relief::Message(why);
+    label.anchor = Anchor::Center;
+    drawing->add({}, Role::Label, std::move(label));
+    canvas_->setLayers({std::move(drawing)}, nullptr);
+}
+
+void FootprintView::setReadout(const QString& text) {
+    readout_ = text;
+    Q_EMIT hovered(text);
+}
+
+void FootprintView::tell(const QPointF& widget) {
+    if (!footprint_) return setReadout({});
+    const PixelFootprint& f = *footprint_;
+    const auto chosen = footprintTexelAt(f, canvas_->toDrawing(widget));
+    if (chosen != chosen_) {
+        chosen_ = chosen;
+        redraw();
+    }
+    const ItemId id = canvas_->itemAt(widget);
+    if (!chosen) {
+        setReadout(id.kind == ItemKind::Texel
+                       ? tr("level %1, texel (%2, %3): does not count").arg(id.level).arg(id.i).arg(id.j)
+                       : QString());
+        return;
+    }
+    const relief::FootprintTexel& texel = f.log.texels[*chosen];
+    QString text = tr("level %1, texel (%2, %3)").arg(texel.level).arg(texel.i).arg(texel.j);
+    if (texel.size < 1) text += tr(", part %1").arg(number(texel.size, 3));
+    const double weight = PixelFootprint::weightOf(texel);
+    const auto share = [&](double w) { return f.weightSum > 0 ? number(100 * w / f.weightSum, 2) : number(0, 2); };
+    if (texel.hidden) {
+        const glm::dvec2 by = texel.blocker;
+        text += tr(": hidden by the relief at (%1, %2), weight %3 left out")
+                    .arg(number(by.x, 1), number(by.y, 1), number(weight, 3));
+    } else {
+        text += tr(": weight %1, %2%").arg(number(weight, 3), share(weight));
+        if (texel.weight.r != texel.weight.g || texel.weight.g != texel.weight.b) {
+            const auto channel = [](float w) { return number(static_cast<double>(w), 2); };
+            text += tr(" (%1, %2, %3)").arg(channel(texel.weight.r), channel(texel.weight.g), channel(texel.weight.b));
+        }
+        if (texel.tested) text += tr(" · seen");
+    }
+    setReadout(text);
+}
+
+void FootprintView::openMenu(const QPoint& at) {
+    QMenu menu(this);
+    tell(at);
+    const QString value = readout();
+    QAction* const copy =
+        menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
+    copy->setEnabled(!value.isEmpty());
+    QAction* const image = menu.addAction(tr("Copy picture"), this,
+                                          [this] { QApplication::clipboard()->setImage(picture(kCopiedWidth)); });
+    QAction* const save = menu.addAction(tr("Export figure…"), this, &FootprintView::askFigure);
+    image->setEnabled(footprint_ != nullptr);
+    save->setEnabled(footprint_ != nullptr);
+    menu.exec(canvas_->mapToGlobal(at));
+}
+
+QImage FootprintView::picture(int width) const {
+    if (!footprint_) return {};
+    FigureRequest request;
+    request.view = "footprint";
+    request.style = workspace_->style();
+    request.footprint = options_;
+    return figureImage(*shown_, request, width);
+}
+
+void FootprintView::askFigure() {
+    QString path = QFileDialog::getSaveFileName(this, tr("Export the footprint"), QStringLiteral("footprint.svg"),
+                                                tr("Figures") + QStringLiteral(" (*.svg *.pdf *.png)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".svg");
+    saveFigure(path);
+}
+
+void FootprintView::saveFigure(const QString& path) {
+    if (!footprint_) return;
+    FigureRequest request;
+    request.view = "footprint";
+    // In print, dark lines on white.
+    request.style = workspace_->style();
+    request.style.theme = Theme::Light;
+    request.footprint = options_;
+    try {
+        writeFigure(*shown_, request, path.toStdString());
+        Q_EMIT saved(path);
+    } catch (const relief::InputError& error) {
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(request.style.language)));
+    }
+}
+
+}  // namespace reliefui

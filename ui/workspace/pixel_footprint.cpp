@@ -1,0 +1,202 @@
+#include "workspace/pixel_footprint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "images/addressing.h"
+#include "rendering/lighting.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::FootprintKind;
+using relief::FootprintTexel;
+using relief::LevelAxis;
+
+// More are not written down one by one: a footprint at the horizon, always on level 0, holds millions.
+constexpr std::int64_t kMostListed = 200000;
+// Texels of the level; what is larger is not drawn.
+constexpr double kLargestCircle = 1e6;
+
+relief::Jacobian scaled(const relief::Jacobian& j, glm::dvec2 scale) {
+    return {j.ux * scale.x, j.vx * scale.y, j.uy * scale.x, j.vy * scale.y};
+}
+
+bool finite(const relief::Jacobian& j) {
+    const double most = std::max({std::abs(j.ux), std::abs(j.vx), std::abs(j.uy), std::abs(j.vy)});
+    return most < kLargestCircle;  // false for NaN
+}
+
+// The centre of texel i nearest to x: in the copy of the picture that x lies in or beside.
+double unwrapped(const LevelAxis& axis, int i, double x) {
+    const double centre = axis.centre(i);
+    if (axis.address != relief::Address::Repeat) return centre;
+    return centre + std::round((x - centre) / axis.extent) * axis.extent;
+}
+
+// The texels that a bilinear reading at `place` takes on level l, whose axes are given; u, v in texels of `base`.
+void addBilinear(std::vector<FootprintTexel>& texels, const LevelAxis& across, const LevelAxis& down, glm::dvec2 place,
+                 int l, int base, double weight) {
+    const relief::BilinearSupport x = across.support(place.x);
+    const relief::BilinearSupport y = down.support(place.y);
+    for (const bool lower : {false, true}) {
+        for (const bool right : {false, true}) {
+            const auto sx = static_cast<double>(right ? x.share : 1 - x.share);
+            const auto sy = static_cast<double>(lower ? y.share : 1 - y.share);
+            const double w = weight * sx * sy;
+            if (!(w > 0)) continue;
+            FootprintTexel texel;
+            texel.i = right ? x.second : x.first;
+            texel.j = lower ? y.second : y.first;
+            texel.level = l;
+            texel.u = std::ldexp(unwrapped(across, texel.i, place.x), l - base);
+            texel.v = std::ldexp(unwrapped(down, texel.j, place.y), l - base);
+            texel.weight = relief::Color(static_cast<float>(w));
+            texels.push_back(texel);
+        }
+    }
+}
+
+LevelAxis axisOf(int size, int level, const relief::FrameRequest& request) {
+    return LevelAxis::of(size, level, request.field.address());
+}
+
+// What filters read that log no texels.
+void addPoints(PixelFootprint& out, const relief::FrameRequest& request, const relief::ColorImage& picture,
+               const relief::Jacobian& j, glm::dvec2 place) {
+    std::vector<FootprintTexel>& texels = out.log.texels;
+    const auto bilinear = [&](int l, double weight) {
+        addBilinear(texels, axisOf(picture.width(), l, request), axisOf(picture.height(), l, request),
+                    {std::ldexp(place.x, -l), std::ldexp(place.y, -l)}, l, out.level(), weight);
+    };
+    if (out.filter.name == "nearest") {
+        const auto at = [&](double x, int size) {
+            return relief::addressIndex(static_cast<std::int64_t>(std::floor(x)), size, request.field.address());
+        };
+        texels.push_back({at(place.x, picture.width()), at(place.y, picture.height()), 0, std::floor(place.x) + 0.5,
+                          std::floor(place.y) + 0.5, 1, relief::Color(1)});
+    } else if (out.filter.name == "trilinear") {
+        // As the filter chooses it.
+        const double side = std::max(std::hypot(j.ux, j.vx), std::hypot(j.uy, j.vy));
+        const double level = side > 1 ? std::log2(side) : 0;
+        const double share = level - out.level();
+        const bool both =
+            share > 0 && share < 1 &&
+            axisOf(picture.width(), out.level(), request).size + axisOf(picture.height(), out.level(), request).size >
+                2;
+        bilinear(out.level(), both ? 1 - share : 1);
+        if (both) bilinear(out.level() + 1, share);
+    } else {
+        bilinear(0, 1);
+    }
+}
+
+void addNeighbours(PixelFootprint& out, const relief::Frame& frame, const relief::FrameRequest& request,
+                   const relief::VisiblePolygons& visible, int x, int y, glm::dvec2 perField, relief::Work& work) {
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            const bool inside = x + dx >= 0 && y + dy >= 0 && x + dx < frame.width && y + dy < frame.height;
+            if ((dx == 0 && dy == 0) || !inside) continue;
+            const auto query = relief::filterQuery(frame, request, visible, x + dx, y + dy);
+            if (!query) continue;
+            PixelCircle circle;
+            circle.jacobian = scaled(query->jacobian, perField);
+            circle.centre = query->place * perField;
+            circle.beside = dx == 0 || dy == 0;
+            if (frame.filter && !frame.filter->description().options.empty() && out.listed) {
+                relief::FootprintLog log;
+                relief::FootprintCounts counts;
+                frame.filter->color(*query, counts, work, &log);
+                if (log.footprint.kind == FootprintKind::Ellipse) {
+                    const double size = std::ldexp(1.0, log.footprint.level);
+                    circle.jacobian = scaled(log.footprint.widened, {size, size});
+                    circle.radius = log.footprint.radius;
+                }
+            }
+            if (finite(circle.jacobian)) out.neighbours.push_back(circle);
+        }
+    }
+}
+
+void sumWeights(PixelFootprint& out) {
+    for (const FootprintTexel& texel : out.log.texels) {
+        const double weight = PixelFootprint::weightOf(texel);
+        const double side = out.sideOf(texel);
+        if (!texel.hidden) out.weightSum += weight;
+        out.greatest = std::max(out.greatest, weight / (side * side));
+    }
+}
+
+}  // namespace
+
+void FilteredPicture::use(const relief::FrameRequest& request) {
+    const std::shared_ptr<const relief::FloatImage> grey = request.color ? nullptr : request.field.sharedHeights();
+    if (request.color ? picture_ == request.color : picture_ && greyOf_ == grey) return;
+    greyOf_ = grey;
+    levels_.reset();
+    if (request.color) {
+        picture_ = request.color;
+        return;
+    }
+    const relief::FloatImage& heights = *grey;
+    auto picture = std::make_shared<relief::ColorImage>(heights.width(), heights.height());
+    std::transform(heights.pixels().begin(), heights.pixels().end(), picture->pixels().begin(),
+                   [](float h) { return relief::heightGrey(h); });
+    picture_ = std::move(picture);
+}
+
+std::shared_ptr<const relief::ColorImage> FilteredPicture::level(int l, relief::Work& work) {
+    if (l == 0) return picture_;
+    if (!levels_) levels_ = std::make_shared<const relief::ColorLevels>(picture_, work);
+    return {levels_, &levels_->level(std::min(l, levels_->top()))};
+}
+
+std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame, const relief::FrameRequest& request,
+                                                     int x, int y, double scale, FilteredPicture& picture,
+                                                     relief::Work& work) {
+    const relief::VisiblePolygons visible = frame.visible(request);
+    auto query = relief::filterQuery(frame, request, visible, x, y);
+    if (!query) return nullptr;
+    picture.use(request);
+    const relief::ColorImage& colors = *picture.picture();
+    const glm::dvec2 perField{static_cast<double>(colors.width()) / request.field.width(),
+                              static_cast<double>(colors.height()) / request.field.height()};
+    query->jacobian = scaled(query->jacobian, {scale, scale});
+    const relief::Jacobian j = scaled(query->jacobian, perField);
+    const glm::dvec2 place = query->place * perField;
+
+    auto out = std::make_shared<PixelFootprint>();
+    out->filter = request.filter;
+    out->log.footprint.kind = FootprintKind::Bilinear;
+    out->log.footprint.centre = place;
+    if (frame.filter) {
+        frame.filter->color(*query, out->counts, work);
+        out->listed = out->counts.texels <= kMostListed;
+        relief::FootprintCounts same;
+        if (out->listed) frame.filter->color(*query, same, work, &out->log);
+    }
+    const relief::LevelFootprint& f = out->log.footprint;
+    const double shrink = std::ldexp(1.0, -f.level);
+    out->seen = scaled(j, {shrink, shrink});
+    out->bounded = finite(out->seen);
+    out->colors = picture.level(f.level, work);
+    out->across = axisOf(colors.width(), f.level, request);
+    out->down = axisOf(colors.height(), f.level, request);
+    out->perHeight = perField * shrink;
+    const relief::SemiAxes<double> axes = relief::ellipseOf(j).semiAxes();
+    out->log.footprint.major = axes.major;
+    out->log.footprint.minor = axes.minor;
+    if (f.kind == FootprintKind::Top) {
+        out->log.footprint.centre = {out->across.extent / 2, out->down.extent / 2};
+        out->log.texels.push_back({0, 0, f.level, f.centre.x, f.centre.y, 1, relief::Color(1)});
+        out->bounded = false;
+    } else if (f.kind == FootprintKind::Bilinear && out->listed) {
+        addPoints(*out, request, colors, j, f.level == 0 ? f.centre : place);
+    }
+    sumWeights(*out);
+    if (scale == 1) addNeighbours(*out, frame, request, visible, x, y, perField, work);
+    return out;
+}
+
+}  // namespace reliefui

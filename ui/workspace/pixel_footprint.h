@@ -1,0 +1,69 @@
+// What the filter did for the chosen pixel, and what it read from, ready to be drawn.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "filtering/footprint_log.h"
+#include "rendering/frame.h"
+
+namespace reliefui {
+
+// The colours that a frame's filter reads, and their mean pyramid where a level above 0 is asked for. Kept from frame
+// to frame.
+class FilteredPicture {
+  public:
+    void use(const relief::FrameRequest& request);
+    const std::shared_ptr<const relief::ColorImage>& picture() const { return picture_; }
+    // Throws Cancelled.
+    std::shared_ptr<const relief::ColorImage> level(int l, relief::Work& work);
+
+  private:
+    std::shared_ptr<const relief::ColorImage> picture_;
+    std::shared_ptr<const relief::FloatImage> greyOf_;  // null: the picture is a given one
+    std::shared_ptr<const relief::ColorLevels> levels_;
+};
+
+// A pixel's circle on the texture: of this radius in pixels, centre and Jacobian in texels of level 0.
+struct PixelCircle {
+    relief::Jacobian jacobian;
+    glm::dvec2 centre{0};
+    double radius = 1;
+    bool beside = false;  // of a neighbour that shares a side, not only a corner
+};
+
+struct PixelFootprint {
+    relief::FilterChoice filter;
+    // Texels: those of an ellipse as the filter logged them, those that a reading at a point takes otherwise.
+    relief::FootprintLog log;
+    relief::FootprintCounts counts;
+    bool listed = true;  // false: there were too many texels to write each of them down
+    double weightSum = 0;
+    double greatest = 0;                               // weight a texel of area, of all that are listed
+    relief::Jacobian seen;                             // of the pixel as it is, texels of the level
+    bool bounded = true;                               // the pixel's circle is finite
+    std::vector<PixelCircle> neighbours;               // of the eight pixels around
+    std::shared_ptr<const relief::ColorImage> colors;  // of the level, linear
+    relief::LevelAxis across, down;                    // of the level
+    glm::dvec2 perHeight{1};                           // texels of the level a texel of the height map
+
+    int level() const { return log.footprint.level; }
+    glm::dvec2 centre() const { return log.footprint.centre; }
+    // All channels' mean.
+    static double weightOf(const relief::FootprintTexel& texel) {
+        return static_cast<double>(texel.weight.r + texel.weight.g + texel.weight.b) / 3;
+    }
+    // Its side in texels of the footprint's level.
+    double sideOf(const relief::FootprintTexel& texel) const {
+        return std::ldexp(texel.size, texel.level - log.footprint.level);
+    }
+};
+
+// Of pixel (x, y) of the frame; null where it meets no relief. scale: pixels of the frame per pixel of the picture that
+// is shown (below 1 for coarse frames, whose footprints are not told of). Throws Cancelled.
+std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame, const relief::FrameRequest& request,
+                                                     int x, int y, double scale, FilteredPicture& picture,
+                                                     relief::Work& work);
+
+}  // namespace reliefui
