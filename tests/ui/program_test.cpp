@@ -96,6 +96,12 @@ TEST_F(WindowTest, UkrainianTextsAreThere) {
             EXPECT_FALSE(translator.translate("core", option.help.c_str()).isEmpty()) << option.help;
         }
     }
+    for (const relief::FilterDescription& filter : relief::filterList()) {
+        EXPECT_FALSE(translator.translate("core", filter.help.c_str()).isEmpty()) << filter.help;
+        for (const relief::OptionDescription& option : filter.options) {
+            EXPECT_FALSE(translator.translate("core", option.help.c_str()).isEmpty()) << option.help;
+        }
+    }
     // Numbers stay those of the C locale.
     EXPECT_EQ(start({QStringLiteral("--version")}, true, QStringLiteral("uk_UA.UTF-8")).status, 0);
     const QTemporaryDir folder;

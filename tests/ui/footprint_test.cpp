@@ -1,0 +1,304 @@
+// The footprint's pane: what it shows is what the filter logged; the filter's options and the layers of footprints.
+#include <cmath>
+
+#include <QComboBox>
+#include <QDir>
+#include <QTemporaryDir>
+
+#include "drawings/footprint_drawing.h"
+#include "views/drawing_canvas.h"
+#include "views/figure.h"
+#include "views/footprint_view.h"
+#include "views/result_painting.h"
+#include "window_fixture.h"
+#include "windows/filter_box.h"
+#include "windows/number_control.h"
+
+namespace reliefui {
+
+namespace {
+
+relief::Scenario filtered(const char* filter, relief::OptionValues options = {}) {
+    relief::Scenario scenario = smallScenario();
+    scenario.filter.name = filter;
+    scenario.filter.options = std::move(options);
+    return scenario;
+}
+
+// Walls that hide the streets behind them.
+relief::Scenario city(const char* filter, relief::OptionValues options = {}) {
+    relief::Scenario scenario = filtered(filter, std::move(options));
+    scenario.pictures.recipe = "city";
+    scenario.scene = relief::SceneKind::Floor;
+    scenario.reliefDepth = 0.2;
+    scenario.camera.elevation = 20;
+    return scenario;
+}
+
+class FootprintTest : public WindowTest {
+  protected:
+    void openPane(const relief::Scenario& scenario) {
+        openWindow(scenario);
+        QTest::keyClick(window_.get(), Qt::Key_8);
+        QTest::qWait(100);
+        ASSERT_TRUE(view()->isVisible());
+        ASSERT_NE(view()->shown(), nullptr);
+    }
+    FootprintView* view() { return window_->footprint(); }
+    DrawingCanvas* canvas() { return view()->canvas(); }
+    // A pixel whose footprint holds what is asked for, chosen; false: there is none.
+    template <class Wanted>
+    bool choose(const Wanted& wanted) {
+        FilteredPicture picture;
+        relief::Work work;
+        const Snapshot& now = *snapshot();
+        for (int y = 0; y < now.frame->height; y += 3) {
+            for (int x = 0; x < now.frame->width; x += 3) {
+                const auto footprint = pixelFootprint(*now.frame, *now.request, x, y, 1, picture, work);
+                if (!footprint || !wanted(*footprint)) continue;
+                workspace_->choosePixel(x, y);
+                waitForFull();
+                QTest::qWait(50);
+                return true;
+            }
+        }
+        return false;
+    }
+    // Of the marks on the screen.
+    template <class Primitive>
+    std::vector<const Item*> marksOf(Role role) {
+        std::vector<const Item*> found;
+        for (const Item& item : view()->marks()->items) {
+            if (item.role == role && std::holds_alternative<Primitive>(item.primitive)) found.push_back(&item);
+        }
+        return found;
+    }
+};
+
+int difference(QColor a, Rgba b) {
+    return std::abs(a.red() - b.r) + std::abs(a.green() - b.g) + std::abs(a.blue() - b.b);
+}
+
+TEST_F(FootprintTest, DotsLieOnTheTexelsAndTheirAreasAreTheWeights) {
+    openPane(filtered("elliptical"));
+    const auto several = [](const PixelFootprint& f) { return f.log.texels.size() >= 6; };
+    ASSERT_TRUE(choose(several));
+    const PixelFootprint& f = *view()->shown();
+    const auto dots = marksOf<Circle>(Role::Weight);
+    ASSERT_EQ(dots.size(), f.log.texels.size());
+    const QImage shown = grab(canvas());
+    EXPECT_GT(colorsIn(shown), 3);
+    double areas = 0;
+    double weights = 0;
+    for (std::size_t n = 0; n < dots.size(); ++n) {
+        const Circle& dot = std::get<Circle>(dots[n]->primitive);
+        EXPECT_EQ(dot.center, (Point{f.log.texels[n].u, f.log.texels[n].v}));
+        areas += dot.radius * dot.radius;
+        weights += PixelFootprint::weightOf(f.log.texels[n]);
+    }
+    EXPECT_NEAR(weights, f.weightSum, 1e-5 * f.weightSum) << "of floats added in double";
+    for (std::size_t n = 0; n < dots.size(); ++n) {
+        const Circle& dot = std::get<Circle>(dots[n]->primitive);
+        const double weight = PixelFootprint::weightOf(f.log.texels[n]);
+        EXPECT_NEAR(dot.radius * dot.radius / areas, weight / weights, 1e-6);
+    }
+    // Yellow on the screen where a heavy texel is, but for the lines that cross the middle.
+    int yellow = 0;
+    const Style& style = workspace_->style();
+    for (const Item* item : dots) {
+        const Circle& dot = std::get<Circle>(item->primitive);
+        const double off = 0.5 * dot.radius;
+        for (const Point p : {Point{-off, 0}, Point{off, 0}, Point{0, -off}, Point{0, off}}) {
+            const QPoint at = canvas()->toWidget({dot.center.x + p.x, dot.center.y + p.y}).toPoint();
+            if (shown.valid(at) && difference(shown.pixelColor(at), style.color(Role::Weight)) < 40) ++yellow;
+        }
+    }
+    EXPECT_GE(yellow, 4);
+}
+
+TEST_F(FootprintTest, TheTextureIsThePictureTheFilterReads) {
+    openPane(filtered("elliptical"));
+    const PixelFootprint& f = *view()->shown();
+    const QImage shown = grab(canvas());
+    const Box seen = canvas()->visible();
+    int probes = 0;
+    int right = 0;
+    // In a corner of each texel: dots stand in the middle. Across the seam the picture goes on.
+    constexpr double kCorner = 0.12;
+    for (double v = std::floor(seen.y0) + kCorner; v < seen.y1; v += 1) {
+        for (double u = std::floor(seen.x0) + kCorner; u < seen.x1; u += 1) {
+            const QPoint at = canvas()->toWidget({u, v}).toPoint();
+            if (!shown.rect().adjusted(2, 2, -2, -160).contains(at)) continue;
+            const auto wrapped = [](double x, int n) {
+                return static_cast<int>(std::floor(x) - n * std::floor(x / n));
+            };
+            const int i = wrapped(u, f.across.size);
+            const int j = wrapped(v, f.down.size);
+            const float grey = (*f.colors)(i, j).r;
+            const double code = grey <= 0.0031308F ? 12.92 * static_cast<double>(grey)
+                                                   : 1.055 * std::pow(static_cast<double>(grey), 1 / 2.4) - 0.055;
+            const auto byte = static_cast<std::uint8_t>(std::lround(255 * code));
+            ++probes;
+            if (difference(shown.pixelColor(at), {byte, byte, byte, 255}) <= 6) ++right;
+        }
+    }
+    EXPECT_GT(probes, 20);
+    EXPECT_GT(right, probes * 7 / 10) << "the rest lies under lines";
+}
+
+TEST_F(FootprintTest, HiddenTexelsAreCrossedOutWithALineToWhatHidesThem) {
+    openPane(city("elliptical-visible", {{"form", "plane"}}));
+    const auto mixed = [](const PixelFootprint& f) {
+        return f.counts.hidden > 0 && f.counts.hidden < static_cast<std::int64_t>(f.log.texels.size());
+    };
+    ASSERT_TRUE(choose(mixed)) << "no wall hides a part of a footprint";
+    const PixelFootprint& f = *view()->shown();
+    const auto hidden = static_cast<std::size_t>(f.counts.hidden);
+    EXPECT_EQ(marksOf<Polyline>(Role::Hidden).size(), 2 * hidden) << "two strokes each";
+    const auto lines = marksOf<Polyline>(Role::Blocker);
+    ASSERT_EQ(lines.size(), hidden);
+    std::size_t n = 0;
+    for (const relief::FootprintTexel& texel : f.log.texels) {
+        if (!texel.hidden) continue;
+        const Polyline& line = std::get<Polyline>(lines[n++]->primitive);
+        EXPECT_EQ(line.points.front(), (Point{texel.u, texel.v}));
+        const Point to = line.points.back();
+        const Point place = blockerPlace(f, texel);
+        EXPECT_EQ(to, place);
+        // What hides it is higher, and lies towards the viewer.
+        const relief::HeightField& field = snapshot()->request->field;
+        EXPECT_GT(field.at(place.x / f.perHeight.x, place.y / f.perHeight.y),
+                  field.at(texel.u / f.perHeight.x, texel.v / f.perHeight.y));
+        const relief::ViewRay& ray = snapshot()->trace.ray;
+        EXPECT_LT((to.x - texel.u) * ray.a + (to.y - texel.v) * ray.b, 0);
+    }
+    EXPECT_GT(colorsIn(grab(canvas())), 3);
+    // What is under the pointer is told.
+    for (const relief::FootprintTexel& texel : f.log.texels) {
+        if (!texel.hidden) continue;
+        QTest::mouseMove(canvas(), canvas()->toWidget({texel.u, texel.v}).toPoint());
+        QTest::qWait(30);
+        EXPECT_TRUE(view()->readout().contains(QStringLiteral("hidden"))) << view()->readout().toStdString();
+        break;
+    }
+}
+
+TEST_F(FootprintTest, ReadingsAtAPointHaveTheirTexelsAndWeights) {
+    for (const auto& [filter, most] : {std::pair("nearest", 1U), {"bilinear", 4U}, {"trilinear", 8U}}) {
+        relief::Scenario scenario = filtered(filter);
+        scenario.pictures.recipe = "bricks";
+        openPane(scenario);
+        const PixelFootprint& f = *view()->shown();
+        EXPECT_GE(f.log.texels.size(), 1U);
+        EXPECT_LE(f.log.texels.size(), most) << filter;
+        EXPECT_NEAR(f.weightSum, 1, 1e-6) << filter;
+        glm::dvec2 mean{0};
+        for (const relief::FootprintTexel& texel : f.log.texels) {
+            mean += PixelFootprint::weightOf(texel) * glm::dvec2(texel.u, texel.v);
+        }
+        // A reading between centres is their weighted mean; a texel holds its point.
+        const double off = std::string_view(filter) == "nearest" ? 0.5 : 1e-4;
+        EXPECT_LE(std::abs(mean.x - f.centre().x), off) << filter;
+        EXPECT_LE(std::abs(mean.y - f.centre().y), off) << filter;
+        TearDown();
+        SetUp();
+    }
+}
+
+TEST_F(FootprintTest, NeighboursAreShownOnRequest) {
+    openPane(filtered("elliptical"));
+    EXPECT_EQ(marksOf<Polyline>(Role::Neighbour).size(), 0U);
+    for (const int count : {4, 8}) {
+        view()->setOptions({count});
+        EXPECT_EQ(marksOf<Polyline>(Role::Neighbour).size(), static_cast<std::size_t>(count));
+    }
+}
+
+TEST_F(FootprintTest, FilterOptionsChangeThePictureAndUndoGivesTheSameBits) {
+    openPane(filtered("elliptical"));
+    const QImage before = snapshot()->picture;
+    auto* const box = window_->findChild<FilterBox*>();
+    ASSERT_NE(box, nullptr);
+    auto* const sigma = box->findChild<NumberControl*>(QStringLiteral("sigma"));
+    ASSERT_NE(sigma, nullptr);
+    sigma->box()->setValue(1.8);
+    waitForFull();
+    EXPECT_EQ(scenario().filter.options.at("sigma"), "1.8");
+    EXPECT_NE(snapshot()->picture, before);
+    EXPECT_EQ(view()->shown()->filter.options.at("sigma"), "1.8");
+    workspace_->undo();
+    waitForFull();
+    EXPECT_TRUE(scenario().filter.options.empty());
+    EXPECT_EQ(snapshot()->picture, before);
+    EXPECT_EQ(sigma->value(), 0.53);
+    workspace_->redo();
+    waitForFull();
+    // Another filter takes none of the options.
+    auto* const filter = window_->findChild<QComboBox*>(QStringLiteral("filter"));
+    filter->setCurrentIndex(filter->findData(QStringLiteral("elliptical-visible")));
+    Q_EMIT filter->activated(filter->currentIndex());
+    waitForFull();
+    EXPECT_TRUE(scenario().filter.options.empty());
+    EXPECT_NE(box->findChild<QComboBox*>(QStringLiteral("form")), nullptr);
+}
+
+TEST_F(FootprintTest, StripesTakeThreeSamples) {
+    relief::Scenario scenario = filtered("supersample");
+    scenario.filter.samples = 1;
+    openPane(scenario);
+    auto* const model = window_->findChild<QComboBox*>(QStringLiteral("pixel-model"));
+    ASSERT_NE(model, nullptr);
+    model->setCurrentText(QStringLiteral("lcd"));
+    Q_EMIT model->activated(model->currentIndex());
+    QTest::qWait(20);
+    waitForFull();
+    EXPECT_EQ(workspace_->scenario().filter.pixelModel, relief::PixelModel::Lcd);
+    EXPECT_EQ(workspace_->scenario().filter.samples, 3);
+}
+
+TEST_F(FootprintTest, LayersShowTheFootprintAndWhatIsHiddenOfIt) {
+    openWindow(city("elliptical-visible", {{"form", "plane"}}));
+    workspace_->setLayer(Layer::Hidden);
+    waitForFull();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return snapshot()->layer.layer == Layer::Hidden; }, 20000));
+    EXPECT_TRUE(snapshot()->layer.applies);
+    EXPECT_GT(snapshot()->layer.high, 0);
+    EXPECT_LE(snapshot()->layer.high, 1);
+    EXPECT_GT(colorsIn(snapshot()->layer.image), 3);
+    workspace_->setLayer(Layer::Anisotropy);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return snapshot()->layer.layer == Layer::Anisotropy; }, 20000));
+    const LayerPicture& layer = snapshot()->layer;
+    EXPECT_EQ(layer.low, 1);
+    // A floor seen at 20 degrees is foreshortened to about a third.
+    EXPECT_GT(layer.high, 2.5);
+    const relief::PixelChoice pixel = *scenario().pixel;
+    const auto& footprint = snapshot()->footprint;
+    ASSERT_NE(footprint, nullptr);
+    const double ratio = footprint->log.footprint.major / footprint->log.footprint.minor;
+    EXPECT_NEAR(anisotropy(*layer.planes, pixel.x, pixel.y), ratio, 1e-4 * ratio) << "planes are floats";
+    relief::Scenario plain = scenario();
+    plain.filter = {};
+    workspace_->change(plain, QStringLiteral("Filter"));
+    workspace_->setLayer(Layer::Hidden);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return snapshot()->layer.layer == Layer::Hidden && snapshot()->scenario.filter.name == "bilinear"; },
+        20000));
+    EXPECT_FALSE(snapshot()->layer.applies);
+}
+
+TEST_F(FootprintTest, TheFigureIsThePane) {
+    openPane(filtered("elliptical"));
+    const QTemporaryDir folder;
+    for (const char* name : {"f.png", "f.svg", "f.pdf"}) {
+        const QString path = folder.filePath(QString::fromLatin1(name));
+        view()->saveFigure(path);
+        EXPECT_GT(QFileInfo(path).size(), 1000) << name;
+    }
+    const QImage picture = view()->picture(900);
+    EXPECT_GT(colorsIn(picture), 10);
+    EXPECT_FALSE(QImage(folder.filePath(QStringLiteral("f.png"))).isNull());
+}
+
+}  // namespace
+
+}  // namespace reliefui
