@@ -157,16 +157,16 @@ void MainWindow::makePanes() {
     connect(distance_, &DistanceView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
             &PaneTitle::setNote);
     connect(distance_, &DistanceView::saved, this, say);
-    addPane(tr("Rows"), QStringLiteral("rows-pane"), rows_, rows_->canvas(), Qt::RightDockWidgetArea);
-    connect(rows_, &RowsView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
-            &PaneTitle::setNote);
-    connect(rows_, &RowsView::saved, this, say);
     footprint_ = new FootprintView(workspace_, this);
     addPane(tr("Footprint"), QStringLiteral("footprint-pane"), footprint_, footprint_->canvas(),
             Qt::RightDockWidgetArea);
     connect(footprint_, &FootprintView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
             &PaneTitle::setNote);
     connect(footprint_, &FootprintView::saved, this, say);
+    addPane(tr("Rows"), QStringLiteral("rows-pane"), rows_, rows_->canvas(), Qt::RightDockWidgetArea);
+    connect(rows_, &RowsView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
+            &PaneTitle::setNote);
+    connect(rows_, &RowsView::saved, this, say);
 }
 
 void MainWindow::makeMessages() {
