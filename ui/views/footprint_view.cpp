@@ -131,6 +131,10 @@ void FootprintView::refresh() {
     const double aspect = room.height() > 0 ? room.width() / room.height() : 1;
     texture_ = std::make_shared<const Drawing>(footprintTexture(*footprint_, aspect, kBeyond));
     canvas_->setLayers({texture_}, legend_);
+    // Another place of the texture: what was zoomed to is gone.
+    const bool elsewhere =
+        !before || before->level() != footprint_->level() || before->centre() != footprint_->centre();
+    if (elsewhere && !canvas_->atHome()) canvas_->resetZoom();
     redraw();
 }
 

@@ -70,7 +70,10 @@ void addPoints(PixelFootprint& out, const relief::FrameRequest& request, const r
         addBilinear(texels, axisOf(picture.width(), l, request), axisOf(picture.height(), l, request),
                     {std::ldexp(place.x, -l), std::ldexp(place.y, -l)}, l, out.level(), weight);
     };
-    if (out.filter.name == "nearest") {
+    // Without a colour picture it is the surface that is read at the hit.
+    const bool nearest =
+        request.color ? out.filter.name == "nearest" : request.field.surface() == relief::Surface::Columns;
+    if (nearest && !relief::findFilter(out.filter.name).footprint) {
         const auto at = [&](double x, int size) {
             return relief::addressIndex(static_cast<std::int64_t>(std::floor(x)), size, request.field.address());
         };
