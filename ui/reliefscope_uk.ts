@@ -4,6 +4,10 @@
 <context>
     <name>core</name>
     <message>
+        <source>a step by the distance: from where the ray leaves the voxel, or from where it is</source>
+        <translation>крок на відстань: звідти, де промінь виходить із вокселя, або звідти, де він є</translation>
+    </message>
+    <message>
         <source>u, v linear along the row, no perspective: wrong on purpose.</source>
         <translation>u, v лінійні вздовж рядка, без перспективи: навмисно хибно.</translation>
     </message>

@@ -219,7 +219,8 @@ class Marks {
 
     void dot(const FootprintTexel& t) {
         const double weight = PixelFootprint::weightOf(t);
-        const double radius = 0.5 * kLargestDot * std::sqrt(weight / std::max(f_.greatest, 1e-300));
+        const double share = std::min(1.0, weight / std::max(f_.greatest, 1e-300));
+        const double radius = 0.5 * kLargestDot * std::sqrt(share);
         const bool drawn = radius * scale_ >= kSmallestDot;
         if (!t.hidden) {
             if (drawn) add(Role::Weight, Circle{{t.u, t.v}, radius, true, true}, Emphasis::Strong);

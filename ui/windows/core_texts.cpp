@@ -105,6 +105,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "azimuth sectors that have distances of their own (a divisor of horizons)"),
     QT_TRANSLATE_NOOP("core", "sampled from each voxel"),
     QT_TRANSLATE_NOOP("core", "always that many"),
+    QT_TRANSLATE_NOOP("core", "a step by the distance: from where the ray leaves the voxel, or from where it is"),
     QT_TRANSLATE_NOOP("core", "map euclidean"),
     QT_TRANSLATE_NOOP("core", "map euclidean-conservative"),
     QT_TRANSLATE_NOOP("core", "map refined-sampled"),

@@ -123,12 +123,13 @@ void addNeighbours(PixelFootprint& out, const relief::Frame& frame, const relief
 }
 
 void sumWeights(PixelFootprint& out) {
+    double hidden = 0;
     for (const FootprintTexel& texel : out.log.texels) {
         const double weight = PixelFootprint::weightOf(texel);
-        const double side = out.sideOf(texel);
+        (texel.hidden ? hidden : out.greatest) = std::max(texel.hidden ? hidden : out.greatest, weight);
         if (!texel.hidden) out.weightSum += weight;
-        out.greatest = std::max(out.greatest, weight / (side * side));
     }
+    if (!(out.greatest > 0)) out.greatest = hidden;
 }
 
 }  // namespace

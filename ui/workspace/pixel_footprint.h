@@ -40,10 +40,10 @@ struct PixelFootprint {
     relief::FootprintCounts counts;
     bool listed = true;  // false: there were too many texels to write each of them down
     double weightSum = 0;
-    double greatest = 0;                               // weight a texel of area, of all that are listed
-    relief::Jacobian seen;                             // of the pixel as it is, texels of the level
-    bool bounded = true;                               // the pixel's circle is finite
-    std::vector<PixelCircle> neighbours;               // of the eight pixels around
+    double greatest = 0;                  // weight of all that count; of the hidden where nothing else is listed
+    relief::Jacobian seen;                // of the pixel as it is, texels of the level
+    bool bounded = true;                  // the pixel's circle is finite
+    std::vector<PixelCircle> neighbours;  // of the eight pixels around
     std::shared_ptr<const relief::ColorImage> colors;  // of the level, linear
     relief::LevelAxis across, down;                    // of the level
     glm::dvec2 perHeight{1};                           // texels of the level a texel of the height map
