@@ -175,6 +175,9 @@ TEST_F(FootprintTest, HiddenTexelsAreCrossedOutWithALineToWhatHidesThem) {
         EXPECT_GT(highest, field.at(texel.u / f.perHeight.x, texel.v / f.perHeight.y));
         const relief::ViewRay& ray = snapshot()->trace.ray;
         EXPECT_LT((to.x - texel.u) * ray.a + (to.y - texel.v) * ray.b, 0);
+        // Straight back along the view ray, in texels; rounding only.
+        const double aside = (to.x - texel.u) * ray.b - (to.y - texel.v) * ray.a;
+        EXPECT_LE(std::abs(aside), 1e-6 * std::hypot(ray.a, ray.b));
     }
     EXPECT_GT(colorsIn(grab(canvas())), 3);
     // What is under the pointer is told.
