@@ -85,16 +85,20 @@ void TileWorker::countOutcomes(const PixelArea& tile) const {
 
 void TileWorker::colorHits(const PixelArea& tile, Work& work) const {
     const HitBlock& hits = frame_.hits->hits;
+    const TextureFilter* filter = frame_.filter.get();
+    // Others need no more than the place.
+    const bool footprints = filter != nullptr && filter->description().footprint;
     FootprintCounts counts;
     overPixels(tile, [&](int x, int y, std::size_t i) {
         if (hits.outcome[i] != Outcome::Hit || work.stopped()) return;
         Color& color = buffers_.color->color.pixels()[i];
-        if (frame_.filter) {
-            color = frame_.filter->color(*filterQuery(frame_, request_, tools_.visible, x, y), counts, work);
-        } else {
-            const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
-            color = heightGrey(request_.field.at(place.x, place.y));
+        if (footprints) {
+            color = filter->color(*filterQuery(frame_, request_, tools_.visible, x, y), counts, work);
+            return;
         }
+        const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
+        color = filter == nullptr ? heightGrey(request_.field.at(place.x, place.y))
+                                  : filter->color({place, {}, {}, hits.lambda[i]}, counts, work);
     });
     totals_.footprints += counts.footprints;
     totals_.smallFootprints += counts.bilinear;
