@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
+#include "measuring/bench_columns.h"
 #include "measuring/bench_filters.h"
 #include "measuring/machine.h"
 #include "measuring/text_table.h"
@@ -12,11 +11,8 @@ namespace {
 
 constexpr int kDigits = 3;  // of what people read
 
-using Value = std::variant<std::string, std::int64_t, double>;
-struct Column {
-    std::string_view name;
-    Value (*get)(const FilterBenchRow&);
-};
+using Value = BenchValue;
+using Column = BenchColumnOf<FilterBenchRow>;
 
 // As given, or by default; "-" where the filter has no such option.
 std::string option(const FilterBenchRow& row, const std::string& name) {
@@ -73,15 +69,6 @@ const std::vector<Column>& columns() {
     return all;
 }
 
-std::string fieldText(const Value& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) {
-        return text->find_first_of(",\"") == std::string::npos ? *text : '"' + *text + '"';
-    }
-    if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
-    const double number = std::get<double>(value);
-    return std::isfinite(number) ? numberText(number) : "";
-}
-
 bool sameBlock(const FilterBenchRow& a, const FilterBenchRow& b) {
     return a.scene == b.scene && a.elevation == b.elevation;
 }
@@ -104,30 +91,15 @@ TableRow tableRow(std::span<const FilterBenchRow> models) {
 }  // namespace
 
 std::string filterBenchCsvHeader() {
-    std::string out;
-    for (const Column& column : columns()) out.append(out.empty() ? "" : ",").append(column.name);
-    return out + "\n";
+    return columnsHeader(columns());
 }
 
 std::string filterBenchCsvLine(const FilterBenchRow& row) {
-    std::string out;
-    for (const Column& column : columns()) {
-        if (&column != &columns().front()) out += ',';
-        out += fieldText(column.get(row));
-    }
-    return out + "\n";
+    return columnsLine(columns(), row);
 }
 
 std::string filterBenchJson(std::span<const FilterBenchRow> rows) {
-    auto all = nlohmann::ordered_json::array();
-    for (const FilterBenchRow& row : rows) {
-        nlohmann::ordered_json object;
-        for (const Column& column : columns()) {
-            std::visit([&](const auto& value) { object[std::string(column.name)] = value; }, column.get(row));
-        }
-        all.push_back(std::move(object));
-    }
-    return all.dump(1) + "\n";
+    return columnsJson(columns(), rows);
 }
 
 std::string filterBenchText(std::span<const FilterBenchRow> rows) {

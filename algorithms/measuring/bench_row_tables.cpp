@@ -1,8 +1,6 @@
 #include <cmath>
-#include <variant>
 
-#include <nlohmann/json.hpp>
-
+#include "measuring/bench_columns.h"
 #include "measuring/bench_rows.h"
 #include "measuring/machine.h"
 #include "measuring/text_table.h"
@@ -13,11 +11,8 @@ namespace {
 
 constexpr int kDigits = 3;  // of what people read
 
-using Value = std::variant<std::string, std::int64_t, double>;
-struct Column {
-    std::string_view name;
-    Value (*get)(const RowBenchRow&);
-};
+using Value = BenchValue;
+using Column = BenchColumnOf<RowBenchRow>;
 
 const std::vector<Column>& columns() {
     using R = RowBenchRow;
@@ -38,13 +33,6 @@ const std::vector<Column>& columns() {
         {"error_max", [](const R& r) -> Value { return r.errorMax; }},
     };
     return all;
-}
-
-std::string fieldText(const Value& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
-    const double number = std::get<double>(value);
-    return std::isfinite(number) ? numberText(number) : "";
 }
 
 bool sameBlock(const RowBenchRow& a, const RowBenchRow& b) {
@@ -76,31 +64,15 @@ std::string_view precisionName(RowPrecision precision) {
 }
 
 std::string rowBenchCsvHeader() {
-    std::string out;
-    for (const Column& column : columns()) out.append(out.empty() ? "" : ",").append(column.name);
-    return out + "\n";
+    return columnsHeader(columns());
 }
 
 std::string rowBenchCsvLine(const RowBenchRow& row) {
-    std::string out;
-    for (const Column& column : columns()) {
-        if (&column != &columns().front()) out += ',';
-        out += fieldText(column.get(row));
-    }
-    return out + "\n";
+    return columnsLine(columns(), row);
 }
 
 std::string rowBenchJson(std::span<const RowBenchRow> rows) {
-    auto all = nlohmann::ordered_json::array();
-    for (const RowBenchRow& row : rows) {
-        nlohmann::ordered_json object;
-        // NaN becomes null.
-        for (const Column& column : columns()) {
-            std::visit([&](const auto& value) { object[std::string(column.name)] = value; }, column.get(row));
-        }
-        all.push_back(std::move(object));
-    }
-    return all.dump(1) + "\n";
+    return columnsJson(columns(), rows);
 }
 
 std::string rowBenchText(std::span<const RowBenchRow> rows) {

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "measuring/bench_tracers.h"
 #include "measuring/text_table.h"
 
@@ -11,20 +9,6 @@ namespace relief {
 namespace {
 
 constexpr int kDigits = 3;  // of what people read
-
-std::string quotedField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
-}
-
-std::string fieldText(const BenchValue& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return quotedField(*text);
-    if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
-    const double number = std::get<double>(value);
-    return std::isfinite(number) ? numberText(number) : "";
-}
 
 std::string bytesText(std::int64_t bytes) {
     if (bytes < 1024) return std::to_string(bytes) + " B";
@@ -78,7 +62,7 @@ const std::vector<BenchColumn>& benchColumns() {
         {"method", [](const R& r) -> V { return r.method.name; }},
         {"options", [](const R& r) -> V { return optionsText(r.method, true); }},
         {"elevation", [](const R& r) -> V { return r.elevation ? V(*r.elevation) : V(std::string("random")); }},
-        {"seed", [](const R& r) -> V { return std::to_string(r.seed); }},
+        {"seed", [](const R& r) -> V { return r.seed; }},
         {"threads", [](const R& r) -> V { return std::int64_t{r.threads}; }},
         {"rate", [](const R& r) -> V { return r.rate; }},
         {"spread", [](const R& r) -> V { return r.spread; }},
@@ -102,37 +86,15 @@ const std::vector<BenchColumn>& benchColumns() {
 }
 
 std::string benchCsvHeader() {
-    std::string out;
-    for (const BenchColumn& column : benchColumns()) out.append(out.empty() ? "" : ",").append(column.name);
-    return out + "\n";
+    return columnsHeader(benchColumns());
 }
 
 std::string benchCsvLine(const BenchRow& row) {
-    std::string out;
-    for (const BenchColumn& column : benchColumns()) {
-        if (&column != &benchColumns().front()) out += ',';
-        out += fieldText(column.get(row));
-    }
-    return out + "\n";
+    return columnsLine(benchColumns(), row);
 }
 
 std::string benchJson(std::span<const BenchRow> rows) {
-    auto all = nlohmann::ordered_json::array();
-    for (const BenchRow& row : rows) {
-        nlohmann::ordered_json object;
-        for (const BenchColumn& column : benchColumns()) {
-            // A seed goes up to 2^64 - 1, which is a whole number to JSON, too.
-            if (column.name == "seed") {
-                object["seed"] = row.seed;
-                continue;
-            }
-            // NaN becomes null.
-            std::visit([&](const auto& value) { object[std::string(column.name)] = value; }, column.get(row));
-        }
-        all.push_back(std::move(object));
-    }
-    // File names need not be UTF-8.
-    return all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return columnsJson(benchColumns(), rows);
 }
 
 std::string benchText(std::span<const BenchRow> rows) {

@@ -8,9 +8,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "measuring/bench_columns.h"
 #include "measuring/measured_method.h"
 
 namespace relief {
@@ -66,12 +66,7 @@ struct BenchRow {
     std::string compiler, cpu, commit;
 };
 
-// A value of a row: a word, a whole number, a number (NaN: there is none).
-using BenchValue = std::variant<std::string, std::int64_t, double>;
-struct BenchColumn {
-    std::string_view name;
-    BenchValue (*get)(const BenchRow&);
-};
+using BenchColumn = BenchColumnOf<BenchRow>;
 // height,size,surface,address,relief_depth,method,options,elevation,seed,threads,rate,spread,error_mean,error_p95,
 // error_p9999,error_max,wrong_outcome,overshoots,steps_mean,steps_p95,steps_max,reads_mean,memory_bytes,build_seconds,
 // compiler,cpu,commit

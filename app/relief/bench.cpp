@@ -1,13 +1,10 @@
 // relief bench tracers | rows | filters [-o FILE.csv|json]
-#include <unistd.h>
-
 #include "bench_filters.h"
+#include "bench_output.h"
 #include "bench_rows.h"
 #include "images/reliefs.h"
-#include "journal.h"
 #include "measuring/bench_tracers.h"
 #include "options_common.h"
-#include "output.h"
 
 namespace relief::app {
 
@@ -99,13 +96,6 @@ BenchOptions benchOptions(const BenchCommandOptions& given) {
     return options;
 }
 
-std::string fileText(const std::vector<BenchRow>& rows, bool json) {
-    if (json) return benchJson(rows);
-    std::string text = benchCsvHeader();
-    for (const BenchRow& row : rows) text += benchCsvLine(row);
-    return text;
-}
-
 int runBench(const BenchCommandOptions& given, Session& session) {
     given.run.apply(session);
     const std::string& kind = needed(given.kind, "KIND", "bench");
@@ -122,24 +112,12 @@ int runBench(const BenchCommandOptions& given, Session& session) {
     }
     BenchOptions options = benchOptions(given);
     loadMaps(chosenPictures(given), options, session);
-    std::optional<Journal> journal;
-    if (given.output) journal.emplace(*given.output, benchCsvHeader());
-    options.onRow = [&](const BenchRow& row) {
-        if (journal) journal->write(benchCsvLine(row));
-    };
     options.onNote = [&](const Message& message) { session.note("bench", message); };
-    const std::vector<BenchRow> rows = benchTracers(options, session.work());
-    session.eraseBar();
-    if (given.output) {
-        TextOutput file(*given.output, session.stop());
-        file.write(fileText(rows, fileEnding(*given.output) == "json"));
-        file.commit();
-        journal->remove();
-    } else {
-        const bool terminal = isatty(STDOUT_FILENO) == 1;
-        writeStandardOutput(terminal ? benchText(rows) : fileText(rows, false), session.stop());
-    }
-    return 0;
+    const BenchTexts<BenchRow> texts{benchCsvHeader, benchCsvLine, benchJson, benchText};
+    return runBenchTo<BenchRow>(given.output, texts, session, [&](std::function<void(const BenchRow&)> onRow) {
+        options.onRow = std::move(onRow);
+        return benchTracers(options, session.work());
+    });
 }
 
 void addWhat(CLI::App& parser, BenchCommandOptions& options) {

@@ -1,11 +1,8 @@
 // relief bench filters [-o FILE.csv|json]
 #include "bench_filters.h"
 
-#include <unistd.h>
-
-#include "journal.h"
+#include "bench_output.h"
 #include "measuring/bench_tracers.h"
-#include "output.h"
 
 namespace relief::app {
 
@@ -83,13 +80,6 @@ FilterBenchOptions filterOptions(const FilterBenchCommand& given, const OptionTe
     return options;
 }
 
-std::string fileText(const std::vector<FilterBenchRow>& rows, bool json) {
-    if (json) return filterBenchJson(rows);
-    std::string text = filterBenchCsvHeader();
-    for (const FilterBenchRow& row : rows) text += filterBenchCsvLine(row);
-    return text;
-}
-
 }  // namespace
 
 void FilterBenchCommand::add(CLI::App& parser) {
@@ -132,23 +122,11 @@ int FilterBenchCommand::run(const std::vector<Pictures>& pictures, const OptionT
                 HeightField(scene.field.sharedHeights(), Surface::Bilinear, Address::Repeat, scenario.reliefDepth);
         }
     }
-    std::optional<Journal> journal;
-    if (output) journal.emplace(*output, filterBenchCsvHeader());
-    options.onRow = [&](const FilterBenchRow& row) {
-        if (journal) journal->write(filterBenchCsvLine(row));
-    };
-    const std::vector<FilterBenchRow> rows = benchFilters(options, session.work());
-    session.eraseBar();
-    if (output) {
-        TextOutput file(*output, session.stop());
-        file.write(fileText(rows, fileEnding(*output) == "json"));
-        file.commit();
-        journal->remove();
-    } else {
-        const bool terminal = isatty(STDOUT_FILENO) == 1;
-        writeStandardOutput(terminal ? filterBenchText(rows) : fileText(rows, false), session.stop());
-    }
-    return 0;
+    const BenchTexts<FilterBenchRow> texts{filterBenchCsvHeader, filterBenchCsvLine, filterBenchJson, filterBenchText};
+    return runBenchTo<FilterBenchRow>(output, texts, session, [&](std::function<void(const FilterBenchRow&)> onRow) {
+        options.onRow = std::move(onRow);
+        return benchFilters(options, session.work());
+    });
 }
 
 }  // namespace relief::app

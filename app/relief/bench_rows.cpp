@@ -1,12 +1,9 @@
 // relief bench rows [-o FILE.csv|json]
 #include "bench_rows.h"
 
-#include <unistd.h>
-
-#include "journal.h"
+#include "bench_output.h"
 #include "measuring/bench_rows.h"
 #include "measuring/bench_tracers.h"
-#include "output.h"
 
 namespace relief::app {
 
@@ -55,13 +52,6 @@ RowBenchOptions rowOptions(const RowBenchCommand& given, const OptionText& eleva
     return options;
 }
 
-std::string fileText(const std::vector<RowBenchRow>& rows, bool json) {
-    if (json) return rowBenchJson(rows);
-    std::string text = rowBenchCsvHeader();
-    for (const RowBenchRow& row : rows) text += rowBenchCsvLine(row);
-    return text;
-}
-
 }  // namespace
 
 void RowBenchCommand::add(CLI::App& parser) {
@@ -78,23 +68,11 @@ void RowBenchCommand::add(CLI::App& parser) {
 int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds, const OptionText& output,
                          Session& session) const {
     RowBenchOptions options = rowOptions(*this, elevations, rounds);
-    std::optional<Journal> journal;
-    if (output) journal.emplace(*output, rowBenchCsvHeader());
-    options.onRow = [&](const RowBenchRow& row) {
-        if (journal) journal->write(rowBenchCsvLine(row));
-    };
-    const std::vector<RowBenchRow> rows = benchRows(options, session.work());
-    session.eraseBar();
-    if (output) {
-        TextOutput file(*output, session.stop());
-        file.write(fileText(rows, fileEnding(*output) == "json"));
-        file.commit();
-        journal->remove();
-    } else {
-        const bool terminal = isatty(STDOUT_FILENO) == 1;
-        writeStandardOutput(terminal ? rowBenchText(rows) : fileText(rows, false), session.stop());
-    }
-    return 0;
+    const BenchTexts<RowBenchRow> texts{rowBenchCsvHeader, rowBenchCsvLine, rowBenchJson, rowBenchText};
+    return runBenchTo<RowBenchRow>(output, texts, session, [&](std::function<void(const RowBenchRow&)> onRow) {
+        options.onRow = std::move(onRow);
+        return benchRows(options, session.work());
+    });
 }
 
 }  // namespace relief::app

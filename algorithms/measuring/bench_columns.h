@@ -1,0 +1,61 @@
+// Tables of measurements as files have them: the columns of a row described once, written as CSV and as JSON.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace relief {
+
+// A value of a row: a word, a whole number (seeds go up to 2^64 - 1), a number (NaN: there is none).
+using BenchValue = std::variant<std::string, std::int64_t, std::uint64_t, double>;
+
+template <class Row>
+struct BenchColumnOf {
+    std::string_view name;
+    BenchValue (*get)(const Row&);
+};
+
+// As a field of CSV: fields with commas or quotes are quoted; no number: empty.
+std::string benchField(const BenchValue& value);
+
+// With "\n".
+template <class Row>
+std::string columnsHeader(const std::vector<BenchColumnOf<Row>>& columns) {
+    std::string out;
+    for (const auto& column : columns) out.append(out.empty() ? "" : ",").append(column.name);
+    return out + "\n";
+}
+
+template <class Row>
+std::string columnsLine(const std::vector<BenchColumnOf<Row>>& columns, const Row& row) {
+    std::string out;
+    for (const auto& column : columns) {
+        if (&column != &columns.front()) out += ',';
+        out += benchField(column.get(row));
+    }
+    return out + "\n";
+}
+
+// An array of objects with the same values; no number: null.
+template <class Row>
+std::string columnsJson(const std::vector<BenchColumnOf<Row>>& columns, std::span<const Row> rows) {
+    auto all = nlohmann::ordered_json::array();
+    for (const Row& row : rows) {
+        nlohmann::ordered_json object;
+        for (const auto& column : columns) {
+            // NaN becomes null.
+            std::visit([&](const auto& value) { object[std::string(column.name)] = value; }, column.get(row));
+        }
+        all.push_back(std::move(object));
+    }
+    // File names need not be UTF-8.
+    return all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace relief
