@@ -1,6 +1,7 @@
 #include "rendering/frame.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -195,6 +196,7 @@ std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& requ
             throw InputError("--layers",
                              Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", known}}));
         }
+        if (name == "steps") assert(frame.hits->counted());
         if (name == "error") tools.error = errorAgainstExact(frame, request, maps, work);
         if (name == "footprint" || name == "hidden") tools.visible = frame.visible(request);
         const std::size_t first = planes.size();

@@ -39,6 +39,8 @@ struct FrameRequest {
     Camera camera;
     Light light;
     bool shadows = false;
+    // Steps and reads of every ray, too: the rays are traced once more for them, with the same hits.
+    bool counts = false;
     Color sky{0.55F, 0.65F, 0.8F};  // linear
     // For parts of a bigger picture: where in its square a pixel is looked at, [0, 1]^2, and by how many pixels the
     // frame reaches beyond the camera's picture on every side (counted in width and height).
@@ -61,7 +63,8 @@ struct RayStage {
     std::vector<float> inverseDepth;    // 1 / camera depth of the entry, per world unit
 };
 struct HitStage {
-    HitBlock hits;
+    HitBlock hits;  // steps and reads are empty until they are counted
+    bool counted() const { return hits.steps.size() == hits.size(); }
 };
 struct ColorStage {
     ColorImage color;  // linear, unlit
@@ -127,6 +130,10 @@ class FrameRenderer {
     // frame stay). Same bits for any number of threads and whatever was reused.
     std::shared_ptr<const Frame> render(const FrameRequest& request, Work& work, const Snapshot& snapshot = {});
 
+    // The last frame with the steps and reads of every ray, and the counters that need them; the frame itself if it
+    // has them. Only after render(). Throws Cancelled.
+    std::shared_ptr<const Frame> counted(Work& work);
+
     // The tracer of the last frame, to replay a pixel with a log.
     std::shared_ptr<const Tracer> tracer() const { return tracer_; }
 
@@ -151,7 +158,7 @@ std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& r
 // picture. Same bits as Frame::ray.
 std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y);
 
-// Planes of the named layers: color (R, G, B), depth, uv (u, v), normal (X, Y, Z), steps, outcome
+// Planes of the named layers: color (R, G, B), depth, uv (u, v), normal (X, Y, Z), steps (of a counted frame), outcome
 // (0 none, 1 hit, 2 miss, 3 limit), error (texels and kind: error_layer.h), footprint (semi-axes of the circle of
 // radius 1 pixel in texels of the height map), hidden (share of the texels under the filter that the relief hides). The
 // last three are computed only when they are asked for. Throws InputError("--layers", ...) for unknown names,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 
 #include <oneapi/tbb/parallel_for.h>
@@ -73,7 +74,7 @@ void checkRequest(const FrameRequest& request) {
 }
 
 // New buffers for stale stages; the frame points to what its later stages read.
-FrameBuffers allocate(Frame& frame, const Frame* last, bool shadows, std::uint32_t stale) {
+FrameBuffers allocate(Frame& frame, const Frame* last, bool shadows, bool mesh, std::uint32_t stale) {
     const auto pixels = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
     FrameBuffers buffers;
     if (has(stale, Stage::Rays)) {
@@ -85,6 +86,11 @@ FrameBuffers allocate(Frame& frame, const Frame* last, bool shadows, std::uint32
     if (has(stale, Stage::Hits)) {
         buffers.hits = std::make_shared<HitStage>();
         buffers.hits->hits.resize(pixels);
+        // A mesh counts its triangles as it draws; rays are counted when somebody asks.
+        if (!mesh) {
+            buffers.hits->hits.steps = {};
+            buffers.hits->hits.reads = {};
+        }
     }
     if (has(stale, Stage::Color)) {
         buffers.color = std::make_shared<ColorStage>();
@@ -121,6 +127,13 @@ void reportFilter(Frame& frame, const FrameTotals& totals) {
     count("footprints with nothing visible", static_cast<double>(totals.hiddenFootprints));
 }
 
+void reportCounts(Frame& frame, const FrameTotals& totals) {
+    const auto count = [&](const char* name, double value) { frame.counters[name] = value; };
+    count("rays not needed: the start is the highest point", static_cast<double>(totals.startHighest));
+    count("steps", static_cast<double>(totals.steps));
+    count("reads", static_cast<double>(totals.reads));
+}
+
 void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& totals, std::uint32_t stale) {
     for (std::size_t s = 0; s < kStages; ++s) {
         frame.stages[s].reused = (stale & (1U << s)) == 0;
@@ -135,12 +148,10 @@ void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& tot
     if (has(stale, Stage::Rays)) count("pixels without a polygon", pixels - static_cast<double>(totals.covered));
     count("rays traced", static_cast<double>(totals.traced));
     if (has(stale, Stage::Hits)) {
-        count("rays not needed: the start is the highest point", static_cast<double>(totals.startHighest));
-        count("steps", static_cast<double>(totals.steps));
-        count("reads", static_cast<double>(totals.reads));
         count("hits", static_cast<double>(totals.hits));
         count("misses", static_cast<double>(totals.misses));
         count("step limits", static_cast<double>(totals.limits));
+        if (frame.hits->counted()) reportCounts(frame, totals);
         if (totals.triangles > 0) count("triangles drawn", static_cast<double>(totals.triangles));
     }
     if (frame.filter && has(stale, Stage::Color)) reportFilter(frame, totals);
@@ -175,16 +186,19 @@ std::shared_ptr<Frame> describedFrame(const FrameRequest& request) {
     return frame;
 }
 
-void runTiles(const TileWorker& worker, const FrameRequest& request, bool tellProgress, Work& work) {
-    const std::vector<PixelArea> tiles = tilesOf(request.width, request.height);
+// body(tile) over the picture, in parallel. Throws Cancelled.
+template <class Body>
+void overTiles(const Frame& frame, bool tellProgress, Work& work, const Body& body) {
+    const std::vector<PixelArea> tiles = tilesOf(frame.width, frame.height);
     if (tellProgress) work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
     work.arena().execute([&] {
         tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t n) {
             if (work.stopped()) return;
-            worker.run(tiles[n], work);
+            body(tiles[n]);
             if (tellProgress) work.progress().advance();
         });
     });
+    work.throwIfStopped();
 }
 
 }  // namespace
@@ -230,11 +244,11 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
 
     frame->filter = !first && !has(stale, Stage::Color) ? frame_->filter : madeFilter(request, work);
 
-    const FrameBuffers buffers = allocate(*frame, frame_.get(), request.shadows, stale);
+    const FrameBuffers buffers = allocate(*frame, frame_.get(), request.shadows, mesh != nullptr, stale);
     FrameTotals totals;
     const FrameTools tools{visible, *tracer, mesh.get(), query.get()};
-    if (stale != 0) runTiles({request, *frame, tools, buffers, stale, totals}, request, !partOfMore_, work);
-    work.throwIfStopped();
+    const TileWorker worker(request, *frame, tools, buffers, stale, totals);
+    if (stale != 0) overTiles(*frame, !partOfMore_, work, [&](const PixelArea& tile) { worker.run(tile, work); });
     report(*frame, visible, totals, stale);
     if (request.filter.name == kSupersample && buffers.light) {
         buffers.light->color = supersampled(request, maps_, work, snapshot, frame->counters);
@@ -246,7 +260,23 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     last_ = request;
     frame_ = frame;
     tracer_ = tracer;
-    return frame;
+    return request.counts ? counted(work) : frame_;
+}
+
+std::shared_ptr<const Frame> FrameRenderer::counted(Work& work) {
+    assert(frame_ && tracer_);
+    if (frame_->hits->counted()) return frame_;
+    auto frame = std::make_shared<Frame>(*frame_);
+    auto hits = std::make_shared<HitStage>(*frame->hits);
+    hits->hits.steps.resize(hits->hits.size());
+    hits->hits.reads.resize(hits->hits.size());
+    frame->hits = hits;
+    FrameTotals totals;
+    overTiles(*frame, !partOfMore_, work,
+              [&](const PixelArea& tile) { countTile(tile, *tracer_, *frame, *hits, totals, work); });
+    reportCounts(*frame, totals);
+    frame_ = frame;
+    return frame_;
 }
 
 }  // namespace relief

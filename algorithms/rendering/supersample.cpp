@@ -131,7 +131,8 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
         const auto frame = renderer.render(pass, work);
         sums.add(frame->light->color, pass.sample, work);
         for (const char* name : {"rays traced", "steps"}) {
-            counters[std::string("samples: ") + name] += frame->counters.at(name);
+            const auto found = frame->counters.find(name);
+            if (found != frame->counters.end()) counters[std::string("samples: ") + name] += found->second;
         }
         work.progress().advance();
         if (snapshot && sums.complete() && done + 1 < total && toldOf(done + 1))

@@ -60,7 +60,7 @@ class SampleSums {
 };
 
 // The supersampled picture of the request (whose filter says N and model); every other setting as it stands. Adds
-// counters "samples a pixel", "samples: rays traced" and "samples: steps".
+// counters "samples a pixel", "samples: rays traced" and, where the request wants counts, "samples: steps".
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
                         const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters);
 

@@ -16,6 +16,25 @@ namespace {
 // of coordinates up to 10^6 texels, below what can be seen.
 constexpr double kShadowStart = 1e-6;
 
+// Indices of the tile's pixels that see a polygon.
+std::vector<std::size_t> coveredPixels(const PixelArea& tile, const Frame& frame) {
+    std::vector<std::size_t> pixels;
+    pixels.reserve(static_cast<std::size_t>(kTileWidth) * kTileHeight);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            const std::size_t i = frame.index(x, y);
+            if (frame.rays->polygon[i] != kNoPolygon) pixels.push_back(i);
+        }
+    }
+    return pixels;
+}
+
+RayBlock raysOf(const std::vector<std::size_t>& pixels, const RayStage& rays) {
+    RayBlock block(pixels.size());
+    for (std::size_t n = 0; n < pixels.size(); ++n) block.set(n, rays.rays[pixels[n]]);
+    return block;
+}
+
 }  // namespace
 
 void TileWorker::makeRays(const PixelArea& tile) const {
@@ -41,28 +60,15 @@ void TileWorker::makeRays(const PixelArea& tile) const {
 }
 
 void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
-    const RayStage& rays = *frame_.rays;
     HitBlock& out = buffers_.hits->hits;
-    std::vector<std::size_t> pixels;
-    pixels.reserve(static_cast<std::size_t>(kTileWidth) * kTileHeight);
-    overPixels(tile, [&](int, int, std::size_t i) {
-        if (rays.polygon[i] != kNoPolygon) pixels.push_back(i);
-    });
-    RayBlock block(pixels.size());
-    for (std::size_t n = 0; n < pixels.size(); ++n) block.set(n, rays.rays[pixels[n]]);
+    const std::vector<std::size_t> pixels = coveredPixels(tile, frame_);
+    const RayBlock block = raysOf(pixels, *frame_.rays);
     HitBlock hits;
-    BlockCounts counts;
-    tools_.tracer.trace(block, hits, counts, work);
-    for (std::size_t n = 0; n < pixels.size(); ++n) {
-        out.set(pixels[n], hits[n]);
-        out.steps[pixels[n]] = hits.steps[n];
-        out.reads[pixels[n]] = hits.reads[n];
-    }
+    NullSink sink;
+    tools_.tracer.trace(block, hits, sink, work);
+    for (std::size_t n = 0; n < pixels.size(); ++n) out.set(pixels[n], hits[n]);
     countOutcomes(tile);
     totals_.traced += static_cast<std::int64_t>(pixels.size());
-    totals_.steps += static_cast<std::int64_t>(counts.steps);
-    totals_.reads += static_cast<std::int64_t>(counts.reads);
-    totals_.startHighest += static_cast<std::int64_t>(counts.startHighest);
 }
 
 void TileWorker::drawMesh(const PixelArea& tile) const {
@@ -194,6 +200,22 @@ void TileWorker::lightHits(const PixelArea& tile) const {
                 out[i] = request_.sky;
         }
     });
+}
+
+void countTile(const PixelArea& tile, const Tracer& tracer, const Frame& frame, HitStage& hits, FrameTotals& totals,
+               Work& work) {
+    const std::vector<std::size_t> pixels = coveredPixels(tile, frame);
+    const RayBlock block = raysOf(pixels, *frame.rays);
+    HitBlock again;
+    BlockCounts counts;
+    tracer.trace(block, again, counts, work);
+    for (std::size_t n = 0; n < pixels.size(); ++n) {
+        hits.hits.steps[pixels[n]] = again.steps[n];
+        hits.hits.reads[pixels[n]] = again.reads[n];
+    }
+    totals.steps += static_cast<std::int64_t>(counts.steps);
+    totals.reads += static_cast<std::int64_t>(counts.reads);
+    totals.startHighest += static_cast<std::int64_t>(counts.startHighest);
 }
 
 }  // namespace relief

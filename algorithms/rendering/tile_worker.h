@@ -103,4 +103,8 @@ class TileWorker {
     glm::dvec3 toLight_;
 };
 
+// Steps and reads of the tile's rays: traced once more by the tracer that made the hits.
+void countTile(const PixelArea& tile, const Tracer& tracer, const Frame& frame, HitStage& hits, FrameTotals& totals,
+               Work& work);
+
 }  // namespace relief

@@ -27,6 +27,7 @@ struct RenderOptions {
 struct Seconds {
     double load = 0;
     double render = 0;
+    double count = 0;  // steps and reads, for reports and the layer of steps
     double write = 0;
 };
 
@@ -100,8 +101,9 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
     report["stages"] = stagesJson(frame);
     report["seconds"] = {{"load", seconds.load},
                          {"render", seconds.render},
+                         {"count", seconds.count},
                          {"write", seconds.write},
-                         {"total", seconds.load + seconds.render + seconds.write}};
+                         {"total", seconds.load + seconds.render + seconds.count + seconds.write}};
     return report.dump(2) + "\n";
 }
 
@@ -121,7 +123,12 @@ int runRender(const RenderOptions& options, Session& session) {
     timed(seconds.load, [&] { options.scenario.useStoredMap(scenario, assets, *maps, session.work()); });
     FrameRenderer renderer(maps);
     const FrameRequest request = frameRequest(scenario, assets);
-    const auto frame = timed(seconds.render, [&] { return renderer.render(request, session.work()); });
+    auto frame = timed(seconds.render, [&] { return renderer.render(request, session.work()); });
+    // Apart from the frame's own time.
+    const bool wantsSteps = std::find(layers.begin(), layers.end(), "steps") != layers.end();
+    if (options.report || wantsSteps) {
+        frame = timed(seconds.count, [&] { return renderer.counted(session.work()); });
+    }
     timed(seconds.write, [&] {
         if (layers.empty()) {
             writeColor(output, frame->light->color);

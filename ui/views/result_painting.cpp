@@ -344,6 +344,19 @@ void addLayerValue(QStringList& lines, const Snapshot& snapshot, int x, int y) {
 
 }  // namespace
 
+RayCounts rayCounts(const Snapshot& snapshot, std::size_t pixel) {
+    const relief::HitStage& hits = *snapshot.frame->hits;
+    if (hits.counted()) return {hits.hits.steps[pixel], hits.hits.reads[pixel]};
+    // Frames do not count unless the layer of steps is shown: this one ray is traced again.
+    relief::RayBlock ray;
+    ray.push(snapshot.frame->rays->rays[pixel]);
+    relief::HitBlock again;
+    relief::BlockCounts counts;
+    relief::Work work(1);
+    snapshot.tracer->trace(ray, again, counts, work);
+    return {again.steps[0], again.reads[0]};
+}
+
 QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel, bool brief) {
     const relief::Frame& frame = *snapshot.frame;
     const int x = std::clamp(pixel.x * frame.width / snapshot.scenario.width, 0, frame.width - 1);
@@ -369,7 +382,8 @@ QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel, bo
     } else {
         lines << outcomeTitle(hit.outcome);
     }
-    lines << ResultText::tr("steps: %1, reads: %2").arg(frame.hits->hits.steps[i]).arg(frame.hits->hits.reads[i]);
+    const RayCounts counts = rayCounts(snapshot, i);
+    lines << ResultText::tr("steps: %1, reads: %2").arg(counts.steps).arg(counts.reads);
     addLayerValue(lines, snapshot, x, y);
     return lines;
 }

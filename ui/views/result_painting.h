@@ -28,6 +28,13 @@ QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLef
 // The picture with the layer's legend below it, for export.
 QImage withLegend(const QImage& picture, const LayerPicture& layer, const Style& style);
 
+// Decision records and values read by the ray of a pixel (index in the frame) that sees a polygon.
+struct RayCounts {
+    std::uint32_t steps = 0;
+    std::uint32_t reads = 0;
+};
+RayCounts rayCounts(const Snapshot& snapshot, std::size_t pixel);
+
 // Values of a pixel of the full-size picture, one thing a line, and what the shown layer says; `brief`:
 // place, outcome and steps.
 QStringList pixelReadout(const Snapshot& snapshot, relief::PixelChoice pixel, bool brief = false);

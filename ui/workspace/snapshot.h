@@ -37,6 +37,7 @@ struct Snapshot {
     std::shared_ptr<const relief::Frame> frame;           // of the coarse size, if coarse
     QImage picture;                                       // the frame as shown; its size is the frame's
     LayerPicture layer;                                   // what the result view was asked to show instead of it
+    std::shared_ptr<const relief::Tracer> tracer;         // of the frame
     relief::Guarantee guarantee = relief::Guarantee::Approximate;  // of the method with these options
     std::size_t methodBytes = 0;                                   // of its maps
     std::shared_ptr<const PixelFootprint> footprint;               // of the pixel; null where it has no hit

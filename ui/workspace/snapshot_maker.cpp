@@ -120,11 +120,13 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
 
     Size& size = snapshot->coarse ? coarse_ : full_;
     render(size, scenario, *request, snapshot->assets, work);
+    if (order.layer == Layer::Steps) size.frame = size.renderer->counted(work);
     if (size.layer.layer != order.layer) size.layer = makeLayer(order.layer, *size.frame, *request, *maps_, work);
     snapshot->request = request;
     snapshot->frame = size.frame;
     snapshot->picture = size.picture;
     snapshot->layer = size.layer;
+    snapshot->tracer = size.renderer->tracer();
     snapshot->guarantee = size.renderer->tracer()->guarantee();
     snapshot->methodBytes = size.renderer->tracer()->bytes();
     snapshot->trace = trace(scenario, snapshot->assets, *size.renderer->tracer(), work);

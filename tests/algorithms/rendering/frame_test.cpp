@@ -179,8 +179,45 @@ TEST(Frame, aPlateauNeedsNoTracing) {
     FrameRequest request(HeightField(constantHeights(16, 16, 0.5F)));
     request.width = 40;
     request.height = 30;
+    request.counts = true;
     const auto frame = renderFresh(request, 1);
     EXPECT_EQ(frame->counters.at("rays not needed: the start is the highest point"), frame->counters.at("rays traced"));
+}
+
+// Counting traces once more: the same hits, the counts of each ray as its own log has them.
+TEST(Frame, countsComeWhenAskedForAndChangeNothing) {
+    FrameRequest request = brickRequest();
+    Work work;
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    const auto plain = renderer.render(request, work);
+    EXPECT_FALSE(plain->hits->counted());
+    EXPECT_FALSE(plain->counters.contains("steps"));
+    request.counts = true;
+    const auto counted = renderer.render(request, work);
+    ASSERT_TRUE(counted->hits->counted());
+    EXPECT_EQ(counted->counters.at("rays traced"), 0) << "no stage was stale";
+    EXPECT_EQ(counted->color, plain->color);
+    EXPECT_TRUE(samePicture(*counted, *plain));
+    EXPECT_EQ(renderer.counted(work), counted);
+    const auto fresh = renderFresh(request, 1);
+    EXPECT_EQ(fresh->hits->hits.steps, counted->hits->hits.steps);
+    EXPECT_EQ(fresh->hits->hits.reads, counted->hits->hits.reads);
+    double steps = 0;
+    for (std::size_t i = 0; i < counted->hits->hits.size(); ++i) {
+        steps += counted->hits->hits.steps[i];
+        if (counted->rays->polygon[i] == kNoPolygon || i % 97 != 0) continue;
+        RayBlock ray;
+        ray.push(counted->rays->rays[i]);
+        HitBlock hit;
+        StepLog log;
+        renderer.tracer()->trace(ray, hit, log, work);
+        EXPECT_EQ(counted->hits->hits.steps[i], log.steps.size());
+        EXPECT_EQ(counted->hits->hits.reads[i], log.reads[0]);
+    }
+    EXPECT_EQ(counted->counters.at("steps"), steps);
+    request.camera.azimuth += 5;
+    request.counts = false;
+    EXPECT_FALSE(renderer.render(request, work)->hits->counted());
 }
 
 TEST(Frame, aCancelledFrameIsNotPublished) {
@@ -198,7 +235,8 @@ TEST(Frame, aCancelledFrameIsNotPublished) {
 }
 
 TEST(Frame, layersHaveTheirPlanes) {
-    const FrameRequest request = brickRequest();
+    FrameRequest request = brickRequest();
+    request.counts = true;
     const auto frame = renderFresh(request, 1);
     MapCache maps;
     Work work;
