@@ -1,0 +1,31 @@
+// The order in which the pixels of a tile are traced: neighbours on the screen are neighbours in the block of rays, so
+// that lanes and packets of 4, 8 and 16 rays hold a square or half a square of pixels.
+#pragma once
+
+#include <algorithm>
+
+#include "rendering/mesh_raster.h"
+
+namespace relief {
+
+inline constexpr int kBlockSide = 4;    // of the smallest squares: 16 pixels
+inline constexpr int kSquareSide = 16;  // of the squares of those
+
+// body(x, y) once for every pixel of the tile: squares of 16 x 16 from its upper left corner, row after row; in each
+// blocks of 4 x 4, row after row; in each the pixels, row after row. Pixels beyond the tile's edge are left out.
+template <class Body>
+void inBlockOrder(const PixelArea& tile, const Body& body) {
+    const auto split = [](const PixelArea& area, int side, const auto& part) {
+        for (int y = area.y0; y < area.y1; y += side) {
+            for (int x = area.x0; x < area.x1; x += side) {
+                part(PixelArea{x, y, std::min(x + side, area.x1), std::min(y + side, area.y1)});
+            }
+        }
+    };
+    split(tile, kSquareSide, [&](const PixelArea& square) {
+        split(square, kBlockSide,
+              [&](const PixelArea& block) { split(block, 1, [&](const PixelArea& p) { body(p.x0, p.y0); }); });
+    });
+}
+
+}  // namespace relief
