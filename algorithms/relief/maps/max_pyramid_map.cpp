@@ -6,8 +6,6 @@
 
 namespace relief {
 
-namespace {
-
 FloatImage cellMaxima(const HeightField& field, Work& work) {
     if (field.surface() == Surface::Columns) return field.heights();
     const CellGrid grid(field);
@@ -24,8 +22,6 @@ FloatImage cellMaxima(const HeightField& field, Work& work) {
     work.throwIfStopped();
     return maxima;
 }
-
-}  // namespace
 
 std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work) {
     // Clamp and border share their cells; columns do so in every addressing.

@@ -18,6 +18,8 @@ struct MaxPyramidMap {
     float highest() const { return pyramid.level(top())(0, 0); }
 };
 
+// The largest height that the surface in each cell touches: level 0.
+FloatImage cellMaxima(const HeightField& field, Work& work);
 // From the cache, or built (O(cells), in parallel).
 std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work);
 

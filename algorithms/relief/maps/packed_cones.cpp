@@ -1,0 +1,326 @@
+#include "relief/maps/packed_cones.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/blocked_range2d.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include "relief/maps/map_memory.h"
+#include "relief/maps/max_pyramid_map.h"
+#include "relief/maps/packed_cone_lanes.h"
+
+namespace relief {
+
+namespace {
+
+constexpr int kTileWidth = 256;  // a tile's buffers stay in the second cache
+constexpr int kTileHeight = 64;
+constexpr int kReach = 16;       // cells, or blocks of a level, beyond a tile's that its windows reach
+constexpr int kNearRings = 15;   // gaps of 1 to 15 cells, one by one
+constexpr int kFirstBlocks = 8;  // then gaps of 8 to 15 blocks, of each level
+constexpr float kEmpty = -1;     // below every height
+using DepthImage = Image<std::uint16_t>;
+
+std::size_t place(int at) {
+    return static_cast<std::size_t>(at);
+}
+// Numbers a row of windows of that many takes.
+std::size_t strideOf(int width) {
+    return place((width + kReach + 2 * kConePad - 1) / kConePad * kConePad);
+}
+
+// One axis as a quadrant sees it: place n of the run is cell n, or the n-th from the end.
+struct QuadrantAxis {
+    int cells = 0;
+    bool wraps = false;
+    bool mirrored = false;
+
+    // -1: outside, nothing there.
+    int cellAt(int n) const {
+        if (n >= cells) {
+            if (!wraps) return -1;
+            n %= cells;
+        }
+        return mirrored ? cells - 1 - n : n;
+    }
+};
+
+// Blocks of 2^level cells from every block's corner on, `reach` beyond the last: the highest cell, or one a little
+// farther (where the seam cuts a block).
+struct Blocks {
+    int width = 0;
+    int height = 0;
+    std::vector<float> values;
+
+    const float* row(int j) const { return values.data() + place(j) * place(width); }
+    float* row(int j) { return values.data() + place(j) * place(width); }
+};
+
+class QuadrantCones {
+  public:
+    QuadrantCones(const FloatImage& cells, const DepthImage& depths, const PackedCones& map, bool wraps, int quadrant)
+        : cells_(cells),
+          depths_(depths),
+          map_(map),
+          x_{map.nx, wraps, (quadrant & 1) != 0},
+          y_{map.ny, wraps, (quadrant & 2) != 0} {}
+
+    void build(std::vector<std::uint32_t>& words, Work& work);
+
+  private:
+    struct Scratch {
+        std::vector<float> windows;
+        std::vector<std::uint32_t> depths;
+        std::vector<float> apex, slope;
+        std::vector<std::uint32_t> own;
+        std::array<std::vector<float>, kConeRings> planes;
+        std::vector<std::uint32_t> words = std::vector<std::uint32_t>(kTileWidth + kConePad);
+    };
+
+    void addLevel(Work& work);
+    static std::vector<std::array<int, 3>> below(const QuadrantAxis& axis, int level, int belowCount, int count);
+    void buildTile(int x0, int y0, Scratch& scratch, std::vector<std::uint32_t>& words) const;
+    void loadCells(int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
+    bool steepenByLevel(int level, int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
+    int blocksAcross(const QuadrantAxis& axis, int level) const { return ((axis.cells - 1) >> level) + 1; }
+
+    const FloatImage& cells_;
+    const DepthImage& depths_;
+    const PackedCones& map_;
+    QuadrantAxis x_;
+    QuadrantAxis y_;
+    std::vector<Blocks> levels_;  // of blocks of 2, 4, ... cells
+};
+
+// The blocks one level below (level 1: the cells) that blocks 0 to count - 1 consist of; -1: nothing.
+std::vector<std::array<int, 3>> QuadrantCones::below(const QuadrantAxis& axis, int level, int belowCount, int count) {
+    std::vector<std::array<int, 3>> all(place(count));
+    for (int n = 0; n < count; ++n) {
+        auto& from = all[place(n)];
+        if (level == 1) {
+            from = {axis.cellAt(2 * n), axis.cellAt(2 * n + 1), -1};
+        } else if (2 * n + 1 < belowCount) {
+            from = {2 * n, 2 * n + 1, -1};
+        } else if (!axis.wraps) {
+            from = {2 * n < belowCount ? 2 * n : -1, -1, -1};
+        } else {
+            // Taken into the first period, where the seam may lie within a block.
+            const auto start = static_cast<int>((static_cast<std::int64_t>(n) << level) % axis.cells);
+            const int first = start >> (level - 1);
+            const int last = (start + (1 << level) - 1) >> (level - 1);
+            from = {first, first + 1, last};
+        }
+    }
+    return all;
+}
+
+void QuadrantCones::addLevel(Work& work) {
+    const int level = static_cast<int>(levels_.size()) + 1;
+    Blocks blocks{blocksAcross(x_, level) + kReach, blocksAcross(y_, level) + kReach, {}};
+    const Blocks* finer = levels_.empty() ? nullptr : &levels_.back();
+    const auto columns = below(x_, level, finer ? finer->width : 0, blocks.width);
+    const auto rows = below(y_, level, finer ? finer->height : 0, blocks.height);
+    blocks.values.assign(place(blocks.width) * place(blocks.height), kEmpty);
+    const auto fillRow = [&](int j) {
+        float* to = blocks.row(j);
+        for (const int row : rows[place(j)]) {
+            if (row < 0) continue;
+            const float* from = finer ? finer->row(row) : cells_.row(row).data();
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                const auto& [a, b, c] = columns[i];
+                if (a >= 0) to[i] = std::max(to[i], from[a]);
+                if (b >= 0) to[i] = std::max(to[i], from[b]);
+                if (c >= 0) to[i] = std::max(to[i], from[c]);
+            }
+        }
+    };
+    constexpr int kGrain = 16;
+    work.arena().execute([&] {
+        tbb::parallel_for(tbb::blocked_range<int>(0, blocks.height, kGrain), [&](const auto& range) {
+            for (int j = range.begin(); j < range.end() && !work.stopped(); ++j) fillRow(j);
+        });
+    });
+    work.throwIfStopped();
+    levels_.push_back(std::move(blocks));
+}
+
+// The tile's cells and kReach more, mirrored and wrapped.
+void QuadrantCones::loadCells(int x0, int y0, const ConeTile& tile, Scratch& scratch) const {
+    const auto loadRow = [&](const auto& image, int n, int count, auto* to, std::size_t stride, auto empty) {
+        const int y = y_.cellAt(y0 + n);
+        int k = 0;
+        while (y >= 0 && k < count) {
+            const int x = x_.cellAt(x0 + k);
+            if (x < 0) break;
+            const auto* from = image.row(y).data() + x;
+            const int run = std::min(count - k, x_.mirrored ? x + 1 : x_.cells - x);
+            if (x_.mirrored) {
+                for (int i = 0; i < run; ++i) to[k + i] = from[-i];
+            } else {
+                std::copy(from, from + run, to + k);
+            }
+            k += run;
+        }
+        std::fill(to + k, to + stride, empty);
+    };
+    for (int n = 0; n < tile.height + kReach; ++n) {
+        loadRow(cells_, n, tile.width + kReach, scratch.windows.data() + place(n) * tile.stride, tile.stride, kEmpty);
+    }
+    for (int n = 0; n < tile.height + 1; ++n) {
+        loadRow(depths_, n, tile.width + 1, scratch.depths.data() + place(n) * tile.stride, tile.stride, kConeDepths);
+    }
+}
+
+// Whether cells farther than this level's rings may still matter.
+bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& tile, Scratch& scratch) const {
+    const Blocks& blocks = levels_[place(level - 1)];
+    const int i0 = x0 >> level;
+    const int j0 = y0 >> level;
+    const int width = ((x0 + tile.width - 1) >> level) - i0 + 1;
+    const int height = ((y0 + tile.height - 1) >> level) - j0 + 1;
+    ConeRings rings;
+    rings.stride = strideOf(width);
+    rings.level = level;
+    rings.x0 = x0 - (i0 << level);
+    rings.y0 = y0 - (j0 << level);
+    scratch.windows.resize(std::max(scratch.windows.size(), rings.stride * place(height + kReach)));
+    for (int j = 0; j < height + kReach; ++j) {
+        const float* from = blocks.row(j0 + j) + i0;
+        float* to = scratch.windows.data() + place(j) * rings.stride;
+        std::fill(std::copy(from, from + width + kReach, to), to + rings.stride, kEmpty);
+    }
+    int left = kReach;
+    const auto grow = [&](int shift) {
+        left -= shift;
+        growWindows(scratch.windows.data(), rings.stride, width + left, height + left, shift);
+    };
+    // Windows of n + 1 blocks from a block's corner hold all gaps below n blocks of its cells.
+    for (const int shift : {1, 2, 4, 1}) grow(shift);
+    for (std::size_t k = 0; k < kConeRings; ++k) {
+        grow(1);
+        auto& plane = scratch.planes[k];
+        const auto begin = scratch.windows.begin();
+        plane.assign(begin, begin + static_cast<std::ptrdiff_t>(rings.stride * place(height)));
+        rings.planes[k] = plane.data();
+        rings.inverseGaps[k] = 1.0F / static_cast<float>((kFirstBlocks + static_cast<int>(k)) << level);
+    }
+    const auto farther = static_cast<float>(2 * kFirstBlocks << level);
+    return steepenByBlocks(rings, static_cast<float>(map_.highest), farther, tile) > 0;
+}
+
+void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::vector<std::uint32_t>& words) const {
+    ConeTile tile;
+    tile.width = std::min(kTileWidth, x_.cells - x0);
+    tile.height = std::min(kTileHeight, y_.cells - y0);
+    tile.stride = strideOf(tile.width);
+    const std::size_t room = tile.stride * place(tile.height + kReach + 1);
+    scratch.windows.resize(std::max(scratch.windows.size(), room));
+    scratch.depths.resize(room);
+    scratch.apex.resize(room);
+    scratch.slope.resize(room);
+    scratch.own.resize(room);
+    tile.apex = scratch.apex.data();
+    tile.slope = scratch.slope.data();
+    tile.depths = scratch.own.data();
+    loadCells(x0, y0, tile, scratch);
+    placeApexes(scratch.depths.data(), tile.stride, static_cast<float>(map_.highest), static_cast<float>(map_.unit),
+                tile);
+    growWindows(scratch.windows.data(), tile.stride, tile.width + kNearRings, tile.height + kNearRings, 1);
+    for (int gap = 1; gap <= kNearRings; ++gap) {
+        const int left = kNearRings - gap;
+        growAndSteepen(scratch.windows.data(), tile.stride, tile.width + left, tile.height + left,
+                       1.0F / static_cast<float>(gap), tile);
+    }
+    for (int level = 1; level <= static_cast<int>(levels_.size()); ++level) {
+        if (!steepenByLevel(level, x0, y0, tile, scratch)) break;
+    }
+    for (int n = 0; n < tile.height; ++n) {
+        packCones(tile, n, scratch.words.data());
+        std::uint32_t* row = words.data() + map_.index(0, y_.cellAt(y0 + n));
+        const auto* from = scratch.words.data();
+        if (x_.mirrored) {
+            std::reverse_copy(from, from + tile.width, row + (x_.cells - x0 - tile.width));
+        } else {
+            std::copy(from, from + tile.width, row + x0);
+        }
+    }
+}
+
+void QuadrantCones::build(std::vector<std::uint32_t>& words, Work& work) {
+    const int farthest = std::max(x_.cells, y_.cells) - 2;  // largest gap
+    while (farthest >= kFirstBlocks << (levels_.size() + 1)) addLevel(work);
+    words.resize(cells_.size());
+    const auto tiles = [](int cells, int size) { return (cells + size - 1) / size; };
+    work.arena().execute([&] {
+        tbb::parallel_for(tbb::blocked_range2d<int>(0, tiles(y_.cells, kTileHeight), 0, tiles(x_.cells, kTileWidth)),
+                          [&](const auto& range) {
+                              Scratch scratch;
+                              for (int j = range.rows().begin(); j < range.rows().end(); ++j) {
+                                  for (int i = range.cols().begin(); i < range.cols().end(); ++i) {
+                                      if (work.stopped()) return;
+                                      buildTile(i * kTileWidth, j * kTileHeight, scratch, words);
+                                      work.progress().advance();
+                                  }
+                              }
+                          });
+    });
+    work.throwIfStopped();
+}
+
+// Depths of the cells, rounded down.
+DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work) {
+    DepthImage depths(cells.width(), cells.height());
+    const double perUnit = map.unit > 0 ? 1 / map.unit : 0;
+    constexpr double kRounding = 1e-6;  // of a unit; the comparison decides
+    work.arena().execute([&] {
+        tbb::parallel_for(0, cells.height(), [&](int y) {
+            const auto from = cells.row(y);
+            const auto to = depths.row(y);
+            for (std::size_t x = 0; x < from.size(); ++x) {
+                const double height = static_cast<double>(from[x]);
+                auto depth = static_cast<int>((map.highest - height) * perUnit + kRounding);
+                depth = std::min(depth, static_cast<int>(kConeDepths));
+                depth -= map.highest - depth * map.unit < height ? 1 : 0;
+                to[x] = static_cast<std::uint16_t>(depth);
+            }
+        });
+    });
+    return depths;
+}
+
+}  // namespace
+
+PackedCones buildPackedCones(const HeightField& field, Work& work) {
+    const FloatImage cells = cellMaxima(field, work);
+    PackedCones map;
+    map.nx = cells.width();
+    map.ny = cells.height();
+    const auto [lowest, highest] = std::minmax_element(cells.pixels().begin(), cells.pixels().end());
+    map.lowest = static_cast<double>(*lowest);
+    map.highest = static_cast<double>(*highest);
+    map.unit = (map.highest - map.lowest) / kConeDepths;
+    const DepthImage depths = depthsOf(cells, map, work);
+    const auto tiles = [](int size, int tile) { return (size + tile - 1) / tile; };
+    work.progress().begin("map packed-cones", std::int64_t{4} * tiles(map.nx, kTileWidth) * tiles(map.ny, kTileHeight));
+    for (std::size_t quadrant = 0; quadrant < map.words.size(); ++quadrant) {
+        QuadrantCones cones(cells, depths, map, field.address() == Address::Repeat, static_cast<int>(quadrant));
+        cones.build(map.words[quadrant], work);
+    }
+    return map;
+}
+
+std::shared_ptr<const PackedCones> packedCones(const HeightField& field, MapCache& cache, Work& work) {
+    // Clamp and border share their cells, and see nothing outside.
+    std::string kind = "packed-cones/" + std::string(surfaceName(field.surface()));
+    kind += field.address() == Address::Repeat ? "/repeat" : "/clamped";
+    const CellGrid grid(field);
+    const std::size_t cells = static_cast<std::size_t>(grid.x.cells) * static_cast<std::size_t>(grid.y.cells);
+    checkMapMemory("packed-cones", 4 * cells * sizeof(std::uint32_t), cache);
+    return cache.get<PackedCones>({kind, field.sharedHeights()}, work,
+                                  [&](Work& w) { return buildPackedCones(field, w); });
+}
+
+}  // namespace relief

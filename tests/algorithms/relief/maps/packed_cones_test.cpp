@@ -1,0 +1,196 @@
+// Packed cones against every pair of cells.
+#include "relief/maps/packed_cones.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "brute_cells.h"
+#include "images/reliefs.h"
+#include "mapping/rows/row_lanes.h"
+
+namespace relief::test {
+namespace {
+
+// Three bits of mantissa are chosen, the rest may be whatever the depths are.
+constexpr double kWordSteeper = 1.125 * 1.00001;
+// A window reaches up to a quarter farther than its ring, and by the blocks that a seam cuts.
+constexpr double kRingsSteeper = 1.25;
+constexpr double kSeamSteeper = 1.5;
+constexpr double kApexRounding = 1e-6;
+
+// Everything low, a few texels high: windows that miss one of them are seen.
+Heights needles(int width, int height, std::uint64_t seed) {
+    Random random(seed);
+    FloatImage image(width, height);
+    for (float& h : image.pixels())
+        h = static_cast<float>(random.below(40) == 0 ? random.unit() : 0.02 * random.unit());
+    return share(std::move(image));
+}
+
+struct Quadrant {
+    int index;
+    int sideX() const { return (index & 1) != 0 ? -1 : 1; }
+    int sideY() const { return (index & 2) != 0 ? -1 : 1; }
+};
+
+// What the cone of a cell must be: by every cell of the quadrant.
+struct Need {
+    double above = -1;  // the most that a cell rises above the stored cone
+    // The slope that is asked for above the stored apex; and by cells behind the own, within its block of 2^l cells,
+    // which are taken to be as far as that level's first ring.
+    double slope = 0;
+};
+
+Need needOf(const BruteCells& cells, const PackedCones& map, int x, int y, Quadrant quadrant) {
+    constexpr int kFirstRing = 8;  // blocks
+    const std::uint32_t word = map.words[static_cast<std::size_t>(quadrant.index)][map.index(x, y)];
+    const double apex = map.heightAt(coneApexDepth(word));
+    const auto kappa = static_cast<double>(coneSlope(word));
+    Need need;
+    const auto from = [&](int at, int size, int side) {
+        return cells.wraps ? 1 - size : (side > 0 ? -at : at + 1 - size);
+    };
+    const auto last = [&](int at, int size, int side) {
+        return cells.wraps ? 2 * size : (side > 0 ? size - 1 - at : at);
+    };
+    const auto wrapped = [](int at, int size) { return (at + 4 * size) % size; };
+    for (int dy = from(y, cells.ny, quadrant.sideY()); dy <= last(y, cells.ny, quadrant.sideY()); ++dy) {
+        const int j = wrapped(y + dy * quadrant.sideY(), cells.ny);
+        for (int dx = from(x, cells.nx, quadrant.sideX()); dx <= last(x, cells.nx, quadrant.sideX()); ++dx) {
+            const int i = wrapped(x + dx * quadrant.sideX(), cells.nx);
+            const double rise = static_cast<double>(cells.highest(i, j)) - apex;
+            int gap = std::max({dx - 1, dy - 1, 0});
+            if (std::min(dx, dy) >= 0) {
+                need.above = std::max(need.above, rise - kappa * gap);
+            } else {
+                gap = std::max(gap, kFirstRing * (1 + std::max(-dx, -dy)));
+            }
+            if (gap > 0) need.slope = std::max(need.slope, rise / gap);
+        }
+    }
+    return need;
+}
+
+PackedCones built(const HeightField& field, int threads) {
+    Work work(threads);
+    return buildPackedCones(field, work);
+}
+
+// every: of the cells that are looked at, the next so many on.
+void expectLaw(const HeightField& field, int every) {
+    const BruteCells cells(field);
+    const PackedCones map = built(field, 2);
+    ASSERT_EQ(map.nx, cells.nx);
+    ASSERT_EQ(map.ny, cells.ny);
+    ASSERT_EQ(map.bytes(), 16U * cells.highest.size());
+    const double loosest = kWordSteeper * (cells.wraps ? kSeamSteeper : kRingsSteeper);
+    for (int q = 0; q < 4; ++q) {
+        for (int n = 0; n < cells.nx * cells.ny; n += every) {
+            const int x = n % cells.nx;
+            const int y = n / cells.nx;
+            const std::uint32_t word = map.words[static_cast<std::size_t>(q)][map.index(x, y)];
+            const auto kappa = static_cast<double>(coneSlope(word));
+            ASSERT_GE(kappa, static_cast<double>(std::numeric_limits<float>::min()));
+            const auto highest = static_cast<double>(cells.highest(x, y));
+            const double own = map.heightAt(coneOwnDepth(word));
+            ASSERT_GE(own, highest) << x << ", " << y;
+            ASSERT_LE(own, highest + map.unit * 1.000001) << x << ", " << y;
+            ASSERT_LE(coneApexDepth(word), coneOwnDepth(word)) << x << ", " << y;
+            const Need need = needOf(cells, map, x, y, {q});
+            ASSERT_LE(need.above, 0) << x << ", " << y << " quadrant " << q;
+            ASSERT_LE(kappa, need.slope * loosest + kApexRounding) << x << ", " << y << " quadrant " << q;
+        }
+    }
+}
+
+TEST(PackedCones, StandAboveEveryCellOfTheirQuadrant) {
+    const std::vector<std::pair<int, int>> sizes{{1, 1}, {1, 5}, {2, 3}, {13, 9}, {16, 16}, {33, 70}, {67, 41}};
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) {
+            for (const auto& [width, height] : sizes) {
+                const HeightField field(needles(width, height, 31), surface, address, 0.3);
+                SCOPED_TRACE(describe(field));
+                expectLaw(field, 1);
+            }
+        }
+    }
+}
+
+// More than a tile in each direction, several levels of blocks, seams that cut blocks.
+TEST(PackedCones, StandAboveEveryCellFarOff) {
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) {
+            for (const auto& [width, height] : std::vector<std::pair<int, int>>{{301, 67}, {70, 141}, {512, 3}}) {
+                SCOPED_TRACE(std::to_string(width));
+                for (const char* relief : {"hills", "spikes", "city"}) {
+                    const HeightField field(share(makeRelief(relief, width, height, 3)), surface, address, 0.3);
+                    SCOPED_TRACE(describe(field) + " " + relief);
+                    expectLaw(field, 97);
+                }
+                // One needle: each window must hold it.
+                FloatImage one(width, height, 0.0F);
+                one(width / 3, height / 2) = 1.0F;
+                const HeightField field(share(std::move(one)), surface, address, 0.3);
+                SCOPED_TRACE(describe(field) + " one needle");
+                expectLaw(field, 13);
+            }
+        }
+    }
+}
+
+TEST(PackedCones, OfAFlatReliefAreOpen) {
+    for (const Surface surface : allSurfaces()) {
+        const PackedCones map = built(HeightField(constantHeights(9, 5, 0.25F), surface), 1);
+        EXPECT_EQ(map.unit, 0);
+        EXPECT_EQ(map.heightAt(0), 0.25);
+        for (const auto& words : map.words) {
+            for (const std::uint32_t word : words) {
+                ASSERT_EQ(word & 0xFFFFF, 0U);
+                ASSERT_GE(coneSlope(word), std::numeric_limits<float>::min());
+                ASSERT_LE(coneSlope(word), kApexRounding);
+            }
+        }
+    }
+}
+
+TEST(PackedCones, AreTheSameForAnyTargetAndThreads) {
+    const HeightField field(needles(201, 93, 33), Surface::Bilinear, Address::Repeat, 0.2);
+    const PackedCones reference = built(field, 1);
+    EXPECT_EQ(built(field, 2).words, reference.words);
+    for (const std::int64_t target : laneTargets()) {
+        forceLaneTarget(target);
+        EXPECT_EQ(built(field, 2).words, reference.words) << laneTargetName(target);
+    }
+    forceLaneTarget(0);
+}
+
+TEST(PackedCones, AreKeptOnceForAllReliefDepths) {
+    MapCache cache;
+    Work work(2);
+    const Heights heights = needles(20, 20, 34);
+    const auto map = packedCones(HeightField(heights, Surface::Bilinear, Address::Repeat, 0.1), cache, work);
+    EXPECT_EQ(packedCones(HeightField(heights, Surface::Bilinear, Address::Repeat, 0.7), cache, work), map);
+    const auto clamped = packedCones(HeightField(heights, Surface::Bilinear, Address::Clamp, 0.1), cache, work);
+    EXPECT_NE(clamped, map);
+    EXPECT_EQ(packedCones(HeightField(heights, Surface::Bilinear, Address::Border, 0.1), cache, work), clamped);
+}
+
+TEST(PackedCones, ReportProgressStopAndRefuse) {
+    const HeightField field(needles(400, 300, 35), Surface::Bilinear, Address::Repeat, 0.1);
+    double told = 0;
+    Work telling(2, {}, [&](std::string_view, double fraction) { told = std::max(told, fraction); });
+    buildPackedCones(field, telling);
+    EXPECT_EQ(told, 1);
+    std::stop_source source;
+    source.request_stop();
+    Work stopped(2, source.get_token());
+    EXPECT_THROW(buildPackedCones(field, stopped), Cancelled);
+    MapCache small(1000);
+    Work work(1);
+    EXPECT_THROW(packedCones(field, small, work), InputError);
+}
+
+}  // namespace
+}  // namespace relief::test
