@@ -67,6 +67,33 @@ Color EllipticalKernel::shape(const LevelFootprint& f, const Jacobian& j, glm::d
 }
 
 Color EllipticalKernel::filter(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts, FootprintLog* log) const {
+    if (!lanes_) return filterScalar(j, centre, counts, log);
+    FilterBlock block;
+    block.push({centre, j, {}, 0});
+    Color color(0);
+    std::uint8_t left = 0;
+    lanes_->filter(block, {1, 1}, {&color, 1}, {&left, 1}, counts, log);
+    if (left != 0) return filterScalar(j, centre, counts, log);
+    if (log != nullptr) {
+        log->footprint = footprint(j, centre);
+        log->color = color;
+    }
+    return color;
+}
+
+void EllipticalKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors,
+                              FootprintCounts& counts) const {
+    std::vector<std::uint8_t> left(block.size(), 1);
+    if (lanes_) lanes_->filter(block, scale, colors, left, counts);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        if (left[i] == 0) continue;
+        const FilterQuery query = block[i];
+        colors[i] = filterScalar(scaled(query.jacobian, scale), query.place * scale, counts);
+    }
+}
+
+Color EllipticalKernel::filterScalar(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts,
+                                     FootprintLog* log) const {
     const LevelFootprint f = footprint(j, centre);
     Color color(0);
     if (log != nullptr) log->footprint = f;

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "filtering/elliptical_lanes.h"
 #include "filtering/footprint_log.h"
 #include "filtering/level_footprint.h"
 #include "filtering/weight_map.h"
@@ -87,8 +88,13 @@ class EllipticalKernel {
     const ColorLevels& levels() const { return *levels_; }
     Address address() const { return address_; }
     const EllipticalSettings& settings() const { return settings_; }
+    // From now on blocks and single pixels are filtered in lanes, where these serve.
+    void setLanes(std::shared_ptr<const EllipticalLanes> lanes) { lanes_ = std::move(lanes); }
     // Beyond the picture itself.
-    std::size_t bytes() const { return levels_->bytes() - levels_->picture()->bytes() + table_.bytes() + map_.bytes(); }
+    std::size_t bytes() const {
+        return levels_->bytes() - levels_->picture()->bytes() + table_.bytes() + map_.bytes() +
+               (lanes_ ? lanes_->bytes() : 0);
+    }
     LevelAxis across(int l) const { return levels_->across(l, address_); }
     LevelAxis down(int l) const { return levels_->down(l, address_); }
 
@@ -97,6 +103,11 @@ class EllipticalKernel {
     }
     // centre: texels of level 0. log: may be null; then nothing is written down.
     Color filter(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts, FootprintLog* log = nullptr) const;
+    // The same bits for a whole block; scale: texels of level 0 per texel of the block's.
+    void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts) const;
+    // The text to read: one pixel in double, whatever its footprint and weights. elliptical_lanes.h is its twin.
+    Color filterScalar(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts,
+                       FootprintLog* log = nullptr) const;
     // What is not an ellipse: bilinear, shape, top.
     Color special(const LevelFootprint& f, const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts) const;
 
@@ -113,6 +124,7 @@ class EllipticalKernel {
     EllipticalSettings settings_;
     RadialTable table_;
     WeightMap map_;
+    std::shared_ptr<const EllipticalLanes> lanes_;
 };
 
 }  // namespace relief

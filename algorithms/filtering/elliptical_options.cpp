@@ -60,6 +60,7 @@ EllipticalSettings EllipticalSettings::of(const EllipticalOptions& options) {
     if (settings.shaped()) settings.source = WeightSource::Map;
     if (settings.weights == WeightKind::TexelDistance) settings.source = WeightSource::Direct;
     settings.resolution = options.resolution;
+    settings.implementation = options.implementation == "lanes" ? Implementation::Lanes : Implementation::Scalar;
     // A level on which some channel could miss every texel is too coarse.
     settings.floor = std::max(options.floor, settings.shaped() ? std::max(kShapeFloor, settings.smallestMinor()) : 0.0);
     return settings;

@@ -15,6 +15,8 @@ namespace relief {
 enum class WeightKind : std::uint8_t { Uniform, Gaussian, TexelDistance, Box, Lcd, Crt };
 // Direct: the formula at each texel. Table: of r^2. Map: two-dimensional, over the pixel.
 enum class WeightSource : std::uint8_t { Direct, Table, Map };
+// Lanes: many pixels at once where that serves (elliptical_lanes.h), the scalar text elsewhere.
+enum class Implementation : std::uint8_t { Lanes, Scalar };
 
 struct EllipticalOptions {
     std::string weights = "gaussian";
@@ -26,6 +28,7 @@ struct EllipticalOptions {
     std::string texelSize = "on";
     std::string source = "direct";
     int resolution = 64;
+    std::string implementation = "lanes";
 
     template <class Options>
     static std::vector<OptionField<Options>> fieldsOf() {
@@ -96,6 +99,15 @@ struct EllipticalOptions {
               {},
               "of the map of weights along each side; the table has its square"},
              &Options::resolution},
+            {{"implementation",
+              OptionKind::Choice,
+              "",
+              0,
+              1,
+              1,
+              {"lanes", "scalar"},
+              "many pixels at once, of 16-bit levels, where the formula is direct; or one by one in double"},
+             &Options::implementation},
         };
     }
     static std::vector<OptionField<EllipticalOptions>> fields() { return fieldsOf<EllipticalOptions>(); }
@@ -114,6 +126,7 @@ struct EllipticalSettings {
     double anisotropy = 16;
     bool texelSize = true;  // the covariance of texels is allowed for: Gaussian weights only
     int resolution = 64;
+    Implementation implementation = Implementation::Lanes;
 
     static EllipticalSettings of(const EllipticalOptions& options);
     // Semi-axes that a footprint must have, in texels of its level, for every channel to see a texel: a circle of

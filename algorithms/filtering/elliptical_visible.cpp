@@ -130,6 +130,9 @@ Color VisibleKernel::filter(const Jacobian& j, glm::dvec2 centre, const SeenPoin
     } else {
         test(pieces, seen, counts, work, log != nullptr);
     }
+    const bool unhidden = std::none_of(pieces.begin(), pieces.end(), [](const Piece& p) { return p.texel.hidden; });
+    // What is not hidden is what plain filtering reads, and gets its bits.
+    if (form_ == VisibleForm::Plane && unhidden) return plain_.filter(j, centre, counts, log);
     ++counts.footprints;
     counts.texels += static_cast<std::int64_t>(pieces.size());
     bool none = false;

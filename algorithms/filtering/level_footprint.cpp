@@ -49,11 +49,24 @@ int chosenLevel(double minor, const EllipticalSettings& settings, int top) {
 double onLevel(double axis, int l, const EllipticalSettings& settings) {
     const double scaled = std::ldexp(axis, -l);
     if (!settings.texelSize) return scaled;
-    const double texels = std::ldexp(kReconstructionVariance, -2 * l) - kBoxVariance;
-    return std::sqrt(std::max(0.0, scaled * scaled + texels / (settings.sigma * settings.sigma)));
+    return std::sqrt(std::max(0.0, scaled * scaled + texelVariance(l, settings)));
 }
 
 }  // namespace
+
+double largestMajor(int width, int height) {
+    return 4.0 * std::max(width, height);
+}
+
+double bilinearMajor(const EllipticalSettings& settings) {
+    return settings.texelSize ? kBilinearMajor : kCoveringRadius / settings.radius;
+}
+
+double texelVariance(int l, const EllipticalSettings& settings) {
+    if (!settings.texelSize) return 0;
+    const double texels = std::ldexp(kReconstructionVariance, -2 * l) - kBoxVariance;
+    return texels / (settings.sigma * settings.sigma);
+}
 
 LevelFootprint levelFootprint(const Jacobian& j, glm::dvec2 centre, const EllipticalSettings& settings,
                               const ColorLevels& levels, Address address) {
@@ -62,8 +75,7 @@ LevelFootprint levelFootprint(const Jacobian& j, glm::dvec2 centre, const Ellipt
     const Axes axes = axesOf(j);
     out.major = axes.major;
     out.minor = axes.minor;
-    // Larger than this a footprint sees the whole picture, again and again.
-    const double largest = 4.0 * std::max(levels.width(), levels.height());
+    const double largest = largestMajor(levels.width(), levels.height());
     const bool finite = std::isfinite(axes.major) && std::isfinite(centre.x) && std::isfinite(centre.y);
     const double major = finite ? std::min(axes.major, largest) : largest;
     const double seen = std::isfinite(axes.minor) ? std::min(axes.minor, major) : major;
@@ -83,7 +95,7 @@ LevelFootprint levelFootprint(const Jacobian& j, glm::dvec2 centre, const Ellipt
         out.centre = {std::clamp(out.centre.x, -far, across.extent + far),
                       std::clamp(out.centre.y, -far, down.extent + far)};
     }
-    const bool small = settings.texelSize ? major < kBilinearMajor : settings.radius * major < kCoveringRadius;
+    const bool small = major < bilinearMajor(settings);
     const double least = settings.smallestMinor();
     double levelMinor = onLevel(minor, out.level, settings);
     double levelMajor = onLevel(major, out.level, settings);

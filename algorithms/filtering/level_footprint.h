@@ -33,6 +33,13 @@ struct LevelFootprint {
     double minor = 1;
 };
 
+// Semi-axes of the 1-pixel circle on level 0, texels: longer than the first are cut (they see the whole picture, again
+// and again); where the major one is below the second, level 0 is read bilinearly.
+double largestMajor(int width, int height);
+double bilinearMajor(const EllipticalSettings& settings);
+// What the size of texels adds to the squares of the semi-axes on level l.
+double texelVariance(int l, const EllipticalSettings& settings);
+
 // j, centre: in texels of level 0; not finite, or huge: the top of the pyramid.
 LevelFootprint levelFootprint(const Jacobian& j, glm::dvec2 centre, const EllipticalSettings& settings,
                               const ColorLevels& levels, Address address);

@@ -15,10 +15,6 @@ glm::dvec2 pictureScale(const ColorImage& picture, const HeightField& field) {
             static_cast<double>(picture.height()) / field.height()};
 }
 
-Jacobian scaled(const Jacobian& j, glm::dvec2 scale) {
-    return {j.ux * scale.x, j.vx * scale.y, j.uy * scale.x, j.vy * scale.y};
-}
-
 class PointFilter final : public TextureFilter {
   public:
     PointFilter(const FilterDescription& description, const FilterTools& tools)
@@ -86,6 +82,9 @@ class EllipticalFilter final : public TextureFilter {
     Color color(const FilterQuery& query, FootprintCounts& counts, Work&, FootprintLog* log) const override {
         return kernel_.filter(scaled(query.jacobian, scale_), query.place * scale_, counts, log);
     }
+    void colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts, Work&) const override {
+        kernel_.filter(block, scale_, colors, counts);
+    }
 
   private:
     const FilterDescription& description_;
@@ -130,6 +129,12 @@ VisibleForm parsedForm(const std::string& text) {
 }
 
 }  // namespace
+
+void TextureFilter::colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts,
+                           Work& work) const {
+    assert(colors.size() == block.size());
+    for (std::size_t i = 0; i < block.size() && !work.stopped(); ++i) colors[i] = color(block[i], counts, work);
+}
 
 const std::vector<FilterDescription>& filterList() {
     static const std::vector<FilterDescription> list{
@@ -217,15 +222,24 @@ std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, cons
     if (!ready.levels) ready.levels = std::make_shared<const ColorLevels>(tools.picture, work);
     if (filter.options.empty()) return std::make_unique<TrilinearFilter>(filter, ready);
     const Address address = tools.field.address();
+    const auto kernelOf = [&](const EllipticalOptions& options) {
+        const EllipticalSettings settings = EllipticalSettings::of(options);
+        EllipticalKernel kernel(ready.levels, address, settings);
+        if (settings.implementation == Implementation::Lanes && EllipticalLanes::serves(settings)) {
+            if (const auto lanes = laneLevels(*ready.levels, address, work)) {
+                kernel.setLanes(std::make_shared<const EllipticalLanes>(lanes, settings));
+            }
+        }
+        return kernel;
+    };
     if (!filter.visible) {
         const auto options = parseOptions<EllipticalOptions>(filter.name, choice.options, kFilterSet);
-        return std::make_unique<EllipticalFilter>(
-            filter, ready, EllipticalKernel(ready.levels, address, EllipticalSettings::of(options)));
+        return std::make_unique<EllipticalFilter>(filter, ready, kernelOf(options));
     }
     const auto options = parseOptions<VisibleOptions>(filter.name, choice.options, kFilterSet);
-    VisibleKernel kernel(
-        EllipticalKernel(ready.levels, address, EllipticalSettings::of(options)), parsedForm(options.form), tools.field,
-        makeAnyHit({anyHitList().front().name, {}}, tools.field, maps, work), heightBoundsMap(tools.field, maps, work));
+    VisibleKernel kernel(kernelOf(options), parsedForm(options.form), tools.field,
+                         makeAnyHit({anyHitList().front().name, {}}, tools.field, maps, work),
+                         heightBoundsMap(tools.field, maps, work));
     kernel.setSkip(tools.skip);
     return std::make_unique<VisibleFilter>(filter, ready, std::move(kernel));
 }

@@ -2,20 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "filtering/elliptical_visible.h"
+#include "filtering/filter_block.h"
 #include "filtering/filter_choice.h"
 #include "filtering/footprint_log.h"
 
 namespace relief {
-
-// What a pixel asks: where its ray met the relief, and how the plane there is projected.
-struct FilterQuery {
-    glm::dvec2 place{0};  // texels of the height map, unwrapped: where colours are looked up
-    Jacobian jacobian;    // texels of the height map a pixel
-    ViewRay ray;
-    double lambda = 0;
-};
 
 // Immutable, shared by threads.
 class TextureFilter {
@@ -29,6 +23,8 @@ class TextureFilter {
     // log: may be null. Throws Cancelled.
     virtual Color color(const FilterQuery& query, FootprintCounts& counts, Work& work,
                         FootprintLog* log = nullptr) const = 0;
+    // The same bits for a whole block; colors: of its length.
+    virtual void colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts, Work& work) const;
     // Beyond the picture itself.
     virtual std::size_t bytes() const = 0;
 };

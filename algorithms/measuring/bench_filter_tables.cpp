@@ -24,7 +24,7 @@ std::string option(const FilterBenchRow& row, const std::string& name) {
 }
 
 // The options that have columns.
-constexpr std::array<std::string_view, 4> kOwnColumns{"weights", "levels", "source", "resolution"};
+constexpr std::array<std::string_view, 5> kOwnColumns{"weights", "levels", "source", "resolution", "implementation"};
 
 std::string shortText(const FilterBenchRow& row) {
     FilterChoice choice = row.filter;
@@ -32,11 +32,14 @@ std::string shortText(const FilterBenchRow& row) {
     return filterText(choice);
 }
 
-// Shapes are always read from a map, whatever the option says.
+// How weights come about: shapes are always read from a map, whatever the option says; formulas in lanes where these
+// serve.
 std::string implementation(const FilterBenchRow& row) {
     const std::string weights = option(row, "weights");
     if (weights == "box" || weights == "lcd" || weights == "crt") return "map";
-    return weights == "texel-distance" ? "direct" : option(row, "source");
+    const std::string source = weights == "texel-distance" ? "direct" : option(row, "source");
+    const bool lanes = option(row, "implementation") == "lanes" && option(row, "levels") == "pyramid";
+    return source == "direct" && lanes ? "lanes" : source;
 }
 
 std::string mapSize(const FilterBenchRow& row) {

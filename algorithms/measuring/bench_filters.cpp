@@ -69,6 +69,12 @@ std::vector<glm::ivec2> countedPixels(const Frame& frame) {
     return pixels;
 }
 
+// As a frame's tiles ask them, kQueryGrain at a time.
+struct Queries {
+    std::vector<FilterBlock> blocks;
+    std::size_t count = 0;
+};
+
 struct Ready {
     const FilterChoice* choice;
     std::unique_ptr<const TextureFilter> filter;
@@ -110,8 +116,11 @@ class FilterBench {
         const auto frame = renderer.render(request, work_);
         const VisiblePolygons visible = frame->visible(request);
         const std::vector<glm::ivec2> pixels = countedPixels(*frame);
-        std::vector<FilterQuery> queries;
-        for (const glm::ivec2& p : pixels) queries.push_back(*filterQuery(*frame, request, visible, p.x, p.y));
+        Queries queries{{}, pixels.size()};
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            if (i % kQueryGrain == 0) queries.blocks.emplace_back();
+            queries.blocks.back().push(*filterQuery(*frame, request, visible, pixels[i].x, pixels[i].y));
+        }
         const auto levels = std::make_shared<const ColorLevels>(scene.color, work_);
         std::vector<Ready> ready;
         for (const FilterChoice& choice : options_.filters) {
@@ -135,17 +144,17 @@ class FilterBench {
         }
     }
 
-    FootprintCounts filterAll(const TextureFilter& filter, const std::vector<FilterQuery>& queries,
-                              std::vector<Color>& colors) const {
-        colors.resize(queries.size());
+    FootprintCounts filterAll(const TextureFilter& filter, const Queries& queries, std::vector<Color>& colors) const {
+        colors.resize(queries.count);
         FootprintCounts total;
         std::mutex mutex;
         work_.arena().execute([&] {
-            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size(), kQueryGrain), [&](const auto& range) {
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.blocks.size(), 1), [&](const auto& range) {
                 if (work_.stopped()) return;
                 FootprintCounts counts;
-                for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                    colors[i] = filter.color(queries[i], counts, work_);
+                for (std::size_t b = range.begin(); b < range.end(); ++b) {
+                    const FilterBlock& block = queries.blocks[b];
+                    filter.colors(block, {colors.data() + b * kQueryGrain, block.size()}, counts, work_);
                 }
                 const std::lock_guard lock(mutex);
                 total.add(counts);
@@ -156,12 +165,12 @@ class FilterBench {
     }
 
     // All but the rate, a row for each pixel model.
-    std::vector<FilterBenchRow> counted(const Ready& ready, const std::vector<FilterQuery>& queries,
+    std::vector<FilterBenchRow> counted(const Ready& ready, const Queries& queries,
                                         const std::vector<glm::ivec2>& pixels, const std::vector<ColorImage>& truth) {
         std::vector<Color> colors;
         const FootprintCounts counts = filterAll(*ready.filter, queries, colors);
         work_.progress().advance();
-        const double each = 1 / std::max(1.0, static_cast<double>(queries.size()));
+        const double each = 1 / std::max(1.0, static_cast<double>(queries.count));
         std::vector<FilterBenchRow> rows;
         for (std::size_t m = 0; m < truth.size(); ++m) {
             FilterBenchRow row;
@@ -190,8 +199,7 @@ class FilterBench {
         return rows;
     }
 
-    std::vector<std::vector<double>> measuredRates(const std::vector<Ready>& ready,
-                                                   const std::vector<FilterQuery>& queries) {
+    std::vector<std::vector<double>> measuredRates(const std::vector<Ready>& ready, const Queries& queries) {
         std::vector<std::vector<double>> rates(ready.size());
         std::vector<Color> colors;
         for (int round = 0; round < options_.rounds; ++round) {
@@ -199,7 +207,7 @@ class FilterBench {
                 const auto begun = Clock::now();
                 filterAll(*ready[f].filter, queries, colors);
                 const double seconds = std::max(std::chrono::duration<double>(Clock::now() - begun).count(), 1e-9);
-                rates[f].push_back(static_cast<double>(queries.size()) / seconds);
+                rates[f].push_back(static_cast<double>(queries.count) / seconds);
                 work_.progress().advance();
             }
         }

@@ -89,23 +89,44 @@ void TileWorker::countOutcomes(const PixelArea& tile) const {
     totals_.limits += outcomes[static_cast<std::size_t>(Outcome::Limit)];
 }
 
+// A tile's hits in one block: neighbours have like footprints.
+void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts,
+                             Work& work) const {
+    const HitBlock& hits = frame_.hits->hits;
+    std::vector<std::size_t> pixels;
+    pixels.reserve(static_cast<std::size_t>(kTileWidth) * kTileHeight);
+    overPixels(tile, [&](int, int, std::size_t i) {
+        if (hits.outcome[i] == Outcome::Hit) pixels.push_back(i);
+    });
+    FilterBlock block;
+    block.resize(pixels.size());
+    const auto width = static_cast<std::size_t>(frame_.width);
+    for (std::size_t n = 0; n < pixels.size(); ++n) {
+        const auto x = static_cast<int>(pixels[n] % width), y = static_cast<int>(pixels[n] / width);
+        block.set(n, *filterQuery(frame_, request_, tools_.visible, x, y));
+    }
+    std::vector<Color> colors(pixels.size());
+    filter.colors(block, colors, counts, work);
+    for (std::size_t n = 0; n < pixels.size(); ++n) buffers_.color->color.pixels()[pixels[n]] = colors[n];
+}
+
 void TileWorker::colorHits(const PixelArea& tile, Work& work) const {
     const HitBlock& hits = frame_.hits->hits;
     const TextureFilter* filter = frame_.filter.get();
     // Others need no more than the place.
     const bool footprints = filter != nullptr && filter->description().footprint;
     FootprintCounts counts;
-    overPixels(tile, [&](int x, int y, std::size_t i) {
-        if (hits.outcome[i] != Outcome::Hit || work.stopped()) return;
-        Color& color = buffers_.color->color.pixels()[i];
-        if (footprints) {
-            color = filter->color(*filterQuery(frame_, request_, tools_.visible, x, y), counts, work);
-            return;
-        }
-        const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
-        color = filter == nullptr ? heightGrey(request_.field.at(place.x, place.y))
-                                  : filter->color({place, {}, {}, hits.lambda[i]}, counts, work);
-    });
+    if (footprints) {
+        filterBlock(tile, *filter, counts, work);
+    } else {
+        overPixels(tile, [&](int, int, std::size_t i) {
+            if (hits.outcome[i] != Outcome::Hit || work.stopped()) return;
+            const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
+            buffers_.color->color.pixels()[i] = filter == nullptr
+                                                    ? heightGrey(request_.field.at(place.x, place.y))
+                                                    : filter->color({place, {}, {}, hits.lambda[i]}, counts, work);
+        });
+    }
     totals_.footprints += counts.footprints;
     totals_.smallFootprints += counts.bilinear;
     totals_.texels += counts.texels;

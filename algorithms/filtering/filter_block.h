@@ -1,0 +1,54 @@
+// What pixels ask of a texture filter, alone and in blocks.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "mapping/footprint.h"
+#include "relief/ray.h"
+
+namespace relief {
+
+// What a pixel asks: where its ray met the relief, and how the plane there is projected.
+struct FilterQuery {
+    glm::dvec2 place{0};  // texels of the height map, unwrapped: where colours are looked up
+    Jacobian jacobian;    // texels of the height map a pixel
+    ViewRay ray;
+    double lambda = 0;
+};
+
+// The Jacobian in other texels, scale of them per texel of j's.
+inline Jacobian scaled(const Jacobian& j, glm::dvec2 scale) {
+    return {j.ux * scale.x, j.vx * scale.y, j.uy * scale.x, j.vy * scale.y};
+}
+
+// Queries as a structure of arrays, all of one length. Neighbouring pixels should be neighbours here.
+struct FilterBlock {
+    std::vector<double> s, t;
+    std::vector<double> ux, vx, uy, vy;
+    RayBlock rays;
+    std::vector<double> lambda;
+
+    std::size_t size() const { return s.size(); }
+    void resize(std::size_t count) {
+        for (auto* column : {&s, &t, &ux, &vx, &uy, &vy, &lambda}) column->resize(count);
+        rays.resize(count);
+    }
+    FilterQuery operator[](std::size_t i) const {
+        return {{s[i], t[i]}, {ux[i], vx[i], uy[i], vy[i]}, rays[i], lambda[i]};
+    }
+    void set(std::size_t i, const FilterQuery& query) {
+        s[i] = query.place.x, t[i] = query.place.y;
+        ux[i] = query.jacobian.ux, vx[i] = query.jacobian.vx;
+        uy[i] = query.jacobian.uy, vy[i] = query.jacobian.vy;
+        rays.set(i, query.ray);
+        lambda[i] = query.lambda;
+    }
+    void push(const FilterQuery& query) {
+        resize(size() + 1);
+        set(size() - 1, query);
+    }
+};
+
+}  // namespace relief
