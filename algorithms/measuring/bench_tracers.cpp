@@ -70,11 +70,37 @@ RayBlock viewRays(const HeightField& field, double degrees, std::size_t count, s
 
 // A method over one map, made.
 struct Ready {
-    const MeasuredMethod* method;
+    MethodChoice choice;
     std::unique_ptr<MapCache> maps;
     std::unique_ptr<Tracer> tracer;
     double buildSeconds = 0;
 };
+
+using ReadyTracers = std::shared_ptr<const std::vector<Ready>>;
+
+}  // namespace
+
+struct PreparedTracers {
+    std::shared_ptr<const FloatImage> heights;
+    Surface surface{};
+    Address address{};
+    double reliefDepth = 0;
+    int threads = 0;
+    ReadyTracers tracers;
+
+    bool fits(const HeightField& field, int workers, const std::vector<const MeasuredMethod*>& methods) const {
+        if (heights != field.sharedHeights() || surface != field.surface() || address != field.address() ||
+            reliefDepth != field.reliefDepth() || threads != workers || tracers->size() != methods.size()) {
+            return false;
+        }
+        for (std::size_t m = 0; m < methods.size(); ++m) {
+            if ((*tracers)[m].choice != methods[m]->choice) return false;
+        }
+        return true;
+    }
+};
+
+namespace {
 
 class Bench {
   public:
@@ -94,8 +120,8 @@ class Bench {
         work_.progress().begin("bench", static_cast<std::int64_t>(cells) * (options_.rounds + 2));
         for (const BenchMap& map : options_.maps) {
             const HeightField field(map.heights, options_.surface, options_.address, options_.reliefDepth);
-            const std::vector<Ready> ready = make(field);
-            for (const Elevation& elevation : options_.elevations) measure(map, field, elevation, ready);
+            const ReadyTracers ready = prepared(field);
+            for (const Elevation& elevation : options_.elevations) measure(map, field, elevation, *ready);
         }
         return std::move(rows_);
     }
@@ -105,11 +131,24 @@ class Bench {
         if (options_.onNote) options_.onNote(message);
     }
 
+    ReadyTracers prepared(const HeightField& field) {
+        const int threads = work_.arena().max_concurrency();
+        PreparedTracers* kept = options_.prepared.get();
+        if (kept != nullptr && kept->fits(field, threads, methods_)) return kept->tracers;
+        // Maps of two height maps need not fit into memory together.
+        if (kept != nullptr) *kept = {};
+        auto made = std::make_shared<const std::vector<Ready>>(make(field));
+        if (kept != nullptr) {
+            *kept = {field.sharedHeights(), field.surface(), field.address(), field.reliefDepth(), threads, made};
+        }
+        return made;
+    }
+
     // Each with maps of its own, so that the time to build them is its own.
     std::vector<Ready> make(const HeightField& field) {
         std::vector<Ready> all;
         for (const MeasuredMethod* method : methods_) {
-            Ready ready{method, std::make_unique<MapCache>(), nullptr, 0};
+            Ready ready{method->choice, std::make_unique<MapCache>(), nullptr, 0};
             const auto begun = Clock::now();
             ready.tracer = method->make(field, *ready.maps, work_);
             ready.buildSeconds = secondsSince(begun);
@@ -170,7 +209,7 @@ class Bench {
         row.surface = field.surface();
         row.address = field.address();
         row.reliefDepth = field.reliefDepth();
-        row.method = ready.method->choice;
+        row.method = ready.choice;
         row.elevation = elevation;
         row.seed = options_.seed;
         row.threads = work_.arena().max_concurrency();
@@ -213,6 +252,10 @@ class Bench {
 };
 
 }  // namespace
+
+std::shared_ptr<PreparedTracers> nothingPrepared() {
+    return std::make_shared<PreparedTracers>();
+}
 
 Elevation parseElevation(const std::string& text, const std::string& option) {
     if (text == "random") return std::nullopt;

@@ -78,6 +78,11 @@ std::string benchJson(std::span<const BenchRow>);  // an array of objects with t
 // For people: a block for each map and elevation, a line for each method.
 std::string benchText(std::span<const BenchRow> rows);
 
+// Tracers over one map, made; kept between calls that measure the same methods over it, so that its maps are built
+// once.
+struct PreparedTracers;
+std::shared_ptr<PreparedTracers> nothingPrepared();
+
 struct BenchOptions {
     std::vector<BenchMap> maps;
     std::vector<MeasuredMethod> methods;  // those that do not know the surface are left out, with a note
@@ -93,6 +98,7 @@ struct BenchOptions {
     double referenceCells = 4e8;
     std::function<void(const BenchRow&)> onRow;
     std::function<void(const Message&)> onNote;
+    std::shared_ptr<PreparedTracers> prepared = nullptr;  // taken where it fits, and left as the last map needed it
 };
 
 // Rates with the null sink, after a round to warm up; counts and errors in a pass of their own. Throws Cancelled.

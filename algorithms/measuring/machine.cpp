@@ -2,13 +2,17 @@
 
 #include <fstream>
 
-#ifndef RELIEF_COMMIT
-#define RELIEF_COMMIT "unknown"
+#include "relief_commit.h"
+
+#ifndef RELIEF_FLAGS
+#define RELIEF_FLAGS ""
 #endif
 
 namespace relief {
 
-std::string compilerText() {
+namespace {
+
+std::string compilerName() {
 #if defined(__clang__)
     return "Clang " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__) + "." +
            std::to_string(__clang_patchlevel__);
@@ -18,6 +22,13 @@ std::string compilerText() {
 #else
     return "unknown";
 #endif
+}
+
+}  // namespace
+
+std::string compilerText() {
+    const std::string flags = RELIEF_FLAGS;
+    return compilerName() + (flags.empty() ? "" : " " + flags);
 }
 
 std::string cpuText() {

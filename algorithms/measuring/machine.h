@@ -5,11 +5,11 @@
 
 namespace relief {
 
-// "GCC 12.2.0", "Clang 16.0.6".
+// "GCC 12.2.0 -O3 -DNDEBUG -ffp-contract=off": with the flags that decide about speed and bits.
 std::string compilerText();
 // The processor's name as the system tells it; "unknown" where it does not.
 std::string cpuText();
-// Of the sources when they were configured; "unknown" without git.
+// Of the sources when they were built, with "+" where files differed from it; "unknown" without git.
 std::string commitText();
 
 }  // namespace relief

@@ -1,4 +1,7 @@
-// relief bench tracers | rows | filters [-o FILE.csv|json]
+// relief bench tracers | rows | filters [-o FILE.csv|json] [--resume]
+#include <algorithm>
+#include <set>
+
 #include "bench_filters.h"
 #include "bench_output.h"
 #include "bench_rows.h"
@@ -12,11 +15,14 @@ namespace {
 
 constexpr std::int64_t kMostRays = 1 << 26;
 constexpr std::int64_t kMostRounds = 1000;
+constexpr std::int64_t kMostThreads = 1024;
 constexpr int kDefaultSide = 256;
 constexpr const char* kDefaultReliefs[] = {"bricks", "city", "fractal", "hills", "pits", "spikes"};
 
 struct BenchCommandOptions {
     OptionText kind, tracers, elevations, lowest, rays, rounds, seed, surface, address, reliefDepth, output;
+    OptionText sizes, threadCounts;
+    bool resume = false;
     std::vector<std::string> heights, recipes;
     ReadingOptions reading;
     RowBenchCommand rows;
@@ -24,21 +30,46 @@ struct BenchCommandOptions {
     RunOptions run;
 };
 
+std::vector<int> chosenSizes(const BenchCommandOptions& given) {
+    if (!given.sizes) return {};
+    std::vector<int> sizes;
+    for (const std::string& text : splitText(*given.sizes, ',')) {
+        sizes.push_back(static_cast<int>(parseWhole(text, "--sizes", 1, kMaxPictureSide)));
+    }
+    return sizes;
+}
+
 std::vector<Pictures> chosenPictures(const BenchCommandOptions& given) {
     std::vector<Pictures> all;
     Pictures plain;
     given.reading.apply(plain.reading);
+    const std::vector<int> sizes = chosenSizes(given);
+    const auto addSized = [&](const std::string& recipe) {
+        for (const int size : sizes) {
+            all.push_back(plain);
+            const std::string side = std::to_string(size);
+            applyRecipe(all.back(), recipe + ":" + side + "x" + side);
+        }
+    };
     for (const std::string& file : given.heights) {
         all.push_back(plain);
         all.back().height = file;
         if (file.empty()) throw InputError("--height", Message(MessageId::FileMissing));
     }
     for (const std::string& recipe : given.recipes) {
+        if (!sizes.empty() && recipe.find(':') == std::string::npos) {
+            addSized(recipe);
+            continue;
+        }
         all.push_back(plain);
         applyRecipe(all.back(), recipe);
     }
     if (!all.empty()) return all;
     for (const char* name : kDefaultReliefs) {
+        if (!sizes.empty()) {
+            addSized(name);
+            continue;
+        }
         all.push_back(plain);
         all.back().recipe = name;
         all.back().recipeWidth = all.back().recipeHeight = kDefaultSide;
@@ -52,15 +83,69 @@ std::string pictureName(const Pictures& pictures) {
            ":" + std::to_string(pictures.seed);
 }
 
-void loadMaps(const std::vector<Pictures>& pictures, BenchOptions& options, Session& session) {
+// A height map of the sweep: files are read at once, so that faults show; reliefs are made when they are measured.
+struct SweepMap {
+    Pictures pictures;
+    std::string name;
+    std::shared_ptr<const FloatImage> heights;
+};
+
+std::vector<SweepMap> sweepMaps(const std::vector<Pictures>& pictures, Session& session) {
+    std::vector<SweepMap> maps;
     for (const Pictures& one : pictures) {
+        maps.push_back({one, pictureName(one), nullptr});
+        if (one.height.empty()) {
+            // Sizes are wrong only where the recipe has one of its own, a small one.
+            const auto& known = reliefRecipes();
+            const auto recipe =
+                std::find_if(known.begin(), known.end(), [&](const ReliefRecipe& r) { return r.name == one.recipe; });
+            if (!recipe->anySize) makeRelief(one.recipe, one.recipeWidth, one.recipeHeight, one.seed);
+            continue;
+        }
         Scenario scenario;
         scenario.pictures = one;
         AssetStore store;
         const Assets assets = store.load(one, session.work());
         noteHeights(session, assets, scenario);
-        options.maps.push_back({pictureName(one), assets.heights});
+        maps.back().heights = assets.heights;
     }
+    return maps;
+}
+
+// The relief made last: cells of one map follow each other.
+class HeightsOf {
+  public:
+    std::shared_ptr<const FloatImage> operator()(const SweepMap& map) {
+        if (map.heights) return map.heights;
+        if (made_ == nullptr || name_ != map.name) {
+            made_.reset();
+            const Pictures& p = map.pictures;
+            made_ = std::make_shared<FloatImage>(makeRelief(p.recipe, p.recipeWidth, p.recipeHeight, p.seed));
+            name_ = map.name;
+        }
+        return made_;
+    }
+
+  private:
+    std::string name_;
+    std::shared_ptr<const FloatImage> made_;
+};
+
+std::vector<std::uint64_t> chosenSeeds(const BenchCommandOptions& given) {
+    if (!given.seed) return {1};
+    std::vector<std::uint64_t> seeds;
+    for (const std::string& text : splitText(*given.seed, ',')) seeds.push_back(parseSeed(text, "--seed"));
+    return seeds;
+}
+
+// 0: the session's.
+std::vector<int> chosenThreads(const BenchCommandOptions& given) {
+    if (!given.threadCounts) return {0};
+    std::vector<int> counts;
+    for (const std::string& text : splitText(*given.threadCounts, ',')) {
+        counts.push_back(static_cast<int>(parseWhole(text, "--thread-counts", 1, kMostThreads)));
+    }
+    return counts;
 }
 
 BenchOptions benchOptions(const BenchCommandOptions& given) {
@@ -84,7 +169,6 @@ BenchOptions benchOptions(const BenchCommandOptions& given) {
     }
     if (given.rays) options.rays = static_cast<std::size_t>(parseWhole(*given.rays, "--rays", 1, kMostRays));
     if (given.rounds) options.rounds = static_cast<int>(parseWhole(*given.rounds, "--rounds", 1, kMostRounds));
-    if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
     if (given.surface) options.surface = parseSurface(*given.surface);
     if (given.address) options.address = parseAddress(*given.address);
     if (given.reliefDepth) {
@@ -96,6 +180,54 @@ BenchOptions benchOptions(const BenchCommandOptions& given) {
     return options;
 }
 
+// All that rows depend on, beside what tells one cell from another.
+Json sweepText(const BenchCommandOptions& given, const BenchOptions& options, const Session& session) {
+    Json what{{"kind", "tracers"},
+              {"rays", options.rays},
+              {"rounds", options.rounds},
+              {"lowest", options.lowestRandom},
+              {"surface", std::string(surfaceName(options.surface))},
+              {"address", std::string(addressName(options.address))},
+              {"relief depth", options.reliefDepth},
+              {"threads", session.threads()},
+              {"tracers", given.tracers.value_or("")}};
+    return what;
+}
+
+int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) {
+    BenchOptions options = benchOptions(given);
+    const std::vector<std::uint64_t> seeds = chosenSeeds(given);
+    const std::vector<int> threadCounts = chosenThreads(given);
+    std::set<std::string> said;  // once, not in every cell
+    options.onNote = [&](const Message& message) {
+        if (said.insert(sentence(message)).second) session.note("bench", message);
+    };
+    options.prepared = nothingPrepared();
+    to.what = sweepText(given, options, session);
+    HeightsOf heightsOf;
+    const std::vector<SweepMap> maps = sweepMaps(chosenPictures(given), session);
+    std::vector<BenchCell<BenchRow>> cells;
+    for (const SweepMap& map : maps) {
+        const std::string name = map.name + (map.heights ? ":" + contentText(*map.heights) : "");
+        for (const int threads : threadCounts) {
+            for (const std::uint64_t seed : seeds) {
+                for (const Elevation& elevation : options.elevations) {
+                    cells.push_back({name + "," + std::to_string(threads) + "," + std::to_string(seed) + "," +
+                                         elevationText(elevation),
+                                     threads, [&options, &heightsOf, &map, seed, elevation](Work& work) {
+                                         BenchOptions one = options;
+                                         one.maps = {{map.name, heightsOf(map)}};
+                                         one.seed = seed;
+                                         one.elevations = {elevation};
+                                         return benchTracers(one, work);
+                                     }});
+                }
+            }
+        }
+    }
+    return runCells<BenchRow>(to, {benchCsvHeader, benchJson, benchText}, cells, session);
+}
+
 int runBench(const BenchCommandOptions& given, Session& session) {
     given.run.apply(session);
     const std::string& kind = needed(given.kind, "KIND", "bench");
@@ -104,20 +236,12 @@ int runBench(const BenchCommandOptions& given, Session& session) {
                                      {{"what", "benchmark"}, {"name", kind}, {"known", "tracers, rows, filters"}}));
     }
     if (given.output) checkOutput(*given.output, {"csv", "json"});
-    if (kind == "rows") return given.rows.run(given.elevations, given.rounds, given.output, session);
-    if (kind == "filters") {
-        const bool own = !given.heights.empty() || !given.recipes.empty();
-        return given.filters.run(own ? chosenPictures(given) : std::vector<Pictures>{}, given.elevations,
-                                 given.reliefDepth, given.rounds, given.seed, given.output, session);
-    }
-    BenchOptions options = benchOptions(given);
-    loadMaps(chosenPictures(given), options, session);
-    options.onNote = [&](const Message& message) { session.note("bench", message); };
-    const BenchTexts<BenchRow> texts{benchCsvHeader, benchCsvLine, benchJson, benchText};
-    return runBenchTo<BenchRow>(given.output, texts, session, [&](std::function<void(const BenchRow&)> onRow) {
-        options.onRow = std::move(onRow);
-        return benchTracers(options, session.work());
-    });
+    const BenchRun to{given.output, given.resume, {{"kind", kind}}};
+    if (kind == "rows") return given.rows.run(given.elevations, given.rounds, to, session);
+    if (kind == "tracers") return runTracers(given, to, session);
+    const bool own = !given.heights.empty() || !given.recipes.empty();
+    return given.filters.run(own ? chosenPictures(given) : std::vector<Pictures>{}, given.elevations, given.reliefDepth,
+                             given.rounds, given.seed, to, session);
 }
 
 void addWhat(CLI::App& parser, BenchCommandOptions& options) {
@@ -125,6 +249,8 @@ void addWhat(CLI::App& parser, BenchCommandOptions& options) {
     addTexts(parser, "--height", options.heights, "FILE", "height map; may be repeated", group);
     addTexts(parser, "--relief", options.recipes, "NAME[:WxH[:SEED]]",
              "procedural relief; may be repeated; default: bricks, city, fractal, hills, pits, spikes, 256x256", group);
+    addText(parser, "--sizes", options.sizes, "N,...",
+            "sides of the reliefs that are given without a size, texels, 256 to 4096 say; default 256", group);
     addText(parser, "--tracers", options.tracers, "NAME,...",
             "methods, each with options as NAME:OPTION=VALUE:OPTION=VALUE, such as exact,layers:layers=128; default: "
             "all tracers as relief list tells them",
@@ -150,8 +276,12 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
         "for each "
         "height map, elevation and method. Rate: rays a second, the median of rounds over all methods in turn; spread: "
         "(p75 - p25) / median; errors: |lambda difference| x max(1, hypot(a, b)), texels, against exact; overshoots: "
-        "hits later than exact's, or misses where exact hits. On a terminal a table, elsewhere CSV. With -o the rows "
-        "also go to FILE.part as they come, which is kept if the run is broken off.\n"
+        "hits later than exact's, or misses where exact hits. On a terminal a table, elsewhere CSV. With -o what is "
+        "done is kept in FILE.part; after a run that was broken off or killed, --resume goes on from there. mpirun -n "
+        "N "
+        "relief bench ... -o FILE shares the work among N processes, each taking the next part as it comes free, on "
+        "all "
+        "machines that see FILE; with mpirun --enable-recovery the others go on when one dies, and do its part.\n"
         "rows: texture coordinates along rows of a wall of 4,096 texels that fills the row, seen from 0.55 of its "
         "width "
         "at each elevation: operations a pixel, pixels a second, largest error in texels; derivatives: of the "
@@ -169,7 +299,12 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
     addText(*parser, "--rays", options->rays, "N",
             "of a line, default 65536; fewer, with a message, where the exact reference would take too long", "Run");
     addText(*parser, "--rounds", options->rounds, "N", "timed rounds, default 5", "Run");
-    addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Run");
+    addText(*parser, "--seed", options->seed, "S",
+            "of the rays, default 1; tracers: several, separated by commas, are measured one by one", "Run");
+    addText(*parser, "--thread-counts", options->threadCounts, "N,...",
+            "tracers: each is measured, instead of --threads", "Run");
+    addFlag(*parser, "--resume", options->resume,
+            "go on from FILE.part, which a run that did not come to its end has left beside the output", "Run");
     addOutput(*parser, options->output, "table: .csv or .json");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runBench(*options, session); }});

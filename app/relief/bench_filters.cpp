@@ -102,7 +102,7 @@ void FilterBenchCommand::add(CLI::App& parser) {
 
 int FilterBenchCommand::run(const std::vector<Pictures>& pictures, const OptionText& elevations,
                             const OptionText& reliefDepth, const OptionText& rounds, const OptionText& seed,
-                            const OptionText& output, Session& session) const {
+                            BenchRun to, Session& session) const {
     FilterBenchOptions options = filterOptions(*this, elevations, rounds);
     const std::uint64_t number = seed ? parseSeed(*seed, "--seed") : 1;
     Scenario scenario;
@@ -122,11 +122,26 @@ int FilterBenchCommand::run(const std::vector<Pictures>& pictures, const OptionT
                 HeightField(scene.field.sharedHeights(), Surface::Bilinear, Address::Repeat, scenario.reliefDepth);
         }
     }
-    const BenchTexts<FilterBenchRow> texts{filterBenchCsvHeader, filterBenchCsvLine, filterBenchJson, filterBenchText};
-    return runBenchTo<FilterBenchRow>(output, texts, session, [&](std::function<void(const FilterBenchRow&)> onRow) {
-        options.onRow = std::move(onRow);
-        return benchFilters(options, session.work());
-    });
+    to.what["rounds"] = options.rounds;
+    to.what["size"] = std::to_string(options.width) + "x" + std::to_string(options.height);
+    to.what["samples"] = options.samples;
+    to.what["filters"] = filters.value_or("");
+    to.what["pixel models"] = pixelModels.value_or("");
+    to.what["relief depth"] = reliefDepth.value_or("");
+    to.what["seed"] = number;
+    to.what["color"] = color.value_or("");
+    to.what["threads"] = session.threads();
+    std::vector<BenchCell<FilterBenchRow>> cells;
+    for (const FilterScene& scene : options.scenes) {
+        for (const double elevation : options.elevations) {
+            FilterBenchOptions one = options;
+            one.scenes = {scene};
+            one.elevations = {elevation};
+            cells.push_back({scene.name + "," + contentText(scene.field.heights()) + "," + numberText(elevation), 0,
+                             [one = std::move(one)](Work& work) { return benchFilters(one, work); }});
+        }
+    }
+    return runCells<FilterBenchRow>(to, {filterBenchCsvHeader, filterBenchJson, filterBenchText}, cells, session);
 }
 
 }  // namespace relief::app

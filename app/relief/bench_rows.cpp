@@ -65,14 +65,27 @@ void RowBenchCommand::add(CLI::App& parser) {
     addText(parser, "--pixels", pixels, "N", "of the rows that one timing covers, default 4194304", group);
 }
 
-int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds, const OptionText& output,
-                         Session& session) const {
-    RowBenchOptions options = rowOptions(*this, elevations, rounds);
-    const BenchTexts<RowBenchRow> texts{rowBenchCsvHeader, rowBenchCsvLine, rowBenchJson, rowBenchText};
-    return runBenchTo<RowBenchRow>(output, texts, session, [&](std::function<void(const RowBenchRow&)> onRow) {
-        options.onRow = std::move(onRow);
-        return benchRows(options, session.work());
-    });
+int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds, BenchRun to, Session& session) const {
+    const RowBenchOptions options = rowOptions(*this, elevations, rounds);
+    to.what["rounds"] = options.rounds;
+    to.what["pixels"] = options.pixels;
+    to.what["variants"] = variants.value_or("");
+    to.what["threads"] = session.threads();
+    std::vector<BenchCell<RowBenchRow>> cells;
+    for (const std::int64_t width : options.widths) {
+        for (const double elevation : options.elevations) {
+            for (const RowPrecision precision : options.precisions) {
+                RowBenchOptions one = options;
+                one.widths = {width};
+                one.elevations = {elevation};
+                one.precisions = {precision};
+                cells.push_back(
+                    {std::to_string(width) + "," + numberText(elevation) + "," + std::string(precisionName(precision)),
+                     0, [one = std::move(one)](Work& work) { return benchRows(one, work); }});
+            }
+        }
+    }
+    return runCells<RowBenchRow>(to, {rowBenchCsvHeader, rowBenchJson, rowBenchText}, cells, session);
 }
 
 }  // namespace relief::app

@@ -1,6 +1,7 @@
 // relief bench rows: its options and its run.
 #pragma once
 
+#include "bench_output.h"
 #include "options_common.h"
 
 namespace relief::app {
@@ -9,8 +10,8 @@ struct RowBenchCommand {
     OptionText variants, widths, precisions, pixels;
 
     void add(CLI::App& parser);
-    // elevations, rounds, output: as bench has them for all kinds.
-    int run(const OptionText& elevations, const OptionText& rounds, const OptionText& output, Session& session) const;
+    // elevations, rounds, to: as bench has them for all kinds.
+    int run(const OptionText& elevations, const OptionText& rounds, BenchRun to, Session& session) const;
 };
 
 }  // namespace relief::app

@@ -86,7 +86,10 @@ class ScenarioOptions {
     enum class Look { No, Yes, Heights };
     void add(CLI::App& parser, Look look);
     // The scenario (the file's, or the default one) with the options laid over it; checked. Throws InputError.
-    Scenario scenario() const;
+    Scenario scenario() const { return scenario(file_); }
+    // The same over another scenario's file; nothing: over the default one.
+    Scenario scenario(const OptionText& file) const;
+    const OptionText& file() const { return file_; }
     // The command chooses the method: no --tracer.
     void chooseTracer(const std::string& name) { tracer_ = name; }
     // --map: the stored map laid into the cache for the scenario's tracer, which gets the options it was built with.
@@ -114,6 +117,9 @@ class ScenarioOptions {
     std::vector<std::string> settings_, filterSettings_;
     OptionText scene_, camera_, eye_, target_, fov_, size_, light_;
 };
+
+// "elevation=20,azimuth=30": the camera becomes an orbit unless only the field of view is given. option: for messages.
+void applyOrbit(Scenario& scenario, const std::string& text, const std::string& option);
 
 // Says what was done to the heights on reading (once a file).
 void noteHeights(Session& session, const Assets& assets, const Scenario& scenario);

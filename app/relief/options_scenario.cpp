@@ -75,6 +75,14 @@ void applySetting(OptionValues& options, const std::string& text, const std::str
 
 }  // namespace
 
+void applyOrbit(Scenario& scenario, const std::string& text, const std::string& option) {
+    const auto given =
+        applySettings(scenario, text, option,
+                      {{"elevation", "elevation"}, {"azimuth", "azimuth"}, {"distance", "distance"}, {"fov", "fov"}});
+    // The field of view alone leaves a free camera free.
+    if (given != std::vector<std::string>{"fov"}) scenario.camera.kind = Camera::Kind::Orbit;
+}
+
 void applyRecipe(Pictures& pictures, const std::string& text) {
     const std::vector<std::string> parts = splitText(text, ':');
     std::string known;
@@ -188,12 +196,12 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
             group);
 }
 
-Scenario ScenarioOptions::scenario() const {
-    Scenario scenario = file_ ? loadScenario(*file_) : Scenario{};
+Scenario ScenarioOptions::scenario(const OptionText& file) const {
+    Scenario scenario = file ? loadScenario(*file) : Scenario{};
     applyPictures(scenario);
     applyMethod(scenario);
     applyView(scenario);
-    checkScenario(scenario, file_.value_or(""));
+    checkScenario(scenario, file.value_or(""));
     return scenario;
 }
 
@@ -294,13 +302,7 @@ void ScenarioOptions::applyCamera(Scenario& scenario) const {
     if (camera_ && (eye_ || target_)) {
         throw InputError("--camera", Message(MessageId::ArgumentsExclude, {{"other", eye_ ? "--eye" : "--target"}}));
     }
-    if (camera_) {
-        const auto given = applySettings(
-            scenario, *camera_, "--camera",
-            {{"elevation", "elevation"}, {"azimuth", "azimuth"}, {"distance", "distance"}, {"fov", "fov"}});
-        // The field of view alone leaves a free camera free.
-        if (given != std::vector<std::string>{"fov"}) camera.kind = Camera::Kind::Orbit;
-    }
+    if (camera_) applyOrbit(scenario, *camera_, "--camera");
     if (eye_ || target_) {
         if (camera.kind == Camera::Kind::Orbit && !(eye_ && target_)) {
             throw InputError(eye_ ? "--eye" : "--target", Message(MessageId::EyeAndTarget));

@@ -8,6 +8,7 @@
 
 #include "options_common.h"
 #include "output.h"
+#include "render_many.h"
 #include "rendering/frame.h"
 
 namespace relief::app {
@@ -19,6 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 struct RenderOptions {
     ScenarioOptions scenario;
+    ManyFrames many;
     OptionText output, layers, report;
     RunOptions run;
 };
@@ -110,6 +112,10 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
 int runRender(const RenderOptions& options, Session& session) {
     options.run.apply(session);
     const std::string& output = needed(options.output, "--output", "render");
+    if (options.many.wanted()) {
+        if (options.report) throw InputError("--report", Message(MessageId::ArgumentsExclude, {{"other", "--frames"}}));
+        return options.many.run(options.scenario, output, checkedLayers(options, "picture.exr"), session);
+    }
     checkOutput(output, {"png", "jpg", "jpeg", "tif", "tiff", "bmp", "exr", "hdr"});
     const std::vector<std::string> layers = checkedLayers(options, output);
     if (options.report && *options.report != "-") checkOutput(*options.report, {"json"});
@@ -156,6 +162,7 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
         "  relief render --height heights.png --color color.jpg --scene wall \\\n"
         "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
     options->scenario.add(*parser, ScenarioOptions::Look::Yes);
+    options->many.add(*parser);
     addOutput(*parser, options->output, "the picture: .png, .jpg, .tif, .bmp (sRGB), .exr, .hdr (linear)");
     std::string layers;
     for (const std::string& name : layerNames()) layers += (layers.empty() ? "" : ", ") + name;

@@ -82,6 +82,48 @@ TEST(BenchTracers, ErrorsByHand) {
     EXPECT_TRUE(std::isnan(none.mean) && std::isnan(none.p95) && std::isnan(none.max));
 }
 
+TEST(BenchTracers, TracersAreMadeOnceAMap) {
+    int made = 0;
+    MeasuredMethod method = measuredMethod({"cone", {}});
+    method.make = [&made, make = method.make](const HeightField& field, MapCache& maps, Work& work) {
+        ++made;
+        return make(field, maps, work);
+    };
+    BenchOptions options = small({method});
+    Work work;
+    const auto whole = benchTracers(options, work);
+    ASSERT_EQ(whole.size(), 2U);
+    EXPECT_EQ(made, 1);
+    options.prepared = nothingPrepared();
+    made = 0;
+    std::vector<BenchRow> parts;
+    for (const Elevation& elevation : std::vector<Elevation>{25.0, std::nullopt}) {
+        options.elevations = {elevation};
+        for (BenchRow& row : benchTracers(options, work)) parts.push_back(std::move(row));
+    }
+    EXPECT_EQ(made, 1);
+    ASSERT_EQ(parts.size(), whole.size());
+    for (std::size_t r = 0; r < parts.size(); ++r) {
+        EXPECT_EQ(parts[r].elevation, whole[r].elevation);
+        EXPECT_EQ(parts[r].stepsMean, whole[r].stepsMean);
+        EXPECT_EQ(parts[r].errors.max, whole[r].errors.max);
+        EXPECT_EQ(parts[r].memoryBytes, whole[r].memoryBytes);
+    }
+    // Whatever they depend on makes them anew.
+    options.reliefDepth = 0.2;
+    benchTracers(options, work);
+    EXPECT_EQ(made, 2);
+    options.maps = {{"hills", relief("hills", 64, 48)}};
+    benchTracers(options, work);
+    EXPECT_EQ(made, 3);
+    options.methods[0].choice.options["sectors"] = "4";
+    benchTracers(options, work);
+    EXPECT_EQ(made, 4);
+    Work other(1);
+    benchTracers(options, other);
+    EXPECT_EQ(made, other.arena().max_concurrency() == work.arena().max_concurrency() ? 4 : 5);
+}
+
 TEST(BenchTracers, PercentilesAreNearestRanks) {
     constexpr std::size_t kRays = 10000;
     RayBlock rays(kRays);

@@ -1,0 +1,17 @@
+# Writes OUT with the commit of SOURCES ("+" behind it where files differ from it), if it is not there already.
+set(commit unknown)
+if(GIT)
+  execute_process(COMMAND ${GIT} describe --always --exclude=* --abbrev=12 --dirty=+ WORKING_DIRECTORY ${SOURCES}
+    OUTPUT_VARIABLE head OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  if(failed EQUAL 0)
+    set(commit ${head})
+  endif()
+endif()
+set(text "#define RELIEF_COMMIT \"${commit}\"\n")
+set(old "")
+if(EXISTS ${OUT})
+  file(READ ${OUT} old)
+endif()
+if(NOT text STREQUAL old)
+  file(WRITE ${OUT} "${text}")
+endif()

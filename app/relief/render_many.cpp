@@ -1,0 +1,157 @@
+#include "render_many.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "bench_output.h"
+#include "rendering/frame.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr std::int64_t kMostFrames = 100'000;
+constexpr std::size_t kDigits = 5;  // of a frame's number in its name
+
+struct Picture {
+    std::size_t scenario;
+    Camera camera;
+    std::string name;  // of its file, without the folder
+};
+
+double between(double from, double to, double share) {
+    return share == 1 ? to : from + (to - from) * share;
+}
+
+Camera between(const Camera& from, const Camera& to, double share) {
+    Camera camera = from;
+    camera.elevation = between(from.elevation, to.elevation, share);
+    camera.azimuth = between(from.azimuth, to.azimuth, share);
+    camera.distance = between(from.distance, to.distance, share);
+    camera.fov = between(from.fov, to.fov, share);
+    return camera;
+}
+
+std::string numbered(const std::string& stem, std::int64_t number) {
+    std::string digits = std::to_string(number);
+    digits.insert(0, kDigits - std::min(kDigits, digits.size()), '0');
+    return stem + "_" + digits;
+}
+
+// Renders any of the pictures; keeps what the next one may need: heights, maps, buffers.
+class Studio {
+  public:
+    Studio(const ScenarioOptions& options, std::vector<Scenario> scenarios, Session& session)
+        : options_(options), scenarios_(std::move(scenarios)), session_(session) {}
+
+    void render(const Picture& picture, const std::string& path, const std::vector<std::string>& layers, Work& work) {
+        Scenario& scenario = scenarios_[picture.scenario];
+        const Assets assets = store_.load(scenario.pictures, work);
+        if (seen_.insert(picture.scenario).second) {
+            noteHeights(session_, assets, scenario);
+            options_.useStoredMap(scenario, assets, *maps_, work);
+        }
+        FrameRequest request = frameRequest(scenario, assets);
+        request.camera = picture.camera;
+        auto frame = renderer_.render(request, work);
+        if (layers.empty()) {
+            writeColor(path, frame->light->color);
+            return;
+        }
+        if (std::find(layers.begin(), layers.end(), "steps") != layers.end()) frame = renderer_.counted(work);
+        writePlanes(path, layerPlanes(*frame, request, layers, *maps_, work));
+    }
+
+  private:
+    const ScenarioOptions& options_;
+    std::vector<Scenario> scenarios_;
+    Session& session_;
+    AssetStore store_;
+    std::shared_ptr<MapCache> maps_ = std::make_shared<MapCache>();
+    FrameRenderer renderer_{maps_, true};
+    std::set<std::size_t> seen_;
+};
+
+void addPictures(std::size_t scenario, const Camera& from, const Camera& to, std::int64_t frames,
+                 const std::string& stem, const std::string& ending, std::vector<Picture>& pictures) {
+    for (std::int64_t f = 0; f < frames; ++f) {
+        const double share = frames > 1 ? static_cast<double>(f) / static_cast<double>(frames - 1) : 0;
+        pictures.push_back({scenario, between(from, to, share), (frames > 1 ? numbered(stem, f) : stem) + ending});
+    }
+}
+
+void makeFolder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder)) {
+        throw WorkError(folder, Message(MessageId::FileUnwritable, {{"why", error.message()}}));
+    }
+}
+
+}  // namespace
+
+void ManyFrames::add(CLI::App& parser) {
+    parser.add_option("MORE", more, "further scenarios: -o is a folder then, a picture of each goes there")
+        ->type_name("")
+        ->group("Arguments");
+    addText(parser, "--frames", frames, "N",
+            "a camera's path of N pictures, from --camera to --to; -o is a folder then. mpirun -n N relief render ... "
+            "shares the pictures among processes",
+            "Output");
+    addText(parser, "--to", to, "KEY=VALUE,...", "where the path ends: elevation, azimuth, distance, fov", "Output");
+    addFlag(parser, "--resume", resume, "many pictures: go on where a run that was broken off has left off", "Output");
+}
+
+int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,
+                    Session& session) const {
+    const std::int64_t count = frames ? parseWhole(*frames, "--frames", 1, kMostFrames) : 1;
+    if (to && !frames) throw InputError("--to", Message(MessageId::NeedsArgument, {{"other", "--frames"}}));
+    // A picture's name for many of them is a slip; a folder would hide it.
+    if (std::filesystem::path(folder).has_extension() && !std::filesystem::is_directory(folder)) {
+        throw InputError(more.empty() ? "--frames" : more.front(),
+                         Message(MessageId::ArgumentsExclude, {{"other", "--output " + folder}}));
+    }
+    std::vector<OptionText> files{options.file()};
+    files.insert(files.end(), more.begin(), more.end());
+    std::vector<Scenario> scenarios;
+    std::vector<Picture> pictures;
+    std::set<std::string> stems;
+    Json what{{"kind", "render"}, {"layers", layers}};
+    for (const OptionText& file : files) {
+        const std::string stem = file ? std::filesystem::path(*file).stem().string() : "frame";
+        if (!stems.insert(stem).second) throw InputError(*file, Message(MessageId::ArgumentRepeated));
+        Scenario scenario = options.scenario(file);
+        Scenario end = scenario;
+        if (to) {
+            if (scenario.camera.kind != Camera::Kind::Orbit) {
+                throw InputError("--to", Message(MessageId::ArgumentsExclude, {{"other", "--eye"}}));
+            }
+            applyOrbit(end, *to, "--to");
+        }
+        addPictures(scenarios.size(), scenario.camera, end.camera, count, stem, layers.empty() ? ".png" : ".exr",
+                    pictures);
+        what["scenarios"].push_back(scenarioText(scenario));
+        what["ends"].push_back(scenarioText(end));
+        scenarios.push_back(std::move(scenario));
+    }
+    makeFolder(folder);
+    const std::filesystem::path place(folder);
+    SharedWork shared((place / "pictures").string(), what, pictures.size(), resume, launched(), session.stop());
+    if (resume && shared.launch().rank == 0) {
+        session.note(folder, Message(MessageId::SweepResumed, {{"done", shared.done()}, {"total", pictures.size()}}));
+    }
+    Studio studio(options, std::move(scenarios), session);
+    overCells(
+        "render", pictures.size(), session, [](std::size_t) { return 0; },
+        [&] { return shared.take().value_or(kNoCell); }, [&] { return shared.done(); },
+        [&](std::size_t at, Work& work) {
+            studio.render(pictures[at], (place / pictures[at].name).string(), layers, work);
+            shared.put(at, pictures[at].name);
+        });
+    session.eraseBar();
+    if (shared.collect()) shared.finish();
+    return 0;
+}
+
+}  // namespace relief::app

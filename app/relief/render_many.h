@@ -1,0 +1,22 @@
+// Many pictures of one command: a list of scenarios, the frames of a camera's path, or both; shared by the processes
+// that a launcher started (shared_work.h), and gone on with after a run that was killed.
+#pragma once
+
+#include "options_common.h"
+
+namespace relief::app {
+
+struct ManyFrames {
+    std::vector<std::string> more;  // scenarios after the first
+    OptionText frames, to;
+    bool resume = false;
+
+    void add(CLI::App& parser);
+    // Whether the command asks for more than one picture.
+    bool wanted() const { return !more.empty() || frames || to || resume; }
+    // folder: made where it is not there. layers: empty for pictures alone. Returns the exit status.
+    int run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,
+            Session& session) const;
+};
+
+}  // namespace relief::app

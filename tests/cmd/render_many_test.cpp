@@ -1,0 +1,138 @@
+// Many pictures of one command: lists of scenarios and camera paths, each picture that of a command of its own.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "command_test.h"
+
+namespace relief::test {
+
+class RenderManyTest : public CommandTest {
+  protected:
+    std::string scenario(const std::string& name, const std::string& relief, int elevation) const {
+        const std::string recipe = R"({"name": ")" + relief + R"(", "width": 32, "height": 32})";
+        return write(name, R"({"reliefscope": 1, "pictures": {"recipe": )" + recipe +
+                               R"(}, "size": [60, 40], "camera": {"elevation": )" + std::to_string(elevation) + "}}");
+    }
+    std::vector<std::string> named(const std::string& folder) const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(path(folder))) {
+            names.push_back(entry.path().filename().string());
+        }
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+    std::vector<std::string> pathOf(const std::string& folder, const std::string& frames) const {
+        return {"render",
+                "--relief",
+                "bricks:64x64",
+                "--size",
+                "60x40",
+                "--camera",
+                "elevation=60,azimuth=0,distance=1.5",
+                "--to",
+                "elevation=20,azimuth=90",
+                "--frames",
+                frames,
+                "-o",
+                path(folder)};
+    }
+};
+
+// OpenEXR files tell when they were written, to the second.
+std::string withoutDate(std::string bytes) {
+    const std::size_t at = bytes.find("capDate");
+    if (at != std::string::npos) bytes.erase(at, std::string("capDate.string.0000YYYY:MM:DD hh:mm:ss").size());
+    return bytes;
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, RenderManyTest, testing::ValuesIn(places()), placeName);
+
+TEST_P(RenderManyTest, AListOfScenarios) {
+    const std::string first = scenario("one.json", "bricks", 50);
+    const std::string second = scenario("two.json", "hills", 30);
+    runFine({"render", first, second, "--tracer", "exact", "-o", path("many")});
+    EXPECT_EQ(named("many"), (std::vector<std::string>{"one.png", "two.png"}));
+    runFine({"render", second, "--tracer", "exact", "-o", path("two.png")});
+    EXPECT_EQ(read("many/two.png"), read("two.png"));
+    EXPECT_NE(read("many/one.png"), read("two.png"));
+    runFine({"render", first, second, "--layers", "depth,steps", "-o", path("layers")});
+    EXPECT_EQ(named("layers"), (std::vector<std::string>{"one.exr", "two.exr"}));
+    runFine({"render", second, "--layers", "depth,steps", "-o", path("two.exr")});
+    EXPECT_TRUE(withoutDate(read("layers/two.exr")) == withoutDate(read("two.exr")));
+}
+
+TEST_P(RenderManyTest, APathOfTheCamera) {
+    runFine(pathOf("path", "5"));
+    EXPECT_EQ(named("path"), (std::vector<std::string>{"frame_00000.png", "frame_00001.png", "frame_00002.png",
+                                                       "frame_00003.png", "frame_00004.png"}));
+    // Ends and middle.
+    const std::pair<const char*, const char*> some[] = {
+        {"path/frame_00000.png", "elevation=60,azimuth=0,distance=1.5"},
+        {"path/frame_00002.png", "elevation=40,azimuth=45,distance=1.5"},
+        {"path/frame_00004.png", "elevation=20,azimuth=90,distance=1.5"}};
+    for (const auto& [name, camera] : some) {
+        runFine({"render", "--relief", "bricks:64x64", "--size", "60x40", "--camera", camera, "-o", path("f.png")});
+        EXPECT_EQ(read(name), read("f.png")) << name;
+    }
+}
+
+TEST_P(RenderManyTest, GoesOnAndIsShared) {
+    runFine(pathOf("whole", "40"));
+    // The first of two processes is killed in the middle, the other does the rest.
+    std::vector<pid_t> ranks;
+    const auto arguments = pathOf("shared", "40");
+    for (int rank = 0; rank < 2; ++rank) {
+        const pid_t child = fork();
+        if (child == 0) {
+            setenv("OMPI_COMM_WORLD_RANK", std::to_string(rank).c_str(), 1);
+            setenv("OMPI_COMM_WORLD_SIZE", "2", 1);
+            setenv("PMIX_NAMESPACE", "job", 1);
+            std::vector<char*> pointers{const_cast<char*>(RELIEF_PROGRAM)};
+            for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+            pointers.push_back(nullptr);
+            execv(RELIEF_PROGRAM, pointers.data());
+            _exit(127);
+        }
+        ranks.push_back(child);
+    }
+    const auto begun = std::chrono::steady_clock::now();
+    while (!std::filesystem::exists(path("shared/frame_00003.png"))) {
+        ASSERT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(60));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    kill(ranks[0], SIGKILL);
+    int status = 0;
+    waitpid(ranks[0], &status, 0);
+    waitpid(ranks[1], &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    // What the dead one was writing may lie beside.
+    for (const std::string& name : named("whole")) EXPECT_EQ(read("shared/" + name), read("whole/" + name)) << name;
+    EXPECT_FALSE(std::filesystem::exists(path("shared/pictures.part")));
+    // And a run alone goes on.
+    auto resumed = pathOf("whole", "40");
+    resumed.push_back("--resume");
+    EXPECT_EQ(run(resumed).status, 0);
+}
+
+TEST_P(RenderManyTest, WrongRequestsAreRefused) {
+    const std::string one = scenario("one.json", "bricks", 50);
+    expectRefusal({"render", one, one, "-o", path("many")}, 2, {one, "more than once"});
+    expectRefusal({"render", one, path("none.json"), "-o", path("many")}, 2, {path("none.json")});
+    expectRefusal({"render", one, "--to", "elevation=3", "-o", path("many")}, 2, {"--to", "--frames"});
+    expectRefusal({"render", one, "--frames", "0", "-o", path("many")}, 2, {"--frames"});
+    expectRefusal({"render", one, "--frames", "3", "--to", "height=3", "-o", path("many")}, 2, {"--to", "\"height\""});
+    expectRefusal({"render", one, "--eye", "0,1,1", "--target", "0,0,0", "--frames", "3", "--to", "elevation=3", "-o",
+                   path("many")},
+                  2, {"--to", "--eye"});
+    expectRefusal({"render", one, "--frames", "3", "--report", "-", "-o", path("many")}, 2, {"--report"});
+    expectRefusal({"render", one, "--frames", "3", "-o", one}, 2, {"--frames", one});
+    expectRefusal({"render", one, "--frames", "3", "-o", write("taken", "x")}, 1, {path("taken")});
+}
+
+}  // namespace relief::test
