@@ -1,5 +1,7 @@
-// The README's tables of distance and cone maps, measured: run it and paste what it prints.
+// The README's tables. Those of distance and cone maps are measured here; all are put into the README by the second
+// form, from the files in a folder (readme_tables.h); measure.sh beside this file makes them all.
 //   relief_claims [--rays N] [--size N] [--threads N] [steps] [wrong] [gain] [cost]
+//   relief_claims readme README.md FOLDER
 // Six procedural reliefs (seed 1), relief depth 0.2, bilinear, repeat; rays with entry and azimuth uniform, elevation
 // uniform in 10 to 90 degrees. Exit status 1 if a method that promises the exact hit gave another.
 #include <ctime>
@@ -8,10 +10,12 @@
 #include <set>
 
 #include "errors.h"
+#include "images/files.h"
 #include "images/reliefs.h"
 #include "measuring/bench_tracers.h"
 #include "measuring/machine.h"
 #include "measuring/measured_method.h"
+#include "readme_tables.h"
 
 namespace relief {
 namespace {
@@ -242,6 +246,12 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
+        if (argc == 4 && std::string(argv[1]) == "readme") {
+            const std::string text = relief::readTextFile(argv[2]);
+            const std::string made = relief::claims::withTables(text, argv[3]);
+            if (made != text) relief::writeTextFile(argv[2], made);
+            return 0;
+        }
         return relief::run(argc, argv);
     } catch (const std::exception& error) {
         std::cerr << error.what() << "\n";

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Measures all that the README's tables quote and puts the tables into it: nothing there is typed by hand.
+#   tests/benchmarks/measure.sh [FOLDER [BUILD]]     default: build/measured build
+# Broken off, it goes on where it was; what is measured already is not measured again (remove FOLDER for that). Hours on
+# two cores; nothing else should run meanwhile. Then look at the texts beside the tables: they quote them.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
+cd "$root"
+folder=${1:-build/measured}
+bin=${2:-build}/bin
+mkdir -p "$folder"
+
+# NAME COMMAND...: a sweep into FOLDER/NAME.csv, unless it is there.
+sweep() {
+    local file=$folder/$1.csv
+    shift
+    [ -e "$file" ] && return
+    local resume=()
+    [ -e "$file.part" ] && resume=(--resume)
+    "$bin/relief" bench "$@" "${resume[@]}" -o "$file"
+}
+# NAME COMMAND...: what it prints into FOLDER/NAME.md, unless it is there.
+printed() {
+    local file=$folder/$1.md
+    shift
+    [ -e "$file" ] && return
+    "$@" >"$file.part"
+    mv "$file.part" "$file"
+}
+
+sweep rows rows --threads 1 --rounds 9
+sweep filters_checker filters --scenes checker --size 160x120 --threads 1 --rounds 9 \
+    --filters nearest,bilinear,trilinear,elliptical:weights=uniform,elliptical:weights=texel-distance,elliptical,elliptical:source=table,elliptical:source=map,elliptical:weights=box,elliptical:levels=exhaustive
+visible=trilinear,elliptical,elliptical-visible:form=plane,elliptical-visible:form=position,elliptical-visible
+sweep filters_procedural filters --scenes bricks,city,hills --size 160x120 --threads 1 --filters $visible \
+    --pixel-models gaussian
+sweep filters_wall filters --height datasets/stone_wall_bricks102/height.jpg --relief-depth 0.05 --size 160x120 \
+    --color datasets/stone_wall_bricks102/color.jpg --threads 1 --filters $visible --pixel-models gaussian
+{
+    cat "$folder/filters_procedural.csv"
+    tail -n +2 "$folder/filters_wall.csv"
+} >"$folder/filters_relief.csv"
+if [ -x "$bin/relief_peers" ] && [ ! -e "$folder/peers.csv" ]; then
+    "$bin/relief_peers" --rounds 7 -o "$folder/peers.csv" >"$folder/peers.txt"
+fi
+printed steps "$bin/relief_claims" steps
+printed wrong "$bin/relief_claims" --rays 100000 wrong
+printed gain "$bin/relief_claims" --rays 100000 gain
+printed cost "$bin/relief_claims" --rays 100000 cost
+"$bin/relief_claims" readme README.md "$folder"
