@@ -6,6 +6,7 @@
 #include "relief/cone_any.h"
 #include "relief/distance_any.h"
 #include "relief/max_pyramid_any.h"
+#include "relief/packed_cone_any.h"
 
 namespace relief {
 
@@ -15,7 +16,8 @@ namespace {
 using QueryTypes = std::tuple<  //
     MaxPyramidAnyHit,           //
     ConeAnyHit,                 //
-    DistanceAnyHit>;
+    DistanceAnyHit,             //
+    PackedConeAnyHit>;
 
 template <class T>
 class QueryOf final : public AnyHitQuery {
@@ -32,8 +34,12 @@ class QueryOf final : public AnyHitQuery {
     void look(const AnyRayBlock& rays, SightBlock& sights, NullSink&, Work& work) const override {
         sights.resize(rays.size());
         overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
-            NullSink sink;
-            for (std::size_t i = first; i < last; ++i) sights.sight[i] = query_.look(rays[i], sink);
+            if constexpr (requires { query_.lookLanes(rays, first, last, sights); }) {
+                query_.lookLanes(rays, first, last, sights);
+            } else {
+                NullSink sink;
+                for (std::size_t i = first; i < last; ++i) sights.sight[i] = query_.look(rays[i], sink);
+            }
         });
     }
 

@@ -1,0 +1,78 @@
+// packed-cone-any: is anything in the way of a segment? By the packed cones of its quadrant.
+//
+// Frame and units: any_ray.h. Surfaces: bilinear, columns; any addressing. Guarantee: exact.
+// Model: a cell is looked at only if the segment falls below its highest point there; from where the segment leaves a
+// cell above the apex it is free up to where it meets the cone, for ever if it rises faster.
+// Cost: one word a step; rising segments (shadows, footprints) take a few. Memory 16 bytes a cell.
+#pragma once
+
+#include "relief/jump_any.h"
+#include "relief/maps/packed_cones.h"
+
+namespace relief {
+
+class PackedConeAnyHit {
+  public:
+    static constexpr RayClass kRays = PackedCones::kRays;
+    static MethodDescription describe() {
+        MethodDescription method;
+        method.name = "packed-cone-any";
+        method.title = "packed cones, any hit";
+        method.kind = MethodKind::AnyHit;
+        method.guarantee = Guarantee::Exact;
+        method.rayClass = RayClass::AnyRays;
+        method.help = "Jumps to the edge of the empty cone above each cell, one of four for the segment's quadrant.";
+        method.source = "Dummer 2006; Ban et al. 2024";
+        method.maps = {"packed-cones"};
+        return method;
+    }
+    struct Options {
+        static std::vector<OptionField<Options>> fields() { return {}; }
+    };
+    static PackedConeAnyHit make(const HeightField& field, const Options&, MapCache& cache, Work& work) {
+        return {field, packedCones(field, cache, work)};
+    }
+    PackedConeAnyHit(HeightField field, std::shared_ptr<const PackedCones> map)
+        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
+
+    template <class Sink>
+    Sight look(const AnyRay& ray, Sink& sink) const {
+        return lookByJumps(field_, grid_, ray, map_->highest, stepBound(ray), sink,
+                           [&](const AnyRay& segment, const GridRay& course, AxisCell cx, AxisCell cy, double mu,
+                               double out) { return freeUpTo(segment, course, cx, cy, mu, out); });
+    }
+    // The same answers in lanes (packed_cone_any_lanes.cpp): segments first to last - 1.
+    void lookLanes(const AnyRayBlock& rays, std::size_t first, std::size_t last, SightBlock& sights) const;
+
+    const HeightField& field() const { return field_; }
+    const CellGrid& grid() const { return grid_; }
+    const PackedCones& map() const { return *map_; }
+    std::size_t bytes() const { return map_->bytes(); }
+    double stepBound(const AnyRay& ray) const { return 2 * GridRay(grid_, ray.course()).cellBound() + 6; }
+
+    static std::size_t quadrant(const GridRay& course) {
+        return (course.x.side < 0 ? 1U : 0U) + (course.y.side < 0 ? 2U : 0U);
+    }
+    // Rounding of the quotient stays far below this share.
+    static constexpr double kShorter = 1 - 1e-9;
+
+  private:
+    double freeUpTo(const AnyRay& segment, const GridRay& course, AxisCell cx, AxisCell cy, double mu,
+                    double out) const {
+        const std::uint32_t word = map_->words[quadrant(course)][map_->index(cx.index, cy.index)];
+        const double zOut = segment.heightAt(out);
+        if (!(std::min(segment.heightAt(mu), zOut) > map_->heightAt(coneOwnDepth(word)))) return mu;
+        const double room = zOut - map_->heightAt(coneApexDepth(word));
+        if (!(room > 0)) return out;
+        const double run = std::max(std::abs(course.x.run), std::abs(course.y.run));
+        const double closing = static_cast<double>(coneSlope(word)) * run - segment.dz;
+        if (closing <= 0) return 2;  // it rises faster than the cone
+        return out + room / closing * kShorter;
+    }
+
+    HeightField field_;
+    std::shared_ptr<const PackedCones> map_;
+    CellGrid grid_;
+};
+
+}  // namespace relief
