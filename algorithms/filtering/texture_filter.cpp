@@ -238,7 +238,7 @@ std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, cons
     }
     const auto options = parseOptions<VisibleOptions>(filter.name, choice.options, kFilterSet);
     VisibleKernel kernel(kernelOf(options), parsedForm(options.form), tools.field,
-                         makeAnyHit({anyHitList().front().name, {}}, tools.field, maps, work),
+                         makeAnyHit(sightChoice(tools.field), tools.field, maps, work),
                          heightBoundsMap(tools.field, maps, work));
     kernel.setSkip(tools.skip);
     return std::make_unique<VisibleFilter>(filter, ready, std::move(kernel));

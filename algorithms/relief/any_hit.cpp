@@ -99,6 +99,11 @@ const std::vector<MethodDescription>& anyHitList() {
     return list;
 }
 
+MethodChoice sightChoice(const HeightField& field) {
+    const bool packed = field.heights().size() <= kPackedSight;
+    return {packed ? descriptionOf<PackedConeAnyHit>().name : descriptionOf<MaxPyramidAnyHit>().name, {}};
+}
+
 std::unique_ptr<AnyHitQuery> makeAnyHit(const MethodChoice& choice, const HeightField& field, MapCache& cache,
                                         Work& work) {
     std::unique_ptr<AnyHitQuery> made;

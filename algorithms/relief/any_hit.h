@@ -33,6 +33,11 @@ class AnyHitQuery {
 // Every query there is. Only maps that are valid for any ray can serve one; others do not compile.
 const std::vector<MethodDescription>& anyHitList();
 
+// The fastest for many segments: in lanes by packed cones, or the max pyramid where those would be large (16 bytes a
+// texel, above kPackedSight texels).
+inline constexpr std::size_t kPackedSight = std::size_t{1} << 22;
+MethodChoice sightChoice(const HeightField& field);
+
 // Builds the maps it needs (from the cache if they are there). Throws InputError for unknown names, options, and
 // methods whose maps hold for view rays only.
 std::unique_ptr<AnyHitQuery> makeAnyHit(const MethodChoice& choice, const HeightField& field, MapCache& cache,

@@ -2,6 +2,7 @@
 // 2005. Not safe: an interpolated distance reaches beyond the surface at edges.
 #pragma once
 
+#include "relief/distance_lanes.h"
 #include "relief/maps/distance_map.h"
 #include "relief/sampled_surface.h"
 
@@ -22,6 +23,13 @@ class DistanceFixed {
             return Hit::none(Outcome::Miss);
         }
         return march(ray, surface, {}, true, sink);
+    }
+    // The same bits in lanes: rays first to last - 1.
+    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+        NullSink sink;
+        for (const std::size_t i : marchInLanes({field_, *map_, iterations_}, rays, first, last, hits)) {
+            hits.set(i, trace(rays[i], sink));
+        }
     }
     // Counts as a hit if the steps did not lead out of the segment.
     template <class Sink>

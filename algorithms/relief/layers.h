@@ -10,12 +10,11 @@
 #pragma once
 
 #include "relief/describe.h"
+#include "relief/layer_lanes.h"
 #include "relief/maps/map_cache.h"
 #include "relief/sampled_surface.h"
 
 namespace relief {
-
-enum class LayerRefinement : std::uint8_t { None, Secant, Bisection };
 
 template <LayerRefinement kRefinement>
 class LayersTracerOf {
@@ -73,6 +72,12 @@ class LayersTracerOf {
         const SampledSurface surface(field_, ray);
         sink.step([&] { return surface.record(Phase::Start, Decision::Start, 0, 0, 1, 0); });
         return search(ray, surface, {}, true, sink);
+    }
+    // The same bits in lanes: rays first to last - 1.
+    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+        NullSink sink;
+        const LayerSearch inLanes{field_, options_.layers, kRefinement, options_.bisections};
+        for (const std::size_t i : layersInLanes(inLanes, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
     }
     // The same distance between layers, counted from the segment's begin; its end is looked at, too.
     template <class Sink>

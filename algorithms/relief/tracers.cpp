@@ -105,8 +105,12 @@ class TracerOf final : public Tracer {
     void trace(const RayBlock& rays, HitBlock& hits, NullSink&, Work& work) const override {
         hits.resize(rays.size());
         overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
-            NullSink sink;
-            for (std::size_t i = first; i < last; ++i) hits.set(i, tracer_.trace(rays[i], sink));
+            if constexpr (requires { tracer_.traceLanes(rays, first, last, hits); }) {
+                tracer_.traceLanes(rays, first, last, hits);
+            } else {
+                NullSink sink;
+                for (std::size_t i = first; i < last; ++i) hits.set(i, tracer_.trace(rays[i], sink));
+            }
         });
     }
 

@@ -160,7 +160,7 @@ void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& tot
         count("shadow rays blocked", static_cast<double>(totals.shadowBlocked));
         count("shadow rays not needed: turned away from the light", static_cast<double>(totals.shadowAway));
         count("shadow rays not needed: at the top", static_cast<double>(totals.shadowTop));
-        count("shadow steps", static_cast<double>(totals.shadowSteps));
+        if (totals.shadowSteps > 0) count("shadow steps", static_cast<double>(totals.shadowSteps));
         count("shadow step limits", static_cast<double>(totals.shadowLimits));
     }
     count("stages not computed again",
@@ -239,7 +239,7 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     }
     std::unique_ptr<const AnyHitQuery> query;
     if (request.shadows && has(stale, Stage::Shadows)) {
-        query = makeAnyHit({anyHitList().front().name, {}}, request.field, *maps_, work);
+        query = makeAnyHit(sightChoice(request.field), request.field, *maps_, work);
     }
 
     frame->filter = !first && !has(stale, Stage::Color) ? frame_->filter : madeFilter(request, work);

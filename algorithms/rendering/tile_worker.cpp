@@ -187,7 +187,12 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
     });
     SightBlock sights;
     BlockCounts counts;
-    tools_.query->look(rays, sights, counts, work);
+    if (request_.counts) {
+        tools_.query->look(rays, sights, counts, work);
+    } else {
+        NullSink sink;
+        tools_.query->look(rays, sights, sink, work);
+    }
     std::int64_t blocked = 0;
     std::int64_t limits = 0;
     for (std::size_t n = 0; n < pixels.size(); ++n) {

@@ -1,0 +1,228 @@
+#include "relief/distance_lanes.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "relief/sampled_surface.h"
+
+// Vectors in arrays: not for the instruction sets without a fixed width.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "relief/distance_lanes.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::CappedTag<double, 8>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+constexpr std::size_t kLanes = hn::MaxLanes(D());
+using Row = std::array<double, kLanes>;
+
+HWY_INLINE V constant(double value) {
+    return hn::Set(D(), value);
+}
+HWY_INLINE V load(const Row& from) {
+    return hn::LoadU(D(), from.data());
+}
+
+// DistanceMap::trilinear.
+class DistanceLanes {
+  public:
+    explicit DistanceLanes(const DistanceMap& map)
+        : values_(std::get<std::vector<float>>(map.values.codes()).data()),
+          nx_(map.nx()),
+          ny_(map.ny()),
+          layers_(map.layers()),
+          fieldWidth_(map.fieldWidth),
+          fieldHeight_(map.fieldHeight),
+          repeats_(map.address == Address::Repeat) {}
+
+    HWY_INLINE V at(V s, V t, V z) const {
+        const V half = constant(0.5), one = constant(1), zero = hn::Zero(D());
+        const V x = hn::Sub(hn::Div(hn::Mul(s, constant(nx_)), constant(fieldWidth_)), half);
+        const V y = hn::Sub(hn::Div(hn::Mul(t, constant(ny_)), constant(fieldHeight_)), half);
+        const V last = constant(layers_ - 1);
+        const V w = hn::Min(hn::Max(hn::Sub(hn::Mul(z, constant(layers_)), half), zero), last);
+        const V x0 = hn::Floor(x), y0 = hn::Floor(y), k0 = hn::Floor(w);
+        const V share = hn::Sub(w, k0), u = hn::Sub(x, x0), v = hn::Sub(y, y0);
+        const V plane = constant(nx_ * ny_);
+        const V lower = hn::Mul(k0, plane), upper = hn::Mul(hn::Min(hn::Add(k0, one), last), plane);
+        const V i0 = addressed(x0, nx_), i1 = addressed(hn::Add(x0, one), nx_);
+        const V j0 = hn::Mul(addressed(y0, ny_), constant(nx_));
+        const V j1 = hn::Mul(addressed(hn::Add(y0, one), ny_), constant(nx_));
+        const auto column = [&](V i, V j) {
+            const V place = hn::Add(j, i);
+            const V below = value(hn::Add(lower, place));
+            return hn::Add(below, hn::Mul(share, hn::Sub(value(hn::Add(upper, place)), below)));
+        };
+        const V c00 = column(i0, j0), c01 = column(i0, j1);
+        const V top = hn::Add(c00, hn::Mul(u, hn::Sub(column(i1, j0), c00)));
+        const V bottom = hn::Add(c01, hn::Mul(u, hn::Sub(column(i1, j1), c01)));
+        return hn::Add(top, hn::Mul(v, hn::Sub(bottom, top)));
+    }
+
+  private:
+    HWY_INLINE V addressed(V i, double size) const {
+        const V n = constant(size), zero = hn::Zero(D());
+        if (!repeats_) return hn::Min(hn::Max(i, zero), constant(size - 1));
+        const V rest = hn::Sub(i, hn::Mul(hn::Floor(hn::Mul(i, constant(1 / size))), n));
+        const V raised = hn::IfThenElse(hn::Lt(rest, zero), hn::Add(rest, n), rest);
+        return hn::IfThenElse(hn::Ge(raised, n), hn::Sub(raised, n), raised);
+    }
+    HWY_INLINE V value(V number) const {
+        const auto at = hn::DemoteTo(hn::Rebind<std::int32_t, D>(), number);
+        return hn::PromoteTo(D(), hn::GatherIndex(hn::Rebind<float, D>(), values_, at));
+    }
+
+    const float* values_;
+    double nx_, ny_, layers_, fieldWidth_, fieldHeight_;
+    bool repeats_;
+};
+
+struct Queue {
+    const DistanceMarch& march;
+    const RayBlock& rays;
+    HitBlock& hits;
+    std::size_t next;
+    std::size_t last;
+    std::vector<std::size_t>& left;
+};
+
+// A vector of rays on their way.
+class March {
+  public:
+    explicit March(Queue& queue) : queue_(queue), field_(queue.march.field), distance_(queue.march.map) {}
+
+    // False: nothing left to do.
+    bool go() {
+        constexpr std::uint32_t kAll = (1U << kLanes) - 1;
+        for (std::uint32_t idle = kAll & ~active_; idle != 0; idle &= idle - 1) {
+            if (!fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
+        }
+        if (active_ == 0) return false;
+        step();
+        return true;
+    }
+
+  private:
+    bool fill(std::size_t lane);
+    void step();
+
+    Queue& queue_;
+    const HeightField& field_;
+    DistanceLanes distance_;
+    std::uint32_t active_ = 0;
+    Row s0_{}, t0_{}, a_{}, b_{}, perLambda_{}, lambda_{}, left_{};
+    std::array<std::size_t, kLanes> ray_{};
+};
+
+bool March::fill(std::size_t lane) {
+    constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
+    while (queue_.next < queue_.last) {
+        const std::size_t i = queue_.next++;
+        const ViewRay ray = queue_.rays[i];
+        if (!ray.finite()) {
+            queue_.hits.set(i, Hit::none(Outcome::Miss));
+            continue;
+        }
+        const SampledSurface surface(field_, ray);
+        if (!surface.inside(0)) {
+            queue_.hits.set(i, Hit::none(Outcome::Miss));
+            continue;
+        }
+        if (!(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
+            queue_.left.push_back(i);
+            continue;
+        }
+        const auto [s0, t0] = surface.placeAt(0);
+        s0_[lane] = s0, t0_[lane] = t0, a_[lane] = ray.a, b_[lane] = ray.b;
+        perLambda_[lane] = std::hypot(std::hypot(ray.a, ray.b), queue_.march.map.slabTexels);
+        lambda_[lane] = 0;
+        left_[lane] = queue_.march.iterations;
+        ray_[lane] = i;
+        active_ |= 1U << lane;
+        return true;
+    }
+    return false;
+}
+
+void March::step() {
+    const V one = constant(1), zero = hn::Zero(D());
+    const V s0 = load(s0_), t0 = load(t0_), a = load(a_), b = load(b_);
+    const V lambda = load(lambda_), perLambda = load(perLambda_);
+    const V distance =
+        distance_.at(hn::Add(s0, hn::Mul(lambda, a)), hn::Add(t0, hn::Mul(lambda, b)), hn::Sub(one, lambda));
+    const V further = hn::Min(hn::Add(lambda, hn::Div(distance, perLambda)), one);
+    const V after = hn::IfThenElse(hn::Gt(perLambda, zero), further, one);
+    const V left = hn::Sub(load(left_), one);
+    M inside = hn::Eq(zero, zero);
+    if (field_.address() == Address::Border) {
+        const V s = hn::Add(s0, hn::Mul(after, a)), t = hn::Add(t0, hn::Mul(after, b));
+        inside = hn::And(hn::And(hn::Ge(s, zero), hn::Le(s, constant(field_.width()))),
+                         hn::And(hn::Ge(t, zero), hn::Le(t, constant(field_.height()))));
+    }
+    const M goesOn = hn::And(inside, hn::And(hn::Gt(left, zero), hn::Lt(after, one)));
+    hn::StoreU(after, D(), lambda_.data());
+    hn::StoreU(left, D(), left_.data());
+    std::uint8_t on[8] = {};
+    std::uint8_t in[8] = {};
+    hn::StoreMaskBits(D(), goesOn, on);
+    hn::StoreMaskBits(D(), inside, in);
+    const std::uint32_t done = active_ & ~static_cast<std::uint32_t>(on[0]);
+    for (std::uint32_t lanes = done; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
+        const std::size_t i = ray_[lane];
+        const bool hit = (in[0] >> lane & 1) != 0;
+        queue_.hits.set(i, hit ? Hit::at(queue_.rays[i], lambda_[lane]) : Hit::none(Outcome::Miss));
+    }
+    // Idle lanes stay at the start: a place to read.
+    active_ &= ~done;
+    for (std::uint32_t lanes = done; lanes != 0; lanes &= lanes - 1) {
+        lambda_[static_cast<std::size_t>(__builtin_ctz(lanes))] = 0;
+    }
+}
+
+// Two vectors in turn: while one waits for memory, the other goes on.
+void marchAll(const DistanceMarch& march, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
+              std::vector<std::size_t>& left) {
+    Queue queue{march, rays, hits, first, last, left};
+    March one(queue);
+    March two(queue);
+    bool more = true;
+    while (more) {
+        more = one.go();
+        more = two.go() || more;
+    }
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace relief {
+
+HWY_EXPORT(marchAll);
+
+std::vector<std::size_t> marchInLanes(const DistanceMarch& march, const RayBlock& rays, std::size_t first,
+                                      std::size_t last, HitBlock& hits) {
+    std::vector<std::size_t> left;
+    const auto* values = std::get_if<std::vector<float>>(&march.map.values.codes());
+    constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
+    if (values == nullptr || values->size() > kMost || march.iterations < 1) {
+        left.resize(last - first);
+        std::iota(left.begin(), left.end(), first);
+        return left;
+    }
+    HWY_DYNAMIC_DISPATCH(marchAll)(march, rays, first, last, hits, left);
+    return left;
+}
+
+}  // namespace relief
+#endif

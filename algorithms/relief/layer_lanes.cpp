@@ -1,0 +1,274 @@
+#include "relief/layer_lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "relief/cell_grid.h"
+
+// Vectors in arrays: not for the instruction sets without a fixed width.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "relief/layer_lanes.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::CappedTag<double, 8>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+constexpr std::size_t kLanes = hn::MaxLanes(D());
+using Row = std::array<double, kLanes>;
+
+HWY_INLINE V constant(double value) {
+    return hn::Set(D(), value);
+}
+HWY_INLINE V load(const Row& from) {
+    return hn::LoadU(D(), from.data());
+}
+HWY_INLINE void store(V from, Row& to) {
+    hn::StoreU(from, D(), to.data());
+}
+HWY_INLINE std::uint32_t bitsOf(M mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(D(), mask, bits);
+    return bits[0];
+}
+
+// HeightField::at.
+class SurfaceLanes {
+  public:
+    explicit SurfaceLanes(const HeightField& field)
+        : heights_(field.heights()),
+          width_(field.width()),
+          height_(field.height()),
+          repeats_(field.address() == Address::Repeat),
+          columns_(field.surface() == Surface::Columns) {}
+
+    HWY_INLINE V at(V s, V t) const {
+        if (columns_)
+            return texel(addressed(hn::Floor(reduced(s, width_)), width_),
+                         addressed(hn::Floor(reduced(t, height_)), height_));
+        const V one = constant(1), half = constant(0.5);
+        const V x = reduced(hn::Sub(s, half), width_), y = reduced(hn::Sub(t, half), height_);
+        const V i = hn::Floor(x), j = hn::Floor(y);
+        const V u = hn::Sub(x, i), v = hn::Sub(y, j);
+        const V i0 = addressed(i, width_), i1 = addressed(hn::Add(i, one), width_);
+        const V j0 = addressed(j, height_), j1 = addressed(hn::Add(j, one), height_);
+        const V rest = hn::Sub(one, u);
+        const V top = hn::Add(hn::Mul(rest, texel(i0, j0)), hn::Mul(u, texel(i1, j0)));
+        const V bottom = hn::Add(hn::Mul(rest, texel(i0, j1)), hn::Mul(u, texel(i1, j1)));
+        return hn::Add(hn::Mul(hn::Sub(one, v), top), hn::Mul(v, bottom));
+    }
+
+  private:
+    // Repeat: std::fmod, whose remainder is exact; one product too many or too few is set right. Else into [-1, n + 1].
+    HWY_INLINE V reduced(V x, double size) const {
+        const V n = constant(size), zero = hn::Zero(D());
+        if (!repeats_) return hn::Min(hn::Max(x, constant(-1)), constant(size + 1));
+        const V whole = hn::Floor(hn::Mul(hn::Abs(x), constant(1 / size)));
+        V rest = hn::Sub(hn::Abs(x), hn::Mul(whole, n));
+        rest = hn::IfThenElse(hn::Lt(rest, zero), hn::Add(rest, n), rest);
+        rest = hn::IfThenElse(hn::Ge(rest, n), hn::Sub(rest, n), rest);
+        return hn::CopySign(rest, x);
+    }
+    HWY_INLINE V addressed(V i, double size) const {
+        const V n = constant(size), zero = hn::Zero(D());
+        if (!repeats_) return hn::Min(hn::Max(i, zero), constant(size - 1));
+        const V raised = hn::IfThenElse(hn::Lt(i, zero), hn::Add(i, n), i);
+        return hn::IfThenElse(hn::Ge(raised, n), hn::Sub(raised, n), raised);
+    }
+    HWY_INLINE V texel(V i, V j) const {
+        const V number = hn::Add(hn::Mul(j, constant(width_)), i);
+        const auto at = hn::DemoteTo(hn::Rebind<std::int32_t, D>(), number);
+        return hn::PromoteTo(D(), hn::GatherIndex(hn::Rebind<float, D>(), heights_.data(), at));
+    }
+
+    const FloatImage& heights_;
+    double width_;
+    double height_;
+    bool repeats_;
+    bool columns_;
+};
+
+// A layer that brackets the surface: to be halved.
+struct Bracket {
+    std::size_t ray;
+    ViewRay reduced;
+    double above;
+    double below;
+};
+
+struct Queue {
+    const LayerSearch& search;
+    const RayBlock& rays;
+    HitBlock& hits;
+    std::size_t next;
+    std::size_t last;
+    std::vector<std::size_t>& left;
+    std::vector<Bracket> brackets;
+};
+
+// A vector of rays on their way through the layers.
+class Search {
+  public:
+    explicit Search(Queue& queue) : queue_(queue), field_(queue.search.field), surface_(field_) {}
+
+    // False: nothing left to do.
+    bool go() {
+        constexpr std::uint32_t kAll = (1U << kLanes) - 1;
+        for (std::uint32_t idle = kAll & ~active_; idle != 0; idle &= idle - 1) {
+            if (!fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
+        }
+        if (active_ == 0) return false;
+        step();
+        return true;
+    }
+
+  private:
+    bool fill(std::size_t lane);
+    void step();
+    void finish(std::size_t lane, bool inside);
+
+    Queue& queue_;
+    const HeightField& field_;
+    SurfaceLanes surface_;
+    std::uint32_t active_ = 0;
+    Row s0_{}, t0_{}, a_{}, b_{}, layer_{}, lambda_{}, gap_{}, above_{}, gapAbove_{};
+    std::array<std::size_t, kLanes> ray_{};
+};
+
+bool Search::fill(std::size_t lane) {
+    constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
+    while (queue_.next < queue_.last) {
+        const std::size_t i = queue_.next++;
+        ViewRay ray = queue_.rays[i];
+        if (!ray.finite()) {
+            queue_.hits.set(i, Hit::none(Outcome::Miss));
+            continue;
+        }
+        if (field_.address() == Address::Repeat) {
+            ray.s0 = reduceToPeriod(ray.s0, field_.width());
+            ray.t0 = reduceToPeriod(ray.t0, field_.height());
+            if (!(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
+                queue_.left.push_back(i);
+                continue;
+            }
+        }
+        s0_[lane] = ray.s0, t0_[lane] = ray.t0, a_[lane] = ray.a, b_[lane] = ray.b;
+        layer_[lane] = 0;
+        ray_[lane] = i;
+        active_ |= 1U << lane;
+        return true;
+    }
+    return false;
+}
+
+void Search::step() {
+    const V one = constant(1), zero = hn::Zero(D());
+    const V layer = load(layer_);
+    const V lambda = hn::Min(hn::Div(layer, constant(queue_.search.layers)), one);
+    const V s = hn::Add(load(s0_), hn::Mul(lambda, load(a_)));
+    const V t = hn::Add(load(t0_), hn::Mul(lambda, load(b_)));
+    const V gap = hn::Sub(surface_.at(s, t), hn::Sub(one, lambda));
+    M inside = hn::Eq(zero, zero);
+    if (field_.address() == Address::Border) {
+        inside = hn::And(hn::And(hn::Ge(s, zero), hn::Le(s, constant(field_.width()))),
+                         hn::And(hn::Ge(t, zero), hn::Le(t, constant(field_.height()))));
+    }
+    const M ends = hn::Or(hn::Not(inside), hn::Or(hn::Ge(gap, zero), hn::Ge(lambda, one)));
+    const std::uint32_t done = bitsOf(ends) & active_;
+    if (done != 0) {
+        store(lambda, lambda_), store(gap, gap_);
+        const std::uint32_t in = bitsOf(inside);
+        for (std::uint32_t lanes = done; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
+            finish(lane, (in >> lane & 1) != 0);
+        }
+        active_ &= ~done;
+    }
+    store(hn::Add(layer, one), layer_), store(lambda, above_), store(gap, gapAbove_);
+}
+
+void Search::finish(std::size_t lane, bool inside) {
+    const std::size_t i = ray_[lane];
+    if (!inside) {
+        queue_.hits.set(i, Hit::none(Outcome::Miss));
+        return;
+    }
+    double lambda = lambda_[lane];
+    if (layer_[lane] > 0 && queue_.search.refinement == LayerRefinement::Bisection) {
+        queue_.brackets.push_back({i, {s0_[lane], t0_[lane], a_[lane], b_[lane]}, above_[lane], lambda});
+        return;
+    }
+    if (layer_[lane] > 0 && queue_.search.refinement == LayerRefinement::Secant) {
+        const double share = gapAbove_[lane] / (gapAbove_[lane] - std::max(gap_[lane], 0.0));
+        lambda = above_[lane] + share * (lambda - above_[lane]);
+    }
+    queue_.hits.set(i, Hit::at(queue_.rays[i], lambda));
+}
+
+// All brackets take as many halvings.
+void bisect(Queue& queue) {
+    const SurfaceLanes surface(queue.search.field);
+    Row s0{}, t0{}, a{}, b{}, from{}, to{};
+    for (std::size_t begin = 0; begin < queue.brackets.size(); begin += kLanes) {
+        const std::size_t count = std::min(kLanes, queue.brackets.size() - begin);
+        for (std::size_t n = 0; n < count; ++n) {
+            const Bracket& bracket = queue.brackets[begin + n];
+            s0[n] = bracket.reduced.s0, t0[n] = bracket.reduced.t0;
+            a[n] = bracket.reduced.a, b[n] = bracket.reduced.b;
+            from[n] = bracket.above, to[n] = bracket.below;
+        }
+        V above = load(from), below = load(to);
+        const V startS = load(s0), startT = load(t0), runS = load(a), runT = load(b);
+        for (int k = 0; k < queue.search.bisections; ++k) {
+            const V middle = hn::Mul(constant(0.5), hn::Add(above, below));
+            const V height = surface.at(hn::Add(startS, hn::Mul(middle, runS)), hn::Add(startT, hn::Mul(middle, runT)));
+            const M over = hn::Lt(hn::Sub(height, hn::Sub(constant(1), middle)), hn::Zero(D()));
+            above = hn::IfThenElse(over, middle, above);
+            below = hn::IfThenElse(over, below, middle);
+        }
+        store(below, to);
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::size_t ray = queue.brackets[begin + n].ray;
+            queue.hits.set(ray, Hit::at(queue.rays[ray], to[n]));
+        }
+    }
+}
+
+// Two vectors in turn: while one waits for memory, the other goes on.
+void searchLayers(const LayerSearch& search, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
+                  std::vector<std::size_t>& left) {
+    Queue queue{search, rays, hits, first, last, left, {}};
+    Search one(queue);
+    Search two(queue);
+    bool more = true;
+    while (more) {
+        more = one.go();
+        more = two.go() || more;
+    }
+    if (search.refinement == LayerRefinement::Bisection) bisect(queue);
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace relief {
+
+HWY_EXPORT(searchLayers);
+
+std::vector<std::size_t> layersInLanes(const LayerSearch& search, const RayBlock& rays, std::size_t first,
+                                       std::size_t last, HitBlock& hits) {
+    std::vector<std::size_t> left;
+    HWY_DYNAMIC_DISPATCH(searchLayers)(search, rays, first, last, hits, left);
+    return left;
+}
+
+}  // namespace relief
+#endif
