@@ -600,6 +600,14 @@
         <comment>option</comment>
         <translation>Найменша вісь</translation>
     </message>
+    <message>
+        <source>Bounded</source>
+        <translation>Межа похибки</translation>
+    </message>
+    <message>
+        <source>what hits may be wrong by where that spares work; its error is measured</source>
+        <translation>наскільки можуть хибити влучання там, де це береже роботу; похибку виміряно</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::DistanceView</name>
@@ -1351,6 +1359,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>Footprint</source>
         <translation>Слід пікселя</translation>
     </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Пропущене</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -2029,6 +2041,53 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
 </context>
 <context>
+    <name>reliefui::SkippedPanel</name>
+    <message>
+        <source>%1 of %2 (%3 %)</source>
+        <translation>%1 з %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>measured: %1 texels in the mean, %2 at most</source>
+        <translation>виміряно: у середньому %1 текселя, щонайбільше %2</translation>
+    </message>
+    <message>
+        <source>measured: %1 of linear light in the mean, %2 at most</source>
+        <translation>виміряно: у середньому %1 лінійного світла, щонайбільше %2</translation>
+    </message>
+    <message>
+        <source>What the last frame did not compute</source>
+        <translation>Чого не обчислював останній кадр</translation>
+    </message>
+    <message>
+        <source>Not computed</source>
+        <translation>Не обчислено</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Скільки</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Чому</translation>
+    </message>
+    <message>
+        <source>Lossless: not a bit changes</source>
+        <translation>Без втрат: не змінюється жоден біт</translation>
+    </message>
+    <message>
+        <source>Bounded by %1 texels</source>
+        <translation>У межах %1 текселя</translation>
+    </message>
+    <message>
+        <source>Bounded: off</source>
+        <translation>У межах: вимкнено</translation>
+    </message>
+    <message>
+        <source>Lossless: off</source>
+        <translation>Без втрат: вимкнено</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::StatusLine</name>
     <message>
         <source>Stages of this frame (seconds of all threads together):</source>
@@ -2093,6 +2152,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>steps: %1, reads: %2</source>
         <translation>кроків: %1, читань: %2</translation>
+    </message>
+    <message>
+        <source>Click: what was skipped, and why</source>
+        <translation>Клацання: що пропущено і чому</translation>
     </message>
 </context>
 <context>

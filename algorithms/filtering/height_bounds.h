@@ -12,6 +12,7 @@ namespace relief {
 struct HeightBoundsMap {
     Pyramid lowest;
     Pyramid highest;
+    int shift = 0;  // a texel of level 0 stands for 2^shift texels along each side
     std::size_t bytes() const { return lowest.bytes() + highest.bytes(); }
 };
 
@@ -22,6 +23,8 @@ struct HeightBounds {
 
 // From the cache, or built in parallel. Of texels, whatever the surface and the addressing.
 std::shared_ptr<const HeightBoundsMap> heightBoundsMap(const HeightField& field, MapCache& cache, Work& work);
+// Over blocks of 2^shift texels, shift >= 0.
+HeightBoundsMap coarseHeightBounds(const std::shared_ptr<const FloatImage>& heights, int shift, Work& work);
 
 // Bounds of all heights of the surface over [s0, s1] x [t0, t1] (texels, unwrapped, any finite), for bilinear surfaces
 // and for columns; exact or wider. At most a few tens of values are read.

@@ -47,15 +47,17 @@ FloatImage chosenLevel(const FloatImage& below, bool tell, Work& work, const Cho
 }
 
 // Sums of level 0's texels below each texel of the level: the mean is rounded once, not once a level.
-Image<double> summedLevel(const Image<double>& below, bool tell, Work& work) {
+template <class T>
+Image<double> summedLevel(const Image<T>& below, bool tell, Work& work) {
     Image<double> level((below.width() + 1) / 2, (below.height() + 1) / 2);
     forRows(level.width(), level.height(), tell, work, [&](int y) {
         const auto out = level.row(y);
         for (int from = 2 * y; from < std::min(2 * y + 2, below.height()); ++from) {
             const auto row = below.row(from);
             const std::size_t pairs = row.size() / 2;
-            for (std::size_t x = 0; x < pairs; ++x) out[x] += row[2 * x] + row[2 * x + 1];
-            if (pairs < out.size()) out[pairs] += row.back();
+            for (std::size_t x = 0; x < pairs; ++x)
+                out[x] += static_cast<double>(row[2 * x]) + static_cast<double>(row[2 * x + 1]);
+            if (pairs < out.size()) out[pairs] += static_cast<double>(row.back());
         }
     });
     return level;
@@ -78,13 +80,6 @@ FloatImage meansOf(const Image<double>& sums, int l, const FloatImage& base, boo
     return level;
 }
 
-Image<double> widened(const FloatImage& base, Work& work) {
-    Image<double> sums(base.width(), base.height());
-    forRows(base.width(), base.height(), false, work,
-            [&](int y) { std::copy(base.row(y).begin(), base.row(y).end(), sums.row(y).begin()); });
-    return sums;
-}
-
 }  // namespace
 
 int Pyramid::levelCount(int width, int height) {
@@ -94,7 +89,8 @@ int Pyramid::levelCount(int width, int height) {
     return count;
 }
 
-Pyramid::Pyramid(PyramidKind kind, FloatImage base, Work& work) : kind_(kind) {
+Pyramid::Pyramid(PyramidKind kind, std::shared_ptr<const FloatImage> shared, Work& work) : kind_(kind) {
+    const FloatImage& base = *shared;
     assert(base.width() >= 1 && base.height() >= 1);
     const int count = levelCount(base.width(), base.height());
     const bool tell = base.size() >= kProgressTexels;
@@ -105,26 +101,28 @@ Pyramid::Pyramid(PyramidKind kind, FloatImage base, Work& work) : kind_(kind) {
         work.progress().begin("pyramid", rows * passes);
     }
     levels_.reserve(static_cast<std::size_t>(count));
-    levels_.push_back(std::move(base));
+    levels_.push_back(std::move(shared));
     Image<double> sums;
-    if (kind == PyramidKind::Mean && count > 1) sums = widened(levels_.front(), work);
     for (int l = 1; l < count; ++l) {
         work.throwIfStopped();
-        const FloatImage& below = levels_.back();
+        const FloatImage& below = *levels_.back();
+        const auto keep = [&](FloatImage level) {
+            levels_.push_back(std::make_shared<const FloatImage>(std::move(level)));
+        };
         if (kind == PyramidKind::Mean) {
-            sums = summedLevel(sums, tell, work);
-            levels_.push_back(meansOf(sums, l, levels_.front(), tell, work));
+            sums = l == 1 ? summedLevel(base, tell, work) : summedLevel(sums, tell, work);
+            keep(meansOf(sums, l, base, tell, work));
         } else if (kind == PyramidKind::Max) {
-            levels_.push_back(chosenLevel(below, tell, work, [](float a, float b) { return a < b ? b : a; }));
+            keep(chosenLevel(below, tell, work, [](float a, float b) { return a < b ? b : a; }));
         } else {
-            levels_.push_back(chosenLevel(below, tell, work, [](float a, float b) { return b < a ? b : a; }));
+            keep(chosenLevel(below, tell, work, [](float a, float b) { return b < a ? b : a; }));
         }
     }
 }
 
 std::size_t Pyramid::bytes() const {
     std::size_t sum = 0;
-    for (const FloatImage& level : levels_) sum += level.bytes();
+    for (std::size_t l = ownsBase_ ? 0 : 1; l < levels_.size(); ++l) sum += levels_[l]->bytes();
     return sum;
 }
 

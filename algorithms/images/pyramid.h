@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "images/image.h"
@@ -18,11 +20,17 @@ class Pyramid {
   public:
     Pyramid() = default;
     // Built in parallel over rows; equal bits for any thread count.
-    Pyramid(PyramidKind kind, FloatImage base, Work& work);
+    Pyramid(PyramidKind kind, FloatImage base, Work& work)
+        : Pyramid(kind, std::make_shared<const FloatImage>(std::move(base)), work) {
+        ownsBase_ = true;
+    }
+    // Level 0 is the picture that is given, shared with whoever else has it.
+    Pyramid(PyramidKind kind, std::shared_ptr<const FloatImage> base, Work& work);
 
     PyramidKind kind() const { return kind_; }
     int levels() const { return static_cast<int>(levels_.size()); }
-    const FloatImage& level(int l) const { return levels_[static_cast<std::size_t>(l)]; }
+    const FloatImage& level(int l) const { return *levels_[static_cast<std::size_t>(l)]; }
+    // Level 0 counts unless it was given to be shared.
     std::size_t bytes() const;
 
     // Number of levels of a w x h picture: 1 for 1 x 1. w, h >= 1.
@@ -30,7 +38,8 @@ class Pyramid {
 
   private:
     PyramidKind kind_ = PyramidKind::Max;
-    std::vector<FloatImage> levels_;
+    std::vector<std::shared_ptr<const FloatImage>> levels_;
+    bool ownsBase_ = false;
 };
 
 }  // namespace relief

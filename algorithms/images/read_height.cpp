@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -180,12 +181,14 @@ std::string heightRangeText(const HeightRange& range) {
 }
 
 HeightImage readHeight(const std::string& path, const HeightReadOptions& options, Work& work) {
-    PictureInput input(path, options.maxPixels);
+    std::optional<PictureInput> input(std::in_place, path, options.maxPixels);
     HeightImage image;
-    image.info = input.info();
-    const int channel = chosenChannel(input, options.channel);
+    image.info = input->info();
+    const int channel = chosenChannel(*input, options.channel);
     image.channel = image.info.channels[static_cast<std::size_t>(channel)];
-    const RawPlanes raw = input.read({&channel, 1}, work);
+    const RawPlanes raw = input->read({&channel, 1}, work);
+    // The file's bytes go before the heights come: of a large map each is a gigabyte.
+    input.reset();
     const RawPlane& plane = raw.planes.front();
     const double full = fullRange(plane.type);
 

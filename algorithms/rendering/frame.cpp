@@ -158,6 +158,11 @@ std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& r
     return query;
 }
 
+bool tinyFootprint(const FilterQuery& query, const Frame& frame, const FrameRequest& request) {
+    const double perTexel = frame.colorPerTexel;
+    return ellipseOf(query.jacobian).semiAxes().major * perTexel <= request.bounded;
+}
+
 std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y) {
     if (x < 0 || y < 0 || x >= request.width || y >= request.height) {
         throw InputError("--pixel",

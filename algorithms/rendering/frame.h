@@ -24,7 +24,12 @@
 
 namespace relief {
 
+class FlatGround;
+struct FrameBuffers;
+struct HeightBoundsMap;
+
 inline constexpr int kMaxPictureSide = 1 << 15;
+inline constexpr double kMaxBounded = 4;
 
 // Everything a frame depends on, by value; pictures are shared and immutable.
 struct FrameRequest {
@@ -41,6 +46,10 @@ struct FrameRequest {
     bool shadows = false;
     // Steps and reads of every ray, too: the rays are traced once more for them, with the same hits.
     bool counts = false;
+    // Whether work is left out that cannot change a bit. False: all of it is done, to show that it cannot.
+    bool skip = true;
+    // Texels, [0, kMaxBounded]: work is left out that changes hits by at most so much, and tiny footprints. 0: none.
+    double bounded = 0;
     Color sky{0.55F, 0.65F, 0.8F};  // linear
     // For parts of a bigger picture: where in its square a pixel is looked at, [0, 1]^2, and by how many pixels the
     // frame reaches beyond the camera's picture on every side (counted in width and height).
@@ -62,8 +71,12 @@ struct RayStage {
     std::vector<std::uint8_t> polygon;  // kNoPolygon: sky
     std::vector<float> inverseDepth;    // 1 / camera depth of the entry, per world unit
 };
+// Traced: by the method. FlatGround: by the one cell that the ray can meet, the same bits. LittleParallax: half way
+// between the lowest and the highest height within reach.
+enum class HitBy : std::uint8_t { Traced, FlatGround, LittleParallax };
 struct HitStage {
-    HitBlock hits;  // steps and reads are empty until they are counted
+    std::vector<HitBy> by;  // one a pixel
+    HitBlock hits;          // steps and reads are empty until they are counted
     bool counted() const { return hits.steps.size() == hits.size(); }
 };
 struct ColorStage {
@@ -92,7 +105,9 @@ struct Frame {
     std::shared_ptr<const LightStage> light;
     std::vector<TexturedQuad> polygons;
     double slabTexels = 0;
-    std::shared_ptr<const TextureFilter> filter;  // null: heights in grey, read at the hit
+    double colorPerTexel = 1;  // texels of the colour picture per texel of the heights, along the denser axis
+    std::shared_ptr<const TextureFilter> filter;       // null: heights in grey, read at the hit
+    std::shared_ptr<const TextureFilter> plainFilter;  // of tiny footprints; null: there are none
     ShadingNormal shading = ShadingNormal::Relief;
     std::shared_ptr<const BakedNormals> bakedNormals;  // where the method shades by a normal map and none is given
     PinholeCamera camera;
@@ -142,17 +157,30 @@ class FrameRenderer {
     bool partOfMore_;
     std::shared_ptr<const Tracer> tracer_;
     std::shared_ptr<const TextureFilter> madeFilter(const FrameRequest& request, Work& work);
+    std::shared_ptr<const TextureFilter> madePlainFilter(const FrameRequest& request, Work& work);
+    std::unique_ptr<const FlatGround> madeGround(const FrameRequest& request, const Tracer& tracer, Work& work);
+    void reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work);
 
     std::optional<FrameRequest> last_;
     std::shared_ptr<const Frame> frame_;
+    // The buffers of frame_, and those that the frame before it left, to be written again if nobody holds them.
+    std::shared_ptr<FrameBuffers> current_;
+    std::shared_ptr<FrameBuffers> spare_;
     // The mean pyramid of the picture that was filtered last, and the heights that it was made of, if it is grey.
     std::shared_ptr<const ColorLevels> levels_;
     std::shared_ptr<const FloatImage> greyOf_;
+    // Where the ground is even, of the heights that were traced last.
+    std::shared_ptr<const HeightBoundsMap> ground_;
+    std::shared_ptr<const FloatImage> groundOf_;
 };
 
 // What the filter is asked for the pixel; nothing where it has no hit.
 std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& request, const VisiblePolygons& visible,
                                        int x, int y);
+
+// Whether the pixel's footprint, from its middle to its farthest point, is at most request.bounded texels of the colour
+// picture long.
+bool tinyFootprint(const FilterQuery& query, const Frame& frame, const FrameRequest& request);
 
 // The view rays of single pixels without a frame: what `relief trace --pixel` asks. Throws InputError outside the
 // picture. Same bits as Frame::ray.

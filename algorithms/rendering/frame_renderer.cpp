@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <chrono>
+#include <utility>
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "rendering/flat_ground.h"
 #include "rendering/supersample.h"
 #include "rendering/tile_worker.h"
 
@@ -33,6 +36,8 @@ std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
     compare(Input::Light, now.light == last.light);
     compare(Input::Shadows, now.shadows == last.shadows);
     compare(Input::Sky, now.sky == last.sky);
+    compare(Input::Skip, now.skip == last.skip);
+    compare(Input::Bounded, now.bounded == last.bounded);
     return changed;
 }
 
@@ -73,36 +78,53 @@ void checkRequest(const FrameRequest& request) {
     }
 }
 
-// New buffers for stale stages; the frame points to what its later stages read.
-FrameBuffers allocate(Frame& frame, const Frame* last, bool shadows, bool mesh, std::uint32_t stale) {
+// The spare buffer if it has as many pixels and nobody else holds it, or a new one. What it holds is of an older frame.
+template <class T>
+std::shared_ptr<T> taken(std::shared_ptr<T>& spare, bool fits) {
+    // Whoever held it last has let go before this thread writes.
+    if (spare && spare.use_count() == 1 && fits) {
+        std::atomic_thread_fence(std::memory_order_acquire);
+        return std::exchange(spare, nullptr);
+    }
+    spare.reset();
+    return std::make_shared<T>();
+}
+
+void fit(ColorImage& image, const Frame& frame) {
+    if (image.width() != frame.width || image.height() != frame.height) image = ColorImage(frame.width, frame.height);
+}
+
+// Buffers for stale stages, to be cleared by the tiles; the frame points to what its later stages read.
+FrameBuffers allocate(Frame& frame, const Frame* last, FrameBuffers& spare, bool shadows, bool mesh,
+                      std::uint32_t stale) {
     const auto pixels = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
     FrameBuffers buffers;
     if (has(stale, Stage::Rays)) {
-        buffers.rays = std::make_shared<RayStage>();
+        buffers.rays = taken(spare.rays, spare.rays && spare.rays->polygon.size() == pixels);
         buffers.rays->rays.resize(pixels);
-        buffers.rays->polygon.assign(pixels, kNoPolygon);
-        buffers.rays->inverseDepth.assign(pixels, 0.0F);
+        buffers.rays->polygon.resize(pixels);
+        buffers.rays->inverseDepth.resize(pixels);
     }
     if (has(stale, Stage::Hits)) {
-        buffers.hits = std::make_shared<HitStage>();
-        buffers.hits->hits.resize(pixels);
+        buffers.hits = taken(spare.hits, spare.hits && spare.hits->by.size() == pixels);
+        HitBlock& hits = buffers.hits->hits;
+        hits.resize(pixels);
+        buffers.hits->by.resize(pixels);
         // A mesh counts its triangles as it draws; rays are counted when somebody asks.
-        if (!mesh) {
-            buffers.hits->hits.steps = {};
-            buffers.hits->hits.reads = {};
-        }
+        hits.steps.assign(mesh ? pixels : 0, 0);
+        hits.reads.assign(mesh ? pixels : 0, 0);
     }
     if (has(stale, Stage::Color)) {
-        buffers.color = std::make_shared<ColorStage>();
-        buffers.color->color = ColorImage(frame.width, frame.height, Color(0));
+        buffers.color = taken(spare.color, true);
+        fit(buffers.color->color, frame);
     }
     if (has(stale, Stage::Shadows)) {
-        buffers.shadows = std::make_shared<ShadowStage>();
-        if (shadows) buffers.shadows->shadowed.assign(pixels, 0);
+        buffers.shadows = taken(spare.shadows, true);
+        buffers.shadows->shadowed.resize(shadows ? pixels : 0);
     }
     if (has(stale, Stage::Light)) {
-        buffers.light = std::make_shared<LightStage>();
-        buffers.light->color = ColorImage(frame.width, frame.height, Color(0));
+        buffers.light = taken(spare.light, true);
+        fit(buffers.light->color, frame);
     }
     frame.rays = buffers.rays ? buffers.rays : last->rays;
     frame.hits = buffers.hits ? buffers.hits : last->hits;
@@ -115,6 +137,7 @@ FrameBuffers allocate(Frame& frame, const Frame* last, bool shadows, bool mesh, 
 void reportFilter(Frame& frame, const FrameTotals& totals) {
     const FilterDescription& filter = frame.filter->description();
     const auto count = [&](const char* name, double value) { frame.counters[name] = value; };
+    if (frame.plainFilter) count("footprints not filtered: tiny", static_cast<double>(totals.tinyFootprints));
     count("texels read", static_cast<double>(totals.texels));
     if (filter.options.empty()) return;
     count("footprints", static_cast<double>(totals.footprints));
@@ -134,7 +157,8 @@ void reportCounts(Frame& frame, const FrameTotals& totals) {
     count("reads", static_cast<double>(totals.reads));
 }
 
-void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& totals, std::uint32_t stale) {
+void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& totals, std::uint32_t stale,
+            bool bounded) {
     for (std::size_t s = 0; s < kStages; ++s) {
         frame.stages[s].reused = (stale & (1U << s)) == 0;
         frame.stages[s].seconds = static_cast<double>(totals.nanoseconds[s]) * 1e-9;
@@ -148,6 +172,9 @@ void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& tot
     if (has(stale, Stage::Rays)) count("pixels without a polygon", pixels - static_cast<double>(totals.covered));
     count("rays traced", static_cast<double>(totals.traced));
     if (has(stale, Stage::Hits)) {
+        count("rays", static_cast<double>(totals.covered));
+        count("rays not needed: flat ground", static_cast<double>(totals.flatRays));
+        if (bounded) count("rays not traced: little parallax", static_cast<double>(totals.parallaxRays));
         count("hits", static_cast<double>(totals.hits));
         count("misses", static_cast<double>(totals.misses));
         count("step limits", static_cast<double>(totals.limits));
@@ -156,6 +183,7 @@ void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& tot
     }
     if (frame.filter && has(stale, Stage::Color)) reportFilter(frame, totals);
     if (!frame.shadows->shadowed.empty() && has(stale, Stage::Shadows)) {
+        count("hits lit", static_cast<double>(totals.shadowHits));
         count("shadow rays", static_cast<double>(totals.shadowRays));
         count("shadow rays blocked", static_cast<double>(totals.shadowBlocked));
         count("shadow rays not needed: turned away from the light", static_cast<double>(totals.shadowAway));
@@ -183,6 +211,10 @@ std::shared_ptr<Frame> describedFrame(const FrameRequest& request) {
     frame->slabTexels = request.field.slabTexels();
     frame->polygons = makeScene(request.scene, request.field.width(), request.field.height());
     frame->camera = requestCamera(request);
+    if (request.color) {
+        frame->colorPerTexel = std::max(static_cast<double>(request.color->width()) / request.field.width(),
+                                        static_cast<double>(request.color->height()) / request.field.height());
+    }
     return frame;
 }
 
@@ -215,14 +247,48 @@ std::shared_ptr<const TextureFilter> FrameRenderer::madeFilter(const FrameReques
         levels_ = std::make_shared<const ColorLevels>(picture, work);
         greyOf_ = request.color ? nullptr : request.field.sharedHeights();
     }
-    return makeFilter(request.filter, {picture, levels ? levels_ : nullptr, request.field}, *maps_, work);
+    return makeFilter(request.filter, {picture, levels ? levels_ : nullptr, request.field, request.skip}, *maps_, work);
+}
+
+std::shared_ptr<const TextureFilter> FrameRenderer::madePlainFilter(const FrameRequest& request, Work& work) {
+    if (!(request.bounded > 0) || !needsLevels(request.filter)) return nullptr;
+    return makeFilter({"bilinear", {}}, {levels_->picture(), nullptr, request.field}, *maps_, work);
+}
+
+std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& request, const Tracer& tracer,
+                                                            Work& work) {
+    const bool traces = tracer.description().kind == MethodKind::Tracer;
+    // Only exact methods agree with the one cell; a base level is another relief.
+    const bool flat = request.skip && tracer.guarantee() == Guarantee::Exact && tracer.baseLevel() == 0;
+    if (!traces || (!flat && !(request.bounded > 0))) return nullptr;
+    if (!ground_ || groundOf_ != request.field.sharedHeights()) {
+        ground_ = groundBounds(request.field, work);
+        groundOf_ = request.field.sharedHeights();
+    }
+    auto ground = std::make_unique<const FlatGround>(request.field, ground_, flat, request.bounded);
+    return ground->never() ? nullptr : std::move(ground);
+}
+
+// Which of the maps that methods share are not built because nothing reads them.
+void FrameRenderer::reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work) {
+    const bool sight = frame.filter && frame.filter->description().visible;
+    const bool needed[] = {tracer.pyramid() != nullptr || sight || request.shadows, sight, needsLevels(request.filter)};
+    frame.counters["maps considered"] = static_cast<double>(std::size(needed));
+    frame.counters["maps not needed"] =
+        request.skip ? static_cast<double>(std::count(needed, std::end(needed), false)) : 0;
+    if (request.skip || partOfMore_) return;
+    if (!needed[0]) maxPyramidMap(request.field, *maps_, work);
+    if (!needed[1]) heightBoundsMap(request.field, *maps_, work);
+    if (!needed[2] && request.color) ColorLevels(request.color, work);
 }
 
 std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, Work& work, const Snapshot& snapshot) {
     const auto begin = Clock::now();
     checkRequest(request);
     const bool first = !frame_ || !last_;
-    const std::uint32_t stale = staleStages(first ? (1U << kInputs) - 1 : changedInputs(request, *last_));
+    // Without skipping nothing is kept, either.
+    const bool all = first || !request.skip;
+    const std::uint32_t stale = staleStages(all ? (1U << kInputs) - 1 : changedInputs(request, *last_));
     const std::shared_ptr<Frame> frame = describedFrame(request);
     const VisiblePolygons visible =
         visiblePolygons(frame->polygons, frame->camera, request.width, request.height, request.field.reliefDepth());
@@ -242,14 +308,20 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
         query = makeAnyHit(sightChoice(request.field), request.field, *maps_, work);
     }
 
-    frame->filter = !first && !has(stale, Stage::Color) ? frame_->filter : madeFilter(request, work);
+    const bool newFilter = first || has(stale, Stage::Color);
+    frame->filter = newFilter ? madeFilter(request, work) : frame_->filter;
+    frame->plainFilter = newFilter ? madePlainFilter(request, work) : frame_->plainFilter;
+    const std::unique_ptr<const FlatGround> ground =
+        mesh || !has(stale, Stage::Hits) ? nullptr : madeGround(request, *tracer, work);
+    reportMaps(*frame, request, *tracer, work);
 
-    const FrameBuffers buffers = allocate(*frame, frame_.get(), request.shadows, mesh != nullptr, stale);
+    if (!spare_) spare_ = std::make_shared<FrameBuffers>();
+    const FrameBuffers buffers = allocate(*frame, frame_.get(), *spare_, request.shadows, mesh != nullptr, stale);
     FrameTotals totals;
-    const FrameTools tools{visible, *tracer, mesh.get(), query.get()};
+    const FrameTools tools{visible, *tracer, mesh.get(), query.get(), ground.get()};
     const TileWorker worker(request, *frame, tools, buffers, stale, totals);
     if (stale != 0) overTiles(*frame, !partOfMore_, work, [&](const PixelArea& tile) { worker.run(tile, work); });
-    report(*frame, visible, totals, stale);
+    report(*frame, visible, totals, stale, request.bounded > 0);
     if (request.filter.name == kSupersample && buffers.light) {
         buffers.light->color = supersampled(request, maps_, work, snapshot, frame->counters);
     }
@@ -257,6 +329,15 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     if (!partOfMore_) {
         for (const auto& [name, value] : frame->counters) work.counters().add(name, value);
     }
+    if (!current_) current_ = std::make_shared<FrameBuffers>();
+    const auto keep = [](auto& current, auto& spare, const auto& made) {
+        if (made) spare = std::exchange(current, made);
+    };
+    keep(current_->rays, spare_->rays, buffers.rays);
+    keep(current_->hits, spare_->hits, buffers.hits);
+    keep(current_->color, spare_->color, buffers.color);
+    keep(current_->shadows, spare_->shadows, buffers.shadows);
+    keep(current_->light, spare_->light, buffers.light);
     last_ = request;
     frame_ = frame;
     tracer_ = tracer;

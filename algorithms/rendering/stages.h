@@ -26,12 +26,15 @@ enum class Input : std::uint8_t {
     Light,           // its strength
     Shadows,         // whether they are wanted
     Sky,             //
+    Skip,            // whether lossless skipping is on
+    Bounded,         // how much may be wrong by skipping
     Count
 };
 inline constexpr std::size_t kInputs = static_cast<std::size_t>(Input::Count);
 inline constexpr std::array<std::string_view, kInputs> kInputNames{
-    "size",   "camera",        "scene",  "height size",    "heights",         "surface", "address", "depth",
-    "method", "color picture", "filter", "normal picture", "light direction", "light",   "shadows", "sky"};
+    "size",    "camera", "scene",         "height size", "heights",        "surface",         "address",
+    "depth",   "method", "color picture", "filter",      "normal picture", "light direction", "light",
+    "shadows", "sky",    "skip",          "bounded"};
 
 // Rays: which polygon covers the pixel, where the view ray enters its slab. Hits: where it meets the relief. Color:
 // filtered colour at the hit, of what the pixel's footprint on the texture holds. Shadows: whether the light reaches
@@ -53,8 +56,11 @@ constexpr std::uint32_t bit(Stage stage) {
 }
 
 inline constexpr std::array<StageRow, kStages> kStageTable{{
-    {bit(Input::Size) | bit(Input::Camera) | bit(Input::Scene) | bit(Input::HeightSize) | bit(Input::Depth), 0},
-    {bit(Input::Heights) | bit(Input::Surface) | bit(Input::Address) | bit(Input::Method), bit(Stage::Rays)},
+    {bit(Input::Size) | bit(Input::Camera) | bit(Input::Scene) | bit(Input::HeightSize) | bit(Input::Depth) |
+         bit(Input::Skip),
+     0},
+    {bit(Input::Heights) | bit(Input::Surface) | bit(Input::Address) | bit(Input::Method) | bit(Input::Bounded),
+     bit(Stage::Rays)},
     {bit(Input::ColorPicture) | bit(Input::Filter) | bit(Input::Address), bit(Stage::Rays) | bit(Stage::Hits)},
     {bit(Input::LightDirection) | bit(Input::Shadows) | bit(Input::NormalPicture) | bit(Input::Heights) |
          bit(Input::Surface) | bit(Input::Address) | bit(Input::Depth),

@@ -16,6 +16,9 @@ namespace {
 // of coordinates up to 10^6 texels, below what can be seen.
 constexpr double kShadowStart = 1e-6;
 
+// Pixels along a side of the squares whose rays are looked at together before they are traced.
+constexpr int kSkipSide = 16;
+
 // Indices of the tile's pixels that see a polygon.
 std::vector<std::size_t> coveredPixels(const PixelArea& tile, const Frame& frame) {
     std::vector<std::size_t> pixels;
@@ -36,6 +39,32 @@ RayBlock raysOf(const std::vector<std::size_t>& pixels, const RayStage& rays) {
 }
 
 }  // namespace
+
+// What an older frame left in the buffers; the light stage sets every pixel itself.
+void TileWorker::clear(const PixelArea& tile) const {
+    const auto rows = [&](auto&& data, const auto& value) {
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            const auto first = data.begin() + static_cast<std::ptrdiff_t>(frame_.index(tile.x0, y));
+            std::fill(first, first + (tile.x1 - tile.x0), value);
+        }
+    };
+    if (buffers_.rays) {
+        rows(buffers_.rays->polygon, kNoPolygon);
+        rows(buffers_.rays->inverseDepth, 0.0F);
+        for (auto* column :
+             {&buffers_.rays->rays.s0, &buffers_.rays->rays.t0, &buffers_.rays->rays.a, &buffers_.rays->rays.b}) {
+            rows(*column, 0.0);
+        }
+    }
+    if (buffers_.hits) {
+        HitBlock& hits = buffers_.hits->hits;
+        rows(hits.outcome, Outcome::Unset);
+        rows(buffers_.hits->by, HitBy::Traced);
+        for (auto* column : {&hits.lambda, &hits.s, &hits.t}) rows(*column, std::numeric_limits<double>::quiet_NaN());
+    }
+    if (buffers_.color) rows(buffers_.color->color.pixels(), Color(0));
+    if (buffers_.shadows && !buffers_.shadows->shadowed.empty()) rows(buffers_.shadows->shadowed, std::uint8_t{0});
+}
 
 void TileWorker::makeRays(const PixelArea& tile) const {
     RayStage& out = *buffers_.rays;
@@ -61,7 +90,10 @@ void TileWorker::makeRays(const PixelArea& tile) const {
 
 void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
     HitBlock& out = buffers_.hits->hits;
-    const std::vector<std::size_t> pixels = coveredPixels(tile, frame_);
+    if (tools_.ground != nullptr) skipRays(tile);
+    std::vector<std::size_t> pixels = coveredPixels(tile, frame_);
+    const std::vector<HitBy>& by = buffers_.hits->by;
+    std::erase_if(pixels, [&](std::size_t i) { return by[i] != HitBy::Traced; });
     const RayBlock block = raysOf(pixels, *frame_.rays);
     HitBlock hits;
     NullSink sink;
@@ -69,6 +101,40 @@ void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
     for (std::size_t n = 0; n < pixels.size(); ++n) out.set(pixels[n], hits[n]);
     countOutcomes(tile);
     totals_.traced += static_cast<std::int64_t>(pixels.size());
+}
+
+// Squares of pixels, and their quarters where the whole needs a search.
+void TileWorker::skipRays(const PixelArea& tile) const {
+    const auto parts = [](const PixelArea& area, int side, const auto& body) {
+        for (int y = area.y0; y < area.y1; y += side) {
+            for (int x = area.x0; x < area.x1; x += side) {
+                body(PixelArea{x, y, std::min(x + side, area.x1), std::min(y + side, area.y1)});
+            }
+        }
+    };
+    parts(tile, kSkipSide, [&](const PixelArea& square) {
+        if (!skipBlock(square)) parts(square, kSkipSide / 2, [&](const PixelArea& quarter) { skipBlock(quarter); });
+    });
+}
+
+// True: nothing is left to do in the block.
+bool TileWorker::skipBlock(const PixelArea& block) const {
+    const std::vector<std::size_t> pixels = coveredPixels(block, frame_);
+    if (pixels.empty()) return true;
+    const RayBlock& rays = frame_.rays->rays;
+    const auto reached = tools_.ground->reach(rays, pixels);
+    if (!reached) return false;
+    const Ground ground = tools_.ground->ground(rays, pixels, *reached);
+    if (ground == Ground::Search) return false;
+    HitStage& out = *buffers_.hits;
+    for (const std::size_t i : pixels) {
+        const bool flat = ground == Ground::Flat;
+        out.by[i] = flat ? HitBy::FlatGround : HitBy::LittleParallax;
+        out.hits.set(i,
+                     flat ? tools_.ground->flatHit(rays[i], reached->high) : FlatGround::middleHit(rays[i], *reached));
+    }
+    (ground == Ground::Flat ? totals_.flatRays : totals_.parallaxRays) += static_cast<std::int64_t>(pixels.size());
+    return true;
 }
 
 void TileWorker::drawMesh(const PixelArea& tile) const {
@@ -101,10 +167,21 @@ void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter,
     FilterBlock block;
     block.resize(pixels.size());
     const auto width = static_cast<std::size_t>(frame_.width);
-    for (std::size_t n = 0; n < pixels.size(); ++n) {
-        const auto x = static_cast<int>(pixels[n] % width), y = static_cast<int>(pixels[n] / width);
-        block.set(n, *filterQuery(frame_, request_, tools_.visible, x, y));
+    std::size_t kept = 0;
+    for (const std::size_t pixel : pixels) {
+        const auto x = static_cast<int>(pixel % width), y = static_cast<int>(pixel / width);
+        const FilterQuery query = *filterQuery(frame_, request_, tools_.visible, x, y);
+        if (frame_.plainFilter && tinyFootprint(query, frame_, request_)) {
+            FootprintCounts plain;
+            buffers_.color->color.pixels()[pixel] = frame_.plainFilter->color(query, plain, work);
+            continue;
+        }
+        pixels[kept] = pixel;
+        block.set(kept++, query);
     }
+    totals_.tinyFootprints += static_cast<std::int64_t>(pixels.size() - kept);
+    pixels.resize(kept);
+    block.resize(kept);
     std::vector<Color> colors(pixels.size());
     filter.colors(block, colors, counts, work);
     for (std::size_t n = 0; n < pixels.size(); ++n) buffers_.color->color.pixels()[pixels[n]] = colors[n];
@@ -164,10 +241,12 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
     std::vector<std::uint8_t>& shadowed = buffers_.shadows->shadowed;
     std::vector<std::size_t> pixels;
     AnyRayBlock rays;
+    std::int64_t lit = 0;
     std::int64_t away = 0;
     std::int64_t top = 0;
     overPixels(tile, [&](int x, int y, std::size_t i) {
         if (hits.outcome[i] != Outcome::Hit) return;
+        ++lit;
         const TexturedQuad& quad = frame_.polygons[frame_.rays->polygon[i]];
         if (glm::dot(quad.normal, toLight_) <= 0) {
             // The light is behind the whole polygon.
@@ -175,6 +254,12 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
             ++away;
         } else if (glm::dot(glm::dvec3(frame_.normal(x, y, request_)), toLight_) <= 0) {
             ++away;
+            // The answer cannot matter; without skipping it is asked for, and the light takes it.
+            const AnyRay ray = shadowRay(quad, frame_.rays->rays[i], hits.lambda[i]);
+            if (!request_.skip && ray.dz > 0) {
+                rays.push(ray);
+                pixels.push_back(i);
+            }
         } else {
             const AnyRay ray = shadowRay(quad, frame_.rays->rays[i], hits.lambda[i]);
             if (ray.dz <= 0) {
@@ -203,7 +288,8 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
     totals_.shadowRays += static_cast<std::int64_t>(pixels.size());
     totals_.shadowBlocked += blocked;
     totals_.shadowLimits += limits;
-    totals_.shadowAway += away;
+    totals_.shadowHits += lit;
+    totals_.shadowAway += request_.skip ? away : 0;
     totals_.shadowTop += top;
     totals_.shadowSteps += static_cast<std::int64_t>(counts.steps);
 }

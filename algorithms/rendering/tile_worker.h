@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "relief/any_hit.h"
+#include "rendering/flat_ground.h"
 #include "rendering/frame.h"
 #include "rendering/mesh_raster.h"
 #include "rendering/visible_polygons.h"
@@ -38,6 +39,7 @@ struct FrameTotals {
     Count footprints{0}, smallFootprints{0}, texels{0}, texelsTested{0}, texelsHidden{0}, texelsSkipped{0};
     Count clearFootprints{0}, hiddenFootprints{0};
     Count shadowRays{0}, shadowBlocked{0}, shadowAway{0}, shadowTop{0}, shadowSteps{0}, shadowLimits{0};
+    Count shadowHits{0}, flatRays{0}, parallaxRays{0}, tinyFootprints{0};
 };
 
 // What a frame is made with. mesh: null where rays are traced; query: null where no shadows are wanted or stale.
@@ -46,6 +48,7 @@ struct FrameTools {
     const Tracer& tracer;
     const MeshRaster* mesh;
     const AnyHitQuery* query;
+    const FlatGround* ground = nullptr;  // null: every ray is traced
 };
 
 // References are kept; one worker serves all tiles, from any thread.
@@ -62,6 +65,7 @@ class TileWorker {
           toLight_(lightDirection(request.light)) {}
 
     void run(const PixelArea& tile, Work& work) const {
+        clear(tile);
         timed(Stage::Rays, [&] { makeRays(tile); });
         timed(Stage::Hits, [&] { tools_.mesh != nullptr ? drawMesh(tile) : traceRays(tile, work); });
         timed(Stage::Color, [&] { colorHits(tile, work); });
@@ -85,8 +89,11 @@ class TileWorker {
         }
     }
 
+    void clear(const PixelArea& tile) const;
     void makeRays(const PixelArea& tile) const;
     void traceRays(const PixelArea& tile, Work& work) const;
+    void skipRays(const PixelArea& tile) const;
+    bool skipBlock(const PixelArea& block) const;
     void drawMesh(const PixelArea& tile) const;
     void countOutcomes(const PixelArea& tile) const;
     void colorHits(const PixelArea& tile, Work& work) const;

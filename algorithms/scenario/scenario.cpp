@@ -47,6 +47,9 @@ std::vector<ScenarioNumber> makeNumbers() {
         {number("ambient", "", 0, 1, 0.01, "share of the light that comes from everywhere"),
          RELIEF_MEMBER(double, light.ambient)},
         {number("intensity", "", 0, 100, 0.05, "strength of the light"), RELIEF_MEMBER(double, light.intensity)},
+        {number("bounded", "texels", 0, kMaxBounded, 0.05,
+                "what hits may be wrong by where that spares work; its error is measured"),
+         RELIEF_MEMBER(double, bounded)},
         {whole("width", "pixels", 1, kMaxPictureSide, "of the picture"), RELIEF_MEMBER(int, width)},
         {whole("height", "pixels", 1, kMaxPictureSide, "of the picture"), RELIEF_MEMBER(int, height)},
     };
@@ -127,6 +130,8 @@ FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {
     request.camera = scenario.camera;
     request.light = scenario.light;
     request.shadows = scenario.shadows;
+    request.skip = scenario.skip;
+    request.bounded = scenario.bounded;
     request.sky = Color(scenario.sky[0], scenario.sky[1], scenario.sky[2]);
     return request;
 }

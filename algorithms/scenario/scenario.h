@@ -46,6 +46,8 @@ struct Scenario {
     Camera camera;
     Light light;
     bool shadows = false;
+    bool skip = true;                            // work that cannot change a bit is left out
+    double bounded = 0;                          // texels: what hits may be wrong by where that spares work; 0: nothing
     std::array<double, 3> sky{0.55, 0.65, 0.8};  // linear
     int width = 800;
     int height = 600;
@@ -56,7 +58,7 @@ struct Scenario {
 
 // Every number of a scenario that a person turns, described once: sliders, flags, help and checks derive from it.
 // "relief-depth", "elevation", "azimuth", "distance", "fov", "light-azimuth", "light-elevation", "ambient",
-// "intensity", "width", "height".
+// "intensity", "bounded", "width", "height".
 struct ScenarioNumber {
     OptionDescription description;
     double (*get)(const Scenario&);

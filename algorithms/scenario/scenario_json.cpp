@@ -278,6 +278,8 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
                      {"ambient", scenario.light.ambient},
                      {"intensity", scenario.light.intensity}};
     json["shadows"] = scenario.shadows;
+    if (!scenario.skip) json["skip"] = false;
+    if (scenario.bounded > 0) json["bounded"] = scenario.bounded;
     json["sky"] = scenario.sky;
     json["size"] = {scenario.width, scenario.height};
     if (scenario.pixel) json["pixel"] = {scenario.pixel->x, scenario.pixel->y};
@@ -325,6 +327,8 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     if (reader.has("camera")) readCamera(reader.child("camera"), scenario.camera);
     if (reader.has("light")) readLight(reader.child("light"), scenario.light);
     reader.read("shadows", scenario.shadows);
+    reader.read("skip", scenario.skip);
+    reader.read("bounded", scenario.bounded);
     reader.read("sky", scenario.sky);
     reader.readPair("size", scenario.width, scenario.height);
     PixelChoice pixel;

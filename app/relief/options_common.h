@@ -114,8 +114,9 @@ class ScenarioOptions {
     OptionText reliefDepth_, address_, surface_;
     OptionText tracer_, map_, filter_, supersample_, pixelModel_;
     bool shadows_ = false;
+    bool noSkip_ = false;
     std::vector<std::string> settings_, filterSettings_;
-    OptionText scene_, camera_, eye_, target_, fov_, size_, light_;
+    OptionText scene_, camera_, eye_, target_, fov_, size_, light_, bounded_;
 };
 
 // "elevation=20,azimuth=30": the camera becomes an orbit unless only the field of view is given. option: for messages.

@@ -189,6 +189,11 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
     addText(parser, "--target", target_, "X,Y,Z", "what the free camera looks at", group);
     addText(parser, "--fov", fov_, "DEGREES", numberHelp("fov"), group);
     if (look == Look::No) return;
+    addFlag(
+        parser, "--no-skip", noSkip_,
+        "do all the work that cannot change a bit as well: the same picture, slower (the report says what is spared)",
+        group);
+    addText(parser, "--bounded", bounded_, "E", numberHelp("bounded"), group);
     addFlag(parser, "--shadows", shadows_, "the relief casts shadows: from every hit a ray to the light", group);
     addText(parser, "--light", light_, "azimuth=..,...",
             "azimuth: " + numberHelp("light-azimuth") + "; elevation: " + numberHelp("light-elevation") +
@@ -287,6 +292,8 @@ void ScenarioOptions::applyView(Scenario& scenario) const {
     }
     if (scene_) scenario.scene = parseScene(*scene_);
     if (shadows_) scenario.shadows = true;
+    if (noSkip_) scenario.skip = false;
+    if (bounded_) setScenarioNumber(scenario, "bounded", parseNumber(*bounded_, "--bounded"), "--bounded");
     applyCamera(scenario);
     if (light_) {
         applySettings(scenario, *light_, "--light",

@@ -9,7 +9,7 @@
 #include "options_common.h"
 #include "output.h"
 #include "render_many.h"
-#include "rendering/frame.h"
+#include "rendering/skip_ledger.h"
 
 namespace relief::app {
 
@@ -80,9 +80,32 @@ Json stagesJson(const Frame& frame) {
     return stages;
 }
 
+Json skippedJson(const Frame& frame, const FrameRequest& request, const BoundedError& error, Language language) {
+    Json skipped{{"lossless", Json::array()}, {"bounded", Json::array()}};
+    for (const SkipRow& row : skipLedger(frame, request)) {
+        const char* const ledger = row.ledger == Ledger::Lossless ? "lossless" : "bounded";
+        skipped[ledger].push_back({{"name", row.name},
+                                   {"what", sentence(row.what, language)},
+                                   {"count", countJson(row.count)},
+                                   {"of", countJson(row.of)},
+                                   {"why", sentence(row.why, language)}});
+    }
+    if (!(request.bounded > 0)) return skipped;
+    for (Json& row : skipped["bounded"]) {
+        row["bound_texels"] = request.bounded;
+        if (row["name"] == "little-parallax") {
+            row["error_texels"] = {{"mean", error.rayMean}, {"max", error.rayMax}};
+            row["wrong_outcomes"] = error.wrongOutcomes;
+        } else {
+            row["error_linear"] = {{"mean", error.colorMean}, {"max", error.colorMax}};
+        }
+    }
+    return skipped;
+}
+
 // path: of the report; pictures near it are named relative to it, as in a scenario's own file.
-std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, Session& session,
-                       const Seconds& seconds) {
+std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped,
+                       Session& session, const Seconds& seconds) {
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     std::map<std::string, double> counters = session.work().counters().values();
     for (const auto& [name, value] : frame.counters) counters[name] = value;
@@ -101,6 +124,7 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
                       {"build_seconds", taken("map build seconds")}};
     for (const auto& [name, value] : counters) report["counters"][name] = countJson(value);
     report["stages"] = stagesJson(frame);
+    report["skipped"] = skipped;
     report["seconds"] = {{"load", seconds.load},
                          {"render", seconds.render},
                          {"count", seconds.count},
@@ -143,8 +167,12 @@ int runRender(const RenderOptions& options, Session& session) {
         }
     });
     if (options.report) {
+        const BoundedError error = timed(seconds.count, [&] {
+            return request.bounded > 0 ? measureBounded(*frame, request, *maps, session.work()) : BoundedError{};
+        });
         TextOutput report(*options.report, session.stop());
-        report.write(reportText(*options.report, scenario, *frame, session, seconds));
+        const Json skipped = skippedJson(*frame, request, error, session.language());
+        report.write(reportText(*options.report, scenario, *frame, skipped, session, seconds));
         report.commit();
     }
     return 0;

@@ -19,6 +19,8 @@ namespace {
     QT_TRANSLATE_NOOP("core", "Intensity"),
     QT_TRANSLATE_NOOP("core", "Width"),
     QT_TRANSLATE_NOOP("core", "Height"),
+    QT_TRANSLATE_NOOP("core", "Bounded"),
+    QT_TRANSLATE_NOOP("core", "what hits may be wrong by where that spares work; its error is measured"),
     QT_TRANSLATE_NOOP("core", "thickness of the relief slab"),
     QT_TRANSLATE_NOOP("core", "how high the camera stands above the horizontal"),
     QT_TRANSLATE_NOOP("core", "how far the camera has turned to the right, 0 in front"),

@@ -26,6 +26,7 @@
 #include "windows/message_bar.h"
 #include "windows/pane_title.h"
 #include "windows/scene_panel.h"
+#include "windows/skipped_panel.h"
 #include "windows/status_line.h"
 #include "windows/step_bar.h"
 #include "windows/theme.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     setStatusBar(status_);
     makeResult();
     makePanes();
+    makeSkipped();
     makeMenus();
     topBar_ = new TopBar(workspace_, open_, {undo_, redo_, projector_}, this);
     addToolBar(topBar_);
@@ -167,6 +169,17 @@ void MainWindow::makePanes() {
     connect(rows_, &RowsView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
             &PaneTitle::setNote);
     connect(rows_, &RowsView::saved, this, say);
+}
+
+// Not one of the panes: it is opened from the menu or from the bottom line.
+void MainWindow::makeSkipped() {
+    skipped_ = new QDockWidget(tr("Skipped"), this);
+    skipped_->setObjectName(QStringLiteral("skipped-pane"));
+    skipped_->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    skipped_->setWidget(new SkippedPanel(workspace_, skipped_));
+    addDockWidget(Qt::BottomDockWidgetArea, skipped_);
+    skipped_->hide();
+    connect(status_, &StatusLine::ledgerWanted, skipped_, [this] { skipped_->setVisible(skipped_->isHidden()); });
 }
 
 void MainWindow::makeMessages() {

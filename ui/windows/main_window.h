@@ -70,6 +70,7 @@ class MainWindow : public QMainWindow {
 
     void makeResult();
     void makePanes();
+    void makeSkipped();
     QDockWidget* addPane(const QString& title, const QString& name, QWidget* whole, QWidget* focus,
                          Qt::DockWidgetArea area);
     PaneTitle* titleOf(const QString& title, QWidget* whole);
@@ -111,6 +112,7 @@ class MainWindow : public QMainWindow {
     StepBar* stepBar_ = nullptr;
     MessageBar* messages_ = nullptr;
     StatusLine* status_ = nullptr;
+    QDockWidget* skipped_ = nullptr;
     TopBar* topBar_ = nullptr;
     std::vector<Pane> panes_;
     QWidget* filled_ = nullptr;  // the pane that fills the window

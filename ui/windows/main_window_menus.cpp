@@ -106,6 +106,7 @@ void MainWindow::makeViewMenu() {
     for (const Pane& pane : panes_) {
         if (pane.dock != nullptr) shown->addAction(pane.dock->toggleViewAction());
     }
+    shown->addAction(skipped_->toggleViewAction());
     auto* const reset = addAction(menu, tr("Reset &layout"), {}, tr("Put the panes where they were at first"));
     connect(reset, &QAction::triggered, this, &MainWindow::resetLayout);
     menu->addSeparator();

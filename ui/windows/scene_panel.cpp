@@ -76,7 +76,7 @@ ScenePanel::ScenePanel(Workspace* workspace, QWidget* parent) : QWidget(parent),
     addShadows(light);
     addMethod(addGroup(column, tr("Method")));
     addGroup(column, tr("Filter"))->addRow(new FilterBox(workspace, this));
-    addNumbers(addGroup(column, tr("Picture drawn")), {"width", "height"});
+    addNumbers(addGroup(column, tr("Picture drawn")), {"width", "height", "bounded"});
     column->addStretch(1);
     connect(workspace_, &Workspace::scenarioChanged, this, &ScenePanel::refresh);
     connect(workspace_, &Workspace::snapshotChanged, this, &ScenePanel::refreshMethod);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <QEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QToolButton>
@@ -34,7 +35,8 @@ QString grouped(std::uint64_t value) {
 
 // What was done for the frame, stage by stage, and what was not needed.
 QString ledger(const relief::Frame& frame) {
-    QString text = StatusLine::tr("Stages of this frame (seconds of all threads together):");
+    QString text = StatusLine::tr("Click: what was skipped, and why") + QLatin1Char('\n') +
+                   StatusLine::tr("Stages of this frame (seconds of all threads together):");
     for (std::size_t s = 0; s < relief::kStages; ++s) {
         const relief::StageReport& stage = frame.stages[s];
         const QString name = QString::fromUtf8(relief::kStageNames[s].data(), int(relief::kStageNames[s].size()));
@@ -64,6 +66,8 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     frame_->setObjectName(QStringLiteral("status-frame"));
     pixel_->setAccessibleName(tr("The chosen pixel"));
     frame_->setAccessibleName(tr("The frame"));
+    frame_->installEventFilter(this);
+    frame_->setCursor(Qt::PointingHandCursor);
     pixel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setContentsMargins(6, 0, 6, 0);
     bar_->setRange(0, 1000);
@@ -98,6 +102,11 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
         if (workspace_->busy()) patience_.start();
     });
     connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == frame_ && event->type() == QEvent::MouseButtonRelease) Q_EMIT ledgerWanted();
+    return QStatusBar::eventFilter(watched, event);
 }
 
 void StatusLine::showBusy(bool busy) {
@@ -144,10 +153,10 @@ QString StatusLine::frameText() const {
     const relief::Frame& frame = *snapshot->frame;
     QString text = tr("frame %1 ms").arg(rounded(frame.seconds * 1000, 3));
     if (snapshot->coarse) text += tr(" (%1 × %2)").arg(frame.width).arg(frame.height);
-    // Pixels that needed no search: nothing there, or the start is the highest point already.
+    // Pixels that needed no search: nothing there, or nothing to search for.
     const double pixels = counter(frame, "pixels");
-    const double spared =
-        counter(frame, "pixels without a polygon") + counter(frame, "rays not needed: the start is the highest point");
+    const double spared = counter(frame, "pixels without a polygon") + counter(frame, "rays not needed: flat ground") +
+                          counter(frame, "rays not traced: little parallax");
     return text + QStringLiteral("     ") +
            tr("skipped: %1 %").arg(std::lround(pixels > 0 ? 100 * spared / pixels : 0));
 }

@@ -20,6 +20,11 @@ class StatusLine : public QStatusBar {
 
     QString pixelText() const;
     QString frameText() const;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  Q_SIGNALS:
+    // The frame's part was clicked: what was skipped, in full.
+    void ledgerWanted();
 
   private:
     void refresh();

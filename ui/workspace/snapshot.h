@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QImage>
@@ -10,7 +11,7 @@
 #include "images/pyramid.h"
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/tracers.h"
-#include "rendering/frame.h"
+#include "rendering/skip_ledger.h"
 #include "scenario/scenario.h"
 #include "workspace/layers.h"
 #include "workspace/pixel_footprint.h"
@@ -40,6 +41,7 @@ struct Snapshot {
     std::shared_ptr<const relief::Tracer> tracer;         // of the frame
     relief::Guarantee guarantee = relief::Guarantee::Approximate;  // of the method with these options
     std::size_t methodBytes = 0;                                   // of its maps
+    std::optional<relief::BoundedError> bounded;                   // of a full frame that skips within a bound
     std::shared_ptr<const PixelFootprint> footprint;               // of the pixel; null where it has no hit
     PixelTrace trace;                                              // in full-size pixels, also when coarse
     std::shared_ptr<const relief::MaxPyramidMap> maxima;           // over the cells of the field

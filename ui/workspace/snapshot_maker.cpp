@@ -82,6 +82,10 @@ void SnapshotMaker::render(Size& size, const relief::Scenario& scenario, const r
     size.assets = assets;
     size.layer = makeLayer(Layer::Color, *size.frame, request, *maps_, work);
     size.picture = size.layer.image;
+    size.bounded.reset();
+    if (request.bounded > 0 && &size == &full_) {
+        size.bounded = relief::measureBounded(*size.frame, request, *maps_, work);
+    }
     if (!supersampled(scenario)) learn(*size.frame, &size == &coarse_, lightOnly);
 }
 
@@ -126,6 +130,7 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     snapshot->frame = size.frame;
     snapshot->picture = size.picture;
     snapshot->layer = size.layer;
+    snapshot->bounded = size.bounded;
     snapshot->tracer = size.renderer->tracer();
     snapshot->guarantee = size.renderer->tracer()->guarantee();
     snapshot->methodBytes = size.renderer->tracer()->bytes();
@@ -142,11 +147,11 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     const relief::HeightField& field = request->field;
     snapshot->maxima = relief::maxPyramidMap(field, *maps_, work);
     snapshot->minima = maps_->get<relief::Pyramid>({"min-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {
-        return relief::Pyramid(relief::PyramidKind::Min, field.heights(), w);
+        return relief::Pyramid(relief::PyramidKind::Min, field.sharedHeights(), w);
     });
     snapshot->maps = maps_;
     snapshot->means = maps_->get<relief::Pyramid>({"mean-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {
-        return relief::Pyramid(relief::PyramidKind::Mean, field.heights(), w);
+        return relief::Pyramid(relief::PyramidKind::Mean, field.sharedHeights(), w);
     });
     return snapshot;
 }

@@ -40,6 +40,7 @@ class SnapshotMaker {
         std::shared_ptr<const relief::Frame> frame;
         QImage picture;
         LayerPicture layer;  // the one shown last
+        std::optional<relief::BoundedError> bounded;
     };
 
     void render(Size& size, const relief::Scenario& scenario, const relief::FrameRequest& request,

@@ -30,6 +30,10 @@ std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, Map
         kind = field.address() == Address::Repeat ? "max-pyramid/bilinear/repeat" : "max-pyramid/bilinear/clamped";
     }
     return cache.get<MaxPyramidMap>({kind, field.sharedHeights()}, work, [&](Work& w) {
+        // A column's largest height is its own.
+        if (field.surface() == Surface::Columns) {
+            return MaxPyramidMap{Pyramid(PyramidKind::Max, field.sharedHeights(), w)};
+        }
         return MaxPyramidMap{Pyramid(PyramidKind::Max, cellMaxima(field, w), w)};
     });
 }

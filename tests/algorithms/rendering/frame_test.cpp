@@ -181,7 +181,9 @@ TEST(Frame, aPlateauNeedsNoTracing) {
     request.height = 30;
     request.counts = true;
     const auto frame = renderFresh(request, 1);
-    EXPECT_EQ(frame->counters.at("rays not needed: the start is the highest point"), frame->counters.at("rays traced"));
+    EXPECT_EQ(frame->counters.at("rays traced"), 0);
+    EXPECT_EQ(frame->counters.at("rays not needed: flat ground"), frame->counters.at("rays"));
+    EXPECT_EQ(frame->counters.at("rays not needed: the start is the highest point"), frame->counters.at("rays"));
 }
 
 // Counting traces once more: the same hits, the counts of each ray as its own log has them.

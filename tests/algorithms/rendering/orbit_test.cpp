@@ -1,0 +1,112 @@
+// Frame after frame while the camera orbits: the same bits as alone, and memory that does not grow.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+
+#include <unistd.h>
+
+#include "../relief/fields.h"
+#include "rendering/frame.h"
+
+namespace relief::test {
+namespace {
+
+// Seconds of orbiting; the long form is what somebody who leaves the window turning sees.
+constexpr double kShortSeconds = 12;
+constexpr double kLongSeconds = 600;
+// Of the resident memory after the first tenth: what an allocator's arenas may still settle by. A frame of these has
+// 4 MB of buffers, so that one that is kept in a hundred shows.
+constexpr std::int64_t kMostGrowth = std::int64_t{16} << 20;
+
+std::int64_t residentBytes() {
+    std::ifstream file("/proc/self/statm");
+    std::int64_t pages = 0;
+    std::int64_t resident = 0;
+    file >> pages >> resident;
+    return resident * sysconf(_SC_PAGESIZE);
+}
+
+FrameRequest orbitRequest() {
+    FrameRequest request(HeightField(share(makeRelief("bricks", 128, 128, 1))));
+    request.width = 240;
+    request.height = 180;
+    request.shadows = true;
+    request.filter.name = "elliptical";
+    return request;
+}
+
+TEST(Orbit, memoryDoesNotGrow) {
+    Work work;
+    const auto maps = std::make_shared<MapCache>();
+    FrameRenderer renderer(maps);
+    FrameRequest request = orbitRequest();
+    const bool isLong = std::getenv("RELIEF_LONG") != nullptr;
+    const double seconds = isLong ? kLongSeconds : kShortSeconds;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+    std::int64_t resident = 0;
+    std::size_t bytes = 0;
+    std::int64_t frames = 0;
+    std::shared_ptr<const Frame> shown;
+    for (; passed() < seconds; ++frames) {
+        request.camera.azimuth = std::fmod(0.7 * static_cast<double>(frames), 360);
+        request.camera.elevation = 20 + static_cast<double>(frames % 50);
+        request.light.azimuth = static_cast<double>(frames % 90);
+        request.counts = frames % 7 == 0;
+        if (frames % 20 == 0) request.filter.name = frames % 40 == 0 ? "elliptical" : "trilinear";
+        // Depths come and go; a window shows the frame before while the next is made.
+        request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat,
+                                    0.05 + 0.01 * static_cast<double>(frames % 10));
+        shown = renderer.render(request, work);
+        if (resident == 0 && passed() > 0.1 * seconds) {
+            resident = residentBytes();
+            bytes = maps->bytes();
+        }
+    }
+    ASSERT_GT(frames, 20);
+    std::printf("%lld frames, resident %+lld KB\n", static_cast<long long>(frames),
+                static_cast<long long>((residentBytes() - resident) / 1024));
+    EXPECT_EQ(maps->bytes(), bytes);
+    EXPECT_EQ(work.counters().values()["map builds"], 1) << "neither depth nor filter nor light needs another map";
+    EXPECT_LT(residentBytes() - resident, kMostGrowth);
+}
+
+bool sameFrame(const Frame& a, const Frame& b) {
+    if (!(a.light->color == b.light->color) || !(a.color->color == b.color->color)) return false;
+    if (a.rays->polygon != b.rays->polygon || a.shadows->shadowed != b.shadows->shadowed) return false;
+    for (std::size_t i = 0; i < a.hits->hits.size(); ++i) {
+        if (!sameBits(a.hits->hits[i], b.hits->hits[i])) return false;
+    }
+    return true;
+}
+
+// Buffers go round, but never one that somebody still looks at.
+TEST(Orbit, buffersAreWrittenAgainOnlyWhenNobodyHoldsThem) {
+    Work work;
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    FrameRequest request = orbitRequest();
+    std::vector<std::pair<FrameRequest, std::shared_ptr<const Frame>>> held;
+    std::vector<const RayStage*> seen;
+    int again = 0;
+    for (int n = 0; n < 12; ++n) {
+        request.camera.azimuth = 25.0 * n;
+        if (n == 6) request.width = 200;
+        if (n == 9) request.shadows = false;
+        const auto frame = renderer.render(request, work);
+        again += static_cast<int>(std::count(seen.begin(), seen.end(), frame->rays.get()));
+        seen.push_back(frame->rays.get());
+        if (n % 4 == 0) held.emplace_back(request, frame);
+        FrameRenderer alone(std::make_shared<MapCache>());
+        EXPECT_TRUE(sameFrame(*frame, *alone.render(request, work))) << n;
+    }
+    EXPECT_GT(again, 3);
+    for (const auto& [asked, frame] : held) {
+        FrameRenderer alone(std::make_shared<MapCache>());
+        EXPECT_TRUE(sameFrame(*frame, *alone.render(asked, work)));
+    }
+}
+
+}  // namespace
+}  // namespace relief::test

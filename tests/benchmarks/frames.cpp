@@ -1,0 +1,82 @@
+// relief_frames [SECONDS]: frames a second of the shipped pictures at 800 x 600 while the camera turns: traced exactly,
+// filtered anisotropically with regard to the relief, lit, with shadows and without. Each view for SECONDS (default 2);
+// a row a view: the median frame and the tenth slowest, and each stage's share, of all threads together.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "images/files.h"
+#include "rendering/frame.h"
+
+namespace {
+
+using namespace relief;
+
+struct Pictures {
+    const char* folder;
+    const char* height;
+    const char* color;
+};
+constexpr Pictures kPictures[]{{"gray_rocks", "height.png", "color.jpg"},
+                               {"stone_wall_bricks102", "height.jpg", "color.jpg"},
+                               {"brick_tiles037", "height.jpg", "color.jpg"},
+                               {"terrain_srtm_east_africa", "height.png", "color.png"}};
+constexpr double kTurn = 0.5;  // degrees a frame
+
+double quantile(std::vector<double> values, double part) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+void measure(FrameRequest request, const char* name, double seconds) {
+    Work work;
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    renderer.render(request, work);
+    std::vector<double> taken;
+    std::array<double, kStages> stages{};
+    const auto begin = std::chrono::steady_clock::now();
+    while (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds) {
+        request.camera.azimuth += kTurn;
+        const auto frame = renderer.render(request, work);
+        taken.push_back(frame->seconds);
+        for (std::size_t s = 0; s < kStages; ++s) stages[s] += frame->stages[s].seconds;
+    }
+    double sum = 0;
+    for (const double s : stages) sum += s;
+    std::printf("%-26s %2.0f %-20s %-7s %6.1f frames/s %7.1f ms %7.1f ms ", name, request.camera.elevation,
+                request.filter.name.c_str(), request.shadows ? "shadows" : "", 1 / quantile(taken, 0.5),
+                1000 * quantile(taken, 0.5), 1000 * quantile(taken, 0.9));
+    for (std::size_t s = 0; s < kStages; ++s) {
+        std::printf(" %s %.0f%%", std::string(kStageNames[s]).c_str(), 100 * stages[s] / sum);
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const double seconds = argc > 1 ? std::atof(argv[1]) : 2;
+    for (const Pictures& pictures : kPictures) {
+        const std::string folder = std::string(RELIEF_DATASETS) + "/" + pictures.folder + "/";
+        Work work;
+        const auto heights = std::make_shared<const FloatImage>(readHeight(folder + pictures.height, {}, work).heights);
+        const auto color = std::make_shared<const ColorImage>(readColor(folder + pictures.color, work));
+        for (const double elevation : {60.0, 45.0, 25.0}) {
+            for (const char* filter : {"elliptical", "elliptical-visible"}) {
+                for (const bool shadows : {false, true}) {
+                    FrameRequest request{HeightField(heights)};
+                    request.color = color;
+                    request.camera.elevation = elevation;
+                    request.filter.name = filter;
+                    request.shadows = shadows;
+                    measure(request, pictures.folder, seconds);
+                }
+            }
+        }
+    }
+    return 0;
+}
