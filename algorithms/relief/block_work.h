@@ -2,6 +2,7 @@
 // descriptions made once.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include <oneapi/tbb/blocked_range.h>
@@ -25,7 +26,15 @@ void overBlock(std::size_t count, Work& work, const Body& body) {
     if (count <= kRayGrain) {
         range({0, count});
     } else {
-        work.arena().execute([&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kRayGrain), range); });
+        // Cut at multiples of the grain: lanes and packets keep the rays together that came together.
+        const std::size_t grains = (count + kRayGrain - 1) / kRayGrain;
+        work.arena().execute([&] {
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grains), [&](const auto& r) {
+                for (std::size_t n = r.begin(); n < r.end(); ++n) {
+                    range({n * kRayGrain, std::min((n + 1) * kRayGrain, count)});
+                }
+            });
+        });
     }
     work.throwIfStopped();
 }

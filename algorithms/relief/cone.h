@@ -9,6 +9,7 @@
 
 #include <optional>
 
+#include "relief/lanes/cone_lanes.h"
 #include "relief/leaf.h"
 #include "relief/maps/cone_map.h"
 #include "relief/maps/distance_map.h"
@@ -53,7 +54,16 @@ class ConeTracer {
         ConeParameters parameters;
         parameters.sectors = options.sectors;
         parameters.precision = parsePrecision(options.precision);
-        return {field, relief::coneMap(ConeKind::Conservative, parameters, field, cache, work)};
+        ConeTracer tracer(field, relief::coneMap(ConeKind::Conservative, parameters, field, cache, work));
+        tracer.packed_ = packedCones(field, cache, work);
+        tracer.scene_ = LaneScene(field, tracer.packed_->highest, std::max(tracer.grid_.x.cells, tracer.grid_.y.cells));
+        return tracer;
+    }
+    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+        if (!packed_) return traceOneByOne(*this, rays, first, last, hits);
+        traceInLanes(*this, rays, first, last, hits, [&](std::size_t begin, std::size_t end, LaneRays& scratch) {
+            traceConeLanes(scene_, *packed_, rays, begin, end, hits, scratch);
+        });
     }
 
     ConeTracer(HeightField field, std::shared_ptr<const ConeMap> map)
@@ -81,6 +91,8 @@ class ConeTracer {
     HeightField field_;
     std::shared_ptr<const ConeMap> map_;
     CellGrid grid_;
+    std::shared_ptr<const PackedCones> packed_;
+    LaneScene scene_;
 };
 
 template <bool kWhole, class Sink>

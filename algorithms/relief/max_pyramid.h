@@ -5,10 +5,11 @@
 // leaf decides at level 0. After a step that leaves the parent, the walk goes up one level.
 // Guarantee: with base level 0 exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at
 // grazing angles, where little can be skipped. Cost: O(log) steps a ray on even surfaces, one stored maximum a step.
-// Twin: max_pyramid_paper.h is the text to read; this one is the text to run.
+// Twins: max_pyramid_paper.h is the text to read, lanes/pyramid_lanes.h runs blocks of rays without a log.
 #pragma once
 
 #include "relief/describe.h"
+#include "relief/lanes/pyramid_lanes.h"
 #include "relief/pyramid_walk.h"
 
 namespace relief {
@@ -33,23 +34,39 @@ class MaxPyramidTracer {
     };
     static MaxPyramidTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
         const BaseField base = baseField(field, options.base, cache, work);
-        return MaxPyramidTracer(PyramidWalk(base, field, maxPyramidMap(base.field, cache, work)));
+        MaxPyramidTracer tracer(PyramidWalk(base, field, maxPyramidMap(base.field, cache, work)));
+        if (base.level == 0) tracer.useLanes(depthPyramid(field, tracer.walk_.map(), cache, work));
+        return tracer;
     }
 
     explicit MaxPyramidTracer(PyramidWalk walk) : walk_(std::move(walk)) {}
 
     template <class Sink>
     Hit trace(const ViewRay& viewRay, Sink& sink) const;
+    // The same hits, many at a time; rays [first, last) of the block.
+    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+        if (!depths_) return traceOneByOne(*this, rays, first, last, hits);
+        traceInLanes(*this, rays, first, last, hits, [&](std::size_t begin, std::size_t end, LaneRays& scratch) {
+            tracePyramidLanes(scene_, *depths_, rays, begin, end, hits, scratch);
+        });
+    }
 
     const HeightField& field() const { return walk_.wholeField(); }
-    std::size_t bytes() const { return walk_.bytes(); }
+    std::size_t bytes() const { return walk_.bytes() + (depths_ ? depths_->bytes() : 0); }
     double stepBound(const ViewRay& ray) const { return walk_.stepBound(walk_.gridRay(ray)); }
     // A base level above 0 is another surface.
     Guarantee guarantee() const { return walk_.baseLevel() == 0 ? Guarantee::Exact : Guarantee::Approximate; }
     const PyramidWalk& pyramidWalk() const { return walk_; }
 
   private:
+    void useLanes(std::shared_ptr<const DepthPyramid> depths) {
+        depths_ = std::move(depths);
+        if (depths_) scene_ = LaneScene(field(), depths_->highest, 1 << depths_->top);
+    }
+
     PyramidWalk walk_;
+    std::shared_ptr<const DepthPyramid> depths_;
+    LaneScene scene_;
 };
 
 template <class Sink>

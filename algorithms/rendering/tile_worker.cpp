@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "relief/look_up_point.h"
+#include "rendering/block_order.h"
 
 namespace relief {
 
@@ -23,12 +24,10 @@ constexpr int kSkipSide = 16;
 std::vector<std::size_t> coveredPixels(const PixelArea& tile, const Frame& frame) {
     std::vector<std::size_t> pixels;
     pixels.reserve(static_cast<std::size_t>(kTileWidth) * kTileHeight);
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
-            const std::size_t i = frame.index(x, y);
-            if (frame.rays->polygon[i] != kNoPolygon) pixels.push_back(i);
-        }
-    }
+    inBlockOrder(tile, [&](int x, int y) {
+        const std::size_t i = frame.index(x, y);
+        if (frame.rays->polygon[i] != kNoPolygon) pixels.push_back(i);
+    });
     return pixels;
 }
 

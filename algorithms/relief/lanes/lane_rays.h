@@ -1,0 +1,103 @@
+// A chunk of rays as the lanes walk it. The lanes only exclude cells, in float with margins that cover its rounding;
+// where a ray meets its cell is decided by the one leaf, in double; whatever the margins cannot decide is left to the
+// scalar text. So hits have the bits of the scalar text for any instruction set.
+//
+// Frame of the walk: cells of cell_grid.h, mirrored so that every ray runs towards larger indices, n counted in cells
+// from the one in which the walk begins. The ray crosses line n at lambda = n * inverse + base; base holds a margin, so
+// that this is at or after the true crossing, and by no more than `tie` on both axes together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "relief/cell_grid.h"
+#include "relief/step_log.h"
+
+namespace relief {
+
+inline constexpr std::size_t kLaneChunk = 512;
+// Columns of a chunk: a whole vector may be loaded from any of its rays on.
+inline constexpr std::size_t kLaneSlots = kLaneChunk + 16;
+// Flatter rays are left to the scalar text: float would separate too few of their cells.
+inline constexpr double kLaneRun = 65536;
+// Cells from the origin within which positions are held as integers.
+inline constexpr double kLanePlaces = 4194304;
+// Of n * inverse + base: products and sums of floats of at most 1 + inverse, four roundings, twice.
+inline constexpr float kCrossingMargin = 0x1p-21F;
+
+// What becomes of a ray in lanes.
+enum class LaneEnd : std::int32_t { Candidate, Miss, Scalar };
+
+struct LaneAxisRays {
+    // Set up from the rays.
+    alignas(64) std::array<std::int32_t, kLaneSlots> first;  // cell of the start, mirrored, before any addressing
+    alignas(64) std::array<std::int32_t, kLaneSlots> cell;   // that cell, addressed
+    alignas(64) std::array<float, kLaneSlots> inverse, base;
+    alignas(64) std::array<float, kLaneSlots> run;  // with its sign: negative is mirrored
+    alignas(64) std::array<float, kLaneSlots> rim;  // border: lambda at which the ray leaves the map
+    // Of the candidate: its cell within the period, and its distance n.
+    alignas(64) std::array<std::int32_t, kLaneSlots> hitCell, hitPlace;
+};
+
+// Rays that begin their walks together.
+inline constexpr std::size_t kLaneGroup = 16;
+
+struct LaneRays {
+    LaneAxisRays x, y;
+    std::array<double, kLaneChunk / kLaneGroup + 1> start;  // lambda at which a group begins: nothing is hit before
+    alignas(64) std::array<float, kLaneSlots> begin;        // the same, a ray
+    alignas(64) std::array<float, kLaneSlots> tie;
+    alignas(64) std::array<std::int32_t, kLaneSlots> end;  // LaneEnd; Candidate while it is walked
+    std::size_t count = 0;
+    bool allHit = false;  // no ray ended otherwise
+};
+
+// What the lanes walk over; pointers are not owned.
+struct LaneScene {
+    const float* heights = nullptr;
+    std::int32_t stride = 0;
+    CellGrid grid;
+    Surface surface{};
+    Address address{};
+    std::int32_t mirror = 1;  // cell i is mirrored to mirror - 1 - i; at least the cells of either axis
+    double start = 0;         // lambda at which walks begin: nothing is as high
+
+    LaneScene() = default;
+    LaneScene(const HeightField& field, double highest, std::int32_t mirrored)
+        : heights(field.heights().data()),
+          stride(field.width()),
+          grid(field),
+          surface(field.surface()),
+          address(field.address()),
+          mirror(mirrored) {
+        // Above the rounding of places (2^-30 of a cell) over the least run that lanes take when they begin lower down.
+        constexpr double kStartSlack = 0x1p-12;
+        start = std::max(0.0, 1 - highest - kStartSlack);
+    }
+};
+
+// Without lanes: the tracer's own text, ray after ray.
+template <class T>
+void traceOneByOne(const T& tracer, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) {
+    NullSink sink;
+    for (std::size_t i = first; i < last; ++i) hits.set(i, tracer.trace(rays[i], sink));
+}
+
+// Chunks of the rays [first, last) through kernel(begin, end, scratch); what it leaves over, by the tracer's own text.
+template <class T, class Kernel>
+void traceInLanes(const T& tracer, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
+                  const Kernel& kernel) {
+    static thread_local LaneRays scratch;
+    NullSink sink;
+    for (std::size_t begin = first; begin < last; begin += kLaneChunk) {
+        const std::size_t end = std::min(begin + kLaneChunk, last);
+        kernel(begin, end, scratch);
+        if (scratch.allHit) continue;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (scratch.end[i - begin] != static_cast<std::int32_t>(LaneEnd::Scalar)) continue;
+            hits.set(i, tracer.trace(rays[i], sink));
+        }
+    }
+}
+
+}  // namespace relief

@@ -1,0 +1,34 @@
+// The max pyramid as the lanes read it: one array of depths 1 - maximum in 16 bits, level after level.
+//
+// A depth is rounded down, and kDepthSlack less than it is: "the ray leaves the node above this depth" excludes at
+// least as surely as PyramidWalk::excluded.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "relief/maps/max_pyramid_map.h"
+
+namespace relief {
+
+inline constexpr int kDepthLevels = 16;  // fields of up to 32768 cells a side
+inline constexpr double kDepthUnit = 0x1p-16;
+inline constexpr double kDepthSlack = 0x1p-20;
+
+struct DepthPyramid {
+    static constexpr RayClass kRays = RayClass::AnyRays;
+    std::vector<std::uint16_t> depths;  // two more than there are: lanes read four bytes
+    std::array<std::int32_t, kDepthLevels> offsets{};
+    int top = 0;
+    double highest = 0;
+
+    std::size_t bytes() const { return depths.size() * sizeof(std::uint16_t); }
+};
+
+// From the cache, or built in parallel. Null: the field is too big for it (the scalar text runs).
+std::shared_ptr<const DepthPyramid> depthPyramid(const HeightField& field,
+                                                 const std::shared_ptr<const MaxPyramidMap>& map, MapCache& cache,
+                                                 Work& work);
+
+}  // namespace relief
