@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filtering/filter_block.h"
 #include "images/addressing.h"
 #include "rendering/lighting.h"
 
@@ -18,10 +19,6 @@ using relief::LevelAxis;
 constexpr std::int64_t kMostListed = 200000;
 // Texels of the level; what is larger is not drawn.
 constexpr double kLargestCircle = 1e6;
-
-relief::Jacobian scaled(const relief::Jacobian& j, glm::dvec2 scale) {
-    return {j.ux * scale.x, j.vx * scale.y, j.uy * scale.x, j.vy * scale.y};
-}
 
 bool finite(const relief::Jacobian& j) {
     const double most = std::max({std::abs(j.ux), std::abs(j.vx), std::abs(j.uy), std::abs(j.vy)});
