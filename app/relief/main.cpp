@@ -83,6 +83,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addBenchCommand(program, commands);
     addStressCommand(program, commands);
     addCertifyCommand(program, commands);
+    addRecommendCommand(program, commands);
 }
 
 int parseAndRun(int count, char** arguments, Session& session) {

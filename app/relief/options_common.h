@@ -82,14 +82,15 @@ class ScenarioOptions {
   public:
     // Which groups a command takes beside scenario, height map and method.
     // Yes: --color, --normal, --filter, --light. Heights: nothing but the height field, and the options of a method
-    // that the command chooses itself.
-    enum class Look { No, Yes, Heights };
+    // that the command chooses itself. Plain: nothing but the height field.
+    enum class Look { No, Yes, Heights, Plain };
     void add(CLI::App& parser, Look look);
     // The scenario (the file's, or the default one) with the options laid over it; checked. Throws InputError.
     Scenario scenario() const { return scenario(file_); }
     // The same over another scenario's file; nothing: over the default one.
     Scenario scenario(const OptionText& file) const;
     const OptionText& file() const { return file_; }
+    bool heightsGiven() const { return height_ || recipe_; }
     // The command chooses the method: no --tracer.
     void chooseTracer(const std::string& name) { tracer_ = name; }
     // --map: the stored map laid into the cache for the scenario's tracer, which gets the options it was built with.

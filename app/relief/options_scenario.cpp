@@ -112,7 +112,7 @@ void applyRecipe(Pictures& pictures, const std::string& text) {
 }
 
 void ScenarioOptions::add(CLI::App& parser, Look look) {
-    if (look == Look::Heights) {
+    if (look == Look::Heights || look == Look::Plain) {
         addPictures(parser, look);
         reading_.add(parser);
         addMethod(parser, look);
@@ -140,8 +140,8 @@ void ScenarioOptions::addPictures(CLI::App& parser, Look look) {
 }
 
 void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
-    const char* group = "Method";
-    if (look != Look::Heights) {
+    const char* group = look == Look::Plain ? "Relief" : "Method";
+    if (look == Look::No || look == Look::Yes) {
         addText(parser, "--tracer", tracer_, "NAME",
                 "how rays meet the relief: " + tracerNames() + "; default " + Scenario{}.method.name, group);
         addText(parser, "--map", map_, "FILE.tif",
@@ -149,8 +149,11 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
                 "options are the map's",
                 group);
     }
-    addTexts(parser, "--set", settings_, "NAME=VALUE",
-             "an option of the method, such as layers=64; may be repeated (relief list shows what there is)", group);
+    if (look != Look::Plain) {
+        addTexts(parser, "--set", settings_, "NAME=VALUE",
+                 "an option of the method, such as layers=64; may be repeated (relief list shows what there is)",
+                 group);
+    }
     addText(parser, "--relief-depth", reliefDepth_, "D", numberHelp("relief-depth"), group);
     addText(parser, "--address", address_, "repeat|clamp|border",
             "what lies outside the picture: itself again (default), its rim, nothing", group);

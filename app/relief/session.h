@@ -66,5 +66,6 @@ void addCompareCommand(CLI::App& program, Commands& commands);
 void addStressCommand(CLI::App& program, Commands& commands);
 void addCertifyCommand(CLI::App& program, Commands& commands);
 void addBenchCommand(CLI::App& program, Commands& commands);
+void addRecommendCommand(CLI::App& program, Commands& commands);
 
 }  // namespace relief::app

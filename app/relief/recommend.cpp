@@ -1,0 +1,185 @@
+// relief recommend --height FILE [--views LO,HI] [--error E] [--memory MB] [--seconds S] [--form lanes|scalar]
+// [--json] [--check] [-o FILE]
+#include <algorithm>
+
+#include "images/reliefs.h"
+#include "measuring/quantiles.h"
+#include "measuring/recommend.h"
+#include "measuring/text_table.h"
+#include "options_common.h"
+#include "output.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr int kViolated = 1;
+constexpr double kMostError = 1e6;
+constexpr double kMostMemory = 1 << 20;  // megabytes
+constexpr double kMostSeconds = 24 * 3600;
+constexpr double kMostStepCost = 1000;
+constexpr int kCheckSide = 128;  // of the reliefs that are checked
+
+struct RecommendOptions {
+    ScenarioOptions scenario;
+    OptionText views, error, outliers, memory, seconds, form, stepCost, seed, color, output;
+    bool json = false;
+    bool noFilter = false;
+    bool check = false;
+    RunOptions run;
+};
+
+double parseRange(const std::string& text, const std::string& option, double low, double high) {
+    const double value = parseNumber(text, option);
+    if (!(value >= low && value <= high)) {
+        throw InputError(option, Message(MessageId::NumberOutOfRange,
+                                         {{"value", text}, {"range", numberText(low) + " to " + numberText(high)}}));
+    }
+    return value;
+}
+
+void applyAsked(const RecommendOptions& given, AdviceOptions& options) {
+    if (given.views) options.views = parseViews(*given.views, "--views");
+    if (given.error) options.error = parseRange(*given.error, "--error", 0, kMostError);
+    if (given.outliers) options.outliers = parseRange(*given.outliers, "--outliers", 0, 100) / 100;
+    if (given.memory) {
+        options.memory = static_cast<std::int64_t>(parseRange(*given.memory, "--memory", 0, kMostMemory) * 1048576);
+    }
+    if (given.seconds) options.seconds = parseRange(*given.seconds, "--seconds", 1, kMostSeconds);
+    if (given.form) options.form = parseAdviceForm(*given.form);
+    if (given.stepCost) options.stepCost = parseRange(*given.stepCost, "--step-cost", 0, kMostStepCost);
+    if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
+    options.filters = !given.noFilter;
+}
+
+HeightField fieldOf(const Scenario& scenario, const Assets& assets) {
+    return {assets.heights, scenario.surface, scenario.address, scenario.reliefDepth};
+}
+
+std::string nameOf(const Pictures& pictures) {
+    if (!pictures.height.empty()) return pictures.height;
+    return pictures.recipe + ":" + std::to_string(pictures.recipeWidth) + "x" + std::to_string(pictures.recipeHeight) +
+           ":" + std::to_string(pictures.seed);
+}
+
+// Every procedural relief, small, in place of a height map that was not given.
+std::vector<Scenario> checkedScenarios(const RecommendOptions& given) {
+    if (given.scenario.heightsGiven()) return {given.scenario.scenario()};
+    std::vector<Scenario> all;
+    for (const ReliefRecipe& recipe : reliefRecipes()) {
+        Scenario scenario = given.scenario.scenario();
+        applyRecipe(scenario.pictures, std::string(recipe.name));
+        if (recipe.anySize) scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = kCheckSide;
+        all.push_back(scenario);
+    }
+    return all;
+}
+
+int runCheck(const RecommendOptions& given, Session& session) {
+    constexpr int kDigits = 3;
+    std::vector<TableRow> rows{{"", "regret %", "beyond %", "chosen", "the full table's best"}};
+    std::vector<double> regrets;
+    bool kept = true;
+    double advised = 0;
+    double measured = 0;
+    for (const Scenario& scenario : checkedScenarios(given)) {
+        AssetStore store;
+        const Assets assets = store.load(scenario.pictures, session.work());
+        AdviceOptions options(fieldOf(scenario, assets));
+        applyAsked(given, options);
+        const AdviceRegret result = adviceRegret(options, session.work());
+        regrets.push_back(result.regret());
+        kept = kept && result.keepsBound;
+        advised += result.adviceSeconds;
+        measured += result.tableSeconds;
+        rows.push_back({nameOf(scenario.pictures), readable(100 * result.regret(), kDigits),
+                        readable(100 * result.chosenBeyond, kDigits) + (result.keepsBound ? "" : "!"),
+                        methodText(result.chosen), methodText(result.best)});
+    }
+    session.eraseBar();
+    std::string text = textTable(rows, 1, 3) + "regret: median " + readable(100 * quantile(regrets, 0.5), kDigits) +
+                       "%, worst " + readable(100 * quantile(regrets, 1), kDigits) + "%; advice " +
+                       readable(advised, kDigits) + " s, full tables " + readable(measured, kDigits) + " s\n";
+    TextOutput out(given.output.value_or("-"), session.stop());
+    out.write(text);
+    out.commit();
+    return kept ? 0 : kViolated;
+}
+
+int runRecommend(const RecommendOptions& given, Session& session) {
+    given.run.apply(session);
+    if (given.output) checkOutputFolder(*given.output);
+    if (given.check) return runCheck(given, session);
+    Scenario scenario = given.scenario.scenario();
+    if (given.color) scenario.pictures.color = *given.color;
+    Work& work = session.work();
+    AssetStore store;
+    const Assets assets = store.load(scenario.pictures, work);
+    noteHeights(session, assets, scenario);
+    AdviceOptions options(fieldOf(scenario, assets));
+    applyAsked(given, options);
+    options.name = nameOf(scenario.pictures);
+    options.color = assets.color;
+    const Advice advice = recommend(options, work);
+    session.eraseBar();
+    for (const Message& note : adviceNotes(options, advice)) session.note(options.name, note);
+    TextOutput out(given.output.value_or("-"), session.stop());
+    out.write(given.json || (given.output && fileEnding(*given.output) == "json")
+                  ? adviceJson(options, advice)
+                  : adviceText(options, advice, session.language()));
+    out.commit();
+    return 0;
+}
+
+void addAsked(CLI::App& parser, RecommendOptions& options) {
+    const char* group = "What is asked";
+    addText(parser, "--views", options.views, "LO,HI",
+            "from which elevations the relief is seen, degrees; one number: that alone; random: entry, azimuth and "
+            "elevation at random; default 10,80",
+            group);
+    addText(parser, "--error", options.error, "E", "how far off a ray may end, texels, default 0.5", group);
+    addText(parser, "--outliers", options.outliers, "PERCENT",
+            "of the rays that may be further off, or hit where exact misses, or the other way round; default 0.01",
+            group);
+    addText(parser, "--memory", options.memory, "MB", "of maps beside the heights, default 256", group);
+    addText(parser, "--form", options.form, "lanes|scalar",
+            "lanes: this library's own code, processor time on one thread; scalar: what a writer of shaders would "
+            "port, cost = reads + C x steps; default lanes",
+            group);
+    addText(parser, "--step-cost", options.stepCost, "C",
+            "reads that the arithmetic of a step is worth (scalar), default 2", group);
+    addText(parser, "--color", options.color, "FILE", "colours that filters are tried on; default: coloured patches",
+            group);
+    addFlag(parser, "--no-filter", options.noFilter, "no advice on filters", group);
+}
+
+}  // namespace
+
+void addRecommendCommand(CLI::App& program, Commands& commands) {
+    auto options = std::make_shared<RecommendOptions>();
+    CLI::App* parser = addCommand(
+        program, "recommend", "which method, filter and map for a height map, measured on it",
+        "Tries every tracer with the values of its options that are worth it, all on the same rays of the views that "
+        "are asked: what breaks the error bound or the memory, or whose map takes too long to build, is out; the rest "
+        "is timed in short rounds in turn, and what is clearly slower is out after each. Of forms within 3% the one "
+        "with the smaller map is taken. Says why: what the relief is like, steps, reads, bytes, build time; warns "
+        "where building the map outweighs what it saves. Filters are held against the supersampled picture, small. "
+        "The scalar form hangs on counts alone: the same seed gives the same answer, if the time was enough to build "
+        "every map.",
+        "  relief recommend --height heights.png --views 15,70 --error 0.5 --memory 64 --seconds 20\n"
+        "  relief recommend --relief city:512x512 --form scalar --json -o city.json");
+    options->scenario.add(*parser, ScenarioOptions::Look::Plain);
+    addAsked(*parser, *options);
+    addText(*parser, "--seconds", options->seconds, "S", "for all of it, 1 or more, default 20", "Run");
+    addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Run");
+    addFlag(*parser, "--check", options->check,
+            "hold the advice against the full table, every form measured to the end on other rays: the regret; without "
+            "a height map for every procedural relief, 128 x 128; exit status 1 where the error bound is broken there",
+            "Run");
+    addOutput(*parser, options->output, "text, or JSON where the name ends in .json; default standard output");
+    addFlag(*parser, "--json", options->json, "JSON instead of text", "Output");
+    options->run.add(*parser);
+    commands.push_back({parser, [options](Session& session) { return runRecommend(*options, session); }});
+}
+
+}  // namespace relief::app
