@@ -90,7 +90,19 @@ HeightField piece(const HeightField& field) {
     return {heights, field.surface(), field.address(), field.slabTexels() / kPieceSide};
 }
 
-// Of a block of so many views.
+// Every so many-th run of neighbouring pixels of a picture: all of the map is seen, and packets find neighbours.
+RayBlock blockRays(const AdviceOptions& options, Elevation view, std::size_t count, std::uint64_t seed) {
+    constexpr std::size_t kRun = 32;
+    constexpr std::size_t kEvery = 64;
+    const RayBlock picture = benchRays(options.field, view, count * kEvery, seed);
+    RayBlock rays;
+    for (std::size_t i = 0; i < picture.size() && rays.size() < count; ++i) {
+        if (i / kRun % kEvery == kEvery / 2) rays.push(picture[i]);
+    }
+    return rays;
+}
+
+// How many of a block's rays `exact` can be given, there being blocks of so many views.
 std::size_t affordableRays(const Tracer& exact, const RayBlock& rays, std::size_t views, Work& work) {
     RayBlock sample;
     for (std::size_t i = 0; i < rays.size(); i += kSampleEvery) sample.push(rays[i]);
@@ -113,10 +125,10 @@ AdviceRays::AdviceRays(const AdviceOptions& options, std::uint64_t seed, Work& w
         views_.emplace_back(kBlocks);
         for (std::size_t b = 0; b < kBlocks; ++b) {
             const std::uint64_t blockSeed = seedFor(seed, v * kBlocks + b + 1);
-            RayBlock rays = benchRays(options.field, options.views[v], kBlockRays, blockSeed);
+            RayBlock rays = blockRays(options, options.views[v], kBlockRays, blockSeed);
             const std::size_t affordable = affordableRays(*exact, rays, options.views.size(), work);
             if (affordable < rays.size()) {
-                rays = benchRays(options.field, options.views[v], affordable, blockSeed);
+                rays = blockRays(options, options.views[v], affordable, blockSeed);
             }
             Block& block = views_.back()[b];
             block.rays = std::move(rays);
