@@ -610,6 +610,133 @@
     </message>
 </context>
 <context>
+    <name>reliefui::ChartsView</name>
+    <message>
+        <source>Charts</source>
+        <translation>Діаграми</translation>
+    </message>
+    <message>
+        <source>measure</source>
+        <translation>виміряти</translation>
+    </message>
+    <message>
+        <source>Measure run time and error of the methods on this view&apos;s rays; or cancel it (Esc)</source>
+        <translation>Виміряти час роботи й похибку методів на променях цього виду або скасувати (Esc)</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>наживо</translation>
+    </message>
+    <message>
+        <source>Measure again by itself when the view changes</source>
+        <translation>Вимірювати знову, коли вид змінюється</translation>
+    </message>
+    <message>
+        <source>with maps</source>
+        <translation>із картами</translation>
+    </message>
+    <message>
+        <source>Methods with distance and cone maps, too: building these takes its time</source>
+        <translation>Також методи з картами відстаней і конусів: їх побудова потребує часу</translation>
+    </message>
+    <message>
+        <source>Which error stands on the vertical axis</source>
+        <translation>Яка похибка на вертикальній осі</translation>
+    </message>
+    <message>
+        <source>mean error</source>
+        <translation>середня похибка</translation>
+    </message>
+    <message>
+        <source>error of 95%</source>
+        <translation>похибка 95%</translation>
+    </message>
+    <message>
+        <source>error of 99.99%</source>
+        <translation>похибка 99,99%</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>найбільша похибка</translation>
+    </message>
+    <message>
+        <source>Which charts are shown</source>
+        <translation>Які діаграми показано</translation>
+    </message>
+    <message>
+        <source>all charts</source>
+        <translation>усі діаграми</translation>
+    </message>
+    <message>
+        <source>time and error</source>
+        <translation>час і похибка</translation>
+    </message>
+    <message>
+        <source>histograms</source>
+        <translation>гістограми</translation>
+    </message>
+    <message>
+        <source>cancel (%1%)</source>
+        <translation>скасувати (%1%)</translation>
+    </message>
+    <message>
+        <source>Choose method and its worst pixel</source>
+        <translation>Вибрати метод і його найгірший піксель</translation>
+    </message>
+    <message>
+        <source>%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps</source>
+        <translation>%1: %2 нс на промінь ± %3%, похибка середня %4, найбільша %5, кроків %6</translation>
+    </message>
+    <message>
+        <source> · wrong outcome: %1 rays</source>
+        <translation> · хибний результат: променів %1</translation>
+    </message>
+    <message>
+        <source>exact: %1 rays</source>
+        <translation>точних променів: %1</translation>
+    </message>
+    <message>
+        <source>wrong outcome: %1 rays</source>
+        <translation>хибний результат: променів %1</translation>
+    </message>
+    <message>
+        <source>%1 steps: %2 rays</source>
+        <translation>кроків %1: променів %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 steps: %3 rays</source>
+        <translation>кроків від %1 до %2: променів %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2 texels before the surface: %3 rays</source>
+        <translation>від %1 до %2 текселів перед поверхнею: променів %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2 texels behind it: %3 rays</source>
+        <translation>від %1 до %2 текселів за нею: променів %3</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Копіювати значення</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Копіювати картинку</translation>
+    </message>
+    <message>
+        <source>Export figure…</source>
+        <translation>Експортувати рисунок…</translation>
+    </message>
+    <message>
+        <source>Export the charts</source>
+        <translation>Експорт діаграм</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Рисунки</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::DistanceView</name>
     <message>
         <source>Distance map</source>
@@ -1362,6 +1489,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Skipped</source>
         <translation>Пропущене</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Діаграми</translation>
     </message>
 </context>
 <context>

@@ -84,6 +84,12 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.variants = value();
         } else if (argument == "--row-width") {
             parsed.rowWidth = wholeNumber(value(), argument);
+        } else if (argument == "--relief") {
+            parsed.relief = value();
+        } else if (argument == "--elevation") {
+            parsed.elevation = value();
+        } else if (argument == "--error") {
+            parsed.error = value();
         } else if (argument == "--dark") {
             parsed.dark = true;
         } else if (argument == "--size") {
@@ -108,6 +114,11 @@ Arguments parseArguments(int count, char** arguments) {
     const bool rows = parsed.figure == "rows";
     needs(!parsed.variants.empty() && !rows, "--variants", "--export rows");
     needs(parsed.rowWidth > 0 && !rows, "--row-width", "--export rows");
+    const bool pareto = parsed.figure == "pareto";
+    needs(!parsed.relief.empty() && !pareto, "--relief", "--export pareto");
+    needs(!parsed.elevation.empty() && !pareto, "--elevation", "--export pareto");
+    needs(!parsed.error.empty() && !pareto && parsed.figure != "charts", "--error", "--export pareto");
+    needs(pareto && parsed.file.empty(), "--export pareto", "BENCH.json");
     return parsed;
 }
 
@@ -123,7 +134,7 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --size WxH            size of the window, pixels
   --screenshot FILE     open the window, save it as a PNG, and end
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
-                        VIEW: distance, footprint, profile, pyramid, result, rows
+                        VIEW: charts, distance, footprint, pareto, profile, pyramid, result, rows
   --map KIND            of distance: euclidean, euclidean-conservative, refined-sampled, refined, cone, cone-dummer,
                         relaxed-cone (the method's)
   --minus KIND          the difference: this map is taken away
@@ -132,6 +143,9 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --variants LIST       of rows: up to four, as relief bench rows takes them
                         (affine,direct,incremental:anchor=0,streams:streams=4)
   --row-width N         of rows: as if the picture were so many pixels wide
+  --relief NAME         of pareto, whose file is a table of relief bench tracers (JSON): this relief only
+  --elevation DEG       of pareto: this elevation only
+  --error MEASURE       of pareto and charts: mean, p95, p9999 or max (mean)
   --width MM            of the figure (160)
   --dpi N               pixels an inch of a PNG (300)
   --dark                light on dark, as in the window
@@ -141,6 +155,7 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
 Exit status: 0 done, 1 the work failed, 2 bad usage or input, or no display.
 Examples: reliefscope datasets/gray_rocks/height.png
           reliefscope scenario.json --export profile -o profile.svg --width 120
+          reliefscope bench.json --export pareto --elevation 25 -o pareto.svg
 )";
 }
 

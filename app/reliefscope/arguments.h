@@ -26,6 +26,10 @@ struct Arguments {
     // Of the view "rows".
     std::string variants;  // with commas between; empty: its own choice
     int rowWidth = 0;      // 0: the picture's
+    // Of the view "pareto".
+    std::string relief;     // rows of this relief only; empty: of all
+    std::string elevation;  // and of this elevation
+    std::string error;      // of "charts", too: the measure; empty: the mean
 };
 
 // Throws InputError for what is not understood.

@@ -9,6 +9,8 @@
 
 #include "arguments.h"
 #include "errors.h"
+#include "measuring/pareto.h"
+#include "views/charts_data.h"
 #include "views/figure.h"
 #include "windows/display_check.h"
 #include "windows/main_window.h"
@@ -74,6 +76,32 @@ std::vector<std::string> betweenCommas(const std::string& text) {
     return parts;
 }
 
+// The chart of a table of `relief bench tracers`.
+std::shared_ptr<const reliefui::ChartsSource> paretoChart(const Arguments& arguments) {
+    auto source = std::make_shared<reliefui::ParetoSource>();
+    if (!arguments.error.empty()) source->measure = parseErrorMeasure(arguments.error, "--error");
+    source->table = paretoTable(chosenRows(readBenchJson(arguments.file), arguments.relief, arguments.elevation));
+    source->title = reliefui::paretoTitle(source->table);
+    auto charts = std::make_shared<reliefui::ChartsSource>();
+    charts->shown = reliefui::ChartsShown::Pareto;
+    charts->pareto = std::move(source);
+    return charts;
+}
+
+// The charts pane, measured now.
+std::shared_ptr<const reliefui::ChartsSource> measuredCharts(const reliefui::Snapshot& snapshot,
+                                                             const Arguments& arguments) {
+    ErrorMeasure measure = ErrorMeasure::Mean;
+    if (!arguments.error.empty()) measure = parseErrorMeasure(arguments.error, "--error");
+    Work work;
+    auto charts = std::make_shared<reliefui::ChartsSource>();
+    charts->histograms = reliefui::histogramsOf(snapshot, work);
+    charts->chosenSteps = reliefui::chosenSteps(snapshot);
+    constexpr bool kWithMaps = true;
+    charts->pareto = reliefui::paretoSource(snapshot, reliefui::measureView(snapshot, kWithMaps, work), measure);
+    return charts;
+}
+
 int exportFigure(int count, char** values, const Arguments& arguments) {
     reliefui::FigureRequest request;
     request.view = arguments.figure;
@@ -88,6 +116,14 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     request.rows.pixels = arguments.rowWidth;
     if (arguments.slice >= 0) request.distance.slice = arguments.slice;
     reliefui::checkFigure(request, arguments.output);
+    if (request.view == "pareto") {
+        request.charts = paretoChart(arguments);
+        reliefui::prepareFigures();
+        QApplication application(count, values);
+        reliefui::dressApplication(application);
+        reliefui::writeFigure({}, request, arguments.output);
+        return 0;
+    }
     Start start = chosenStart(arguments.file, shippedPictures());
     reliefui::prepareFigures();
     QApplication application(count, values);
@@ -96,7 +132,9 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     reliefui::SnapshotOrder order;
     order.scenario = start.scenario;
     Work work;
-    reliefui::writeFigure(*maker.make(order, work), request, arguments.output);
+    const std::shared_ptr<const reliefui::Snapshot> snapshot = maker.make(order, work);
+    if (request.view == "charts") request.charts = measuredCharts(*snapshot, arguments);
+    reliefui::writeFigure(*snapshot, request, arguments.output);
     return 0;
 }
 

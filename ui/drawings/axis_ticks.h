@@ -35,4 +35,14 @@ inline std::vector<double> ticks(double low, double high, double step) {
     return all;
 }
 
+// "10⁻³".
+inline std::string powerOfTen(int n) {
+    static const char* const kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    if (n == 0) return "1";
+    if (n == 1) return "10";
+    std::string text = n < 0 ? "10⁻" : "10";
+    for (const char digit : std::to_string(std::abs(n))) text += kDigits[digit - '0'];
+    return text;
+}
+
 }  // namespace reliefui

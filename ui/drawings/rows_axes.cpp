@@ -34,16 +34,6 @@ void addLine(Drawing& drawing, Point from, Point to, Role role = Role::Frame) {
     drawing.add({}, role, Polyline{{from, to}, false});
 }
 
-// "10⁻³".
-std::string powerOfTen(int n) {
-    static const char* const kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    if (n == 0) return "1";
-    if (n == 1) return "10";
-    std::string text = n < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::abs(n))) text += kDigits[digit - '0'];
-    return text;
-}
-
 void addSide(Drawing& drawing, const Box& plot, double y, std::string text) {
     addLine(drawing, {plot.x0, y}, {plot.x1, y}, Role::Grid);
     addLine(drawing, {plot.x0 - kTick, y}, {plot.x0, y});

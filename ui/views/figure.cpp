@@ -28,6 +28,8 @@ constexpr double kPointsPerInch = 72;
 constexpr double kVectorDpi = 576;
 constexpr double kDrawingAspect = 0.56;  // height over width
 constexpr double kRowsAspect = 0.78;     // two plots, and what they cost
+constexpr double kParetoAspect = 0.68;   // names beside their marks
+constexpr double kChartsAspect = 0.95;   // and histograms below
 constexpr double kLeastMm = 20;
 constexpr double kMostMm = 2000;
 constexpr double kLeastDpi = 20;
@@ -43,6 +45,8 @@ std::string endingOf(const std::string& path) {
 
 double aspectOf(const Snapshot& snapshot, const FigureRequest& request) {
     if (request.view == "rows") return kRowsAspect;
+    if (request.view == "pareto") return kParetoAspect;
+    if (request.view == "charts") return kChartsAspect;
     if (request.view != "result") return kDrawingAspect;
     return static_cast<double>(snapshot.layer.image.height()) / std::max(1, snapshot.layer.image.width());
 }
@@ -140,6 +144,14 @@ void paintRows(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
     paintFigure(painter, {&axes, &plots}, legend, page, style);
 }
 
+void paintCharts(QPainter& painter, const ChartsSource& source, const Box& page, const Style& style) {
+    const double unit = style.pixelsPerPoint();
+    const Drawing legend = chartsLegend(source, page.width() / unit - 12, style.language);
+    const Box room = figureRoom(legend, page, style);
+    const ChartsPicture picture = chartsPicture(source, room.width() / unit, room.height() / unit);
+    paintFigure(painter, {&picture.drawing}, legend, page, style);
+}
+
 void paintFootprint(QPainter& painter, const Snapshot& snapshot, const FootprintOptions& options, const Box& page,
                     const Style& style) {
     if (!snapshot.footprint) {
@@ -177,6 +189,8 @@ void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
         paintDistance(painter, snapshot, request.distance, page, style);
     } else if (request.view == "rows") {
         paintRows(painter, snapshot, request, page, style);
+    } else if (request.view == "pareto" || request.view == "charts") {
+        paintCharts(painter, *request.charts, page, style);
     } else if (request.view == "footprint") {
         paintFootprint(painter, snapshot, request.footprint, page, style);
     } else {
@@ -268,7 +282,8 @@ std::optional<RowsPlace> rowsPlace(const Snapshot& s) {
 }
 
 const std::vector<std::string>& figureViews() {
-    static const std::vector<std::string> kViews{"distance", "footprint", "profile", "pyramid", "result", "rows"};
+    static const std::vector<std::string> kViews{"charts",  "distance", "footprint", "pareto",
+                                                 "profile", "pyramid",  "result",    "rows"};
     return kViews;
 }
 

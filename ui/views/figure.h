@@ -8,6 +8,7 @@
 
 #include <QImage>
 
+#include "drawings/charts_drawing.h"
 #include "drawings/distance_drawing.h"
 #include "drawings/footprint_drawing.h"
 #include "drawings/profile_drawing.h"
@@ -34,9 +35,10 @@ struct FigureRequest {
     RowsOptions rows;
     RowsRange rowsRange;
     FootprintOptions footprint;
+    std::shared_ptr<const ChartsSource> charts;  // of "pareto", which needs nothing of the snapshot, and of "charts"
 };
 
-// "distance", "footprint", "profile", "pyramid", "result", "rows".
+// "charts", "distance", "footprint", "pareto", "profile", "pyramid", "result", "rows".
 const std::vector<std::string>& figureViews();
 
 // SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown view, ending, width or resolution,

@@ -13,6 +13,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "views/charts_view.h"
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
 #include "views/footprint_view.h"
@@ -87,7 +88,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
 MainWindow::~MainWindow() = default;
 
 PaneTitle* MainWindow::titleOf(const QString& title, QWidget* whole) {
-    auto* const bar = new PaneTitle(title, QString::number(panes_.size() + 1), this);
+    auto* const bar = new PaneTitle(title, QString::number((panes_.size() + 1) % 10), this);
     connect(bar, &PaneTitle::fillRequested, this, [this, whole] { fill(whole); });
     return bar;
 }
@@ -169,6 +170,11 @@ void MainWindow::makePanes() {
     connect(rows_, &RowsView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
             &PaneTitle::setNote);
     connect(rows_, &RowsView::saved, this, say);
+    charts_ = new ChartsView(workspace_, this);
+    addPane(tr("Charts"), QStringLiteral("charts-pane"), charts_, charts_->canvas(), Qt::RightDockWidgetArea);
+    connect(charts_, &ChartsView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
+            &PaneTitle::setNote);
+    connect(charts_, &ChartsView::saved, this, say);
 }
 
 // Not one of the panes: it is opened from the menu or from the bottom line.

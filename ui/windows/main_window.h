@@ -12,6 +12,7 @@ class QMenu;
 
 namespace reliefui {
 
+class ChartsView;
 class DistanceView;
 class FootprintView;
 class MessageBar;
@@ -39,6 +40,7 @@ class MainWindow : public QMainWindow {
     DistanceView* distance() { return distance_; }
     RowsView* rows() { return rows_; }
     FootprintView* footprint() { return footprint_; }
+    ChartsView* charts() { return charts_; }
     Trace3dView* trace() { return trace_; }
     StepTable* steps() { return steps_; }
     MessageBar* messages() { return messages_; }
@@ -107,6 +109,7 @@ class MainWindow : public QMainWindow {
     DistanceView* distance_ = nullptr;
     RowsView* rows_ = nullptr;
     FootprintView* footprint_ = nullptr;
+    ChartsView* charts_ = nullptr;
     Trace3dView* trace_ = nullptr;
     StepTable* steps_ = nullptr;
     StepBar* stepBar_ = nullptr;

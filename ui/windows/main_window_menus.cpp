@@ -14,6 +14,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "views/charts_view.h"
 #include "views/distance_view.h"
 #include "views/result_painting.h"
 #include "views/result_view.h"
@@ -92,13 +93,14 @@ void MainWindow::makeEditMenu() {
     auto* const cancel = addAction(menu, tr("C&ancel"), QKeySequence(Qt::Key_Escape), tr("Cancel what is running"));
     connect(cancel, &QAction::triggered, workspace_, &Workspace::cancel);
     connect(cancel, &QAction::triggered, distance_, &DistanceView::cancel);
+    connect(cancel, &QAction::triggered, charts_, &ChartsView::cancel);
 }
 
 void MainWindow::makeViewMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&View"));
     QMenu* const go = menu->addMenu(tr("&Go to"));
     for (std::size_t i = 0; i < panes_.size(); ++i) {
-        const QString number = QString::number(i + 1);
+        const QString number = QString::number((i + 1) % 10);  // the tenth: 0
         auto* const action = addAction(go, panes_[i].title, QKeySequence(number), tr("Go to this pane"));
         connect(action, &QAction::triggered, this, [this, i] { focusPane(i); });
     }
@@ -227,7 +229,7 @@ void MainWindow::showShortcuts() {
         {QStringLiteral(",   ."), tr("previous and next step")},
         {tr("Home   End"), tr("first and last step")},
         {tr("Space"), tr("play the steps")},
-        {QStringLiteral("1 – %1").arg(panes_.size()), tr("go to a pane")},
+        {QStringLiteral("1 – 9, 0"), tr("go to a pane")},
         {tr("Double click on a title"), tr("fill the window with the pane, and back")},
         {QStringLiteral("Ctrl+Z   Ctrl+Shift+Z"), tr("undo and redo")},
         {QStringLiteral("Ctrl+Shift+C"), tr("copy the relief trace command of the pixel")},

@@ -1,0 +1,413 @@
+// The charts: which methods are worth choosing, what is drawn of them, the pane as a person uses it, and the program.
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QXmlStreamReader>
+
+#include "drawings/charts_drawing.h"
+#include "errors.h"
+#include "measuring/measured_method.h"
+#include "rendering/error_layer.h"
+#include "scenario/scenario.h"
+#include "views/charts_view.h"
+#include "views/drawing_canvas.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kPatienceMs = 60000;
+
+relief::BenchRow row(const std::string& method, double nanoseconds, double error, std::int64_t wrong = 0) {
+    relief::BenchRow row;
+    row.height = "bricks";
+    row.width = row.heightTexels = 256;
+    row.reliefDepth = 0.1;
+    row.method = {method, {}};
+    row.elevation = 25;
+    row.seed = 1;
+    row.threads = 2;
+    row.rate = 1e9 / nanoseconds;
+    row.spread = 0.04;
+    row.errors.mean = error;
+    row.errors.p95 = 2 * error;
+    row.errors.p9999 = 3 * error;
+    row.errors.max = 4 * error;
+    row.errors.wrongOutcome = wrong;
+    row.stepsMean = 20;
+    row.compiler = "g++";
+    row.cpu = "a processor";
+    row.commit = "0";
+    return row;
+}
+
+// Front: offset, layers-secant, cone, exact. Beaten: layers (by layers-secant), max-pyramid (by exact).
+std::vector<relief::BenchRow> madeUp() {
+    return {row("offset", 20, 3),   row("layers", 90, 0.5), row("layers-secant", 80, 0.2),
+            row("cone", 150, 0.01), row("exact", 300, 0),   row("max-pyramid", 420, 0)};
+}
+
+ParetoSource sourceOf(const std::vector<relief::BenchRow>& rows) {
+    ParetoSource source;
+    source.table = relief::paretoTable(rows);
+    source.title = paretoTitle(source.table);
+    return source;
+}
+
+std::set<std::string> frontOf(const ParetoSource& source) {
+    const std::vector<bool> dominated = relief::dominatedPoints(source.table.points, source.measure);
+    std::set<std::string> names;
+    for (std::size_t p = 0; p < dominated.size(); ++p) {
+        if (!dominated[p]) names.insert(source.table.points[p].name);
+    }
+    return names;
+}
+
+TEST(Charts, TheFrontIsWhatNobodyBeats) {
+    const ParetoSource source = sourceOf(madeUp());
+    EXPECT_EQ(frontOf(source), (std::set<std::string>{"offset", "layers-secant", "cone", "exact"}));
+    // Fewer wrong outcomes are a reason to choose it, too.
+    std::vector<relief::BenchRow> rows = madeUp();
+    rows[2].errors.wrongOutcome = 7;
+    EXPECT_EQ(frontOf(sourceOf(rows)), (std::set<std::string>{"offset", "layers", "layers-secant", "cone", "exact"}));
+    // Equals do not beat each other; who never hits has no error to boast of.
+    rows = madeUp();
+    rows[5].rate = rows[4].rate;
+    rows[0].errors.mean = std::nan("");
+    rows.push_back(row("bad", 25, std::nan("")));
+    EXPECT_EQ(frontOf(sourceOf(rows)),
+              (std::set<std::string>{"offset", "layers-secant", "cone", "exact", "max-pyramid"}));
+}
+
+TEST(Charts, CellsArePooled) {
+    std::vector<relief::BenchRow> rows = madeUp();
+    for (relief::BenchRow other : madeUp()) {
+        if (other.method.name == "cone") continue;  // not measured there
+        other.height = "city";
+        other.rate /= 4;
+        other.errors.mean *= 3;
+        other.errors.max *= 5;
+        rows.push_back(other);
+    }
+    const relief::ParetoTable table = relief::paretoTable(rows);
+    EXPECT_EQ(table.cells, 2u);
+    EXPECT_EQ(table.leftOut, std::vector<std::string>{"cone"});
+    ASSERT_EQ(table.points.size(), 5u);
+    EXPECT_NEAR(table.points[0].nanoseconds, 20 * std::sqrt(4.0), 1e-9);
+    EXPECT_NEAR(table.points[0].error[0], 3 * (1 + 3) / 2.0, 1e-9);
+    EXPECT_NEAR(table.points[0].error[3], 12 * 5, 1e-9);
+    EXPECT_EQ(relief::chosenRows(rows, "city", "").size(), 5u);
+    EXPECT_EQ(relief::chosenRows(rows, "", "25").size(), rows.size());
+    EXPECT_THROW(relief::chosenRows(rows, "hills", ""), relief::InputError);
+    EXPECT_THROW(relief::chosenRows(rows, "", "random"), relief::InputError);
+}
+
+TEST(Charts, DominatedMarksAreFaintAndTheLineIsTheFront) {
+    const ParetoSource source = sourceOf(madeUp());
+    const ParetoPicture picture = paretoPicture(source, {0, 0, 450, 300});
+    ASSERT_EQ(picture.marks.size(), 6u);
+    int marks = 0;
+    for (const Item& item : picture.drawing.items) {
+        const auto* marker = std::get_if<Marker>(&item.primitive);
+        if (marker == nullptr) continue;
+        const ParetoMark& mark = picture.marks[static_cast<std::size_t>(item.id.i)];
+        EXPECT_EQ(item.role, mark.dominated ? Role::Layer : Role::Series);
+        EXPECT_EQ(marker->at, mark.at);
+        ++marks;
+    }
+    EXPECT_EQ(marks, 6);
+    for (const ParetoMark& mark : picture.marks) {
+        const relief::ParetoPoint& point = source.table.points[mark.point];
+        const bool corner = std::find(picture.front.begin(), picture.front.end(), mark.at) != picture.front.end();
+        EXPECT_EQ(corner, !mark.dominated) << point.name;
+        EXPECT_TRUE(picture.frame.whole.contains(mark.at)) << point.name;
+        EXPECT_FALSE(mark.label.empty()) << point.name << " has no name beside it";
+        EXPECT_EQ(paretoPointAt(picture, {mark.at.x + 3, mark.at.y - 3}), mark.point);
+        EXPECT_EQ(paretoPointAt(picture, mark.label.center()), mark.point);
+        for (const ParetoMark& other : picture.marks) {
+            if (&other != &mark) EXPECT_FALSE(other.label.overlaps(mark.label)) << point.name;
+        }
+    }
+    // Steps to the right and downwards only.
+    for (std::size_t i = 1; i < picture.front.size(); ++i) {
+        EXPECT_GE(picture.front[i].x, picture.front[i - 1].x);
+        EXPECT_GE(picture.front[i].y, picture.front[i - 1].y);
+    }
+    EXPECT_FALSE(paretoPointAt(picture, {picture.frame.plot.x1, picture.frame.plot.y0}));
+}
+
+TEST(Charts, ScalesAreLogarithmicAndNoErrorHasItsOwnRow) {
+    const ParetoPicture picture = paretoPicture(sourceOf(madeUp()), {0, 0, 450, 300});
+    const ParetoFrame& frame = picture.frame;
+    EXPECT_NEAR(frame.xAt(200) - frame.xAt(100), frame.xAt(40) - frame.xAt(20), 1e-9);
+    EXPECT_NEAR(frame.yAt(0.01) - frame.yAt(0.1), frame.yAt(0.1) - frame.yAt(1), 1e-9);
+    EXPECT_GT(frame.yAt(0), frame.plot.y1);
+    EXPECT_LT(frame.yAt(0), frame.whole.y1);
+    EXPECT_LE(std::pow(10, frame.errorLow), 0.01);
+    EXPECT_GE(std::pow(10, frame.errorHigh), 3);
+}
+
+TEST(Charts, HistogramsCountEveryRay) {
+    relief::FrameHistograms data;
+    data.rays = 1111;
+    data.steps = {0, 1000, 100, 10, 1};
+    data.exact = 600;
+    data.wrong = 11;
+    data.lowDecade = -2;
+    data.before = {100, 0, 0, 0, 200};
+    data.behind = {0, 0, 100, 0, 100};
+    data.largest = 0.1;
+    const HistogramPicture steps = stepsHistogram(data, 2, {0, 0, 220, 140});
+    ASSERT_EQ(steps.bars.size(), 5u);
+    const double decade = steps.yAt(1) - steps.yAt(10);
+    EXPECT_NEAR(steps.yAt(10) - steps.yAt(1000), 2 * decade, 1e-9);
+    EXPECT_LT(steps.yAt(1), steps.plot.y1) << "one ray is seen";
+    const HistogramPicture errors = errorHistogram(data, {0, 0, 220, 140});
+    std::int64_t rays = 0;
+    for (const HistogramBar& bar : errors.bars) rays += bar.rays;
+    EXPECT_EQ(rays, data.rays);
+    ChartsPicture both;
+    both.steps = steps;
+    const ChartsReading at = chartsReading(both, steps.bars[2].box.center());
+    ASSERT_TRUE(at.bar);
+    EXPECT_EQ(at.bar->rays, 100);
+    EXPECT_EQ(at.bar->low, 2);
+}
+
+TEST(Charts, ATableIsReadBack) {
+    std::vector<relief::BenchRow> rows = madeUp();
+    rows[1].method.options["layers"] = "128";
+    rows[2].elevation.reset();
+    rows[3].errors.mean = std::nan("");
+    const std::vector<relief::BenchRow> back = relief::parseBenchJson(relief::benchJson(rows), "x.json");
+    ASSERT_EQ(back.size(), rows.size());
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        EXPECT_EQ(relief::benchCsvLine(back[r]), relief::benchCsvLine(rows[r]));
+        EXPECT_EQ(relief::shortMethodName(back[r].method), relief::shortMethodName(rows[r].method));
+    }
+    EXPECT_EQ(relief::shortMethodName(back[1].method), "layers:layers=128");
+}
+
+TEST(Charts, BrokenTablesAreRefused) {
+    const std::string good = relief::benchJson(madeUp());
+    const auto broken = [&](const std::string& from, const std::string& to) {
+        std::string text = good;
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return text.replace(at, from.size(), to);
+    };
+    const std::vector<std::string> texts{"",
+                                         "{",
+                                         "[]",
+                                         "{}",
+                                         "[1]",
+                                         "[{\"variant\": \"direct\"}]",
+                                         good.substr(0, good.size() / 2),
+                                         broken("\"rate\": 50000000.0", "\"rate\": 0"),
+                                         broken("\"rate\": 50000000.0", "\"rate\": \"fast\""),
+                                         broken("\"rate\": 50000000.0", "\"rate\": 1e999"),
+                                         broken("256x256", "256"),
+                                         broken("256x256", "1e300x2"),
+                                         broken("bilinear", "smooth"),
+                                         broken("\"cpu\"", "\"CPU\"")};
+    for (const std::string& text : texts) {
+        try {
+            relief::parseBenchJson(text, "x.json");
+            ADD_FAILURE() << text.substr(0, 60);
+        } catch (const relief::InputError& error) {
+            const std::string line = error.text(relief::Language::English);
+            EXPECT_EQ(line.rfind("x.json: ", 0), 0u) << line;
+            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+        }
+    }
+}
+
+class ChartsPane : public WindowTest {
+  protected:
+    void openPane(const std::string& method = "layers") {
+        relief::Scenario scenario = smallScenario();
+        scenario.method = {method, {}};
+        scenario.camera.elevation = 30;
+        openWindow(scenario);
+        QTest::keyClick(window_.get(), Qt::Key_0);
+        settle();
+        ASSERT_NE(view()->measured(), nullptr);
+    }
+    void settle() {
+        QTest::qWait(100);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled() && !workspace_->busy(); }, kPatienceMs));
+    }
+    ChartsView* view() { return window_->charts(); }
+    DrawingCanvas* canvas() { return view()->canvas(); }
+    std::size_t pointOf(const std::string& name) {
+        const auto& points = view()->measured()->table.points;
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            if (points[p].name == name) return p;
+        }
+        ADD_FAILURE() << name << " was not measured";
+        return 0;
+    }
+};
+
+TEST_F(ChartsPane, ItMeasuresTheViewAndCountsTheFrame) {
+    openPane();
+    EXPECT_GT(colorsIn(grab(canvas())), 50);
+    const MeasuredView& measured = *view()->measured();
+    EXPECT_TRUE(measured.of(*snapshot()));
+    EXPECT_GT(measured.rays, 1000u);
+    for (const char* const name : {"exact", "max-pyramid", "layers", "offset"}) pointOf(name);
+    EXPECT_EQ(measured.table.points[pointOf("max-pyramid")].error[3], 0);
+    EXPECT_GT(measured.table.points[pointOf("layers")].error[0], 0);
+
+    // The histograms hold what the frame's error layer says.
+    const relief::FrameHistograms& counted = *view()->histograms();
+    relief::Work work;
+    const relief::ErrorLayer error =
+        relief::errorAgainstExact(*snapshot()->frame, *snapshot()->request, *snapshot()->maps, work);
+    std::int64_t steps = 0, before = 0, behind = 0;
+    for (const std::int64_t rays : counted.steps) steps += rays;
+    for (const std::int64_t rays : counted.before) before += rays;
+    for (const std::int64_t rays : counted.behind) behind += rays;
+    EXPECT_EQ(steps, counted.rays);
+    EXPECT_EQ(before, error.counts[static_cast<std::size_t>(relief::ErrorKind::Short)]);
+    EXPECT_EQ(behind, error.counts[static_cast<std::size_t>(relief::ErrorKind::Past)]);
+    EXPECT_EQ(before + behind + counted.exact + counted.wrong, counted.rays);
+    EXPECT_EQ(counted.largest, error.largest);
+}
+
+TEST_F(ChartsPane, AClickOnAMarkChoosesTheMethodAndItsWorstPixel) {
+    openPane("max-pyramid");
+    const std::size_t offset = pointOf("offset");
+    const Point at = view()->picture().pareto->marks[offset].at;
+    QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, canvas()->toWidget(at).toPoint());
+    settle();
+    waitForFull();
+    settle();
+    EXPECT_EQ(scenario().method.name, "offset");
+    relief::Work work;
+    const relief::ErrorLayer error =
+        relief::errorAgainstExact(*snapshot()->frame, *snapshot()->request, *snapshot()->maps, work);
+    ASSERT_TRUE(scenario().pixel);
+    const float chosen = error.texels[snapshot()->frame->index(scenario().pixel->x, scenario().pixel->y)];
+    float most = 0;
+    for (const float texels : error.texels) most = std::max(most, texels);
+    EXPECT_GT(most, 0);
+    EXPECT_EQ(chosen, most);
+    // The measurement is that of the same rays still, and one step back is both.
+    EXPECT_TRUE(view()->measured()->of(*snapshot()));
+    workspace_->undo();
+    waitForFull();
+    EXPECT_EQ(scenario().method.name, "max-pyramid");
+    EXPECT_EQ(scenario().pixel, smallScenario().pixel);
+}
+
+TEST_F(ChartsPane, HoverReadsSpeedWithItsError) {
+    openPane();
+    const Point at = view()->picture().pareto->marks[pointOf("offset")].at;
+    QTest::mouseMove(canvas(), canvas()->toWidget(at).toPoint());
+    QTest::qWait(50);
+    EXPECT_TRUE(view()->readout().contains(QStringLiteral("offset: "))) << view()->readout().toStdString();
+    EXPECT_TRUE(view()->readout().contains(QStringLiteral("error"))) << view()->readout().toStdString();
+}
+
+TEST_F(ChartsPane, MeasuringIsCancelledAndFollowsTheView) {
+    openPane();
+    // Maps of many methods take their time.
+    view()->setWithMaps(true);
+    ASSERT_FALSE(view()->settled());
+    view()->cancel();
+    settle();
+    EXPECT_FALSE(view()->measured()->withMaps);
+    EXPECT_FALSE(view()->findChild<QToolButton*>(QStringLiteral("charts-live"))->isChecked());
+    view()->setWithMaps(false);
+
+    relief::Scenario other = scenario();
+    other.camera.elevation = 60;
+    workspace_->change(other, QStringLiteral("other"));
+    waitForFull();
+    settle();
+    EXPECT_FALSE(view()->measured()->of(*snapshot())) << "not live";
+    view()->setLive(true);
+    settle();
+    EXPECT_TRUE(view()->measured()->of(*snapshot()));
+}
+
+bool validFigure(const QString& file) {
+    if (file.endsWith(QStringLiteral("png"))) return colorsIn(QImage(file)) > 20;
+    QFile data(file);
+    if (!data.open(QIODevice::ReadOnly)) return false;
+    const QByteArray bytes = data.readAll();
+    if (file.endsWith(QStringLiteral("pdf"))) return bytes.startsWith("%PDF") && bytes.trimmed().endsWith("%%EOF");
+    QXmlStreamReader xml(bytes);
+    int texts = 0;
+    while (!xml.atEnd()) {
+        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == QStringLiteral("text")) ++texts;
+        if (xml.name() == QStringLiteral("image")) return false;
+    }
+    return !xml.hasError() && texts > 10;
+}
+
+TEST_F(ChartsPane, ItIsExportedAsItIsShown) {
+    openPane();
+    const QTemporaryDir folder;
+    for (const char* const ending : {"svg", "pdf", "png"}) {
+        const QString file = folder.filePath(QStringLiteral("charts.") + QString::fromLatin1(ending));
+        view()->saveFigure(file);
+        EXPECT_TRUE(validFigure(file)) << ending;
+    }
+    EXPECT_GT(colorsIn(view()->image(800)), 20);
+}
+
+// By the program, without a display.
+TEST(Charts, TheProgramExportsThem) {
+    const QTemporaryDir folder;
+    const QString table = folder.filePath(QStringLiteral("bench.json"));
+    const QString wrong = folder.filePath(QStringLiteral("wrong.json"));
+    const QString scenario = folder.filePath(QStringLiteral("scenario.json"));
+    std::ofstream(table.toStdString()) << relief::benchJson(madeUp());
+    std::ofstream(wrong.toStdString()) << "[{\n\"height\": ]";
+    relief::saveScenario(scenario.toStdString(), smallScenario());
+    const auto run = [&](const QStringList& arguments, QString* error = nullptr) {
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.remove(QStringLiteral("DISPLAY"));
+        environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
+        process.setProcessEnvironment(environment);
+        process.start(QStringLiteral(RELIEFSCOPE), arguments);
+        process.waitForFinished(60000);
+        if (error != nullptr) *error = QString::fromUtf8(process.readAllStandardError());
+        return process.exitCode();
+    };
+    const auto view = [&](const char* name, const QString& file) {
+        return QStringList{QStringLiteral("--export"), QString::fromLatin1(name), QStringLiteral("-o"), file};
+    };
+    for (const char* const ending : {"svg", "pdf", "png"}) {
+        const QString file = folder.filePath(QStringLiteral("pareto.") + QString::fromLatin1(ending));
+        EXPECT_EQ(run(QStringList{table} + view("pareto", file)), 0);
+        EXPECT_TRUE(validFigure(file)) << ending;
+    }
+    const QString charts = folder.filePath(QStringLiteral("charts.svg"));
+    EXPECT_EQ(run(QStringList{scenario} + view("charts", charts)), 0);
+    EXPECT_TRUE(validFigure(charts));
+    const QString none = folder.filePath(QStringLiteral("none.svg"));
+    for (const QStringList& arguments :
+         {QStringList{wrong}, QStringList{scenario}, QStringList{}, QStringList{folder.filePath(QStringLiteral("x"))},
+          QStringList{table, QStringLiteral("--elevation"), QStringLiteral("80")},
+          QStringList{table, QStringLiteral("--error"), QStringLiteral("median")}}) {
+        QString error;
+        EXPECT_EQ(run(arguments + view("pareto", none), &error), 2) << arguments.join(' ').toStdString();
+        EXPECT_TRUE(error.startsWith(QStringLiteral("relief: ")) && error.count('\n') == 1) << error.toStdString();
+        EXPECT_FALSE(QFileInfo::exists(none));
+    }
+}
+
+}  // namespace
+
+}  // namespace reliefui

@@ -1,0 +1,43 @@
+// Lines and words that charts are made of. Points.
+#pragma once
+
+#include <string>
+
+#include "drawings/drawing.h"
+
+namespace reliefui::chart {
+
+inline constexpr double kTextSize = 0.85;
+inline constexpr double kTick = 3;
+
+// About the width of a text of this size, in the letters of UTF-8.
+inline double textWidth(const std::string& text, double size = kTextSize) {
+    constexpr double kLetter = 6.1;
+    std::size_t letters = 0;
+    for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
+    return static_cast<double>(letters) * kLetter * size;
+}
+
+inline void text(Drawing& drawing, Point at, relief::Message message, Anchor anchor, Point offset,
+                 Role role = Role::Legend, Emphasis emphasis = Emphasis::Normal) {
+    Label label;
+    label.at = at;
+    label.text = std::move(message);
+    label.anchor = anchor;
+    label.size = kTextSize;
+    label.offset = offset;
+    drawing.add({}, role, std::move(label), emphasis);
+}
+
+inline void line(Drawing& drawing, Point from, Point to, Role role = Role::Frame) {
+    drawing.add({}, role, Polyline{{from, to}, false});
+}
+
+// A value of the vertical axis.
+inline void side(Drawing& drawing, const Box& plot, double y, std::string value) {
+    line(drawing, {plot.x0, y}, {plot.x1, y}, Role::Grid);
+    line(drawing, {plot.x0 - kTick, y}, {plot.x0, y});
+    text(drawing, {plot.x0, y}, plainText(std::move(value)), Anchor::Right, {-kTick - 2, 0});
+}
+
+}  // namespace reliefui::chart

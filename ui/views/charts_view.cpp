@@ -1,0 +1,292 @@
+#include "views/charts_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QTimer>
+#include <QToolButton>
+
+#include "views/drawing_canvas.h"
+#include "views/figure.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kCopiedWidth = 1600;  // pixels
+
+QString number(double value) {
+    return QString::fromStdString(relief::numberText(value, 3));
+}
+
+}  // namespace
+
+// A pane behind another tab counts as visible for Qt; it only lies outside the window.
+bool ChartsView::inSight() const {
+    return isVisible() && !visibleRegion().isEmpty();
+}
+
+bool ChartsView::settled() const {
+    return !stale_ && !job_->busy();
+}
+
+void ChartsView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &ChartsView::refresh);
+}
+
+void ChartsView::refresh() {
+    // Out of sight nothing is computed or drawn.
+    stale_ = !inSight();
+    if (stale_) return;
+    const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
+    if (snapshot && snapshot->coarse) {
+        // What is dragged has the processors for itself; the full picture comes here again.
+        job_->drop();
+        measuring_ = false;
+        return showBusy();
+    }
+    snapshot_ = snapshot;
+    if (!snapshot || !snapshot->request || !snapshot->frame) return showEmpty();
+    draw();
+    if (counted_ == snapshot->frame) return startMeasuring();
+    measuring_ = false;
+    auto made = std::make_shared<std::shared_ptr<const relief::FrameHistograms>>();
+    const auto work = [made, snapshot](relief::Work& w) { *made = histogramsOf(*snapshot, w); };
+    const auto done = [this, made, snapshot] {
+        histograms_ = *made;
+        counted_ = snapshot->frame;
+        draw();
+        startMeasuring();
+    };
+    job_->start({work, done});
+    showBusy();
+}
+
+// Where it is wanted, and not there yet.
+void ChartsView::startMeasuring() {
+    const relief::MethodChoice& method = snapshot_->scenario.method;
+    const bool tracer = relief::findTracer(method.name).kind == relief::MethodKind::Tracer;
+    const bool all = !maps_->isChecked() || (measured_ && measured_->withMaps);
+    const bool there = measured_ && all && measured_->of(*snapshot_) && (!tracer || measured_->has(method));
+    // A click on another pixel is no reason to begin anew.
+    const bool underway = measuring_ && sameMeasurement(*measuredNow_, *snapshot_);
+    if (there || underway || !live_->isChecked()) return showBusy();
+    measure();
+}
+
+void ChartsView::measure() {
+    if (!snapshot_ || !snapshot_->frame || !inSight()) return;
+    auto made = std::make_shared<MeasuredView>();
+    const auto work = [made, snapshot = snapshot_, maps = maps_->isChecked()](relief::Work& w) {
+        *made = measureView(*snapshot, maps, w);
+    };
+    const auto done = [this, made] {
+        measured_ = made;
+        measuring_ = false;
+        draw();
+        showBusy();
+    };
+    measuring_ = true;
+    measuredNow_ = snapshot_;
+    fraction_ = 0;
+    job_->start({work, done});
+    draw();
+    showBusy();
+}
+
+void ChartsView::cancel() {
+    if (!job_->busy()) return;
+    live_->setChecked(false);  // or it would begin again at once
+    job_->cancel();
+}
+
+void ChartsView::setLive(bool on) {
+    live_->setChecked(on);
+    if (on) refresh();
+}
+
+void ChartsView::setWithMaps(bool on) {
+    maps_->setChecked(on);
+    measuring_ = false;  // what is underway is not what is wanted now
+    refresh();
+}
+
+void ChartsView::setShown(ChartsShown shown) {
+    shown_->setCurrentIndex(static_cast<int>(shown));
+    canvas_->resetZoom();
+    draw();
+}
+
+void ChartsView::setMeasure(relief::ErrorMeasure measure) {
+    error_->setCurrentIndex(static_cast<int>(measure));
+    draw();
+}
+
+ChartsSource ChartsView::source() const {
+    ChartsSource source;
+    source.shown = static_cast<ChartsShown>(std::max(shown_->currentIndex(), 0));
+    source.histograms = histograms_;
+    if (!snapshot_) return source;
+    source.chosenSteps = chosenSteps(*snapshot_);
+    const auto measure = static_cast<relief::ErrorMeasure>(std::max(error_->currentIndex(), 0));
+    if (measured_) source.pareto = paretoSource(*snapshot_, *measured_, measure);
+    source.missing = measuring_ ? relief::MessageId::DrawChartMeasuring : relief::MessageId::DrawChartPress;
+    return source;
+}
+
+void ChartsView::draw() {
+    if (!snapshot_ || !snapshot_->request) return;
+    if (!inSight()) {
+        stale_ = true;
+        return;
+    }
+    const Style& style = workspace_->style();
+    canvas_->setStyle(style);
+    const ChartsSource now = source();
+    // The legend first: what it needs is not left to the charts. Where it would take too much it is left out.
+    constexpr double kMostLegend = 0.3;
+    const double unit = style.pixelsPerPoint();
+    Drawing words = chartsLegend(now, canvas_->width() / unit - 12, style.language);
+    if (words.bounds.height() * unit > kMostLegend * canvas_->height()) words = {};
+    const auto legend = std::make_shared<const Drawing>(std::move(words));
+    canvas_->setLayers({}, legend);
+    const QSizeF room = canvas_->room();
+    picture_ = chartsPicture(now, room.width(), room.height());
+    canvas_->setLayers({std::make_shared<const Drawing>(picture_.drawing)}, legend);
+}
+
+void ChartsView::showEmpty() {
+    job_->drop();
+    measuring_ = false;
+    picture_ = {};
+    auto drawing = std::make_shared<Drawing>();
+    drawing->bounds = {0, 0, 100, 100};
+    Label label;
+    label.at = {50, 50};
+    label.text = relief::Message(relief::MessageId::DrawNoPicture);
+    label.anchor = Anchor::Center;
+    drawing->add({}, Role::Label, std::move(label));
+    canvas_->setLayers({std::move(drawing)}, nullptr);
+    setReadout({});
+    showBusy();
+}
+
+bool ChartsView::eventFilter(QObject* object, QEvent* event) {
+    if (object == canvas_ && event->type() == QEvent::MouseButtonRelease) {
+        released_ = static_cast<QMouseEvent*>(event)->localPos();
+    }
+    return QWidget::eventFilter(object, event);
+}
+
+void ChartsView::choose(std::size_t point) {
+    if (!snapshot_ || !measured_ || point >= measured_->table.points.size()) return;
+    const relief::MethodChoice method = measured_->table.points[point].method;
+    auto worst = std::make_shared<std::optional<relief::PixelPlace>>();
+    const auto work = [worst, method, snapshot = snapshot_](relief::Work& w) {
+        *worst = relief::worstPixel(*snapshot->frame, *snapshot->request, method, *snapshot->maps, w);
+    };
+    const auto done = [this, worst, method] {
+        relief::Scenario wanted = workspace_->scenario();
+        wanted.method = method;
+        if (*worst) wanted.pixel = relief::PixelChoice{(*worst)->x, (*worst)->y};
+        workspace_->change(wanted, tr("Choose method and its worst pixel"));
+        refresh();  // what was stopped for this
+    };
+    measuring_ = false;
+    job_->start({work, done});
+    showBusy();
+}
+
+void ChartsView::setReadout(const QString& text) {
+    readout_ = text;
+    Q_EMIT hovered(text);
+}
+
+// Speed never without its error.
+QString ChartsView::textOf(const relief::ParetoPoint& point) const {
+    QString text = tr("%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps")
+                       .arg(QString::fromStdString(point.name), number(point.nanoseconds), number(50 * point.spread),
+                            number(point.error[0]), number(point.error[3]), number(point.steps));
+    if (point.wrongOutcome > 0) text += tr(" · wrong outcome: %1 rays").arg(point.wrongOutcome);
+    return text;
+}
+
+QString ChartsView::textOf(const HistogramBar& bar) const {
+    switch (bar.kind) {
+        case BarKind::Exact:
+            return tr("exact: %1 rays").arg(bar.rays);
+        case BarKind::Wrong:
+            return tr("wrong outcome: %1 rays").arg(bar.rays);
+        case BarKind::Steps:
+            if (bar.high - bar.low <= 1) return tr("%1 steps: %2 rays").arg(number(bar.low)).arg(bar.rays);
+            return tr("%1 to %2 steps: %3 rays").arg(number(bar.low), number(bar.high - 1)).arg(bar.rays);
+        case BarKind::Before:
+            return tr("%1 to %2 texels before the surface: %3 rays")
+                .arg(number(bar.low), number(bar.high))
+                .arg(bar.rays);
+        case BarKind::Behind:
+            return tr("%1 to %2 texels behind it: %3 rays").arg(number(bar.low), number(bar.high)).arg(bar.rays);
+    }
+    return {};
+}
+
+void ChartsView::tell(const QPointF& widget) {
+    const ChartsReading at = chartsReading(picture_, canvas_->toDrawing(widget));
+    if (at.point && measured_) return setReadout(textOf(measured_->table.points[*at.point]));
+    setReadout(at.bar ? textOf(*at.bar) : QString());
+}
+
+void ChartsView::openMenu(const QPoint& at) {
+    QMenu menu(this);
+    tell(at);
+    const QString value = readout();
+    QAction* const copy =
+        menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
+    copy->setEnabled(!value.isEmpty());
+    QAction* const picture =
+        menu.addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(image(kCopiedWidth)); });
+    QAction* const save = menu.addAction(tr("Export figure…"), this, &ChartsView::askFigure);
+    picture->setEnabled(histograms_ != nullptr);
+    save->setEnabled(histograms_ != nullptr);
+    menu.exec(canvas_->mapToGlobal(at));
+}
+
+FigureRequest ChartsView::figure() const {
+    FigureRequest request;
+    request.view = "charts";
+    request.style = workspace_->style();
+    request.charts = std::make_shared<const ChartsSource>(source());
+    return request;
+}
+
+QImage ChartsView::image(int width) const {
+    return histograms_ ? figureImage(*snapshot_, figure(), width) : QImage();
+}
+
+void ChartsView::askFigure() {
+    QString path = QFileDialog::getSaveFileName(this, tr("Export the charts"), QStringLiteral("charts.svg"),
+                                                tr("Figures") + QStringLiteral(" (*.svg *.pdf *.png)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".svg");
+    saveFigure(path);
+}
+
+void ChartsView::saveFigure(const QString& path) {
+    if (!histograms_) return;
+    FigureRequest request = figure();
+    // In print, dark lines on white.
+    request.style.theme = Theme::Light;
+    try {
+        writeFigure(*snapshot_, request, path.toStdString());
+        Q_EMIT saved(path);
+    } catch (const relief::InputError& error) {
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(request.style.language)));
+    }
+}
+
+}  // namespace reliefui
