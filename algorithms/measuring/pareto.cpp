@@ -29,8 +29,18 @@ void addOnce(std::vector<std::string>& all, const std::string& text) {
     if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
 }
 
-std::string heightText(const BenchRow& row) {
-    return row.height + " " + std::to_string(row.width) + "x" + std::to_string(row.heightTexels);
+std::string sizeText(const BenchRow& row) {
+    return std::to_string(row.width) + "x" + std::to_string(row.heightTexels);
+}
+
+// "bricks" of "bricks:256x256:1", whose size is told beside it; a seed is not left out where it is another than 1.
+std::string nameOf(const BenchRow& row) {
+    const std::size_t colon = row.height.find(':');
+    if (colon == std::string::npos || row.height.compare(colon + 1, sizeText(row).size(), sizeText(row)) != 0) {
+        return row.height;
+    }
+    const std::string seed = row.height.substr(colon + 1 + sizeText(row).size());
+    return row.height.substr(0, colon) + (seed == ":1" ? "" : seed);
 }
 
 // NaN is no number to be better than.
@@ -88,7 +98,7 @@ ParetoTable paretoTable(std::span<const BenchRow> rows) {
         const std::string name = methodText(row.method);
         addOnce(names, name);
         ofMethod[name].push_back(&row);
-        addOnce(table.heights, heightText(row));
+        addOnce(table.heights, nameOf(row) + " " + sizeText(row));
         addOnce(table.elevations, elevationText(row.elevation));
     }
     table.cells = cells.size();
@@ -158,7 +168,9 @@ std::vector<BenchRow> chosenRows(std::vector<BenchRow> rows, const std::string& 
         for (const std::string& text : known) list += (list.empty() ? "" : ", ") + text;
         throw InputError(option, Message(MessageId::UnknownName, {{"what", what}, {"name", wanted}, {"known", list}}));
     };
-    keep("--relief", "relief", height, [](const BenchRow& row) { return row.height; });
+    // The short name, or all of it.
+    const bool whole = std::any_of(rows.begin(), rows.end(), [&](const BenchRow& row) { return row.height == height; });
+    keep("--relief", "relief", height, [&](const BenchRow& row) { return whole ? row.height : nameOf(row); });
     keep("--elevation", "elevation", elevation, [](const BenchRow& row) { return elevationText(row.elevation); });
     return rows;
 }

@@ -7,7 +7,6 @@
 #include "drawings/axis_ticks.h"
 #include "drawings/chart_parts.h"
 #include "drawings/legend_rows.h"
-#include "measuring/text_table.h"
 
 namespace reliefui {
 
@@ -74,8 +73,7 @@ void addTimeAxis(Drawing& drawing, const ParetoFrame& frame, double bottom) {
             if (x < frame.plot.x0 - 0.5 || x > frame.plot.x1 + 0.5) continue;
             chart::line(drawing, {x, frame.plot.y0}, {x, bottom}, Role::Grid);
             chart::line(drawing, {x, bottom}, {x, bottom + chart::kTick});
-            chart::text(drawing, {x, bottom}, plainText(relief::readable(value, 3)), Anchor::Top,
-                        {0, chart::kTick + 1});
+            chart::text(drawing, {x, bottom}, plainText(tickText(value, value)), Anchor::Top, {0, chart::kTick + 1});
         }
     }
     chart::text(drawing, {frame.plot.x1, bottom}, Message(MessageId::DrawChartTime), Anchor::Right,
@@ -94,8 +92,6 @@ void addErrorAxis(Drawing& drawing, const ParetoFrame& frame) {
 Drawing axes(const ParetoSource& source, const ParetoFrame& frame) {
     Drawing drawing;
     drawing.bounds = frame.whole;
-    const Point corner{frame.whole.x0, frame.whole.y0};
-    chart::text(drawing, corner, source.title, Anchor::TopLeft, {2, 0}, source.old ? Role::Layer : Role::Legend);
     chart::text(drawing, {frame.whole.x0, frame.plot.y0}, Message(measureTitle(source.measure)), Anchor::BottomLeft,
                 {2, -4});
     const double bottom = frame.whole.y1 - kBottom;
@@ -139,11 +135,14 @@ Role roleOf(const ParetoSource& source, const ParetoMark& mark) {
 void addMark(Drawing& drawing, const ParetoSource& source, const ParetoFrame& frame, const ParetoMark& mark) {
     const ParetoPoint& point = source.table.points[mark.point];
     const Role role = roleOf(source, mark);
-    const double half = point.spread / 2;
-    const auto clamped = [&](double x) { return std::clamp(x, frame.plot.x0, frame.plot.x1); };
-    const double from = clamped(frame.xAt(point.nanoseconds * std::max(1 - half, 0.01)));
-    const double to = clamped(frame.xAt(point.nanoseconds * (1 + half)));
-    drawing.add({}, role, Polyline{{{from, mark.at.y}, {to, mark.at.y}}, false}, Emphasis::Faint);
+    // Of one measurement only: a mean has no quartiles.
+    if (source.table.cells == 1) {
+        const double factor = 1 + point.spread / 2;
+        const auto clamped = [&](double x) { return std::clamp(x, frame.plot.x0, frame.plot.x1); };
+        const double from = clamped(frame.xAt(point.nanoseconds / factor));
+        const double to = clamped(frame.xAt(point.nanoseconds * factor));
+        drawing.add({}, role, Polyline{{{from, mark.at.y}, {to, mark.at.y}}, false}, Emphasis::Faint);
+    }
     if (point.name == source.current) drawing.add({}, Role::Hit, Ring{mark.at, kMarkSize * 0.85});
     const Shape shape = point.wrongOutcome > 0 ? Shape::Diamond : Shape::Dot;
     drawing.add({ItemKind::Step, 0, static_cast<std::int64_t>(mark.point), 0}, role,
@@ -220,7 +219,7 @@ class Names {
         const bool left = mark.label.x1 < mark.at.x;
         const double y = mark.label.center().y;
         const Role role = roleOf(source_, mark);
-        if (std::abs(y - mark.at.y) > kRow) {
+        if (std::abs(y - mark.at.y) > kRow / 2) {
             const Point end{left ? mark.label.x1 + 1 : mark.label.x0 - 1, y};
             picture_.drawing.add({}, role, Polyline{{mark.at, end}, false}, Emphasis::Faint);
         }
@@ -234,6 +233,26 @@ class Names {
     ParetoPicture& picture_;
 };
 
+std::string degreesText(const std::string& elevation) {
+    return elevation == relief::elevationText(std::nullopt) ? elevation : elevation + "°";
+}
+
+// As large as the room lets it be, in either language.
+void addTitle(Drawing& drawing, const ParetoSource& source, const Box& room) {
+    double width = 1;
+    for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
+        width = std::max(width, chart::textWidth(relief::sentence(source.title, language)));
+    }
+    constexpr double kSmallest = 0.6;
+    Label label;
+    label.at = {room.x0, room.y0};
+    label.text = source.title;
+    label.anchor = Anchor::TopLeft;
+    label.size = chart::kTextSize * std::clamp((room.width() - 4) / width, kSmallest, 1.0);
+    label.offset = {2, 0};
+    drawing.add({}, source.old ? Role::Layer : Role::Legend, std::move(label));
+}
+
 std::string joined(const std::vector<std::string>& all) {
     constexpr std::size_t kMost = 8;
     std::string text;
@@ -245,17 +264,17 @@ std::string joined(const std::vector<std::string>& all) {
 
 Message paretoTitle(const relief::ParetoTable& table) {
     if (table.cells != 1) {
+        std::vector<std::string> elevations;
+        for (const std::string& elevation : table.elevations) elevations.push_back(degreesText(elevation));
         return Message(
             MessageId::DrawChartCells,
-            {{"cells", table.cells}, {"heights", joined(table.heights)}, {"elevations", joined(table.elevations)}});
+            {{"cells", table.cells}, {"heights", joined(table.heights)}, {"elevations", joined(elevations)}});
     }
     const std::string& height = table.heights.front();
     const std::size_t gap = height.rfind(' ');
-    const std::string& elevation = table.elevations.front();
-    const bool random = elevation == relief::elevationText(std::nullopt);
     return Message(MessageId::DrawChartCell, {{"height", height.substr(0, gap)},
                                               {"size", height.substr(gap + 1)},
-                                              {"elevation", random ? elevation : elevation + "°"}});
+                                              {"elevation", degreesText(table.elevations.front())}});
 }
 
 double ParetoFrame::xAt(double nanoseconds) const {
@@ -291,6 +310,7 @@ ParetoPicture paretoPicture(const ParetoSource& source, const Box& room) {
     ParetoPicture picture;
     picture.frame = paretoFrame(source, room);
     picture.drawing = axes(source, picture.frame);
+    addTitle(picture.drawing, source, room);
     const std::vector<bool> dominated = relief::dominatedPoints(source.table.points, source.measure);
     for (std::size_t p = 0; p < dominated.size(); ++p) {
         const ParetoPoint& point = source.table.points[p];
