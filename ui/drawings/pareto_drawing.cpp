@@ -200,7 +200,7 @@ class Names {
         const std::string& name = source_.table.points[mark.point].name;
         const double width = chart::textWidth(name);
         constexpr double kNone = 1e9;
-        constexpr double kCrossing = 14;  // points that a name goes farther to stand clear
+        constexpr double kCrossing = 26;  // points that a name goes farther to stand clear
         double best = kNone;
         for (int row = 0; row <= 14; ++row) {
             for (const double sign : {-1.0, 1.0}) {
