@@ -1,6 +1,7 @@
 // Lines and words that charts are made of. Points.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "drawings/drawing.h"
@@ -27,6 +28,22 @@ inline void text(Drawing& drawing, Point at, relief::Message message, Anchor anc
     label.size = kTextSize;
     label.offset = offset;
     drawing.add({}, role, std::move(label), emphasis);
+}
+
+// At the upper left corner of a room, as large as fits into its width, in either language.
+inline void title(Drawing& drawing, relief::Message message, const Box& room, Role role = Role::Legend) {
+    double width = 1;
+    for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
+        width = std::max(width, textWidth(relief::sentence(message, language)));
+    }
+    constexpr double kSmallest = 0.55;
+    Label label;
+    label.at = {room.x0, room.y0};
+    label.text = std::move(message);
+    label.anchor = Anchor::TopLeft;
+    label.size = kTextSize * std::clamp((room.width() - 4) / width, kSmallest, 1.0);
+    label.offset = {2, 0};
+    drawing.add({}, role, std::move(label));
 }
 
 inline void line(Drawing& drawing, Point from, Point to, Role role = Role::Frame) {

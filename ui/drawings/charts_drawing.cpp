@@ -40,7 +40,7 @@ HistogramPicture emptyHistogram(const Box& room, std::int64_t most, Message titl
                     std::max(room.y1 - kBottom, room.y0 + kTop + kLeastSide)};
     picture.countHigh = std::max(std::ceil(std::log10(static_cast<double>(std::max<std::int64_t>(most, 1)))), 1.0);
     picture.drawing.bounds = room;
-    chart::text(picture.drawing, {room.x0, room.y0}, std::move(title), Anchor::TopLeft, {2, 0});
+    chart::title(picture.drawing, std::move(title), room);
     constexpr double kApart = 15;
     const int decades = static_cast<int>(picture.countHigh);
     const int every = std::max(1, static_cast<int>(std::ceil(decades * kApart / picture.plot.height())));
@@ -158,7 +158,8 @@ HistogramPicture errorHistogram(const FrameHistograms& data, const Box& room) {
     constexpr double kApart = 24;
     const double decade = side * FrameHistograms::kErrorBins;
     const int every = std::max(1, static_cast<int>(std::ceil(kApart / decade)));
-    for (int n = 0; n * decade <= inner1 - inner0 + 0.5; n += every) {
+    constexpr double kWord = 16;  // of the bar beside it
+    for (int n = 0; n * decade <= inner1 - inner0 - kWord; n += every) {
         addTick(picture, inner0 + n * decade, powerOfTen(data.lowDecade + n));
     }
     return picture;

@@ -132,16 +132,22 @@ Role roleOf(const ParetoSource& source, const ParetoMark& mark) {
     return mark.dominated || source.old ? Role::Layer : Role::Series;
 }
 
+// The middle half of the rounds.
+Box whisker(const ParetoSource& source, const ParetoFrame& frame, const ParetoMark& mark) {
+    const ParetoPoint& point = source.table.points[mark.point];
+    const double factor = source.table.cells == 1 ? 1 + point.spread / 2 : 1;
+    const auto clamped = [&](double x) { return std::clamp(x, frame.plot.x0, frame.plot.x1); };
+    return {clamped(frame.xAt(point.nanoseconds / factor)), mark.at.y - 0.5,
+            clamped(frame.xAt(point.nanoseconds * factor)), mark.at.y + 0.5};
+}
+
 void addMark(Drawing& drawing, const ParetoSource& source, const ParetoFrame& frame, const ParetoMark& mark) {
     const ParetoPoint& point = source.table.points[mark.point];
     const Role role = roleOf(source, mark);
     // Of one measurement only: a mean has no quartiles.
     if (source.table.cells == 1) {
-        const double factor = 1 + point.spread / 2;
-        const auto clamped = [&](double x) { return std::clamp(x, frame.plot.x0, frame.plot.x1); };
-        const double from = clamped(frame.xAt(point.nanoseconds / factor));
-        const double to = clamped(frame.xAt(point.nanoseconds * factor));
-        drawing.add({}, role, Polyline{{{from, mark.at.y}, {to, mark.at.y}}, false}, Emphasis::Faint);
+        const Box line = whisker(source, frame, mark);
+        drawing.add({}, role, Polyline{{{line.x0, mark.at.y}, {line.x1, mark.at.y}}, false}, Emphasis::Faint);
     }
     if (point.name == source.current) drawing.add({}, Role::Hit, Ring{mark.at, kMarkSize * 0.85});
     const Shape shape = point.wrongOutcome > 0 ? Shape::Diamond : Shape::Dot;
@@ -183,9 +189,12 @@ class Names {
         return true;
     }
 
-    // Pieces of the front's line that the name would lie on.
+    // Pieces of the front's line, and spreads, that the name would lie on.
     int crossings(const Box& box) const {
         int count = 0;
+        for (const ParetoMark& mark : picture_.marks) {
+            if (whisker(source_, picture_.frame, mark).overlaps(box)) ++count;
+        }
         for (std::size_t i = 1; i < picture_.front.size(); ++i) {
             const Point a = picture_.front[i - 1];
             const Point b = picture_.front[i];
@@ -235,22 +244,6 @@ class Names {
 
 std::string degreesText(const std::string& elevation) {
     return elevation == relief::elevationText(std::nullopt) ? elevation : elevation + "°";
-}
-
-// As large as the room lets it be, in either language.
-void addTitle(Drawing& drawing, const ParetoSource& source, const Box& room) {
-    double width = 1;
-    for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
-        width = std::max(width, chart::textWidth(relief::sentence(source.title, language)));
-    }
-    constexpr double kSmallest = 0.6;
-    Label label;
-    label.at = {room.x0, room.y0};
-    label.text = source.title;
-    label.anchor = Anchor::TopLeft;
-    label.size = chart::kTextSize * std::clamp((room.width() - 4) / width, kSmallest, 1.0);
-    label.offset = {2, 0};
-    drawing.add({}, source.old ? Role::Layer : Role::Legend, std::move(label));
 }
 
 std::string joined(const std::vector<std::string>& all) {
@@ -310,7 +303,7 @@ ParetoPicture paretoPicture(const ParetoSource& source, const Box& room) {
     ParetoPicture picture;
     picture.frame = paretoFrame(source, room);
     picture.drawing = axes(source, picture.frame);
-    addTitle(picture.drawing, source, room);
+    chart::title(picture.drawing, source.title, room, source.old ? Role::Layer : Role::Legend);
     const std::vector<bool> dominated = relief::dominatedPoints(source.table.points, source.measure);
     for (std::size_t p = 0; p < dominated.size(); ++p) {
         const ParetoPoint& point = source.table.points[p];
