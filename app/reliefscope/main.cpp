@@ -97,7 +97,8 @@ std::shared_ptr<const reliefui::ChartsSource> measuredCharts(const reliefui::Sna
     auto charts = std::make_shared<reliefui::ChartsSource>();
     charts->histograms = reliefui::histogramsOf(snapshot, work);
     charts->chosenSteps = reliefui::chosenSteps(snapshot);
-    constexpr bool kWithMaps = true;
+    // As the pane begins: building all maps of a large picture takes minutes.
+    constexpr bool kWithMaps = false;
     charts->pareto = reliefui::paretoSource(snapshot, reliefui::measureView(snapshot, kWithMaps, work), measure);
     return charts;
 }
