@@ -332,43 +332,11 @@ void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
     }
 }
 
-// s in [0, size) under repeat, near the picture otherwise; false where it is not finite.
-HWY_INLINE bool placed(double x, double size, bool repeat, std::int32_t& whole, float& rest) {
-    if (!(std::abs(x) <= kFarthest)) return false;
-    if (repeat && !(x >= 0 && x < size)) {
-        x -= std::floor(x / size) * size;
-        if (!(x >= 0 && x < size)) x = 0;
-    } else if (!repeat) {
-        x = std::min(std::max(x, -kBeyond * size), kBeyond * size);
-    }
-    const double below = std::floor(x);
-    whole = static_cast<std::int32_t>(below);
-    rest = static_cast<float>(x - below);
-    return true;
-}
-
 template <class Weight, bool kLog>
 void filterChunks(const LaneJob& job, FootprintCounts& counts) {
-    const bool repeat = job.levels->address == Address::Repeat;
     LaneChunk chunk;
     for (std::size_t begin = 0; begin < job.count; begin += kLaneChunk) {
-        chunk.count = std::min(kLaneChunk, job.count - begin);
-        for (std::size_t k = 0; k < chunk.count; ++k) {
-            const std::size_t i = begin + k;
-            const bool good = placed(job.s[i] * job.perS, job.width, repeat, chunk.wholeS[k], chunk.restS[k]) &&
-                              placed(job.t[i] * job.perT, job.height, repeat, chunk.wholeT[k], chunk.restT[k]);
-            chunk.valid[k] = good ? 1 : 0;
-            if (!good) chunk.wholeS[k] = chunk.wholeT[k] = 0, chunk.restS[k] = chunk.restT[k] = 0;
-            chunk.ux[k] = static_cast<float>(job.ux[i] * job.perS);
-            chunk.vx[k] = static_cast<float>(job.vx[i] * job.perT);
-            chunk.uy[k] = static_cast<float>(job.uy[i] * job.perS);
-            chunk.vy[k] = static_cast<float>(job.vy[i] * job.perT);
-        }
-        for (std::size_t k = chunk.count; k < (chunk.count + kMostLanes - 1) / kMostLanes * kMostLanes; ++k) {
-            chunk.valid[k] = 0;
-            chunk.wholeS[k] = chunk.wholeT[k] = 0;
-            chunk.restS[k] = chunk.restT[k] = chunk.ux[k] = chunk.vx[k] = chunk.uy[k] = chunk.vy[k] = 0;
-        }
+        chunk.fill(job, begin);
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
             std::uint8_t left[kLanes];
             filterVector<Weight, kLog>(job, chunk, k, left, job.colors + begin + k, counts);

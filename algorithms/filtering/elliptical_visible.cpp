@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "filtering/surface_pieces.h"
+#include "filtering/tangent_footprint.h"
 #include "filtering/visible_piece.h"
 
 namespace relief {
@@ -13,6 +14,14 @@ struct VisibleKernel::Region {
     HeightBounds under;
     bool flat = false;
     bool clear = false;
+};
+
+// Kept from pixel to pixel of a block: nothing is allocated for each.
+struct VisibleKernel::Scratch {
+    std::vector<Piece> pieces;
+    AnyRayBlock rays;
+    std::vector<std::size_t> which;
+    SightBlock sights;
 };
 
 VisibleKernel::VisibleKernel(EllipticalKernel plain, VisibleForm form, const HeightField& field,
@@ -71,10 +80,10 @@ VisibleKernel::Region VisibleKernel::regionOf(const LevelFootprint& f, const See
     return region;
 }
 
-void VisibleKernel::test(std::vector<Piece>& pieces, const SeenPoint& seen, FootprintCounts& counts, Work& work,
-                         bool log) const {
-    AnyRayBlock rays;
-    std::vector<std::size_t> which;
+void VisibleKernel::test(Scratch& scratch, const SeenPoint& seen, FootprintCounts& counts, Work& work, bool log) const {
+    auto& [pieces, rays, which, sights] = scratch;
+    rays.resize(0);
+    which.clear();
     for (std::size_t n = 0; n < pieces.size(); ++n) {
         const Piece& piece = pieces[n];
         if (piece.h >= 1) continue;  // at the top plane
@@ -82,7 +91,6 @@ void VisibleKernel::test(std::vector<Piece>& pieces, const SeenPoint& seen, Foot
         rays.push({piece.s, piece.t, piece.h, -mu * seen.ray.a, -mu * seen.ray.b, mu});
         which.push_back(n);
     }
-    SightBlock sights;
     NullSink sink;
     query_->look(rays, sights, sink, work);
     for (std::size_t n = 0; n < which.size(); ++n) {
@@ -105,11 +113,65 @@ void VisibleKernel::test(std::vector<Piece>& pieces, const SeenPoint& seen, Foot
     counts.tested += static_cast<std::int64_t>(which.size());
 }
 
+std::optional<Jacobian> VisibleKernel::plainJacobian(const Jacobian& j, const SeenPoint& seen, bool& clear) const {
+    const Jacobian onField = scaled(j, perColor_);
+    const TangentFootprint tangent =
+        tangentFootprint({*range_, field_, plain_.settings(), perColor_}, onField, seen.place, seen.ray, seen.lambda);
+    clear = tangent.clear;
+    if (form_ == VisibleForm::Plane || !tangent.planar || !tangent.clear) return std::nullopt;
+    // Level ground keeps the pixel's own bits.
+    const Jacobian& t = tangent.jacobian;
+    if (t.ux == onField.ux && t.vx == onField.vx && t.uy == onField.uy && t.vy == onField.vy) return j;
+    return scaled(tangent.jacobian, 1.0 / perColor_);
+}
+
 Color VisibleKernel::filter(const Jacobian& j, glm::dvec2 centre, const SeenPoint& seen, FootprintCounts& counts,
                             Work& work, FootprintLog* log) const {
+    Scratch scratch;
+    bool clear = false;
+    const std::optional<Jacobian> plain = plainJacobian(j, seen, clear);
+    if (!plain) return filterPieces(j, centre, seen, clear, scratch, counts, work, log);
+    const FootprintCounts before = counts;
+    const Color color = plain_.filter(*plain, centre, counts, log);
+    counts.skipped += counts.texels - before.texels;
+    counts.flat += counts.footprints - before.footprints;
+    if (log != nullptr) log->skipped = true;
+    return color;
+}
+
+void VisibleKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,
+                           Work& work) const {
+    Scratch scratch;
+    FilterBlock plain;
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < block.size() && !work.stopped(); ++i) {
+        const FilterQuery query = block[i];
+        const Jacobian j = scaled(query.jacobian, scale);
+        const glm::dvec2 centre = query.place * scale;
+        const SeenPoint seen{query.ray, query.lambda, query.place};
+        bool clear = false;
+        if (const std::optional<Jacobian> jacobian = plainJacobian(j, seen, clear)) {
+            plain.push({centre, *jacobian, {}, 0});
+            which.push_back(i);
+        } else {
+            colors[i] = filterPieces(j, centre, seen, clear, scratch, counts, work, nullptr);
+        }
+    }
+    const FootprintCounts before = counts;
+    std::vector<Color> found(which.size());
+    plain_.filter(plain, {1, 1}, found, counts);
+    for (std::size_t n = 0; n < which.size(); ++n) colors[which[n]] = found[n];
+    counts.skipped += counts.texels - before.texels;
+    counts.flat += counts.footprints - before.footprints;
+}
+
+// clear: by the bounds of the whole footprint.
+Color VisibleKernel::filterPieces(const Jacobian& j, glm::dvec2 centre, const SeenPoint& seen, bool clear,
+                                  Scratch& scratch, FootprintCounts& counts, Work& work, FootprintLog* log) const {
     const LevelFootprint f = plain_.footprint(j, centre);
     if (f.kind != FootprintKind::Ellipse) return plain_.filter(j, centre, counts, log);
-    const Region region = regionOf(f, seen);
+    Region region = regionOf(f, seen);
+    region.clear = region.clear || clear;
     if (region.flat || (region.clear && skip_ && form_ == VisibleForm::Plane)) {
         const std::int64_t before = counts.texels;
         const Color color = plain_.filter(j, centre, counts, log);
@@ -118,7 +180,8 @@ Color VisibleKernel::filter(const Jacobian& j, glm::dvec2 centre, const SeenPoin
         if (log != nullptr) log->skipped = true;
         return color;
     }
-    std::vector<Piece> pieces;
+    std::vector<Piece>& pieces = scratch.pieces;
+    pieces.clear();
     if (form_ == VisibleForm::Plane) {
         gatherTexels(f, pieces);
     } else {
@@ -128,7 +191,7 @@ Color VisibleKernel::filter(const Jacobian& j, glm::dvec2 centre, const SeenPoin
         counts.skipped += static_cast<std::int64_t>(pieces.size());
         ++counts.flat;
     } else {
-        test(pieces, seen, counts, work, log != nullptr);
+        test(scratch, seen, counts, work, log != nullptr);
     }
     const bool unhidden = std::none_of(pieces.begin(), pieces.end(), [](const Piece& p) { return p.texel.hidden; });
     // What is not hidden is what plain filtering reads, and gets its bits.

@@ -16,12 +16,17 @@
 // All equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at the hit's height.
 // None visible: the colour at the hit.
 //
-// Skip, lossless: with L the lowest height under the footprint, a blocker must rise above L by more than 1/(|a| + |b|)
-// (bilinear; 1/(2 max(|a|, |b|)) for columns) to reach over a texel's border; if no height within reach of any
+// Where nothing hides anything and the surface is nearly a plane, the last two are plain filtering with that plane's
+// Jacobian (tangent_footprint.h), in lanes; the first is plain filtering where nothing is hidden.
+//
+// Skip, lossless: where bounds of heights and slopes say that nothing is hidden (tangent_footprint.h), no texel is
+// tested; nor where, with L the lowest height under the footprint, a blocker must rise above L by more than 1/(|a| +
+// |b|) (bilinear; 1/(2 max(|a|, |b|)) for columns) to reach over a texel's border; if no height within reach of any
 // back-traced segment does, no texel is tested. The reach is bounded by the highest point, twice over.
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "filtering/elliptical.h"
 #include "filtering/height_bounds.h"
@@ -68,14 +73,22 @@ class VisibleKernel {
     // j, centre: in texels of the colour picture's level 0.
     Color filter(const Jacobian& j, glm::dvec2 centre, const SeenPoint& seen, FootprintCounts& counts, Work& work,
                  FootprintLog* log = nullptr) const;
+    // The same bits for a whole block; scale: texels of level 0 per texel of the height map.
+    void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,
+                Work& work) const;
 
   private:
     friend class SurfacePieces;
     struct Piece;
     struct Region;
+    struct Scratch;
+    // What is filtered as a plane: the Jacobian to do it with, texels of the colour picture. Nothing: by pieces.
+    std::optional<Jacobian> plainJacobian(const Jacobian& j, const SeenPoint& seen, bool& clear) const;
+    Color filterPieces(const Jacobian& j, glm::dvec2 centre, const SeenPoint& seen, bool clear, Scratch& scratch,
+                       FootprintCounts& counts, Work& work, FootprintLog* log) const;
     Region regionOf(const LevelFootprint& f, const SeenPoint& seen) const;
     void gatherTexels(const LevelFootprint& f, std::vector<Piece>& pieces) const;
-    void test(std::vector<Piece>& pieces, const SeenPoint& seen, FootprintCounts& counts, Work& work, bool log) const;
+    void test(Scratch& scratch, const SeenPoint& seen, FootprintCounts& counts, Work& work, bool log) const;
     Color summed(const LevelFootprint& f, const std::vector<Piece>& pieces, FootprintCounts& counts, FootprintLog* log,
                  bool& none) const;
     bool outside(glm::dvec2 place) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
 namespace relief {
@@ -54,14 +55,88 @@ Stretches stretches(double low, double high, int size, Address address) {
     return out;
 }
 
+// Whatever the addressing: the last column's slopes are those of the rim and of the seam.
+SurfaceBounds texelBounds(const FloatImage& heights, int i, int j) {
+    const float h = heights(i, j);
+    SurfaceBounds out{h, h, 0, 0, 0, 0};
+    const float ds = heights((i + 1) % heights.width(), j) - h;
+    const float dt = heights(i, (j + 1) % heights.height()) - h;
+    out.lowS = out.highS = ds, out.lowT = out.highT = dt;
+    if (i + 1 == heights.width()) out.lowS = std::min(ds, 0.0F), out.highS = std::max(ds, 0.0F);
+    if (j + 1 == heights.height()) out.lowT = std::min(dt, 0.0F), out.highT = std::max(dt, 0.0F);
+    return out;
+}
+
+std::vector<Image<SurfaceBounds>> surfacePyramid(const FloatImage& heights, Work& work) {
+    std::vector<Image<SurfaceBounds>> levels;
+    levels.emplace_back(heights.width(), heights.height());
+    for (int l = 0;; ++l) {
+        Image<SurfaceBounds>& to = levels.back();
+        const Image<SurfaceBounds>* from = l > 0 ? &levels[static_cast<std::size_t>(l) - 1] : nullptr;
+        work.arena().execute([&] {
+            tbb::parallel_for(tbb::blocked_range<int>(0, to.height(), 16), [&](const auto& rows) {
+                if (work.stopped()) return;
+                for (int y = rows.begin(); y < rows.end(); ++y) {
+                    for (int x = 0; x < to.width(); ++x) {
+                        if (from == nullptr) {
+                            to(x, y) = texelBounds(heights, x, y);
+                            continue;
+                        }
+                        for (int n = 0; n < 4; ++n) {
+                            const int i = 2 * x + n % 2, j = 2 * y + n / 2;
+                            if (i < from->width() && j < from->height()) to(x, y).join((*from)(i, j));
+                        }
+                    }
+                }
+            });
+        });
+        work.throwIfStopped();
+        if (to.width() == 1 && to.height() == 1) return levels;
+        const int width = (to.width() + 1) / 2, height = (to.height() + 1) / 2;
+        levels.emplace_back(width, height);
+    }
+}
+
+// visit(level, x, y) for nodes (a texel of level 0 stands for 2^shift texels) that cover the rectangle: three or four
+// along its longer side.
+template <class Visit>
+void overNodes(const Stretches& across, const Stretches& down, int shift, int levels, const Visit& visit) {
+    int level = 0;
+    while ((std::max(across.widest, down.widest) >> (shift + level)) > 3 && level + 1 < levels) ++level;
+    const int by = shift + level;
+    for (int q = 0; q < down.count; ++q) {
+        const auto [top, bottom] = down.part[static_cast<std::size_t>(q)];
+        for (int y = top >> by; y <= bottom >> by; ++y) {
+            for (int p = 0; p < across.count; ++p) {
+                const auto [left, right] = across.part[static_cast<std::size_t>(p)];
+                for (int x = left >> by; x <= right >> by; ++x) visit(level, x, y);
+            }
+        }
+    }
+}
+
 }  // namespace
+
+void SurfaceBounds::join(const SurfaceBounds& other) {
+    low = std::min(low, other.low), high = std::max(high, other.high);
+    lowS = std::min(lowS, other.lowS), highS = std::max(highS, other.highS);
+    lowT = std::min(lowT, other.lowT), highT = std::max(highT, other.highT);
+}
+
+std::size_t HeightBoundsMap::bytes() const {
+    std::size_t total = lowest.bytes() + highest.bytes();
+    for (const auto& level : surface) total += level.bytes();
+    return total;
+}
 
 std::shared_ptr<const HeightBoundsMap> heightBoundsMap(const HeightField& field, MapCache& cache, Work& work) {
     return cache.get<HeightBoundsMap>({"height-bounds", field.sharedHeights()}, work, [&](Work& w) {
         // Large maps by blocks: what is skipped does not hang on single texels there, but memory does.
         int shift = 0;
         while ((std::max(field.width(), field.height()) >> shift) > kFinestSide) ++shift;
-        return coarseHeightBounds(field.sharedHeights(), shift, w);
+        HeightBoundsMap map = coarseHeightBounds(field.sharedHeights(), shift, w);
+        if (shift == 0) map.surface = surfacePyramid(field.heights(), w);
+        return map;
     });
 }
 
@@ -92,27 +167,26 @@ HeightBounds heightBounds(const HeightBoundsMap& map, const HeightField& field, 
                           double t1) {
     const Stretches across = stretches(s0, s1, field.width(), field.address());
     const Stretches down = stretches(t0, t1, field.height(), field.address());
-    // Three or four nodes along the longer side.
-    int level = 0;
-    while ((std::max(across.widest, down.widest) >> (map.shift + level)) > 3 && level + 1 < map.highest.levels())
-        ++level;
     HeightBounds range{1, 0};
-    const FloatImage& lowest = map.lowest.level(level);
-    const FloatImage& highest = map.highest.level(level);
-    const int shift = map.shift + level;
-    for (int q = 0; q < down.count; ++q) {
-        const auto [top, bottom] = down.part[static_cast<std::size_t>(q)];
-        for (int y = top >> shift; y <= bottom >> shift; ++y) {
-            for (int p = 0; p < across.count; ++p) {
-                const auto [left, right] = across.part[static_cast<std::size_t>(p)];
-                for (int x = left >> shift; x <= right >> shift; ++x) {
-                    range.low = std::min<double>(range.low, lowest(x, y));
-                    range.high = std::max<double>(range.high, highest(x, y));
-                }
-            }
-        }
-    }
+    overNodes(across, down, map.shift, map.highest.levels(), [&](int level, int x, int y) {
+        range.low = std::min<double>(range.low, map.lowest.level(level)(x, y));
+        range.high = std::max<double>(range.high, map.highest.level(level)(x, y));
+    });
     return range;
+}
+
+SurfaceBounds surfaceBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,
+                            double t1) {
+    const Stretches across = stretches(s0, s1, field.width(), field.address());
+    const Stretches down = stretches(t0, t1, field.height(), field.address());
+    SurfaceBounds out;
+    overNodes(across, down, 0, static_cast<int>(map.surface.size()),
+              [&](int level, int x, int y) { out.join(map.surface[static_cast<std::size_t>(level)](x, y)); });
+    if (field.address() != Address::Repeat) {
+        out.lowS = std::min(out.lowS, 0.0F), out.highS = std::max(out.highS, 0.0F);
+        out.lowT = std::min(out.lowT, 0.0F), out.highT = std::max(out.highT, 0.0F);
+    }
+    return out;
 }
 
 }  // namespace relief

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "images/pyramid.h"
 #include "relief/height_field.h"
@@ -9,11 +10,21 @@
 
 namespace relief {
 
+// Of a stretch of the surface: heights, and slopes along s and t, heights a texel.
+struct SurfaceBounds {
+    float low = 1, high = 0;
+    float lowS = 1, highS = -1, lowT = 1, highT = -1;  // slopes lie in [-1, 1]
+
+    void join(const SurfaceBounds& other);
+};
+
 struct HeightBoundsMap {
     Pyramid lowest;
     Pyramid highest;
     int shift = 0;  // a texel of level 0 stands for 2^shift texels along each side
-    std::size_t bytes() const { return lowest.bytes() + highest.bytes(); }
+    // Level l: of 2^l x 2^l texels and the cells to their right and below. Empty for large maps.
+    std::vector<Image<SurfaceBounds>> surface;
+    std::size_t bytes() const;
 };
 
 struct HeightBounds {
@@ -30,5 +41,9 @@ HeightBoundsMap coarseHeightBounds(const std::shared_ptr<const FloatImage>& heig
 // and for columns; exact or wider. At most a few tens of values are read.
 HeightBounds heightBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,
                           double t1);
+
+// The same with slopes, of bilinear surfaces; what lies beyond the rim under clamp and border is level.
+SurfaceBounds surfaceBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,
+                            double t1);
 
 }  // namespace relief

@@ -8,6 +8,52 @@
 
 namespace relief {
 
+namespace {
+
+// x in [0, size) under repeat, near the picture otherwise; false where it is not finite.
+bool placed(double x, double size, bool repeat, std::int32_t& whole, float& rest) {
+    if (!(std::abs(x) <= kFarthest)) return false;
+    if (repeat && !(x >= 0 && x < size)) {
+        x -= std::floor(x / size) * size;
+        if (!(x >= 0 && x < size)) x = 0;
+    } else if (!repeat) {
+        x = std::min(std::max(x, -kBeyond * size), kBeyond * size);
+    }
+    // Floor, without a call.
+    whole = static_cast<std::int32_t>(x);
+    if (whole > x) --whole;
+    rest = static_cast<float>(x - whole);
+    return true;
+}
+
+}  // namespace
+
+void LaneChunk::fill(const LaneJob& job, std::size_t begin) {
+    const bool repeat = job.levels->address == Address::Repeat;
+    count = std::min(kLaneChunk, job.count - begin);
+    const auto none = [&](std::size_t k) {
+        valid[k] = 0;
+        wholeS[k] = wholeT[k] = 0;
+        restS[k] = restT[k] = 0;
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = begin + k;
+        valid[k] = 1;
+        if (!placed(job.s[i] * job.perS, job.width, repeat, wholeS[k], restS[k]) ||
+            !placed(job.t[i] * job.perT, job.height, repeat, wholeT[k], restT[k])) {
+            none(k);
+        }
+        ux[k] = static_cast<float>(job.ux[i] * job.perS);
+        vx[k] = static_cast<float>(job.vx[i] * job.perT);
+        uy[k] = static_cast<float>(job.uy[i] * job.perS);
+        vy[k] = static_cast<float>(job.vy[i] * job.perT);
+    }
+    for (std::size_t k = count; k < (count + kMostLanes - 1) / kMostLanes * kMostLanes; ++k) {
+        none(k);
+        ux[k] = vx[k] = uy[k] = vy[k] = 0;
+    }
+}
+
 LaneJob laneJob(const LaneLevels& levels, const EllipticalSettings& settings) {
     const auto squared = [](double x) { return static_cast<float>(x * x); };
     LaneJob job;

@@ -24,13 +24,18 @@ inline constexpr double kFarthest = 1e12;
 // Picture sizes: under clamp and border only the rim is seen from there, whatever the distance.
 inline constexpr double kBeyond = 16;
 
-// Pixels of a chunk, in float.
+struct LaneJob;
+
+// Pixels of a chunk, in float; up to a whole vector of pixels that are not valid after the last.
 struct LaneChunk {
     std::size_t count = 0;
     alignas(64) float ux[kLaneChunk], vx[kLaneChunk], uy[kLaneChunk], vy[kLaneChunk];  // texels of level 0
     alignas(64) std::int32_t wholeS[kLaneChunk], wholeT[kLaneChunk];                   // the texel of level 0
     alignas(64) float restS[kLaneChunk], restT[kLaneChunk];                            // in it
     alignas(64) float valid[kLaneChunk];
+
+    // The job's pixels from begin on.
+    void fill(const LaneJob& job, std::size_t begin);
 };
 
 // The settings, and a block's arrays.

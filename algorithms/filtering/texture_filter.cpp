@@ -103,6 +103,9 @@ class VisibleFilter final : public TextureFilter {
         return kernel_.filter(scaled(query.jacobian, scale_), query.place * scale_,
                               {query.ray, query.lambda, query.place}, counts, work, log);
     }
+    void colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts, Work& work) const override {
+        kernel_.filter(block, scale_, colors, counts, work);
+    }
 
   private:
     const FilterDescription& description_;

@@ -1,0 +1,105 @@
+// tangent_footprint.h: what it calls clear is not hidden, what it calls planar is seen where its plane is.
+#include "filtering/tangent_footprint.h"
+
+#include <gtest/gtest.h>
+
+#include "filter_cases.h"
+#include "images/reliefs.h"
+#include "relief/any_hit.h"
+
+namespace relief::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 31;
+constexpr int kPoints = 40;
+// Footprints of two texels and more: the size of texels, which the bound allows for, is a tenth of theirs.
+constexpr double kTexelAllowance = 1.15;
+
+double runOf(double elevation) {
+    constexpr double kDepthTexels = 12;
+    return kDepthTexels / std::tan(elevation * 0.017453292519943295);
+}
+
+TEST(TangentFootprint, ClearIsNotHiddenAndPlanarIsSeenOnItsPlane) {
+    Random random(kSeed);
+    int clear = 0, planar = 0, hidden = 0;
+    for (const char* name : {"bricks", "hills", "fractal", "city"}) {
+        for (const Address address : {Address::Repeat, Address::Clamp}) {
+            const HeightField field(std::make_shared<const FloatImage>(makeRelief(name, 96, 80, kSeed)),
+                                    Surface::Bilinear, address);
+            Work work(1);
+            MapCache maps;
+            const auto bounds = heightBoundsMap(field, maps, work);
+            const auto query = makeAnyHit({anyHitList().front().name, {}}, field, maps, work);
+            const EllipticalSettings settings = EllipticalSettings::of({});
+            for (int n = 0; n < 600; ++n) {
+                const double elevation = random.between(6, 80), azimuth = random.between(0, 6.3);
+                const ViewRay ray{0, 0, runOf(elevation) * std::cos(azimuth), runOf(elevation) * std::sin(azimuth)};
+                const Jacobian j = jacobian(random.between(2.5, 6), 2, random.between(0, 3));
+                const glm::dvec2 hit{random.between(0, 96), random.between(0, 80)};
+                const double h0 = field.at(hit.x, hit.y);
+                const TangentFootprint got = tangentFootprint({*bounds, field, settings, {1, 1}}, j, hit, ray, 1 - h0);
+                clear += got.clear ? 1 : 0;
+                planar += got.planar ? 1 : 0;
+                const Jacobian& seen = got.planar ? got.jacobian : j;
+                const PixelFromTexel pixel = pixelFromTexel(j), onPlane = pixelFromTexel(seen);
+                AnyRayBlock rays;
+                for (int p = 0; p < kPoints; ++p) {
+                    const double angle = random.between(0, 6.3);
+                    const double r = settings.radius * std::sqrt(random.unit());
+                    const double x = r * std::cos(angle), y = r * std::sin(angle);
+                    const double u = seen.ux * x + seen.uy * y, v = seen.vx * x + seen.vy * y;
+                    const double h = field.at(hit.x + u, hit.y + v);
+                    rays.push({hit.x + u, hit.y + v, h, -(1 - h) * ray.a, -(1 - h) * ray.b, 1 - h});
+                    if (!got.planar) continue;
+                    const double su = u + (h - h0) * ray.a, sv = v + (h - h0) * ray.b;
+                    EXPECT_LE(std::hypot(pixel.dx(su, sv) - onPlane.dx(u, v), pixel.dy(su, sv) - onPlane.dy(u, v)),
+                              kPlanarSpread * kTexelAllowance)
+                        << name << ' ' << n;
+                }
+                SightBlock sights;
+                NullSink sink;
+                query->look(rays, sights, sink, work);
+                for (std::size_t p = 0; p < rays.size(); ++p) {
+                    const bool blocked = sights.sight[p] == Sight::Blocked;
+                    hidden += blocked ? 1 : 0;
+                    ASSERT_FALSE(got.clear && blocked) << name << ' ' << n << ' ' << p;
+                }
+            }
+        }
+    }
+    // Each of them is tried.
+    EXPECT_GT(clear, 300);
+    EXPECT_GT(planar, 100);
+    EXPECT_GT(hidden, 10000);
+}
+
+TEST(TangentFootprint, ABlockHasTheBitsOfItsPixels) {
+    Random random(kSeed + 1);
+    const Picture picture = randomPicture(96, 80, kSeed);
+    const HeightField field(std::make_shared<const FloatImage>(makeRelief("hills", 96, 80, kSeed)), Surface::Bilinear,
+                            Address::Repeat);
+    for (const char* form : {"plane", "position", "position-area"}) {
+        MadeFilter made({"elliptical-visible", {{"form", form}}}, picture, field);
+        FilterBlock block;
+        for (int n = 0; n < 300; ++n) {
+            const double azimuth = random.between(0, 6.3), run = runOf(random.between(15, 80));
+            FilterQuery query;
+            query.ray = {0, 0, run * std::cos(azimuth), run * std::sin(azimuth)};
+            query.place = {random.between(0, 96), random.between(0, 80)};
+            query.lambda = 1 - field.at(query.place.x, query.place.y);
+            query.jacobian = jacobian(random.between(0.2, 6), random.between(0.1, 2), random.between(0, 3));
+            block.push(query);
+        }
+        std::vector<Color> colors(block.size());
+        FootprintCounts together;
+        made.filter->colors(block, colors, together, made.work);
+        for (std::size_t i = 0; i < block.size(); ++i) ASSERT_EQ(made.at(block[i]), colors[i]) << form << ' ' << i;
+        EXPECT_EQ(together.texels, made.counts.texels) << form;
+        EXPECT_EQ(together.skipped, made.counts.skipped) << form;
+        EXPECT_EQ(together.flat, made.counts.flat) << form;
+    }
+}
+
+}  // namespace
+}  // namespace relief::test
