@@ -24,6 +24,8 @@
 
 namespace relief {
 
+class ConeTwin;
+class ConeTwin;
 class FlatGround;
 struct FrameBuffers;
 struct HeightBoundsMap;
@@ -159,6 +161,7 @@ class FrameRenderer {
     std::shared_ptr<const TextureFilter> madeFilter(const FrameRequest& request, Work& work);
     std::shared_ptr<const TextureFilter> madePlainFilter(const FrameRequest& request, Work& work);
     std::unique_ptr<const FlatGround> madeGround(const FrameRequest& request, const Tracer& tracer, Work& work);
+    std::unique_ptr<const ConeTwin> madeTwin(const FrameRequest& request, const Tracer& tracer, Work& work);
     void reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work);
 
     std::optional<FrameRequest> last_;
@@ -172,6 +175,9 @@ class FrameRenderer {
     // Where the ground is even, of the heights that were traced last.
     std::shared_ptr<const HeightBoundsMap> ground_;
     std::shared_ptr<const FloatImage> groundOf_;
+    // Rays asked for over the same heights.
+    std::size_t traced_ = 0;
+    std::shared_ptr<const FloatImage> tracedOf_;
 };
 
 // What the filter is asked for the pixel; nothing where it has no hit.

@@ -6,6 +6,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "relief/lanes/cone_twin.h"
 #include "rendering/flat_ground.h"
 #include "rendering/supersample.h"
 #include "rendering/tile_worker.h"
@@ -269,6 +270,19 @@ std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& 
     return ground->never() ? nullptr : std::move(ground);
 }
 
+// The max pyramid's hits by cones, as soon as these pay or are there for shadows anyway.
+std::unique_ptr<const ConeTwin> FrameRenderer::madeTwin(const FrameRequest& request, const Tracer& tracer, Work& work) {
+    const std::shared_ptr<const FloatImage>& heights = request.field.sharedHeights();
+    if (tracedOf_ != heights) traced_ = 0;
+    tracedOf_ = heights;
+    traced_ += static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
+    const bool apt = request.skip && tracer.pyramid() != nullptr && tracer.baseLevel() == 0 &&
+                     tracer.guarantee() == Guarantee::Exact && heights->size() <= ConeTwin::kMostTexels;
+    const bool pays = request.shadows || traced_ > ConeTwin::kRaysPerTexel * heights->size();
+    if (!apt || !pays) return nullptr;
+    return std::make_unique<const ConeTwin>(request.field, packedCones(request.field, *maps_, work));
+}
+
 // Which of the maps that methods share are not built because nothing reads them.
 void FrameRenderer::reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work) {
     const bool sight = frame.filter && frame.filter->description().visible;
@@ -314,11 +328,13 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     const std::unique_ptr<const FlatGround> ground =
         mesh || !has(stale, Stage::Hits) ? nullptr : madeGround(request, *tracer, work);
     reportMaps(*frame, request, *tracer, work);
+    const std::unique_ptr<const ConeTwin> twin =
+        mesh || !has(stale, Stage::Hits) ? nullptr : madeTwin(request, *tracer, work);
 
     if (!spare_) spare_ = std::make_shared<FrameBuffers>();
     const FrameBuffers buffers = allocate(*frame, frame_.get(), *spare_, request.shadows, mesh != nullptr, stale);
     FrameTotals totals;
-    const FrameTools tools{visible, *tracer, mesh.get(), query.get(), ground.get()};
+    const FrameTools tools{visible, *tracer, mesh.get(), query.get(), ground.get(), twin.get()};
     const TileWorker worker(request, *frame, tools, buffers, stale, totals);
     if (stale != 0) overTiles(*frame, !partOfMore_, work, [&](const PixelArea& tile) { worker.run(tile, work); });
     report(*frame, visible, totals, stale, request.bounded > 0);

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "relief/lanes/cone_twin.h"
 #include "relief/look_up_point.h"
 #include "rendering/block_order.h"
 
@@ -96,7 +97,11 @@ void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
     const RayBlock block = raysOf(pixels, *frame_.rays);
     HitBlock hits;
     NullSink sink;
-    tools_.tracer.trace(block, hits, sink, work);
+    if (tools_.twin != nullptr) {
+        tools_.twin->trace(block, hits, tools_.tracer, work);
+    } else {
+        tools_.tracer.trace(block, hits, sink, work);
+    }
     for (std::size_t n = 0; n < pixels.size(); ++n) out.set(pixels[n], hits[n]);
     countOutcomes(tile);
     totals_.traced += static_cast<std::int64_t>(pixels.size());

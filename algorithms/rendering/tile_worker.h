@@ -49,6 +49,7 @@ struct FrameTools {
     const MeshRaster* mesh;
     const AnyHitQuery* query;
     const FlatGround* ground = nullptr;  // null: every ray is traced
+    const ConeTwin* twin = nullptr;      // null: the tracer itself traces
 };
 
 // References are kept; one worker serves all tiles, from any thread.
