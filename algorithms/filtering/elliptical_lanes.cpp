@@ -335,7 +335,7 @@ void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
 template <class Weight, bool kLog>
 void filterChunks(const LaneJob& job, FootprintCounts& counts) {
     LaneChunk chunk;
-    for (std::size_t begin = 0; begin < job.count; begin += kLaneChunk) {
+    for (std::size_t begin = 0; begin < job.count; begin += kLanePixels) {
         chunk.fill(job, begin);
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
             std::uint8_t left[kLanes];

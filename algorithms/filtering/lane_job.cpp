@@ -30,7 +30,7 @@ bool placed(double x, double size, bool repeat, std::int32_t& whole, float& rest
 
 void LaneChunk::fill(const LaneJob& job, std::size_t begin) {
     const bool repeat = job.levels->address == Address::Repeat;
-    count = std::min(kLaneChunk, job.count - begin);
+    count = std::min(kLanePixels, job.count - begin);
     const auto none = [&](std::size_t k) {
         valid[k] = 0;
         wholeS[k] = wholeT[k] = 0;

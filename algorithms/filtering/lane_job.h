@@ -12,7 +12,7 @@
 namespace relief {
 
 inline constexpr std::size_t kMostLanes = 16;
-inline constexpr std::size_t kLaneChunk = 64;
+inline constexpr std::size_t kLanePixels = 64;
 
 // 2^x on [-1/2, 1/2]: minimax, relative error 2.6e-6, a third of what 16-bit levels are off by.
 inline constexpr std::array<float, 5> kExp2{0.99999926F, 0.69312181F, 0.24024745F, 0.05591786F, 0.0095701F};
@@ -29,10 +29,10 @@ struct LaneJob;
 // Pixels of a chunk, in float; up to a whole vector of pixels that are not valid after the last.
 struct LaneChunk {
     std::size_t count = 0;
-    alignas(64) float ux[kLaneChunk], vx[kLaneChunk], uy[kLaneChunk], vy[kLaneChunk];  // texels of level 0
-    alignas(64) std::int32_t wholeS[kLaneChunk], wholeT[kLaneChunk];                   // the texel of level 0
-    alignas(64) float restS[kLaneChunk], restT[kLaneChunk];                            // in it
-    alignas(64) float valid[kLaneChunk];
+    alignas(64) float ux[kLanePixels], vx[kLanePixels], uy[kLanePixels], vy[kLanePixels];  // texels of level 0
+    alignas(64) std::int32_t wholeS[kLanePixels], wholeT[kLanePixels];                     // the texel of level 0
+    alignas(64) float restS[kLanePixels], restT[kLanePixels];                              // in it
+    alignas(64) float valid[kLanePixels];
 
     // The job's pixels from begin on.
     void fill(const LaneJob& job, std::size_t begin);
