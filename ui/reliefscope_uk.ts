@@ -536,8 +536,12 @@
         <translation>карти ваг уздовж кожної сторони; таблиця має її квадрат</translation>
     </message>
     <message>
-        <source>where in the pixel a texel counts: its place on the plane, its own, and with its area seen</source>
-        <translation>де в пікселі рахується тексель: його місце на площині, справжнє, і з видимою площею</translation>
+        <source>where in the pixel a texel counts: its place on the plane, its own, and with its area seen; or what rays through parts of the pixel see</source>
+        <translation>де в пікселі рахується тексель: його місце на площині, справжнє, і з видимою площею; або що бачать промені крізь частини пікселя</translation>
+    </message>
+    <message>
+        <source>form=rays: through a pixel in which the relief is no plane</source>
+        <translation>form=rays: крізь піксель, у якому рельєф не є площиною</translation>
     </message>
     <message>
         <source>samples along each side of a pixel</source>

@@ -39,6 +39,7 @@ enum class VisibleForm : std::uint8_t { Plane, Position, PositionArea };
 
 struct VisibleOptions : EllipticalOptions {
     std::string form = "position-area";
+    int samples = 16;
 
     static std::vector<OptionField<VisibleOptions>> fields() {
         auto all = EllipticalOptions::fieldsOf<VisibleOptions>();
@@ -48,9 +49,19 @@ struct VisibleOptions : EllipticalOptions {
                         0,
                         1,
                         1,
-                        {"plane", "position", "position-area"},
-                        "where in the pixel a texel counts: its place on the plane, its own, and with its area seen"},
+                        {"plane", "position", "position-area", "rays"},
+                        "where in the pixel a texel counts: its place on the plane, its own, and with its area seen; "
+                        "or what rays through parts of the pixel see"},
                        &VisibleOptions::form});
+        all.push_back({{"samples",
+                        OptionKind::Integer,
+                        "rays",
+                        8,
+                        64,
+                        1,
+                        {},
+                        "form=rays: through a pixel in which the relief is no plane"},
+                       &VisibleOptions::samples});
         return all;
     }
 };

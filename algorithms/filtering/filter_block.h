@@ -16,6 +16,9 @@ struct FilterQuery {
     Jacobian jacobian;    // texels of the height map a pixel
     ViewRay ray;
     double lambda = 0;
+    // How much more the rays of pixels beside run (a, b) for each texel that they enter further on (s0, t0): 0 seen
+    // from infinitely far, thickness / height of the eye above the plane else.
+    double spread = 0;
 };
 
 // The Jacobian in other texels, scale of them per texel of j's.
@@ -28,15 +31,15 @@ struct FilterBlock {
     std::vector<double> s, t;
     std::vector<double> ux, vx, uy, vy;
     RayBlock rays;
-    std::vector<double> lambda;
+    std::vector<double> lambda, spread;
 
     std::size_t size() const { return s.size(); }
     void resize(std::size_t count) {
-        for (auto* column : {&s, &t, &ux, &vx, &uy, &vy, &lambda}) column->resize(count);
+        for (auto* column : {&s, &t, &ux, &vx, &uy, &vy, &lambda, &spread}) column->resize(count);
         rays.resize(count);
     }
     FilterQuery operator[](std::size_t i) const {
-        return {{s[i], t[i]}, {ux[i], vx[i], uy[i], vy[i]}, rays[i], lambda[i]};
+        return {{s[i], t[i]}, {ux[i], vx[i], uy[i], vy[i]}, rays[i], lambda[i], spread[i]};
     }
     void set(std::size_t i, const FilterQuery& query) {
         s[i] = query.place.x, t[i] = query.place.y;
@@ -44,6 +47,7 @@ struct FilterBlock {
         uy[i] = query.jacobian.uy, vy[i] = query.jacobian.vy;
         rays.set(i, query.ray);
         lambda[i] = query.lambda;
+        spread[i] = query.spread;
     }
     void push(const FilterQuery& query) {
         resize(size() + 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filtering/elliptical_rays.h"
 #include "filtering/sampler.h"
 
 namespace relief {
@@ -110,6 +111,30 @@ class VisibleFilter final : public TextureFilter {
   private:
     const FilterDescription& description_;
     VisibleKernel kernel_;
+    glm::dvec2 scale_;
+};
+
+class RaysFilter final : public TextureFilter {
+  public:
+    RaysFilter(const FilterDescription& description, const FilterTools& tools, RaysKernel kernel)
+        : description_(description), kernel_(std::move(kernel)), scale_(pictureScale(*tools.picture, tools.field)) {}
+
+    const FilterDescription& description() const override { return description_; }
+    std::size_t bytes() const override { return kernel_.bytes(); }
+    Color color(const FilterQuery& query, FootprintCounts& counts, Work& work, FootprintLog* log) const override {
+        FilterBlock block;
+        block.push(query);
+        Color color(0);
+        kernel_.filter(block, scale_, {&color, 1}, counts, work, log);
+        return color;
+    }
+    void colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts, Work& work) const override {
+        kernel_.filter(block, scale_, colors, counts, work);
+    }
+
+  private:
+    const FilterDescription& description_;
+    RaysKernel kernel_;
     glm::dvec2 scale_;
 };
 
@@ -240,6 +265,11 @@ std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, cons
         return std::make_unique<EllipticalFilter>(filter, ready, kernelOf(options));
     }
     const auto options = parseOptions<VisibleOptions>(filter.name, choice.options, kFilterSet);
+    if (options.form == kRaysForm && RaysKernel::serves(EllipticalSettings::of(options))) {
+        return std::make_unique<RaysFilter>(
+            filter, ready,
+            RaysKernel(kernelOf(options), makeTracer({"max-pyramid", {}}, tools.field, maps, work), options.samples));
+    }
     VisibleKernel kernel(kernelOf(options), parsedForm(options.form), tools.field,
                          makeAnyHit(sightChoice(tools.field), tools.field, maps, work),
                          heightBoundsMap(tools.field, maps, work));

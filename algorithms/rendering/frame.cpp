@@ -150,6 +150,7 @@ std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& r
     FilterQuery query;
     query.ray = frame.rays->rays[i];
     query.lambda = hit.lambda;
+    query.spread = polygon->runPerTexel;
     query.place = lookUpPoint(request.field, query.ray, hit);
     // Of the plane at the hit's height: s = s0 + lambda (s0 - sEye) r, and t alike.
     const double scale = 1 + hit.lambda * polygon->runPerTexel;

@@ -146,7 +146,9 @@ namespace {
     QT_TRANSLATE_NOOP("core", "where weights come from: the formula, a table over the distance, a map of the pixel"),
     QT_TRANSLATE_NOOP("core", "of the map of weights along each side; the table has its square"),
     QT_TRANSLATE_NOOP("core",
-                      "where in the pixel a texel counts: its place on the plane, its own, and with its area seen"),
+                      "where in the pixel a texel counts: its place on the plane, its own, and with its area seen; or "
+                      "what rays through parts of the pixel see"),
+    QT_TRANSLATE_NOOP("core", "form=rays: through a pixel in which the relief is no plane"),
     QT_TRANSLATE_NOOP("core", "samples along each side of a pixel"),
     QT_TRANSLATE_NOOP("core", "what a pixel of the display is: how samples are weighed"),
     QT_TRANSLATE_NOOP("core", "Weights"),

@@ -1,0 +1,370 @@
+#include "filtering/elliptical_rays.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "relief/block_work.h"
+#include "relief/look_up_point.h"
+
+namespace relief {
+
+namespace {
+
+// Of the spacing of the rays: less, and their footprints leave gaps; more, and they reach over edges.
+constexpr double kBlurPerSpacing = 0.55;
+// The four first rays, turned off the axes: edges along these are met one by one.
+constexpr double kProbeTurn = 0.4636476090008061;
+// Second difference of the hits over the first, on a plane; and the same in texels of the picture, which is not seen.
+constexpr double kMostBend = 0.2;
+constexpr double kUnseenBend = 0.05;
+// Hits at one height, but for rounding: level ground, which keeps the pixel's own bits.
+constexpr double kLevel = 1e-9;
+// Least 1 + r . g of a ray's tangent plane: flatter, its footprint would reach over the piece of surface that is met.
+constexpr double kLeastFacing = 0.25;
+
+double env(const char* n, double d) {
+    const char* t = std::getenv(n);
+    return t ? std::atof(t) : d;
+}
+const double gBend = env("RS_BEND", kMostBend), gFacing = env("RS_FACING", kLeastFacing),
+             gBlur = env("RS_BLUR", kBlurPerSpacing), gUnseen = env("RS_UNSEEN", kUnseenBend);
+
+// Radius within which the weights have this part of their mass; sigma or the disc's radius is 1.
+double massRadius(const EllipticalSettings& settings, double mass) {
+    return settings.weights == WeightKind::Uniform ? std::sqrt(mass) : std::sqrt(-2 * std::log1p(-mass));
+}
+
+// Moved and stretched so that the mean is 0 and the sums of x x and y y are `second`, that of x y is 0.
+void whiten(std::span<glm::dvec2> places, double second) {
+    glm::dvec2 mean(0);
+    for (const glm::dvec2& p : places) mean += p / static_cast<double>(places.size());
+    double xx = 0, xy = 0, yy = 0;
+    for (glm::dvec2& p : places) {
+        p -= mean;
+        xx += p.x * p.x;
+        xy += p.x * p.y;
+        yy += p.y * p.y;
+    }
+    const double shear = xy / xx;
+    const double across = std::sqrt(second / xx), down = std::sqrt(second / (yy - shear * xy));
+    for (glm::dvec2& p : places) p = {across * p.x, down * (p.y - shear * p.x)};
+}
+
+Jacobian times(const Jacobian& j, double factor) {
+    return {factor * j.ux, factor * j.vx, factor * j.uy, factor * j.vy};
+}
+
+// What pixels see on a plane of this slope through a point that they see at level Jacobian j.
+Jacobian onSlope(const Jacobian& j, const ViewRay& ray, double slopeS, double slopeT) {
+    const double facing = std::max(gFacing, 1 + ray.a * slopeS + ray.b * slopeT);
+    const double alongX = (slopeS * j.ux + slopeT * j.vx) / facing;
+    const double alongY = (slopeS * j.uy + slopeT * j.vy) / facing;
+    return {j.ux - ray.a * alongX, j.vx - ray.b * alongX, j.uy - ray.a * alongY, j.vy - ray.b * alongY};
+}
+
+}  // namespace
+
+double weightVariance(const EllipticalSettings& settings) {
+    if (settings.weights == WeightKind::Uniform) return settings.radius * settings.radius / 4;
+    const double x = settings.radius * settings.radius / (2 * settings.sigma * settings.sigma);
+    return settings.sigma * settings.sigma * (1 - x / std::expm1(x));
+}
+
+RayPattern RayPattern::of(const EllipticalSettings& settings, int samples) {
+    assert(samples >= 2 * kProbes);
+    RayPattern pattern;
+    const double spread = gBlur * std::sqrt(2 * std::numbers::pi / samples);
+    const double variance = weightVariance(settings) / (1 + spread * spread);
+    pattern.blur = spread / std::sqrt(1 + spread * spread);
+    const double unit = std::sqrt(variance / (settings.weights == WeightKind::Uniform ? 0.25 : 1.0));
+    const double radius = unit * massRadius(settings, 0.5);
+    for (int n = 0; n < kProbes; ++n) {
+        const double angle = kProbeTurn + 0.5 * std::numbers::pi * n;
+        pattern.places.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    const int rest = samples - kProbes;
+    const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+    for (int n = 0; n < rest; ++n) {
+        const double mass = (n < rest / 2 ? n + 0.5 : n + kProbes + 0.5) / samples;
+        const double r = unit * massRadius(settings, mass);
+        pattern.places.emplace_back(r * std::cos(golden * n), r * std::sin(golden * n));
+    }
+    // The probes have 2 radius^2 along each axis.
+    whiten({pattern.places.data() + kProbes, static_cast<std::size_t>(rest)}, samples * variance - 2 * radius * radius);
+    return pattern;
+}
+
+RayFan::RayFan(const FilterQuery& query)
+    : entry(query.place - query.lambda * glm::dvec2(query.ray.a, query.ray.b)),
+      run(query.ray.a, query.ray.b),
+      top(times(query.jacobian, 1 / (1 + query.lambda * query.spread))),
+      spread(query.spread) {}
+
+ViewRay RayFan::ray(glm::dvec2 place) const {
+    const glm::dvec2 d{top.ux * place.x + top.uy * place.y, top.vx * place.x + top.vy * place.y};
+    return {entry.x + d.x, entry.y + d.y, run.x + spread * d.x, run.y + spread * d.y};
+}
+
+Jacobian RayFan::jacobianAt(double lambda) const {
+    return times(top, 1 + lambda * spread);
+}
+
+// Kept from chunk to chunk: nothing is allocated for each.
+struct RaysKernel::Scratch {
+    glm::dvec2 scale{1};
+    RayBlock rays;
+    HitBlock hits;
+    std::vector<std::size_t> asked;  // pixels whose rays these are
+    // Pixels that are plain, and with what.
+    FilterBlock plain;
+    std::vector<std::size_t> plainOf;
+    // The others, with what their first rays met.
+    std::vector<std::size_t> edges;
+    std::vector<Hit> edgeHits;
+    // Samples of a chunk of these: their colours by slot, and what is filtered for them.
+    std::vector<Color> found;
+    std::vector<std::uint8_t> met;
+    FilterBlock small;
+    std::vector<std::size_t> slots;
+    std::vector<Color> colors;
+    std::size_t used = 0;
+};
+
+RaysKernel::RaysKernel(EllipticalKernel plain, std::unique_ptr<const Tracer> tracer, int samples)
+    : plain_(std::move(plain)),
+      tracer_(std::move(tracer)),
+      pattern_(RayPattern::of(plain_.settings(), samples)),
+      smallest_(plain_.settings().exhaustive ? 0 : bilinearMajor(plain_.settings())) {}
+
+bool RaysKernel::usable(const FilterQuery& query) const {
+    const Jacobian& j = query.jacobian;
+    const double size = std::abs(j.ux) + std::abs(j.uy) + std::abs(j.vx) + std::abs(j.vy);
+    const double largest = 4.0 * std::max(tracer_->field().width(), tracer_->field().height());
+    return size < largest && query.lambda >= 0 && query.ray.finite() && std::isfinite(query.place.x + query.place.y) &&
+           query.spread >= 0 && std::isfinite(query.spread);
+}
+
+bool RaysKernel::planeThrough(const FilterQuery& query, const HitBlock& hits, std::size_t first, glm::dvec2 scale,
+                              Jacobian& found) const {
+    std::array<glm::dvec2, kProbes> at;
+    bool level = true;
+    for (std::size_t n = 0; n < kProbes; ++n) {
+        if (hits.outcome[first + n] != Outcome::Hit) return false;
+        at[n] = (glm::dvec2(hits.s[first + n], hits.t[first + n]) - query.place) * scale;
+        level = level && std::abs(hits.lambda[first + n] - query.lambda) <= kLevel;
+    }
+    if (level) {
+        found = scaled(query.jacobian, scale);
+        return true;
+    }
+    const auto square = [](glm::dvec2 v) { return v.x * v.x + v.y * v.y; };
+    std::array<glm::dvec2, 2> step;
+    for (std::size_t k = 0; k < 2; ++k) {
+        step[k] = 0.5 * (at[k] - at[k + 2]);
+        const double bend = 0.25 * square(at[k] + at[k + 2]);
+        if (!(bend <= gBend * gBend * square(step[k]) + gUnseen * gUnseen)) return false;
+    }
+    // The places are e, f = e turned by 90 degrees: x = (e.x e - e.y f) / e^2, y = (e.y e + e.x f) / e^2.
+    const glm::dvec2 e = pattern_.places[0] / square(pattern_.places[0]);
+    const glm::dvec2 x = e.x * step[0] - e.y * step[1], y = e.y * step[0] + e.x * step[1];
+    found = {x.x, x.y, y.x, y.y};
+    return true;
+}
+
+void RaysKernel::probe(const FilterBlock& block, std::size_t first, std::size_t last, Scratch& scratch,
+                       Work& work) const {
+    scratch.asked.clear();
+    scratch.rays.resize((last - first) * kProbes);
+    const auto plain = [&](std::size_t i, const FilterQuery& query, const Jacobian& j) {
+        scratch.plain.set(scratch.plainOf.size(), {query.place * scratch.scale, j, {}, 0});
+        scratch.plainOf.push_back(i);
+    };
+    for (std::size_t i = first; i < last; ++i) {
+        const FilterQuery query = block[i];
+        if (!usable(query)) {
+            plain(i, query, scaled(query.jacobian, scratch.scale));
+            continue;
+        }
+        const RayFan fan(query);
+        for (std::size_t n = 0; n < kProbes; ++n) {
+            scratch.rays.set(scratch.asked.size() * kProbes + n, fan.ray(pattern_.places[n]));
+        }
+        scratch.asked.push_back(i);
+    }
+    scratch.rays.resize(scratch.asked.size() * kProbes);
+    NullSink sink;
+    tracer_->trace(scratch.rays, scratch.hits, sink, work);
+    for (std::size_t k = 0; k < scratch.asked.size(); ++k) {
+        const std::size_t i = scratch.asked[k];
+        const FilterQuery query = block[i];
+        Jacobian j;
+        if (planeThrough(query, scratch.hits, k * kProbes, scratch.scale, j)) {
+            plain(i, query, j);
+            continue;
+        }
+        scratch.edges.push_back(i);
+        for (std::size_t n = 0; n < kProbes; ++n) scratch.edgeHits.push_back(scratch.hits[k * kProbes + n]);
+    }
+}
+
+void RaysKernel::addSample(const RayFan& fan, const ViewRay& ray, const Hit& hit, std::size_t slot,
+                           Scratch& scratch) const {
+    scratch.met[slot] = hit.outcome == Outcome::Hit ? 1 : 0;
+    if (hit.outcome != Outcome::Hit) return;
+    const HeightField& field = tracer_->field();
+    const glm::dvec2 place = lookUpPoint(field, ray, hit);
+    Jacobian j = times(fan.jacobianAt(hit.lambda), pattern_.blur);
+    if (field.surface() == Surface::Bilinear) {
+        const auto [slopeS, slopeT] = field.slope(place.x, place.y);
+        j = onSlope(j, ray, slopeS, slopeT);
+    }
+    j = scaled(j, scratch.scale);
+    const glm::dvec2 centre = place * scratch.scale;
+    if (j.ux * j.ux + j.vx * j.vx + j.uy * j.uy + j.vy * j.vy < smallest_ * smallest_) {
+        scratch.found[slot] = plain_.levels().bilinear(0, centre, plain_.address());
+        return;
+    }
+    scratch.small.set(scratch.used, {centre, j, {}, 0});
+    scratch.slots[scratch.used++] = slot;
+}
+
+void RaysKernel::sample(const FilterBlock& block, std::size_t first, std::size_t last, std::span<Color> colors,
+                        FootprintCounts& counts, Scratch& scratch, Work& work, FootprintLog* log) const {
+    const std::size_t samples = pattern_.places.size(), rest = samples - kProbes;
+    const std::size_t pixels = last - first;
+    scratch.rays.resize(pixels * rest);
+    for (std::size_t k = 0; k < pixels; ++k) {
+        const RayFan fan(block[scratch.edges[first + k]]);
+        for (std::size_t n = 0; n < rest; ++n) scratch.rays.set(k * rest + n, fan.ray(pattern_.places[kProbes + n]));
+    }
+    NullSink sink;
+    tracer_->trace(scratch.rays, scratch.hits, sink, work);
+    for (auto* sized : {&scratch.found, &scratch.colors}) sized->resize(pixels * samples);
+    scratch.met.resize(pixels * samples);
+    scratch.slots.resize(pixels * samples);
+    scratch.small.resize(pixels * samples);
+    scratch.used = 0;
+    for (std::size_t k = 0; k < pixels; ++k) {
+        const RayFan fan(block[scratch.edges[first + k]]);
+        for (std::size_t n = 0; n < samples; ++n) {
+            const ViewRay ray = n < kProbes ? fan.ray(pattern_.places[n]) : scratch.rays[k * rest + n - kProbes];
+            const Hit hit =
+                n < kProbes ? scratch.edgeHits[(first + k) * kProbes + n] : scratch.hits[k * rest + n - kProbes];
+            addSample(fan, ray, hit, k * samples + n, scratch);
+        }
+    }
+    scratch.small.resize(scratch.used);
+    FootprintCounts read;
+    plain_.filter(scratch.small, {1, 1}, {scratch.colors.data(), scratch.used}, read);
+    for (std::size_t n = 0; n < scratch.used; ++n) scratch.found[scratch.slots[n]] = scratch.colors[n];
+    counts.texels += read.texels + 4 * static_cast<std::int64_t>(pixels * samples - scratch.used);
+    counts.tested += static_cast<std::int64_t>(pixels * samples);
+    counts.footprints += static_cast<std::int64_t>(pixels);
+    for (std::size_t k = 0; k < pixels; ++k) {
+        glm::dvec3 sum(0);
+        double total = 0;
+        for (std::size_t n = k * samples; n < (k + 1) * samples; ++n) {
+            if (scratch.met[n] == 0) continue;
+            sum += glm::dvec3(scratch.found[n]);
+            total += 1;
+        }
+        const std::size_t i = scratch.edges[first + k];
+        const FilterQuery query = block[i];
+        const glm::dvec2 centre = query.place * scratch.scale;
+        // The pixel's own ray met something all the same.
+        if (total == 0) ++counts.allHidden;
+        colors[i] = total > 0 ? Color(sum / total) : plain_.levels().bilinear(0, centre, plain_.address());
+        if (log == nullptr) continue;
+        log->footprint = plain_.footprint(scaled(query.jacobian, scratch.scale), centre);
+        log->allHidden = total == 0;
+        log->color = colors[i];
+        if (total > 0) logSamples(query, scratch, samples, *log);
+    }
+}
+
+// The samples of the one pixel there is, once more with a log: its texels, as parts of a ray's share.
+void RaysKernel::logSamples(const FilterQuery& query, const Scratch& scratch, std::size_t samples,
+                            FootprintLog& log) const {
+    const RayFan fan(query);
+    const glm::dvec2 own = query.place * scratch.scale;
+    const double toLevel = std::ldexp(1.0, -log.footprint.level);
+    Scratch again;
+    again.scale = scratch.scale;
+    for (auto* sized : {&again.found, &again.colors}) sized->resize(1);
+    again.met.resize(1);
+    again.slots.resize(1);
+    again.small.resize(1);
+    const auto add = [&](FootprintTexel texel, glm::dvec2 away, double weight) {
+        const glm::dvec2 at = log.footprint.centre + away * toLevel;
+        texel.u = at.x;
+        texel.v = at.y;
+        texel.weight = Color(static_cast<float>(weight));
+        texel.tested = true;
+        log.texels.push_back(texel);
+    };
+    std::size_t next = 0;
+    for (std::size_t n = 0; n < samples; ++n) {
+        if (scratch.met[n] == 0) continue;
+        if (next < scratch.used && scratch.slots[next] == n) {
+            const FilterQuery small = scratch.small[next++];
+            FootprintLog part;
+            FootprintCounts counts;
+            plain_.filter(small.jacobian, small.place, counts, &part);
+            double total = 0;
+            for (const FootprintTexel& texel : part.texels) total += texel.weight.x;
+            for (const FootprintTexel& texel : part.texels) {
+                const glm::dvec2 off = glm::dvec2(texel.u, texel.v) - part.footprint.centre;
+                add(texel, small.place - own + off * std::ldexp(1.0, part.footprint.level), texel.weight.x / total);
+            }
+            if (part.footprint.kind == FootprintKind::Top) add({0, 0, part.footprint.level}, small.place - own, 1);
+            if (!part.texels.empty() || part.footprint.kind == FootprintKind::Top) continue;
+        }
+        const Hit hit = n < kProbes ? scratch.edgeHits[n] : scratch.hits[n - kProbes];
+        const ViewRay ray = fan.ray(pattern_.places[n]);
+        const glm::dvec2 place = lookUpPoint(tracer_->field(), ray, hit) * scratch.scale;
+        const BilinearSupport x = plain_.across(0).support(place.x), y = plain_.down(0).support(place.y);
+        for (int c = 0; c < 4; ++c) {
+            const bool right = c % 2 == 1, below = c / 2 == 1;
+            FootprintTexel texel;
+            texel.i = right ? x.second : x.first;
+            texel.j = below ? y.second : y.first;
+            add(texel, place - own + glm::dvec2((right ? 1 : 0) - x.share, (below ? 1 : 0) - y.share),
+                (right ? x.share : 1 - x.share) * (below ? y.share : 1 - y.share));
+        }
+    }
+}
+
+void RaysKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,
+                        Work& work, FootprintLog* log) const {
+    Scratch scratch;
+    scratch.scale = scale;
+    scratch.plain.resize(block.size());
+    // As many rays at once as are traced by one thread.
+    constexpr std::size_t kPixels = kRayGrain / kProbes;
+    for (std::size_t i = 0; i < block.size() && !work.stopped(); i += kPixels) {
+        probe(block, i, std::min(i + kPixels, block.size()), scratch, work);
+    }
+    const std::size_t plains = scratch.plainOf.size();
+    scratch.plain.resize(plains);
+    const FootprintCounts before = counts;
+    std::vector<Color> found(plains);
+    if (log != nullptr && plains == 1) {
+        const FilterQuery plain = scratch.plain[0];
+        found[0] = plain_.filter(plain.jacobian, plain.place, counts, log);
+        log->skipped = true;
+    } else {
+        plain_.filter(scratch.plain, {1, 1}, found, counts);
+    }
+    counts.skipped += counts.texels - before.texels;
+    counts.flat += counts.footprints - before.footprints;
+    for (std::size_t n = 0; n < plains; ++n) colors[scratch.plainOf[n]] = found[n];
+    const std::size_t chunk = std::max<std::size_t>(1, kRayGrain / (pattern_.places.size() - kProbes));
+    for (std::size_t i = 0; i < scratch.edges.size() && !work.stopped(); i += chunk) {
+        sample(block, i, std::min(i + chunk, scratch.edges.size()), colors, counts, scratch, work, log);
+    }
+}
+
+}  // namespace relief
