@@ -1,9 +1,9 @@
 #include "filtering/elliptical_rays.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "relief/block_work.h"
@@ -17,20 +17,16 @@ namespace {
 constexpr double kBlurPerSpacing = 0.55;
 // The four first rays, turned off the axes: edges along these are met one by one.
 constexpr double kProbeTurn = 0.4636476090008061;
+// Part of the weights' mass within the first rays: few edges farther out count.
+constexpr double kProbeMass = 0.6;
 // Second difference of the hits over the first, on a plane; and the same in texels of the picture, which is not seen.
-constexpr double kMostBend = 0.2;
+constexpr double kMostBend = 0.1;
 constexpr double kUnseenBend = 0.05;
 // Hits at one height, but for rounding: level ground, which keeps the pixel's own bits.
 constexpr double kLevel = 1e-9;
-// Least 1 + r . g of a ray's tangent plane: flatter, its footprint would reach over the piece of surface that is met.
-constexpr double kLeastFacing = 0.25;
-
-double env(const char* n, double d) {
-    const char* t = std::getenv(n);
-    return t ? std::atof(t) : d;
-}
-const double gBend = env("RS_BEND", kMostBend), gFacing = env("RS_FACING", kLeastFacing),
-             gBlur = env("RS_BLUR", kBlurPerSpacing), gUnseen = env("RS_UNSEEN", kUnseenBend);
+// Least 1 + r . g of a ray's tangent plane: footprints get shorter where it turns to the viewer, but no longer where it
+// turns away, for they would reach over the piece of surface that is met.
+constexpr double kLeastFacing = 1;
 
 // Radius within which the weights have this part of their mass; sigma or the disc's radius is 1.
 double massRadius(const EllipticalSettings& settings, double mass) {
@@ -59,7 +55,7 @@ Jacobian times(const Jacobian& j, double factor) {
 
 // What pixels see on a plane of this slope through a point that they see at level Jacobian j.
 Jacobian onSlope(const Jacobian& j, const ViewRay& ray, double slopeS, double slopeT) {
-    const double facing = std::max(gFacing, 1 + ray.a * slopeS + ray.b * slopeT);
+    const double facing = std::max(kLeastFacing, 1 + ray.a * slopeS + ray.b * slopeT);
     const double alongX = (slopeS * j.ux + slopeT * j.vx) / facing;
     const double alongY = (slopeS * j.uy + slopeT * j.vy) / facing;
     return {j.ux - ray.a * alongX, j.vx - ray.b * alongX, j.uy - ray.a * alongY, j.vy - ray.b * alongY};
@@ -76,19 +72,20 @@ double weightVariance(const EllipticalSettings& settings) {
 RayPattern RayPattern::of(const EllipticalSettings& settings, int samples) {
     assert(samples >= 2 * kProbes);
     RayPattern pattern;
-    const double spread = gBlur * std::sqrt(2 * std::numbers::pi / samples);
+    const double spread = kBlurPerSpacing * std::sqrt(2 * std::numbers::pi / samples);
     const double variance = weightVariance(settings) / (1 + spread * spread);
     pattern.blur = spread / std::sqrt(1 + spread * spread);
     const double unit = std::sqrt(variance / (settings.weights == WeightKind::Uniform ? 0.25 : 1.0));
-    const double radius = unit * massRadius(settings, 0.5);
+    const double radius = unit * massRadius(settings, kProbeMass);
     for (int n = 0; n < kProbes; ++n) {
         const double angle = kProbeTurn + 0.5 * std::numbers::pi * n;
         pattern.places.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
     const int rest = samples - kProbes;
+    const int inside = std::clamp(static_cast<int>(kProbeMass * samples - 0.5 * kProbes), 0, rest);
     const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
     for (int n = 0; n < rest; ++n) {
-        const double mass = (n < rest / 2 ? n + 0.5 : n + kProbes + 0.5) / samples;
+        const double mass = (n < inside ? n + 0.5 : n + kProbes + 0.5) / samples;
         const double r = unit * massRadius(settings, mass);
         pattern.places.emplace_back(r * std::cos(golden * n), r * std::sin(golden * n));
     }
@@ -165,7 +162,7 @@ bool RaysKernel::planeThrough(const FilterQuery& query, const HitBlock& hits, st
     for (std::size_t k = 0; k < 2; ++k) {
         step[k] = 0.5 * (at[k] - at[k + 2]);
         const double bend = 0.25 * square(at[k] + at[k + 2]);
-        if (!(bend <= gBend * gBend * square(step[k]) + gUnseen * gUnseen)) return false;
+        if (!(bend <= kMostBend * kMostBend * square(step[k]) + kUnseenBend * kUnseenBend)) return false;
     }
     // The places are e, f = e turned by 90 degrees: x = (e.x e - e.y f) / e^2, y = (e.y e + e.x f) / e^2.
     const glm::dvec2 e = pattern_.places[0] / square(pattern_.places[0]);
