@@ -13,6 +13,7 @@
 //   position-area  times the projected area of the surface there, max(0, 1 + a h_s + b h_t)
 // The last two sum over the surface itself: where the relief under a texel is steep, so that its parts lie far apart in
 // the pixel, it is taken in parts, first the finer levels' texels, then parts of texels.
+// A fourth, rays, is another text: elliptical_rays.h.
 // All equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at the hit's height.
 // None visible: the colour at the hit.
 //

@@ -35,7 +35,7 @@ struct FootprintCounts {
     std::int64_t footprints = 0;  // of them filtered as ellipses
     std::int64_t bilinear = 0;    // footprints smaller than a texel
     std::int64_t texels = 0;      // read
-    std::int64_t tested = 0;      // traced back
+    std::int64_t tested = 0;      // traced back; form=rays: rays whose footprints were read
     std::int64_t hidden = 0;      // of the tested
     std::int64_t skipped = 0;     // texels whose test was not needed
     std::int64_t flat = 0;        // footprints none of whose texels needed a test

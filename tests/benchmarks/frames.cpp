@@ -46,8 +46,8 @@ void measure(FrameRequest request, const char* name, double seconds) {
     }
     double sum = 0;
     for (const double s : stages) sum += s;
-    std::printf("%-26s %2.0f %-20s %-7s %6.1f frames/s %7.1f ms %7.1f ms ", name, request.camera.elevation,
-                request.filter.name.c_str(), request.shadows ? "shadows" : "", 1 / quantile(taken, 0.5),
+    std::printf("%-26s %2.0f %-28s %-7s %6.1f frames/s %7.1f ms %7.1f ms ", name, request.camera.elevation,
+                filterText(request.filter).c_str(), request.shadows ? "shadows" : "", 1 / quantile(taken, 0.5),
                 1000 * quantile(taken, 0.5), 1000 * quantile(taken, 0.9));
     for (std::size_t s = 0; s < kStages; ++s) {
         std::printf(" %s %.0f%%", std::string(kStageNames[s]).c_str(), 100 * stages[s] / sum);
@@ -66,12 +66,12 @@ int main(int argc, char** argv) {
         const auto heights = std::make_shared<const FloatImage>(readHeight(folder + pictures.height, {}, work).heights);
         const auto color = std::make_shared<const ColorImage>(readColor(folder + pictures.color, work));
         for (const double elevation : {60.0, 45.0, 25.0}) {
-            for (const char* filter : {"elliptical", "elliptical-visible"}) {
+            for (const char* filter : {"elliptical", "elliptical-visible:form=rays", "elliptical-visible"}) {
                 for (const bool shadows : {false, true}) {
                     FrameRequest request{HeightField(heights)};
                     request.color = color;
                     request.camera.elevation = elevation;
-                    request.filter.name = filter;
+                    request.filter = parseFilter(filter, "filter");
                     request.shadows = shadows;
                     measure(request, pictures.folder, seconds);
                 }
