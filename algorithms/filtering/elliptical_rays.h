@@ -7,9 +7,9 @@
 // pixel is their mean. Rays that meet nothing are left out. Nothing else is hidden or seen than what the rays meet.
 //
 // Places of the rays in the pixel: points that the weights take from equal parts of their mass, turned by the golden
-// angle, the four first within six tenths of the mass. Their covariance and the small footprints' sum up to that of plain
-// filtering, so that both see a plane alike. The same for all pixels; each pixel sums in the points' order: equal bits
-// in any company and for any number of threads.
+// angle, the four first within six tenths of the mass. Their covariance and the small footprints' sum up to that of
+// plain filtering, so that both see a plane alike. The same for all pixels; each pixel sums in the points' order: equal
+// bits in any company and for any number of threads.
 //
 // The fan of rays: a ray entering d texels from the pixel's enters d on and runs spread * d further a unit of descent;
 // d is linear in the place in the pixel, as everywhere in filtering.
