@@ -50,11 +50,18 @@ class ConeTracer {
                      &Options::precision}};
         }
     };
-    static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+    // The map alone.
+    static std::shared_ptr<const ConeMap> makeMap(const HeightField& field, const Options& options, MapCache& cache,
+                                                  Work& work) {
         ConeParameters parameters;
         parameters.sectors = options.sectors;
         parameters.precision = parsePrecision(options.precision);
-        ConeTracer tracer(field, relief::coneMap(ConeKind::Conservative, parameters, field, cache, work));
+        return relief::coneMap(ConeKind::Conservative, parameters, field, cache, work);
+    }
+    static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+        ConeTracer tracer(field, makeMap(field, options, cache, work));
+        // Another form of the map is chosen to see that map at work, so nothing else is built for it.
+        if (options.sectors != 1 || parsePrecision(options.precision) != Precision::Float) return tracer;
         tracer.packed_ = packedCones(field, cache, work);
         tracer.scene_ = LaneScene(field, tracer.packed_->highest, std::max(tracer.grid_.x.cells, tracer.grid_.y.cells));
         return tracer;

@@ -84,8 +84,8 @@ HWY_INLINE Fitness setUpPlaces(const LaneScene& scene, const GridAxis& axis, con
     const VD share = hn::Sub(along, first);
     const VD absRun = hn::Abs(run);
     MD good = hn::And(hn::Lt(hn::Abs(first), hn::Set(d, kLanePlaces)), hn::Le(absRun, hn::Set(d, kLaneRun)));
-    // RayAxis takes them for parallel, whatever their sign.
-    good = hn::And(good, hn::Or(hn::Ge(absRun, hn::Set(d, 1e-300)), hn::Eq(run, zero)));
+    // Too small for a float to keep its sign; RayAxis takes the smallest for parallel, whatever theirs.
+    good = hn::And(good, hn::Or(hn::Ge(absRun, hn::Set(d, 1e-30)), hn::Eq(run, zero)));
     // Hardly moving and next to a line: the walk could begin on the wrong side of it.
     if (begin > 0) {
         good = hn::AndNot(hn::And(hn::Lt(absRun, hn::Set(d, 1e-6)), hn::Lt(share, hn::Set(d, 1e-6))), good);

@@ -215,7 +215,9 @@ class PyramidKernel {
         const VI first = hn::Add(ray.k, ray.k);
         const VI middle = hn::Shl(hn::Add(first, hn::Set(di_, 1)), below);
         const VI lowest = low(axis, ray);
-        const MI far = asInt(hn::Ge(surely, lambdaAt(ray, middle)));
+        // The line through the start, and those before it, are behind, however slowly the ray moves.
+        const MI behind = hn::Not(hn::Gt(hn::Add(middle, ray.offset), hn::Zero(di_)));
+        const MI far = hn::Or(behind, asInt(hn::Ge(surely, lambdaAt(ray, middle))));
         const MI exists = hn::Lt(middle, hn::Add(lowest, hn::Set(di_, axis.cells)));
         const MI only = hn::Not(hn::Gt(middle, lowest));
         const MI upper = hn::And(hn::Or(far, only), exists);

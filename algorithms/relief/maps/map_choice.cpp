@@ -115,11 +115,13 @@ StoredMap buildMap(const std::string& kind, const OptionValues& options, const H
     StoredMap map;
     forEachMapTracer([&]<class T>() {
         if (T::describe().name != method) return;
-        const T tracer = T::make(field, parseOptions<typename T::Options>(method, options), cache, work);
-        if constexpr (requires { tracer.distanceMap(); }) {
-            map = tracer.distanceMap();
+        const auto parsed = parseOptions<typename T::Options>(method, options);
+        if constexpr (requires { T::makeMap(field, parsed, cache, work); }) {
+            map = T::makeMap(field, parsed, cache, work);
+        } else if constexpr (requires(const T& tracer) { tracer.distanceMap(); }) {
+            map = T::make(field, parsed, cache, work).distanceMap();
         } else {
-            map = tracer.coneMap();
+            map = T::make(field, parsed, cache, work).coneMap();
         }
     });
     return map;

@@ -35,7 +35,7 @@ RayBlock awkwardRays(const HeightField& field, std::uint64_t seed, std::size_t c
     RayBlock rays;
     for (std::size_t i = 0; i < count; ++i) {
         ViewRay ray = randomRay(random, field, 0.3);
-        switch (random.below(12)) {
+        switch (random.below(14)) {
             case 0:
                 ray.a = 0;
                 break;
@@ -54,6 +54,13 @@ RayBlock awkwardRays(const HeightField& field, std::uint64_t seed, std::size_t c
                 break;
             case 5:
                 ray.a *= 1e-9, ray.b *= 1e-7;
+                break;
+            case 8:
+                ray.s0 = random.below(field.width() + 1), ray.t0 = random.below(field.height() + 1);
+                ray.a = ray.b = random.below(2) == 0 ? 0.0 : -0.0;
+                break;
+            case 9:
+                (random.below(2) == 0 ? ray.a : ray.b) = random.below(2) == 0 ? -1e-200 : 1e-40;
                 break;
             case 6:
                 ray.a *= 1e-3;
