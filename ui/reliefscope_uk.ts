@@ -536,6 +536,10 @@
         <translation>карти ваг уздовж кожної сторони; таблиця має її квадрат</translation>
     </message>
     <message>
+        <source>many pixels at once, of 16-bit levels, where the formula is direct; or one by one in double</source>
+        <translation>багато пікселів разом, за 16-бітними рівнями, де формула пряма; або по одному, з подвійною точністю</translation>
+    </message>
+    <message>
         <source>where in the pixel a texel counts: its place on the plane, its own, and with its area seen; or what rays through parts of the pixel see</source>
         <translation>де в пікселі рахується тексель: його місце на площині, справжнє, і з видимою площею; або що бачать промені крізь частини пікселя</translation>
     </message>
