@@ -48,7 +48,47 @@ HWY_INLINE std::size_t packLanes(VI v, MI chosen, std::int32_t* to) {
     return hn::CountTrue(DI(), chosen);
 }
 
+// What became of the rays in the chosen lanes: the cell that the leaf is to decide, and its place n, or an end.
+HWY_INLINE void noteCandidates(LaneRays& rays, MI chosen, VI slots, VI cellX, VI cellY, VI placeX, VI placeY) {
+    HWY_ALIGN std::int32_t slot[kLanes], cells[2][kLanes], places[2][kLanes];
+    const std::size_t count = packLanes(slots, chosen, slot);
+    packLanes(cellX, chosen, cells[0]);
+    packLanes(cellY, chosen, cells[1]);
+    packLanes(placeX, chosen, places[0]);
+    packLanes(placeY, chosen, places[1]);
+    for (std::size_t n = 0; n < count; ++n) {
+        const auto i = static_cast<std::size_t>(slot[n]);
+        rays.x.hitCell[i] = cells[0][n];
+        rays.y.hitCell[i] = cells[1][n];
+        rays.x.hitPlace[i] = places[0][n];
+        rays.y.hitPlace[i] = places[1][n];
+    }
+}
+HWY_INLINE void noteEnd(LaneRays& rays, MI chosen, VI slots, LaneEnd end) {
+    HWY_ALIGN std::int32_t slot[kLanes];
+    const std::size_t count = packLanes(slots, chosen, slot);
+    for (std::size_t n = 0; n < count; ++n)
+        rays.end[static_cast<std::size_t>(slot[n])] = static_cast<std::int32_t>(end);
+}
+
 // -------------------------------------------------------------------------------------------------------- set-up
+
+// Where kHalfLanes rays enter, taken into the first period where the axis wraps.
+template <Address kAddress>
+HWY_INLINE VD reducedOrigins(const GridAxis& axis, const double* origins) {
+    const DD d;
+    const VD s = hn::LoadU(d, origins);
+    if constexpr (kAddress == Address::Repeat) {
+        const MD inside = hn::And(hn::Ge(s, hn::Zero(d)), hn::Lt(s, hn::Set(d, axis.texels)));
+        if (HWY_UNLIKELY(!hn::AllTrue(d, inside))) {
+            HWY_ALIGN double reduced[kHalfLanes];
+            hn::Store(s, d, reduced);
+            for (double& value : reduced) value = std::isfinite(value) ? reduceToPeriod(value, axis.texels) : 0;
+            return hn::Load(d, reduced);
+        }
+    }
+    return s;
+}
 
 // Whether lanes can take the ray; and under border, whether it surely left the map before the walk begins, though it
 // entered within.
@@ -63,19 +103,9 @@ HWY_INLINE Fitness setUpPlaces(const LaneScene& scene, const GridAxis& axis, con
     const DD d;
     const DHF df;
     const DHI di;
-    VD s = hn::LoadU(d, origins + i);
+    const VD s = reducedOrigins<kAddress>(axis, origins + i);
     const VD run = hn::LoadU(d, runs + i);
     const VD zero = hn::Zero(d);
-    if constexpr (kAddress == Address::Repeat) {
-        const VD size = hn::Set(d, axis.texels);
-        const MD inside = hn::And(hn::Ge(s, zero), hn::Lt(s, size));
-        if (HWY_UNLIKELY(!hn::AllTrue(d, inside))) {
-            HWY_ALIGN double reduced[kHalfLanes];
-            hn::Store(s, d, reduced);
-            for (double& value : reduced) value = std::isfinite(value) ? reduceToPeriod(value, axis.texels) : 0;
-            s = hn::Load(d, reduced);
-        }
-    }
     const VD start = hn::Add(s, hn::Set(d, axis.shift));
     const VD place = hn::Add(start, hn::Mul(hn::Set(d, begin), run));
     const MD mirrored = hn::Lt(run, zero);
@@ -306,17 +336,8 @@ HWY_INLINE ExactAxis exactAxis(const LaneScene& scene, const GridAxis& axis, con
     const DHI di;
     ExactAxis out;
     const VD zero = hn::Zero(d);
-    VD s = hn::LoadU(d, origins + i);
+    const VD s = reducedOrigins<kAddress>(axis, origins + i);
     const VD given = hn::LoadU(d, runs + i);
-    if constexpr (kAddress == Address::Repeat) {
-        const MD inside = hn::And(hn::Ge(s, zero), hn::Lt(s, hn::Set(d, axis.texels)));
-        if (HWY_UNLIKELY(!hn::AllTrue(d, inside))) {
-            HWY_ALIGN double reduced[kHalfLanes];
-            hn::Store(s, d, reduced);
-            for (double& value : reduced) value = std::isfinite(value) ? reduceToPeriod(value, axis.texels) : 0;
-            s = hn::Load(d, reduced);
-        }
-    }
     out.start = hn::Add(s, hn::Set(d, axis.shift));
     out.run = hn::IfThenZeroElse(hn::Lt(hn::Abs(given), hn::Set(d, 1e-300)), given);
     out.still = hn::Eq(out.run, zero);

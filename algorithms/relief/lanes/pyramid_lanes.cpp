@@ -324,28 +324,12 @@ class PyramidKernel {
 
     HWY_INLINE void finishCandidates(const State& state, MF who) {
         if (hn::AllFalse(df_, who)) return;
-        HWY_ALIGN std::int32_t slot[kLanes], cellX[kLanes], cellY[kLanes], placeX[kLanes], placeY[kLanes];
-        const MI whoI = asInt(who);
-        const std::size_t count = packLanes(state.slot, whoI, slot);
-        packLanes(hn::Xor(state.x.k, state.x.mirror), whoI, cellX);
-        packLanes(hn::Xor(state.y.k, state.y.mirror), whoI, cellY);
-        packLanes(hn::Add(state.x.k, state.x.offset), whoI, placeX);
-        packLanes(hn::Add(state.y.k, state.y.offset), whoI, placeY);
-        for (std::size_t n = 0; n < count; ++n) {
-            const auto i = static_cast<std::size_t>(slot[n]);
-            rays_.x.hitCell[i] = cellX[n];
-            rays_.y.hitCell[i] = cellY[n];
-            rays_.x.hitPlace[i] = placeX[n];
-            rays_.y.hitPlace[i] = placeY[n];
-        }
+        noteCandidates(rays_, asInt(who), state.slot, hn::Xor(state.x.k, state.x.mirror),
+                       hn::Xor(state.y.k, state.y.mirror), hn::Add(state.x.k, state.x.offset),
+                       hn::Add(state.y.k, state.y.offset));
     }
 
-    HWY_INLINE void finish(const State& state, MF who, LaneEnd end) {
-        HWY_ALIGN std::int32_t slot[kLanes];
-        const std::size_t count = packLanes(state.slot, asInt(who), slot);
-        for (std::size_t n = 0; n < count; ++n)
-            rays_.end[static_cast<std::size_t>(slot[n])] = static_cast<std::int32_t>(end);
-    }
+    HWY_INLINE void finish(const State& state, MF who, LaneEnd end) { noteEnd(rays_, asInt(who), state.slot, end); }
 
     // Idle lanes before new rays are taken in, waiting ones before leaves are looked at.
     static constexpr std::size_t kRefill = std::max<std::size_t>(1, kLanes / 4);
