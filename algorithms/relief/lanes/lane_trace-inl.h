@@ -114,6 +114,8 @@ HWY_INLINE Fitness setUpPlaces(const LaneScene& scene, const GridAxis& axis, con
     const VD share = hn::Sub(along, first);
     const VD absRun = hn::Abs(run);
     MD good = hn::And(hn::Lt(hn::Abs(first), hn::Set(d, kLanePlaces)), hn::Le(absRun, hn::Set(d, kLaneRun)));
+    // Less than a rounding behind a line: mirrored, the walk would begin beyond it, and the start's own cell be missed.
+    good = hn::AndNot(hn::And(hn::And(mirrored, hn::Eq(share, zero)), hn::Lt(hn::Floor(place), place)), good);
     // Too small for a float to keep its sign; RayAxis takes the smallest for parallel, whatever theirs.
     good = hn::And(good, hn::Or(hn::Ge(absRun, hn::Set(d, 1e-30)), hn::Eq(run, zero)));
     // Hardly moving and next to a line: the walk could begin on the wrong side of it.

@@ -35,7 +35,7 @@ RayBlock awkwardRays(const HeightField& field, std::uint64_t seed, std::size_t c
     RayBlock rays;
     for (std::size_t i = 0; i < count; ++i) {
         ViewRay ray = randomRay(random, field, 0.3);
-        switch (random.below(14)) {
+        switch (random.below(16)) {
             case 0:
                 ray.a = 0;
                 break;
@@ -68,6 +68,15 @@ RayBlock awkwardRays(const HeightField& field, std::uint64_t seed, std::size_t c
             case 7:
                 if (random.below(20) == 0) ray.a = std::numeric_limits<double>::quiet_NaN();
                 if (random.below(20) == 0) ray.b = 3e6;
+                break;
+            case 10:
+            case 11:
+                // Next to a line, by one rounding.
+                for (double* place : {&ray.s0, &ray.t0}) {
+                    const double line = std::floor(*place) + 0.5 * random.below(2);
+                    const double side = random.below(2) == 0 ? -1.0 : 1.0;
+                    *place = random.below(3) == 0 ? *place : std::nextafter(line, line + side);
+                }
                 break;
             default:
                 break;
