@@ -1,22 +1,32 @@
-// Our Euclidean distance map beside vtkImageEuclideanDistance, in one process, the rounds interleaved, one thread each
-// (VTK's works on one). Both are exact and find the distance of each voxel's centre to the nearest solid centre.
-//   relief_distance_peers [--maps NAME,...] [--sizes WxL,...] [--rounds N] [--threads N]
-// VTK is given the binary volume, made outside its timing; ours begins with the heights, as a tracer would, and takes
-// roots besides. Exit status 1 if the two disagree.
+// Our Euclidean distance map beside vtkImageEuclideanDistance and, where it is installed, ITK's Maurer transform, in
+// one process, the rounds interleaved. All are exact and find the distance of each voxel's centre to the nearest solid
+// one.
+//   relief_distance_peers [--maps NAME,...] [--sizes WxL,...] [--rounds N] [--threads N] [-o FILE.csv|json]
+// The peers are given the binary volume, made outside their timing; ours begins with the heights, as a tracer would.
+// VTK's works on one thread whatever is asked. Rates are maps a second; error is the largest difference to ours, in
+// texels. Exit status 1 if one disagrees.
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <iostream>
+#include <optional>
 
 #include <vtkImageData.h>
 #include <vtkImageEuclideanDistance.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 #include <vtkVersion.h>
 
 #include "images/reliefs.h"
 #include "measuring/machine.h"
 #include "measuring/quantiles.h"
 #include "measuring/text_table.h"
+#include "peer_table.h"
 #include "relief/maps/distance_map.h"
+
+#ifdef RELIEF_ITK
+#include "itk_peer.h"
+#endif
 
 namespace relief::peers {
 namespace {
@@ -32,6 +42,7 @@ struct Settings {
     std::vector<std::pair<int, int>> sizes{{256, 32}, {512, 64}};  // side, layers
     int rounds = 5;
     int threads = 1;
+    std::string output;
 };
 
 double secondsSince(Clock::time_point begun) {
@@ -56,79 +67,149 @@ vtkNew<vtkImageData> volumeOf(const HeightField& field, int layers) {
     return volume;
 }
 
-double largestDifference(const DistanceMap& ours, vtkImageData* squares) {
+// at(x, y, k): the peer's distance.
+template <class At>
+double largestDifference(const DistanceMap& ours, const At& at) {
     double worst = 0;
     for (int k = 0; k < ours.layers(); ++k) {
         for (int y = 0; y < ours.ny(); ++y) {
             for (int x = 0; x < ours.nx(); ++x) {
-                const double square = *static_cast<double*>(squares->GetScalarPointer(x, y, k + 1));
-                worst = std::max(worst, std::abs(std::sqrt(square) - static_cast<double>(ours.at(x, y, k, 0))));
+                worst = std::max(worst, std::abs(at(x, y, k) - static_cast<double>(ours.at(x, y, k, 0))));
             }
         }
     }
     return worst;
 }
 
+double timed(const std::function<void()>& body) {
+    const auto begun = Clock::now();
+    body();
+    return secondsSince(begun);
+}
+
+struct Contender {
+    std::string method;
+    int threads = 1;
+    std::function<void()> build;
+    std::function<double(const DistanceMap&)> differs;  // after build
+    std::vector<double> rates;
+    double difference = 0;
+};
+
+// What is compared in one cell, ours first.
+class Cell {
+  public:
+    Cell(const std::string& name, int side, int layers, int threads)
+        : work_(threads),
+          field_(std::make_shared<FloatImage>(makeRelief(name, side, side, 1)), Surface::Bilinear, Address::Clamp,
+                 kReliefDepth),
+          volume_(volumeOf(field_, layers)) {
+        parameters_.layers = layers;
+        contenders.push_back({"euclidean",
+                              threads,
+                              [this] { ours_ = buildDistanceMap(DistanceKind::Euclidean, parameters_, field_, work_); },
+                              [](const DistanceMap&) { return 0.0; },
+                              {},
+                              0});
+        contenders.push_back({"VTK/Saito",
+                              1,
+                              [this] { buildVtk(); },
+                              [this](const DistanceMap& map) {
+                                  return largestDifference(map, [this](int x, int y, int k) {
+                                      return std::sqrt(
+                                          *static_cast<double*>(vtk_->GetOutput()->GetScalarPointer(x, y, k + 1)));
+                                  });
+                              },
+                              {},
+                              0});
+#ifdef RELIEF_ITK
+        const auto* binary = static_cast<const double*>(volume_->GetScalarPointer());
+        const auto voxels = static_cast<std::size_t>(volume_->GetNumberOfPoints());
+        std::vector<unsigned char> solid(voxels);
+        for (std::size_t i = 0; i < voxels; ++i) solid[i] = binary[i] == 0 ? 1 : 0;
+        itk_ = std::make_unique<ItkDistance>(solid.data(), side, side, layers, field_.slabTexels() / layers, threads);
+        contenders.push_back({"ITK/Maurer",
+                              threads,
+                              [this] { itk_->build(); },
+                              [this](const DistanceMap& map) {
+                                  return largestDifference(map,
+                                                           [this](int x, int y, int k) { return itk_->at(x, y, k); });
+                              },
+                              {},
+                              0});
+#endif
+    }
+
+    void run(int rounds) {
+        for (int round = -1; round < rounds; ++round) {
+            for (Contender& contender : contenders) {
+                const double seconds = timed(contender.build);
+                if (round < 0) {
+                    contender.difference = contender.differs(*ours_);
+                } else {
+                    contender.rates.push_back(1 / seconds);
+                }
+            }
+        }
+    }
+
+    std::vector<Contender> contenders;
+
+  private:
+    void buildVtk() {
+        vtk_ = vtkSmartPointer<vtkImageEuclideanDistance>::New();
+        vtk_->SetInputData(volume_);
+        vtk_->SetAlgorithmToSaito();
+        vtk_->ConsiderAnisotropyOn();
+        vtk_->InitializeOn();
+        vtk_->Update();
+    }
+
+    Work work_;
+    HeightField field_;
+    DistanceParameters parameters_;
+    std::optional<DistanceMap> ours_;
+    vtkNew<vtkImageData> volume_;
+    vtkSmartPointer<vtkImageEuclideanDistance> vtk_;
+#ifdef RELIEF_ITK
+    std::unique_ptr<ItkDistance> itk_;
+#endif
+};
+
 bool compare(const Settings& settings, std::ostream& out) {
-    Work work(settings.threads);
-    std::vector<TableRow> rows{
-        {"map", "voxels", "ours, s", "+-%", "VTK, s", "+-%", "VTK / ours", "+-%", "differ, texels"}};
+    std::vector<TableRow> shown{
+        {"map", "voxels", "method", "threads", "s", "+-%", "of the fastest peer", "+-%", "differs, texels"}};
+    std::vector<PeerRow> rows;
     bool agree = true;
     for (const std::string& name : settings.maps) {
         for (const auto& [side, layers] : settings.sizes) {
-            const HeightField field(std::make_shared<FloatImage>(makeRelief(name, side, side, 1)), Surface::Bilinear,
-                                    Address::Clamp, kReliefDepth);
-            DistanceParameters parameters;
-            parameters.layers = layers;
-            const vtkNew<vtkImageData> volume = volumeOf(field, layers);
-            std::vector<double> ours;
-            std::vector<double> theirs;
-            std::vector<double> ratios;
-            double differ = 0;
-            for (int round = -1; round < settings.rounds; ++round) {
-                auto begun = Clock::now();
-                const DistanceMap map = buildDistanceMap(DistanceKind::Euclidean, parameters, field, work);
-                const double our = secondsSince(begun);
-                vtkNew<vtkImageEuclideanDistance> filter;
-                filter->SetInputData(volume);
-                filter->SetAlgorithmToSaito();
-                filter->ConsiderAnisotropyOn();
-                filter->InitializeOn();
-                begun = Clock::now();
-                filter->Update();
-                const double their = secondsSince(begun);
-                if (round < 0) {
-                    differ = largestDifference(map, filter->GetOutput());
-                    continue;
-                }
-                ours.push_back(our);
-                theirs.push_back(their);
-                ratios.push_back(their / our);
+            Cell cell(name, side, layers, settings.threads);
+            cell.run(settings.rounds);
+            std::vector<const std::vector<double>*> peers;
+            for (std::size_t i = 1; i < cell.contenders.size(); ++i) peers.push_back(&cell.contenders[i].rates);
+            const std::vector<double> fastest = fastestOf(peers);
+            for (const Contender& contender : cell.contenders) {
+                PeerRow row{name, std::to_string(side) + "x" + std::to_string(layers), "", contender.method,
+                            contender.threads};
+                setRates(row, contender.rates);
+                setRatios(row, contender.rates, fastest);
+                row.error = contender.difference;
+                agree = agree && row.error <= kAgree;
+                rows.push_back(row);
+                shown.push_back({row.what, row.size, row.method, std::to_string(row.threads), readable(1 / row.rate, 3),
+                                 readable(100 * row.spread, 2), readable(row.ratio, 3),
+                                 readable(100 * row.ratioSpread, 2), readable(row.error, 2)});
             }
-            agree = agree && differ <= kAgree;
-            rows.push_back({name, std::to_string(side) + " x " + std::to_string(side) + " x " + std::to_string(layers),
-                            readable(quantile(ours, 0.5), 3), readable(100 * relativeSpread(ours), 2),
-                            readable(quantile(theirs, 0.5), 3), readable(100 * relativeSpread(theirs), 2),
-                            readable(quantile(ratios, 0.5), 3), readable(100 * relativeSpread(ratios), 2),
-                            readable(differ, 2)});
         }
     }
-    out << textTable(rows, 2) << "\nMedians of " << settings.rounds << " rounds, +-: (p75 - p25) / median. "
-        << settings.threads << " thread(s) of ours, one of VTK " << vtkVersion::GetVTKVersion() << "; " << cpuText()
-        << ", " << compilerText() << ", " << commitText() << "\n";
+    out << textTable(shown, 3) << "\nMedians of " << settings.rounds << " rounds, +-: (p75 - p25) / median. VTK "
+        << vtkVersion::GetVTKVersion();
+#ifdef RELIEF_ITK
+    out << ", ITK " << ItkDistance::version();
+#endif
+    out << "; " << cpuText() << ", " << compilerText() << ", " << commitText() << "\n";
+    if (!settings.output.empty()) writePeerRows(settings.output, rows);
     return agree;
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> all(1);
-    for (const char c : text) {
-        if (c == separator) {
-            all.emplace_back();
-        } else {
-            all.back() += c;
-        }
-    }
-    return all;
 }
 
 Settings parse(int argc, char** argv) {
@@ -137,11 +218,11 @@ Settings parse(int argc, char** argv) {
         const std::string word = argv[i];
         const std::string value = argv[i + 1];
         if (word == "--maps") {
-            settings.maps = split(value, ',');
+            settings.maps = partsOf(value);
         } else if (word == "--sizes") {
             settings.sizes.clear();
-            for (const std::string& size : split(value, ',')) {
-                const auto parts = split(size, 'x');
+            for (const std::string& size : partsOf(value)) {
+                const auto parts = partsOf(size, 'x');
                 settings.sizes.emplace_back(static_cast<int>(parseNumber(parts.front(), word)),
                                             static_cast<int>(parseNumber(parts.back(), word)));
             }
@@ -149,6 +230,8 @@ Settings parse(int argc, char** argv) {
             settings.rounds = static_cast<int>(parseNumber(value, word));
         } else if (word == "--threads") {
             settings.threads = static_cast<int>(parseNumber(value, word));
+        } else if (word == "-o") {
+            settings.output = value;
         } else {
             throw InputError(word, Message(MessageId::UnknownName,
                                            {{"what", "option"}, {"name", word}, {"known", "see distance_peers.cpp"}}));

@@ -2,10 +2,10 @@
 // thread: rate, and error against a Gaussian pixel (sigma 0.5) that is integrated over the exact perspective of the
 // plane.
 //   relief_filter_peers [--size N] [--width N] [--height N] [--rounds N] [--pictures zone,bricks,checker]
-//                       [--elevations 60,25,8] [--azimuth A] [--seed N]
+//                       [--elevations 60,25,8] [--azimuth A] [--seed N] [-o FILE.csv|json]
 // OpenImageIO gets the same derivatives, a tiled float texture with its own pyramid, all in its cache; each of its
 // derivative multipliers below, by single lookups and in batches of 16 (blur and width set in each lane); its rate is
-// the best of those, its error the least. Ratios are of medians over the rounds.
+// the best of those in the same round, its error the least of all. In the file error is RMSE in linear light.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -28,6 +28,7 @@
 #include "measuring/bench_filters.h"
 #include "measuring/machine.h"
 #include "measuring/quantiles.h"
+#include "peer_table.h"
 #include "rendering/frame.h"
 
 namespace relief {
@@ -47,6 +48,7 @@ struct Settings {
     std::uint64_t seed = 11;
     std::vector<std::string> pictures{"zone", "bricks", "checker"};
     std::vector<double> elevations{60, 25, 8};
+    std::string output;
 };
 
 std::shared_ptr<const ColorImage> pictureOf(const std::string& name, const Settings& settings) {
@@ -210,8 +212,6 @@ struct Runner {
     std::function<void(std::vector<Color>&)> run;
     double error = 0;
     std::vector<double> rates;
-
-    double rate() const { return quantile(rates, 0.5); }
 };
 
 std::vector<Runner> runnersOf(const View& view, const Peer& peer, const TextureFilter& lanes,
@@ -235,14 +235,14 @@ std::vector<Runner> runnersOf(const View& view, const Peer& peer, const TextureF
     runners.push_back({"scalar", true, ours(scalar, 0), 0, {}});
     for (const float width : kWidths) {
         char text[32];
-        std::snprintf(text, sizeof text, "OIIO width %.1f", static_cast<double>(width));
+        std::snprintf(text, sizeof text, "OIIO/width %.1f", static_cast<double>(width));
         runners.push_back({text, false, [&, width](auto& colors) { peer.single(view.all, width, colors); }, 0, {}});
     }
-    runners.push_back({"OIIO batched 1.0", false, [&](auto& colors) { peer.batched(view.all, 1, colors); }, 0, {}});
+    runners.push_back({"OIIO/batched 1.0", false, [&](auto& colors) { peer.batched(view.all, 1, colors); }, 0, {}});
     return runners;
 }
 
-void measure(const std::string& name, double elevation, const Settings& settings, Work& work) {
+std::vector<peers::PeerRow> measure(const std::string& name, double elevation, const Settings& settings, Work& work) {
     const auto picture = pictureOf(name, settings);
     const View view = viewOf(picture, settings, elevation, work);
     const HeightField field(std::make_shared<const FloatImage>(picture->width(), picture->height(), 1.0F));
@@ -265,27 +265,30 @@ void measure(const std::string& name, double elevation, const Settings& settings
             runner.rates.push_back(static_cast<double>(view.all.size()) / seconds);
         }
     }
-    double best = 0, least = 1e9;
+    std::vector<const std::vector<double>*> peers;
+    double least = 1e9;
     for (const Runner& runner : runners) {
         if (runner.ours) continue;
-        best = std::max(best, runner.rate());
+        peers.push_back(&runner.rates);
         least = std::min(least, runner.error);
     }
+    const std::vector<double> fastest = peers::fastestOf(peers);
     std::printf("%s, %g degrees, %zu pixels: OpenImageIO's best rate %.2f Mpixels/s, least error %.2f\n", name.c_str(),
-                elevation, view.all.size(), best * 1e-6, least * 1e3);
-    std::printf("  %-18s %12s %10s %12s %12s\n", "", "Mpixels/s", "ratio", "error x1000", "of the least");
+                elevation, view.all.size(), quantile(fastest, 0.5) * 1e-6, least * 1e3);
+    std::printf("  %-18s %12s %6s %10s %6s %12s %12s\n", "", "Mpixels/s", "+-%", "ratio", "+-%", "error x1000",
+                "of the least");
+    std::vector<peers::PeerRow> rows;
     for (const Runner& runner : runners) {
-        std::printf("  %-18s %12.2f %10.2f %12.3f %12.2f\n", runner.name.c_str(), runner.rate() * 1e-6,
-                    runner.rate() / best, runner.error * 1e3, runner.error / least);
+        peers::PeerRow row{name, std::to_string(settings.size), numberText(elevation), runner.name};
+        peers::setRates(row, runner.rates);
+        peers::setRatios(row, runner.rates, fastest);
+        row.error = runner.error;
+        rows.push_back(row);
+        std::printf("  %-18s %12.2f %6.1f %10.2f %6.1f %12.3f %12.2f\n", row.method.c_str(), row.rate * 1e-6,
+                    100 * row.spread, row.ratio, 100 * row.ratioSpread, row.error * 1e3, row.error / least);
     }
     std::fflush(stdout);
-}
-
-std::vector<std::string> parts(const std::string& text) {
-    std::vector<std::string> all;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in, part, ',');) all.push_back(part);
-    return all;
+    return rows;
 }
 
 int run(const std::vector<std::string>& args) {
@@ -299,17 +302,23 @@ int run(const std::vector<std::string>& args) {
         if (name == "--rounds") settings.rounds = std::stoi(value);
         if (name == "--azimuth") settings.azimuth = std::stod(value);
         if (name == "--seed") settings.seed = std::stoull(value);
-        if (name == "--pictures") settings.pictures = parts(value);
+        if (name == "-o") settings.output = value;
+        if (name == "--pictures") settings.pictures = peers::partsOf(value);
         if (name == "--elevations") {
             settings.elevations.clear();
-            for (const std::string& part : parts(value)) settings.elevations.push_back(std::stod(part));
+            for (const std::string& part : peers::partsOf(value)) settings.elevations.push_back(std::stod(part));
         }
     }
     Work work(1);
+    std::vector<peers::PeerRow> rows;
     std::cout << "size " << settings.size << ", seed " << settings.seed << ", " << settings.rounds << " rounds\n";
     for (const std::string& picture : settings.pictures) {
-        for (const double elevation : settings.elevations) measure(picture, elevation, settings, work);
+        for (const double elevation : settings.elevations) {
+            const auto measured = measure(picture, elevation, settings, work);
+            rows.insert(rows.end(), measured.begin(), measured.end());
+        }
     }
+    if (!settings.output.empty()) peers::writePeerRows(settings.output, rows);
     return 0;
 }
 

@@ -1,6 +1,7 @@
-// relief_frames [SECONDS]: frames a second of the shipped pictures at 800 x 600 while the camera turns: traced exactly,
-// filtered anisotropically with regard to the relief, lit, with shadows and without. Each view for SECONDS (default 2);
-// a row a view: the median frame and the tenth slowest, and each stage's share, of all threads together.
+// relief_frames [SECONDS] [-o FILE.csv|json]: frames a second of the shipped pictures at 800 x 600 while the camera
+// turns: traced exactly, filtered anisotropically with regard to the relief, lit, with shadows and without. Each view
+// for SECONDS (default 2); a row a view: the median frame and the tenth slowest, and each stage's share, of all threads
+// together.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -9,6 +10,8 @@
 #include <vector>
 
 #include "images/files.h"
+#include "measuring/quantiles.h"
+#include "peer_table.h"
 #include "rendering/frame.h"
 
 namespace {
@@ -26,12 +29,7 @@ constexpr Pictures kPictures[]{{"gray_rocks", "height.png", "color.jpg"},
                                {"terrain_srtm_east_africa", "height.png", "color.png"}};
 constexpr double kTurn = 0.5;  // degrees a frame
 
-double quantile(std::vector<double> values, double part) {
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
-
-void measure(FrameRequest request, const char* name, double seconds) {
+peers::PeerRow measure(FrameRequest request, const char* name, double seconds) {
     Work work;
     FrameRenderer renderer(std::make_shared<MapCache>());
     renderer.render(request, work);
@@ -54,12 +52,21 @@ void measure(FrameRequest request, const char* name, double seconds) {
     }
     std::printf("\n");
     std::fflush(stdout);
+    peers::PeerRow row{name, "800x600", numberText(request.camera.elevation),
+                       filterText(request.filter) + (request.shadows ? ", shadows" : ""),
+                       work.arena().max_concurrency()};
+    std::vector<double> rates;
+    for (const double frame : taken) rates.push_back(1 / frame);
+    peers::setRates(row, rates);
+    return row;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const double seconds = argc > 1 ? std::atof(argv[1]) : 2;
+    const double seconds = argc > 1 && argv[1][0] != '-' ? std::atof(argv[1]) : 2;
+    const std::string output = argc > 2 && std::string(argv[argc - 2]) == "-o" ? argv[argc - 1] : "";
+    std::vector<peers::PeerRow> rows;
     for (const Pictures& pictures : kPictures) {
         const std::string folder = std::string(RELIEF_DATASETS) + "/" + pictures.folder + "/";
         Work work;
@@ -73,10 +80,11 @@ int main(int argc, char** argv) {
                     request.camera.elevation = elevation;
                     request.filter = parseFilter(filter, "filter");
                     request.shadows = shadows;
-                    measure(request, pictures.folder, seconds);
+                    rows.push_back(measure(request, pictures.folder, seconds));
                 }
             }
         }
     }
+    if (!output.empty()) peers::writePeerRows(output, rows);
     return 0;
 }

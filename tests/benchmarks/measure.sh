@@ -31,8 +31,8 @@ printed() {
 
 sweep rows rows --threads 1 --rounds 9
 sweep filters_checker filters --scenes checker --size 160x120 --threads 1 --rounds 9 \
-    --filters nearest,bilinear,trilinear,elliptical:weights=uniform,elliptical:weights=texel-distance,elliptical,elliptical:source=table,elliptical:source=map,elliptical:weights=box,elliptical:levels=exhaustive
-visible=trilinear,elliptical,elliptical-visible:form=plane,elliptical-visible:form=position,elliptical-visible
+    --filters nearest,bilinear,trilinear,elliptical:weights=uniform,elliptical:weights=texel-distance,elliptical,elliptical:implementation=scalar,elliptical:source=table,elliptical:source=map,elliptical:weights=box,elliptical:levels=exhaustive
+visible=trilinear,elliptical,elliptical-visible:form=plane,elliptical-visible:form=position,elliptical-visible,elliptical-visible:form=rays
 sweep filters_procedural filters --scenes bricks,city,hills --size 160x120 --threads 1 --filters $visible \
     --pixel-models gaussian
 sweep filters_wall filters --height datasets/stone_wall_bricks102/height.jpg --relief-depth 0.05 --size 160x120 \
@@ -41,9 +41,17 @@ sweep filters_wall filters --height datasets/stone_wall_bricks102/height.jpg --r
     cat "$folder/filters_procedural.csv"
     tail -n +2 "$folder/filters_wall.csv"
 } >"$folder/filters_relief.csv"
-if [ -x "$bin/relief_peers" ] && [ ! -e "$folder/peers.csv" ]; then
-    "$bin/relief_peers" --rounds 7 -o "$folder/peers.csv" >"$folder/peers.txt"
-fi
+# NAME PROGRAM...: beside other programs, where those are installed.
+beside() {
+    local file=$folder/$1.csv
+    shift
+    [ ! -e "$file" ] && [ -x "$1" ] || return 0
+    "$@" -o "$file" >"${file%.csv}.txt"
+}
+beside peers "$bin/relief_peers" --rounds 7
+beside filter_peers "$bin/relief_filter_peers"
+beside distance_peers "$bin/relief_distance_peers" --rounds 7
+beside frames "$bin/relief_frames" 3
 printed steps "$bin/relief_claims" steps
 printed wrong "$bin/relief_claims" --rays 100000 wrong
 printed gain "$bin/relief_claims" --rays 100000 gain

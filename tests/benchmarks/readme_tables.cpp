@@ -10,133 +10,12 @@
 #include "errors.h"
 #include "images/files.h"
 #include "measuring/text_table.h"
+#include "readme_file.h"
 #include "relief/describe.h"
 
 namespace relief::claims {
 
 namespace {
-
-constexpr int kDigits = 3;
-
-[[noreturn]] void fail(const std::string& file, const std::string& why) {
-    throw InputError(file, Message(MessageId::FileDamaged, {{"why", why}}));
-}
-
-std::vector<std::string> fieldsOf(const std::string& line) {
-    std::vector<std::string> fields(1);
-    bool inside = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const bool twice = line[i] == '"' && inside && i + 1 < line.size() && line[i + 1] == '"';
-        if (twice) {
-            fields.back() += line[i++];
-        } else if (line[i] == '"') {
-            inside = !inside;
-        } else if (line[i] == ',' && !inside) {
-            fields.emplace_back();
-        } else {
-            fields.back() += line[i];
-        }
-    }
-    return fields;
-}
-
-std::vector<std::string> linesOf(const std::string& text) {
-    std::vector<std::string> lines;
-    std::size_t first = 0;
-    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', first)) {
-        lines.push_back(text.substr(first, end - first));
-        first = end + 1;
-    }
-    if (first < text.size()) lines.push_back(text.substr(first));
-    return lines;
-}
-
-using Row = std::map<std::string, std::string>;
-
-// A file of a benchmark.
-class Table {
-  public:
-    explicit Table(const std::string& path) : path_(path) {
-        const auto lines = linesOf(readTextFile(path));
-        const auto names = fieldsOf(lines.at(0));
-        for (std::size_t l = 1; l < lines.size(); ++l) {
-            const auto fields = fieldsOf(lines[l]);
-            if (fields.size() != names.size()) fail(path, "line " + std::to_string(l + 1));
-            rows_.emplace_back();
-            for (std::size_t c = 0; c < names.size(); ++c) rows_.back()[names[c]] = fields[c];
-        }
-    }
-
-    const std::vector<Row>& rows() const { return rows_; }
-    const std::string& path() const { return path_; }
-    // The only row with these values.
-    const Row& at(const Row& wanted) const {
-        const Row* found = nullptr;
-        for (const Row& row : rows_) {
-            if (!std::all_of(wanted.begin(), wanted.end(),
-                             [&](const auto& w) { return text(row, w.first) == w.second; })) {
-                continue;
-            }
-            if (found != nullptr) fail(path_, "two rows " + told(wanted));
-            found = &row;
-        }
-        if (found == nullptr) fail(path_, "no row " + told(wanted));
-        return *found;
-    }
-    const std::string& text(const Row& row, const std::string& column) const {
-        const auto found = row.find(column);
-        if (found == row.end()) fail(path_, "no column " + column);
-        return found->second;
-    }
-    double number(const Row& row, const std::string& column) const { return parseNumber(text(row, column), path_); }
-    // Different values of a column, in the order of the rows.
-    std::vector<std::string> values(const std::string& column) const {
-        std::vector<std::string> all;
-        for (const Row& row : rows_) {
-            if (std::find(all.begin(), all.end(), text(row, column)) == all.end()) all.push_back(text(row, column));
-        }
-        return all;
-    }
-
-  private:
-    static std::string told(const Row& wanted) {
-        std::string out;
-        for (const auto& [name, value] : wanted) out += (out.empty() ? "" : ", ") + name + " = " + value;
-        return out;
-    }
-
-    std::string path_;
-    std::vector<Row> rows_;
-};
-
-std::string line(const std::vector<std::string>& cells) {
-    std::string out = "|";
-    for (const std::string& cell : cells) out += cell.empty() ? " |" : " " + cell + " |";
-    return out + "\n";
-}
-
-std::string head(const std::vector<std::string>& names, std::size_t left) {
-    std::vector<std::string> rule;
-    for (std::size_t c = 0; c < names.size(); ++c) rule.push_back(c < left ? "---" : "--:");
-    return line(names) + line(rule);
-}
-
-std::string three(double value) {
-    return readable(value, kDigits);
-}
-
-std::string joined(const std::vector<std::string>& parts) {
-    std::string out;
-    for (const std::string& part : parts) out += (out.empty() ? "" : " / ") + part;
-    return out;
-}
-
-// Where it was measured, as the last line.
-std::string origin(const Table& table) {
-    const Row& row = table.rows().at(0);
-    return "\n(" + table.text(row, "cpu") + ", " + table.text(row, "threads") + " thread(s), " +
-           table.text(row, "compiler") + ", sources " + table.text(row, "commit") + ")\n";
-}
 
 // What [PERSP] counts for a pixel.
 std::string paperCounts(const std::string& variant) {
@@ -144,6 +23,48 @@ std::string paperCounts(const std::string& variant) {
         {"direct", "8 / 8 / 2"}, {"row-constant", "4 / 4 / 2"}, {"incremental", "0 / 4 / 2"}, {"streams", "0 / 4 / 2"}};
     const auto found = counts.find(variant);
     return found == counts.end() ? "" : found->second;
+}
+
+// What the whole of the file says, beyond the part that is shown.
+std::string rowsSentences(const Table& table) {
+    Range restarted, drifting, streams, narrow, iterative, cached;
+    for (const Row& row : table.rows()) {
+        if (table.text(row, "precision") != "float") continue;
+        const std::string& variant = table.text(row, "variant");
+        const auto rateOf = [&](const std::string& other) {
+            Row wanted{{"width", table.text(row, "width")},
+                       {"elevation", table.text(row, "elevation")},
+                       {"precision", "float"},
+                       {"variant", other}};
+            return table.number(table.at(wanted), "rate");
+        };
+        const bool restarts = table.text(row, "anchor") != "0";
+        if (variant == "incremental" && !restarts) drifting.add(table.number(row, "error_max"));
+        if ((variant.starts_with("incremental") || variant == "streams") && restarts) {
+            restarted.add(table.number(row, "error_max"));
+        }
+        if (variant == "streams" && restarts && table.text(row, "streams") == "16") {
+            (table.text(row, "width") == "640" ? narrow : streams)
+                .add(100 * table.number(row, "rate") / rateOf("fill"));
+        }
+        if (variant == "derivatives-iterative") iterative.add(table.number(row, "rate") / rateOf("derivatives-direct"));
+        if (variant == "derivatives-cached") cached.add(table.number(row, "rate") / rateOf("derivatives-direct"));
+    }
+    std::string out = "\nOver all widths and angles of the sweep, float:";
+    if (!drifting.empty()) {
+        out += " without restarts forward differences drift by up to " + readable(drifting.high(), 2) +
+               " texels, with them no variant errs by more than " + readable(restarted.high(), 2) + ";";
+    }
+    if (!streams.empty()) out += " sixteen streams write " + streams.text() + "% of the fill";
+    if (!narrow.empty()) out += " (" + narrow.text() + "% at 640 pixels, where what is done once a row is felt)";
+    if (!streams.empty()) out += ";";
+    if (!iterative.empty()) {
+        out += " the ellipse by iterated derivatives runs at " + readable(iterative.mean(), 3) +
+               " times the direct form's rate (geometric mean), by cached coefficients at " +
+               readable(cached.mean(), 3) + " times (" + cached.text() + ");";
+    }
+    out.back() = '.';
+    return out + "\n";
 }
 
 std::string rowsTable(const Table& table) {
@@ -176,7 +97,7 @@ std::string rowsTable(const Table& table) {
                      three(table.number(row, "rate") / fill),
                      error.empty() ? "" : readable(parseNumber(error, table.path()), 2)});
     }
-    return out + origin(table);
+    return out + rowsSentences(table) + origin(table);
 }
 
 // A filter's name with the options that it was given, as the benchmark takes it.
@@ -188,6 +109,7 @@ std::string filterName(const Table& table, const Row& row) {
     const std::string& levels = table.text(row, "levels");
     return name + (weights == "gaussian" ? "" : ":weights=" + weights) +
            (source == "map" || source == "table" ? ":source=" + source : "") +
+           (source == "direct" && weights == "gaussian" ? ":implementation=scalar" : "") +
            (levels == "exhaustive" ? ":levels=exhaustive" : "");
 }
 
@@ -218,6 +140,58 @@ std::vector<std::string> filterNames(const Table& table) {
     return names;
 }
 
+// first's column over second's, in all cells that both have.
+Range ratiosOf(const Table& table, const std::string& column, const std::string& first, const std::string& second,
+               const std::string& pixelModel) {
+    Range ratios;
+    for (const Row& one : table.rows()) {
+        if (filterName(table, one) != first || table.text(one, "pixel_model") != pixelModel) continue;
+        for (const Row& other : table.rows()) {
+            if (filterName(table, other) != second || table.text(other, "pixel_model") != pixelModel ||
+                table.text(other, "scene") != table.text(one, "scene") ||
+                table.text(other, "elevation") != table.text(one, "elevation")) {
+                continue;
+            }
+            ratios.add(table.number(one, column) / table.number(other, column));
+        }
+    }
+    return ratios;
+}
+
+std::string checkerSentences(const Table& table) {
+    std::string out;
+    const auto say = [&](const std::string& column, const std::string& first, const std::string& second,
+                         const std::string& words) {
+        const Range ratios = ratiosOf(table, column, first, second, "gaussian");
+        if (!ratios.empty()) out += words + " " + ratios.text() + " times; ";
+    };
+    say("rmse", "trilinear", "elliptical", "Against a Gaussian pixel the error of `trilinear` is that of `elliptical`");
+    say("rmse", "elliptical", "elliptical:levels=exhaustive", "that of `elliptical` is that of level 0 alone");
+    say("rate", "elliptical", "elliptical:implementation=scalar", "rates: lanes over the scalar text");
+    say("rate", "elliptical:source=table", "elliptical:implementation=scalar",
+        "a table over the formula, both scalar,");
+    say("rate", "elliptical:source=map", "elliptical:implementation=scalar", "the papers' map over the formula");
+    if (out.empty()) return out;
+    out.resize(out.size() - 2);
+    return "\n" + out + ".\n";
+}
+
+// Errors and costs of the forms that see the relief, as multiples of plain filtering's.
+std::string reliefSentences(const Table& table) {
+    std::string out;
+    for (const std::string& name : filterNames(table)) {
+        if (!name.starts_with("elliptical-visible")) continue;
+        const Range errors = ratiosOf(table, "rmse", name, "elliptical", "gaussian");
+        const Range costs = ratiosOf(table, "rate", "elliptical", name, "gaussian");
+        if (errors.empty()) continue;
+        out += " `" + name + "` " + readable(errors.mean(), 2) + " (" + errors.text() + ") of the error at " +
+               readable(costs.mean(), 2) + " (" + costs.text() + ") times the cost;";
+    }
+    if (out.empty()) return out;
+    out.back() = '.';
+    return "\nOver plain `elliptical`, geometric mean (range) of all cells:" + out + "\n";
+}
+
 std::string checkerTable(const Table& table) {
     std::string out = head({"filter", "Gaussian pixel", "box pixel", "texels", "Mpixels/s"}, 1);
     const auto error = [&](const Row& row) { return three(1000 * table.number(row, "rmse")); };
@@ -230,7 +204,7 @@ std::string checkerTable(const Table& table) {
                      overElevations(table, name, gaussian,
                                     [&](const Row& row) { return three(table.number(row, "rate") / 1e6); })});
     }
-    return out + origin(table);
+    return out + checkerSentences(table) + origin(table);
 }
 
 std::string reliefTable(const Table& table) {
@@ -254,52 +228,14 @@ std::string reliefTable(const Table& table) {
         cells.push_back(over(scenes[0], "rate", 1e-6));
         out += line(cells);
     }
-    return out + origin(table);
-}
-
-// Our best method over Embree's best variant, a cell each view.
-std::string peersTable(const Table& table) {
-    std::string out = head({"map", "view", "method", "Mrays/s", "+-%", "Embree's fastest", "Mrays/s", "+-%", "ratio",
-                            "Embree off, texels"},
-                           3);
-    double logarithms = 0;
-    double least = 1e300;
-    int cells = 0;
-    for (const std::string& map : table.values("height")) {
-        for (const std::string& size : table.values("size")) {
-            for (const std::string& view : table.values("elevation")) {
-                const Row* ours = nullptr;
-                const Row* theirs = nullptr;
-                for (const Row& row : table.rows()) {
-                    if (row.at("height") != map || row.at("size") != size || row.at("elevation") != view) continue;
-                    const Row*& best = row.at("method").starts_with("embree") ? theirs : ours;
-                    if (best == nullptr || table.number(row, "rate") > table.number(*best, "rate")) best = &row;
-                }
-                if (ours == nullptr || theirs == nullptr) continue;
-                const double ratio = table.number(*ours, "rate") / table.number(*theirs, "rate");
-                logarithms += std::log(ratio);
-                least = std::min(least, ratio);
-                ++cells;
-                const auto rate = [&](const Row& row) { return three(table.number(row, "rate") / 1e6); };
-                const auto spread = [&](const Row& row) { return readable(100 * table.number(row, "spread"), 2); };
-                out +=
-                    line({map + " " + size, view, "`" + table.text(*ours, "method") + "`", rate(*ours), spread(*ours),
-                          table.text(*theirs, "method") + " " + table.text(*theirs, "options"), rate(*theirs),
-                          spread(*theirs), three(ratio), readable(table.number(*theirs, "error_p95"), 2)});
-            }
-        }
-    }
-    if (cells == 0) fail(table.path(), "no cell with both");
-    return out + "\nGeometric mean of the " + std::to_string(cells) + " ratios " + three(std::exp(logarithms / cells)) +
-           ", the least " + three(least) +
-           ". Embree's surface is triangles, not bilinear patches: the last column, 95% of its hits are nearer to "
-           "ours than that, is a difference of model.\n" +
-           origin(table);
+    return out + reliefSentences(table) + origin(table);
 }
 
 std::string tableOf(const std::string& name, const std::filesystem::path& folder) {
     static const std::map<std::string, std::string (*)(const Table&)> made{
-        {"rows", rowsTable}, {"filters_checker", checkerTable}, {"filters_relief", reliefTable}, {"peers", peersTable}};
+        {"rows", rowsTable},    {"filters_checker", checkerTable},  {"filters_relief", reliefTable},
+        {"peers", peersTable},  {"filter_peers", filterPeersTable}, {"distance_peers", distancePeersTable},
+        {"frames", framesTable}};
     const auto found = made.find(name);
     if (found == made.end()) {
         const std::filesystem::path file = folder / (name + ".md");

@@ -9,22 +9,11 @@
 // promises the exact hit gave another.
 #include <iostream>
 
+#include "peer_table.h"
 #include "tracer_peers.h"
 
 namespace relief::peers {
 namespace {
-
-std::vector<std::string> split(const std::string& text) {
-    std::vector<std::string> all(1);
-    for (const char c : text) {
-        if (c == ',') {
-            all.emplace_back();
-        } else {
-            all.back() += c;
-        }
-    }
-    return all;
-}
 
 [[noreturn]] void unknown(const std::string& what, const std::string& name) {
     throw InputError(name, Message(MessageId::UnknownName,
@@ -39,17 +28,17 @@ PeerOptions parse(int argc, char** argv) {
         const std::string value = argv[++i];
         const auto number = [&] { return parseNumber(value, word); };
         if (word == "--methods") {
-            options.methods = split(value);
+            options.methods = partsOf(value);
         } else if (word == "--maps") {
-            options.maps = split(value);
+            options.maps = partsOf(value);
         } else if (word == "--sizes") {
             options.sizes.clear();
-            for (const std::string& size : split(value)) {
+            for (const std::string& size : partsOf(value)) {
                 options.sizes.push_back(static_cast<int>(parseNumber(size, word)));
             }
         } else if (word == "--views") {
             options.views.clear();
-            for (const std::string& view : split(value)) options.views.push_back(parseElevation(view, word));
+            for (const std::string& view : partsOf(value)) options.views.push_back(parseElevation(view, word));
         } else if (word == "--rays") {
             options.view.rays = static_cast<std::size_t>(number());
         } else if (word == "--rounds") {
@@ -74,7 +63,7 @@ PeerOptions parse(int argc, char** argv) {
             options.embree = value;
         } else if (word == "--shapes") {
             options.shapes.clear();
-            for (const std::string& shape : split(value)) {
+            for (const std::string& shape : partsOf(value)) {
                 if (shape != "triangles" && shape != "grid") unknown("shape", shape);
                 options.shapes.push_back(shape == "grid" ? EmbreeShape::Grid : EmbreeShape::Triangles);
             }

@@ -1,0 +1,87 @@
+#include "readme_file.h"
+
+#include "images/files.h"
+
+namespace relief::claims {
+
+namespace {
+
+constexpr int kDigits = 3;
+
+std::vector<std::string> fieldsOf(const std::string& line) {
+    std::vector<std::string> fields(1);
+    bool inside = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool twice = line[i] == '"' && inside && i + 1 < line.size() && line[i + 1] == '"';
+        if (twice) {
+            fields.back() += line[i++];
+        } else if (line[i] == '"') {
+            inside = !inside;
+        } else if (line[i] == ',' && !inside) {
+            fields.emplace_back();
+        } else {
+            fields.back() += line[i];
+        }
+    }
+    return fields;
+}
+
+}  // namespace
+
+void fail(const std::string& file, const std::string& why) {
+    throw InputError(file, Message(MessageId::FileDamaged, {{"why", why}}));
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::size_t first = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', first)) {
+        lines.push_back(text.substr(first, end - first));
+        first = end + 1;
+    }
+    if (first < text.size()) lines.push_back(text.substr(first));
+    return lines;
+}
+
+Table::Table(const std::string& path) : path_(path) {
+    const auto lines = linesOf(readTextFile(path));
+    if (lines.empty()) fail(path, "empty");
+    const auto names = fieldsOf(lines[0]);
+    for (std::size_t l = 1; l < lines.size(); ++l) {
+        const auto fields = fieldsOf(lines[l]);
+        if (fields.size() != names.size()) fail(path, "line " + std::to_string(l + 1));
+        rows_.emplace_back();
+        for (std::size_t c = 0; c < names.size(); ++c) rows_.back()[names[c]] = fields[c];
+    }
+    if (rows_.empty()) fail(path, "no rows");
+}
+
+std::string line(const std::vector<std::string>& cells) {
+    std::string out = "|";
+    for (const std::string& cell : cells) out += cell.empty() ? " |" : " " + cell + " |";
+    return out + "\n";
+}
+
+std::string head(const std::vector<std::string>& names, std::size_t left) {
+    std::vector<std::string> rule;
+    for (std::size_t c = 0; c < names.size(); ++c) rule.push_back(c < left ? "---" : "--:");
+    return line(names) + line(rule);
+}
+
+std::string three(double value) {
+    return readable(value, kDigits);
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string out;
+    for (const std::string& part : parts) out += (out.empty() ? "" : " / ") + part;
+    return out;
+}
+
+std::string origin(const Table& table) {
+    const Row& row = table.rows().at(0);
+    return "\n(" + table.text(row, "cpu") + ", " + table.text(row, "threads") + " thread(s), " +
+           table.text(row, "compiler") + ", sources " + table.text(row, "commit") + ")\n";
+}
+
+}  // namespace relief::claims

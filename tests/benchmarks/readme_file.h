@@ -1,0 +1,108 @@
+// A file of a benchmark as the README's tables read it, and how they write.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "errors.h"
+#include "measuring/text_table.h"
+#include "relief/describe.h"
+
+namespace relief::claims {
+
+// The file is not what a benchmark writes. Throws InputError.
+[[noreturn]] void fail(const std::string& file, const std::string& why);
+
+std::vector<std::string> linesOf(const std::string& text);
+
+using Row = std::map<std::string, std::string>;
+
+// A file of a benchmark.
+class Table {
+  public:
+    explicit Table(const std::string& path);
+
+    const std::vector<Row>& rows() const { return rows_; }
+    const std::string& path() const { return path_; }
+    // The only row with these values.
+    const Row& at(const Row& wanted) const {
+        const Row* found = nullptr;
+        for (const Row& row : rows_) {
+            if (!std::all_of(wanted.begin(), wanted.end(),
+                             [&](const auto& w) { return text(row, w.first) == w.second; })) {
+                continue;
+            }
+            if (found != nullptr) fail(path_, "two rows " + told(wanted));
+            found = &row;
+        }
+        if (found == nullptr) fail(path_, "no row " + told(wanted));
+        return *found;
+    }
+    const std::string& text(const Row& row, const std::string& column) const {
+        const auto found = row.find(column);
+        if (found == row.end()) fail(path_, "no column " + column);
+        return found->second;
+    }
+    double number(const Row& row, const std::string& column) const { return parseNumber(text(row, column), path_); }
+    // Different values of a column, in the order of the rows.
+    std::vector<std::string> values(const std::string& column) const {
+        std::vector<std::string> all;
+        for (const Row& row : rows_) {
+            if (std::find(all.begin(), all.end(), text(row, column)) == all.end()) all.push_back(text(row, column));
+        }
+        return all;
+    }
+
+  private:
+    static std::string told(const Row& wanted) {
+        std::string out;
+        for (const auto& [name, value] : wanted) out += (out.empty() ? "" : ", ") + name + " = " + value;
+        return out;
+    }
+
+    std::string path_;
+    std::vector<Row> rows_;
+};
+
+// Smallest and largest of some numbers, and their geometric mean.
+class Range {
+  public:
+    void add(double value) {
+        low_ = std::min(low_, value);
+        high_ = std::max(high_, value);
+        logarithms_ += std::log(value);
+        ++count_;
+    }
+    bool empty() const { return count_ == 0; }
+    double low() const { return low_; }
+    double high() const { return high_; }
+    double mean() const { return std::exp(logarithms_ / count_); }
+    int count() const { return count_; }
+    // "1.2 to 3.4"
+    std::string text() const { return readable(low_, 2) + " to " + readable(high_, 2); }
+
+  private:
+    double low_ = 1e300, high_ = 0, logarithms_ = 0;
+    int count_ = 0;
+};
+
+std::string line(const std::vector<std::string>& cells);
+// Names of columns, the first `left` of them set to the left.
+std::string head(const std::vector<std::string>& names, std::size_t left);
+// Three digits.
+std::string three(double value);
+// "1 / 2 / 3"
+std::string joined(const std::vector<std::string>& parts);
+// Where it was measured, as the last line.
+std::string origin(const Table& table);
+
+// Tables of comparisons with other programs.
+std::string peersTable(const Table& table);
+std::string filterPeersTable(const Table& table);
+std::string distancePeersTable(const Table& table);
+std::string framesTable(const Table& table);
+
+}  // namespace relief::claims
