@@ -11,6 +11,7 @@
 #include "relief/maps/lower_envelope.h"
 #include "relief/maps/map_memory.h"
 #include "relief/maps/refined.h"
+#include "relief/maps/window_lanes.h"
 
 namespace relief {
 
@@ -25,18 +26,30 @@ int voxelsAcross(int cells, int footprint) {
 
 using Shape = DistanceShape;
 
-// Calls body(k, scratch) for each layer, in parallel.
+// Buffers of one thread.
+struct LayerScratch {
+    EnvelopeScratch envelope;
+    FloatImage squares;
+};
+
 template <class Body>
-void overLayers(int layers, Work& work, const Body& body) {
-    tbb::enumerable_thread_specific<EnvelopeScratch> scratch;
+void overRows(int rows, Work& work, const Body& body) {
     work.arena().execute([&] {
-        tbb::parallel_for(0, layers, [&](int k) {
-            if (work.stopped()) return;
-            body(k, scratch.local());
-            work.progress().advance();
+        tbb::parallel_for(0, rows, [&](int y) {
+            if (!work.stopped()) body(y);
         });
     });
     work.throwIfStopped();
+}
+
+// Calls body(k, scratch) for each layer, in parallel.
+template <class Body>
+void overLayers(int layers, Work& work, const Body& body) {
+    tbb::enumerable_thread_specific<LayerScratch> scratch;
+    overRows(layers, work, [&](int k) {
+        body(k, scratch.local());
+        work.progress().advance();
+    });
 }
 
 float* plane(std::vector<float>& values, const Shape& shape, int layer) {
@@ -48,25 +61,27 @@ float* plane(std::vector<float>& values, const Shape& shape, int layer) {
 // of its centre to the nearest solid centre, as in Donnelly's volume.
 void euclidean(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
     const int layers = map.layers();
-    Image<int> top(shape.nx, shape.ny);
-    for (int y = 0; y < shape.ny; ++y) {
+    Image<int> top(shape.nx, shape.ny);  // the highest solid layer
+    overRows(shape.ny, work, [&](int y) {
+        const double t = (y + 0.5) * field.height() / shape.ny;
         for (int x = 0; x < shape.nx; ++x) {
             const double s = (x + 0.5) * field.width() / shape.nx;
-            const double t = (y + 0.5) * field.height() / shape.ny;
             top(x, y) = static_cast<int>(std::floor(field.at(s, t) * layers - 0.5));
         }
-    }
+    });
     const double dz = field.slabTexels() / layers;
-    overLayers(layers, work, [&](int k, EnvelopeScratch& scratch) {
-        FloatImage squares(shape.nx, shape.ny);
+    std::vector<float> drops;  // squares, by the number of layers
+    for (int k = 0; k <= layers; ++k) drops.push_back(static_cast<float>((k * dz) * (k * dz)));
+    overLayers(layers, work, [&](int k, LayerScratch& scratch) {
+        FloatImage& squares = scratch.squares;
+        if (squares.empty()) squares = FloatImage(shape.nx, shape.ny);
         for (std::size_t i = 0; i < squares.size(); ++i) {
-            const double drop = std::max(k - top.pixels()[i], 0) * dz;
-            squares.pixels()[i] = static_cast<float>(drop * drop);
+            squares.pixels()[i] = drops[static_cast<std::size_t>(std::max(k - top.pixels()[i], 0))];
         }
         envelope2D(squares, static_cast<double>(field.width()) / shape.nx,
-                   static_cast<double>(field.height()) / shape.ny, field.address() == Address::Repeat, scratch);
-        float* out = plane(values, shape, k);
-        for (const float square : squares.pixels()) *out++ = std::sqrt(square);
+                   static_cast<double>(field.height()) / shape.ny, field.address() == Address::Repeat,
+                   scratch.envelope);
+        rootsOf(squares.data(), shape.nx * shape.ny, 1, plane(values, shape, k));
     });
 }
 
@@ -77,25 +92,31 @@ void euclideanConservative(DistanceMap& map, const Shape& shape, const CellHeigh
     const int f = map.parameters.footprint;
     // Rounding of the squares and roots in float stays far below this share.
     constexpr float kShorter = 1 - 1e-6F;
-    overLayers(layers, work, [&](int k, EnvelopeScratch& scratch) {
+    const BoxHeights boxes(cells, f, shape.nx, shape.ny);
+    overLayers(layers, work, [&](int k, LayerScratch& scratch) {
         const double z0 = static_cast<double>(k) / layers;
-        FloatImage squares(cells.highest.width(), cells.highest.height());
+        FloatImage& squares = scratch.squares;
+        if (squares.empty()) squares = cells.highest;
         for (std::size_t i = 0; i < squares.size(); ++i) {
             const double drop = std::max(z0 - static_cast<double>(cells.highest.pixels()[i]), 0.0) * slab;
             squares.pixels()[i] = static_cast<float>(drop * drop);
         }
-        gapEnvelope2D(squares, wraps, scratch);
+        gapEnvelope2D(squares, wraps, scratch.envelope);
         float* out = plane(values, shape, k);
-        for (int by = 0; by < shape.ny; ++by) {
+        for (int by = 0; by < shape.ny; ++by, out += shape.nx) {
             for (int bx = 0; bx < shape.nx; ++bx) {
                 float least = squares(bx * f, by * f);
-                for (int y = by * f; y < std::min((by + 1) * f, squares.height()); ++y) {
+                for (int y = by * f; f > 1 && y < std::min((by + 1) * f, squares.height()); ++y) {
                     for (int x = bx * f; x < std::min((bx + 1) * f, squares.width()); ++x) {
                         least = std::min(least, squares(x, y));
                     }
                 }
-                const float mark = cells.mark(bx, by, f, k, layers);
-                *out++ = mark < 0 ? mark : std::sqrt(least) * kShorter;
+                out[bx] = least;
+            }
+            rootsOf(out, shape.nx, kShorter, out);
+            for (int bx = 0; bx < shape.nx; ++bx) {
+                const float mark = boxes.mark(bx, by, k, layers);
+                out[bx] = mark < 0 ? mark : out[bx];
             }
         }
     });
@@ -139,20 +160,23 @@ CellHeights::CellHeights(const HeightField& field) {
     }
 }
 
-float CellHeights::mark(int bx, int by, int footprint, int layer, int layers) const {
-    float high = 0;
-    float low = 1;
-    for (int y = by * footprint; y < std::min((by + 1) * footprint, highest.height()); ++y) {
-        for (int x = bx * footprint; x < std::min((bx + 1) * footprint, highest.width()); ++x) {
-            high = std::max(high, highest(x, y));
-            low = std::min(low, lowest(x, y));
+BoxHeights::BoxHeights(const CellHeights& cells, int footprint, int nx, int ny) : highest(nx, ny), lowest(nx, ny, 1) {
+    for (int y = 0; y < cells.highest.height(); ++y) {
+        for (int x = 0; x < cells.highest.width(); ++x) {
+            float& high = highest(x / footprint, y / footprint);
+            float& low = lowest(x / footprint, y / footprint);
+            high = std::max(high, cells.highest(x, y));
+            low = std::min(low, cells.lowest(x, y));
         }
     }
+}
+
+float BoxHeights::mark(int bx, int by, int layer, int layers) const {
     const double z0 = static_cast<double>(layer) / layers;
     const double z1 = static_cast<double>(layer + 1) / layers;
     // Layer 0 as well: a ray would leave through a floor of height 0. As high as the floor of a layer counts, too.
-    if (z0 <= static_cast<double>(high) || layer == 0) {
-        return z1 <= static_cast<double>(low) ? StoredValues::kBuried : StoredValues::kSurface;
+    if (z0 <= static_cast<double>(highest(bx, by)) || layer == 0) {
+        return z1 <= static_cast<double>(lowest(bx, by)) ? StoredValues::kBuried : StoredValues::kSurface;
     }
     return 0;
 }

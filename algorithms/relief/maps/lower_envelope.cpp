@@ -1,13 +1,51 @@
 #include "relief/maps/lower_envelope.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+
+#include "relief/maps/window_lanes.h"
 
 namespace relief {
 
 namespace {
+
+// Samples to one side: so wide that windows may take longer than parabolas, line by line, do.
+constexpr int kWidest = 1024;
+
+std::size_t place(int at) {
+    return static_cast<std::size_t>(at);
+}
+int padded(int n) {
+    return (n + kWindowPad - 1) / kWindowPad * kWindowPad;
+}
+
+// One axis: samples, and what one costs that is so many samples away. d2: squared spacing; gaps: between unit boxes.
+struct EnvelopeAxis {
+    int n;
+    bool wraps;
+    float d2;
+    bool gaps;
+
+    // No sample need be looked for farther away.
+    int farthest() const { return wraps ? n / 2 + 1 : n - 1; }
+    // The sample that is meant by k, which is at most one period off; without periods the nearest: dearer than itself.
+    int sample(int k) const {
+        if (!wraps) return std::clamp(k, 0, n - 1);
+        return ((k % n) + n) % n;
+    }
+    float step(int away) const {
+        const auto way = static_cast<float>(gaps ? std::max(away - 1, 0) : away);
+        return way * way * d2;
+    }
+    // How far what costs `least` can matter where `most` is known.
+    int reach(float least, float most) const {
+        const double way =
+            std::sqrt(std::max(0.0, static_cast<double>(most) - static_cast<double>(least)) / static_cast<double>(d2));
+        return static_cast<int>(std::min<double>(farthest(), std::ceil(way) + 2));
+    }
+};
 
 // The lower envelope of the parabolas line[q] + ((x - q) d)^2 at all x, into out.
 void envelope(const std::vector<float>& line, float d2, EnvelopeScratch& s) {
@@ -15,7 +53,7 @@ void envelope(const std::vector<float>& line, float d2, EnvelopeScratch& s) {
     s.out.resize(line.size());
     s.apex.resize(line.size());
     s.border.resize(line.size() + 1);
-    const auto at = [&](int q) { return line[static_cast<std::size_t>(q)]; };
+    const auto at = [&](int q) { return line[place(q)]; };
     const auto crossing = [&](int p, int q) {
         // In float the wrong one of two parabolas would be taken near their crossing: too large by more than rounding.
         const double rise = static_cast<double>(at(q)) - static_cast<double>(at(p));
@@ -25,35 +63,22 @@ void envelope(const std::vector<float>& line, float d2, EnvelopeScratch& s) {
     s.apex[0] = 0;
     s.border[0] = -std::numeric_limits<double>::infinity();
     for (int q = 1; q < n; ++q) {
-        double x = crossing(s.apex[static_cast<std::size_t>(last)], q);
-        while (last > 0 && x <= s.border[static_cast<std::size_t>(last)]) {
+        double x = crossing(s.apex[place(last)], q);
+        while (last > 0 && x <= s.border[place(last)]) {
             --last;
-            x = crossing(s.apex[static_cast<std::size_t>(last)], q);
+            x = crossing(s.apex[place(last)], q);
         }
         ++last;
-        s.apex[static_cast<std::size_t>(last)] = q;
-        s.border[static_cast<std::size_t>(last)] = x;
+        s.apex[place(last)] = q;
+        s.border[place(last)] = x;
     }
     int k = 0;
     for (int x = 0; x < n; ++x) {
-        while (k < last && s.border[static_cast<std::size_t>(k) + 1] < x) ++k;
-        const int q = s.apex[static_cast<std::size_t>(k)];
+        while (k < last && s.border[place(k) + 1] < x) ++k;
+        const int q = s.apex[place(k)];
         const auto away = static_cast<float>(x - q);
-        s.out[static_cast<std::size_t>(x)] = away * away * d2 + at(q);
+        s.out[place(x)] = away * away * d2 + at(q);
     }
-}
-
-// Runs `pass` over a line of n values at data[i * stride]; periodic lines are given half a period on each side.
-template <class Pass>
-void overLine(float* data, int n, std::ptrdiff_t stride, bool wraps, EnvelopeScratch& s, const Pass& pass) {
-    const int margin = wraps ? n / 2 + 1 : 0;
-    s.line.resize(static_cast<std::size_t>(n + 2 * margin));
-    for (int i = -margin; i < n + margin; ++i) {
-        const int from = i < 0 ? i + n : (i >= n ? i - n : i);
-        s.line[static_cast<std::size_t>(i + margin)] = data[(wraps ? (from % n + n) % n : from) * stride];
-    }
-    pass();
-    for (int i = 0; i < n; ++i) data[i * stride] = s.out[static_cast<std::size_t>(i + margin)];
 }
 
 void dilate(std::vector<float>& line) {
@@ -66,29 +91,85 @@ void dilate(std::vector<float>& line) {
     }
 }
 
-template <class Pass>
-void overBothAxes(FloatImage& f, bool wraps, EnvelopeScratch& s, const Pass& pass) {
-    for (int y = 0; y < f.height(); ++y) {
-        overLine(f.row(y).data(), f.width(), 1, wraps, s, [&] { pass(0); });
+// In linear time: data[i * stride]. A box one nearer by the dilation is as far as the gap. Periodic lines are given
+// half a period on each side.
+void byParabolas(const EnvelopeAxis& axis, float* data, std::ptrdiff_t stride, EnvelopeScratch& s) {
+    const int margin = axis.wraps ? axis.farthest() : 0;
+    s.line.resize(place(axis.n + 2 * margin));
+    for (int i = -margin; i < axis.n + margin; ++i) s.line[place(i + margin)] = data[axis.sample(i) * stride];
+    if (axis.gaps) dilate(s.line);
+    envelope(s.line, axis.d2, s);
+    for (int i = 0; i < axis.n; ++i) data[i * stride] = s.out[place(i + margin)];
+}
+
+void setSteps(const EnvelopeAxis& axis, EnvelopeScratch& s) {
+    s.steps.resize(place(axis.farthest()) + 1);
+    for (int away = 0; away <= axis.farthest(); ++away) s.steps[place(away)] = axis.step(away);
+}
+
+void alongRow(const EnvelopeAxis& axis, const float* from, float* to, EnvelopeScratch& s) {
+    const auto [least, most] = extremesOf(from, axis.n);
+    const int reach = axis.reach(least, most);
+    if (reach > kWidest) {
+        std::copy(from, from + axis.n, to);
+        byParabolas(axis, to, 1, s);
+        return;
     }
-    for (int x = 0; x < f.width(); ++x) overLine(f.data() + x, f.height(), f.width(), wraps, s, [&] { pass(1); });
+    s.line.assign(place(padded(axis.n) + 2 * reach), 0);
+    for (int i = -reach; i < 0; ++i) s.line[place(i + reach)] = from[axis.sample(i)];
+    std::copy(from, from + axis.n, s.line.begin() + reach);
+    for (int i = axis.n; i < axis.n + reach; ++i) s.line[place(i + reach)] = from[axis.sample(i)];
+    s.rows.resize(place(2 * reach + 1));
+    for (int o = 0; o <= 2 * reach; ++o) s.rows[place(o)] = s.line.data() + o;
+    s.floor.assign(place(padded(axis.n)), least);
+    leastOverWindows(s.rows.data() + reach, s.steps.data(), reach, s.floor.data(), axis.n, to);
+}
+
+// From the rows of s.plane into f.
+void downColumns(const EnvelopeAxis& axis, int stride, FloatImage& f, EnvelopeScratch& s) {
+    const auto row = [&](int y) { return s.plane.data() + place(y) * place(stride); };
+    s.floor.assign(row(0), row(0) + stride);
+    s.out.assign(row(0), row(0) + stride);
+    for (int y = 1; y < axis.n; ++y) {
+        const float* from = row(y);
+        for (std::size_t x = 0; x < place(stride); ++x) {
+            s.floor[x] = std::min(s.floor[x], from[x]);
+            s.out[x] = std::max(s.out[x], from[x]);
+        }
+    }
+    int reach = 0;
+    for (int x = 0; x < f.width(); ++x) reach = std::max(reach, axis.reach(s.floor[place(x)], s.out[place(x)]));
+    if (reach > kWidest) {
+        for (int x = 0; x < f.width(); ++x) byParabolas(axis, row(0) + x, stride, s);
+        for (int y = 0; y < axis.n; ++y) std::copy(row(y), row(y) + f.width(), f.row(y).begin());
+        return;
+    }
+    s.rows.resize(place(axis.n + 2 * reach));
+    for (int k = -reach; k < axis.n + reach; ++k) s.rows[place(k + reach)] = row(axis.sample(k));
+    for (int y = 0; y < axis.n; ++y) {
+        leastOverWindows(s.rows.data() + y + reach, s.steps.data(), reach, s.floor.data(), f.width(), s.out.data());
+        std::copy(s.out.begin(), s.out.begin() + f.width(), f.row(y).begin());
+    }
+}
+
+void overBothAxes(FloatImage& f, const EnvelopeAxis& x, const EnvelopeAxis& y, EnvelopeScratch& s) {
+    const int stride = padded(f.width());
+    s.plane.assign(place(stride) * place(f.height()), 0);
+    setSteps(x, s);
+    for (int n = 0; n < f.height(); ++n) alongRow(x, f.row(n).data(), s.plane.data() + place(n) * place(stride), s);
+    setSteps(y, s);
+    downColumns(y, stride, f, s);
 }
 
 }  // namespace
 
 void envelope2D(FloatImage& f, double dx, double dy, bool wraps, EnvelopeScratch& scratch) {
-    const std::array<float, 2> squares{static_cast<float>(dx * dx), static_cast<float>(dy * dy)};
-    overBothAxes(f, wraps, scratch,
-                 [&](int axis) { envelope(scratch.line, squares[static_cast<std::size_t>(axis)], scratch); });
+    overBothAxes(f, {f.width(), wraps, static_cast<float>(dx * dx), false},
+                 {f.height(), wraps, static_cast<float>(dy * dy), false}, scratch);
 }
 
-// A box one nearer by the dilation is as far as the gap: min over q of f(q) + gap(x - q)^2 is the envelope of the
-// smallest of each three neighbours.
 void gapEnvelope2D(FloatImage& f, bool wraps, EnvelopeScratch& scratch) {
-    overBothAxes(f, wraps, scratch, [&](int) {
-        dilate(scratch.line);
-        envelope(scratch.line, 1.0F, scratch);
-    });
+    overBothAxes(f, {f.width(), wraps, 1.0F, true}, {f.height(), wraps, 1.0F, true}, scratch);
 }
 
 }  // namespace relief

@@ -1,4 +1,6 @@
-// Exact distance transforms of sampled functions in linear time. Felzenszwalb & Huttenlocher 2012.
+// Exact distance transforms of sampled functions, in windows as wide as something nearer can be, in lanes; by lines'
+// lower envelopes of parabolas where such windows are very wide, which takes linear time (Felzenszwalb & Huttenlocher
+// 2012). Each value is the least of the sums rounded to float.
 #pragma once
 
 #include <vector>
@@ -13,10 +15,14 @@ struct EnvelopeScratch {
     std::vector<float> out;
     std::vector<int> apex;
     std::vector<double> border;
+    std::vector<float> plane;
+    std::vector<float> floor;
+    std::vector<float> steps;
+    std::vector<const float*> rows;
 };
 
 // In place: f(x, y) becomes min over (i, j) of f(i, j) + (x - i)^2 dx^2 + (y - j)^2 dy^2, dx and dy the spacing of
-// samples. wraps: the function is periodic. Values are squared lengths, finite. O(width * height).
+// samples. wraps: the function is periodic. Values are squared lengths, finite.
 void envelope2D(FloatImage& f, double dx, double dy, bool wraps, EnvelopeScratch& scratch);
 
 // The same with the gap between unit boxes, max(|x - i| - 1, 0), instead of the distance of their centres.

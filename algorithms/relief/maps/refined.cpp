@@ -116,6 +116,7 @@ class Builder {
           nx_(nx),
           ny_(ny),
           cells_(cells),
+          boxes_(cells, map.parameters.footprint, nx, ny),
           tiles_(highestOfTiles(cells.highest, field.address() == Address::Repeat)),
           top_(static_cast<double>(*std::max_element(cells.highest.pixels().begin(), cells.highest.pixels().end())) *
                map.slabTexels),
@@ -166,6 +167,7 @@ class Builder {
     int nx_;
     int ny_;
     const CellHeights& cells_;
+    BoxHeights boxes_;
     FloatImage tiles_;
     double top_;  // highest point, in the metric
     std::vector<float>& values_;
@@ -261,11 +263,11 @@ void Builder::box(int bx, int by, Scratch& scratch) const {
     const int layers = map_.layers();
     const int stored = map_.parameters.sectors;
     int lowest = 0;
-    while (lowest < layers && cells_.mark(bx, by, map_.parameters.footprint, lowest, layers) < 0) ++lowest;
+    while (lowest < layers && boxes_.mark(bx, by, lowest, layers) < 0) ++lowest;
     horizons(bx, by, (lowest + 1.0) / layers * map_.slabTexels, scratch.gates);
     scratch.slopes.resize(scratch.gates.size());
     for (int k = 0; k < layers; ++k) {
-        const float mark = cells_.mark(bx, by, map_.parameters.footprint, k, layers);
+        const float mark = boxes_.mark(bx, by, k, layers);
         if (mark < 0) {
             for (int s = 0; s < stored; ++s) value(bx, by, k, s) = mark;
             continue;

@@ -14,8 +14,16 @@ struct CellHeights {
     FloatImage lowest;
 
     explicit CellHeights(const HeightField& field);
+};
+
+// The same of nx x ny boxes of footprint x footprint cells, the last of a row clipped.
+struct BoxHeights {
+    FloatImage highest;
+    FloatImage lowest;
+
+    BoxHeights(const CellHeights& cells, int footprint, int nx, int ny);
     // The mark of a box, or 0 if it is free.
-    float mark(int bx, int by, int footprint, int layer, int layers) const;
+    float mark(int bx, int by, int layer, int layers) const;
 };
 
 // The papers' idea as it stands: from each voxel's centre, `directions` rays spread evenly over the half sphere below

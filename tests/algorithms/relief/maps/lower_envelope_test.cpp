@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../fields.h"
+#include "mapping/rows/row_lanes.h"
 
 namespace relief::test {
 namespace {
@@ -32,7 +33,7 @@ TEST_P(Envelope, IsTheLeastOverAllPlaces) {
     const Case c = GetParam();
     const double dx = c.gaps ? 1 : 0.75;
     const double dy = c.gaps ? 1 : 1.5;
-    for (const float largest : {2.0F, 60.0F, 900.0F}) {
+    for (const float largest : {2.0F, 60.0F, 900.0F, 4e6F}) {
         FloatImage f(c.width, c.height);
         Random random(static_cast<std::uint64_t>(c.width * 100 + c.height));
         // Many equal and zero ones among them.
@@ -43,10 +44,20 @@ TEST_P(Envelope, IsTheLeastOverAllPlaces) {
         }
         const FloatImage given = f;
         EnvelopeScratch scratch;
-        if (c.gaps) {
-            gapEnvelope2D(f, c.wraps, scratch);
-        } else {
-            envelope2D(f, dx, dy, c.wraps, scratch);
+        const auto transform = [&](FloatImage& image) {
+            if (c.gaps) {
+                gapEnvelope2D(image, c.wraps, scratch);
+            } else {
+                envelope2D(image, dx, dy, c.wraps, scratch);
+            }
+        };
+        transform(f);
+        for (const std::int64_t target : laneTargets()) {
+            forceLaneTarget(target);
+            FloatImage again = given;
+            transform(again);
+            forceLaneTarget(0);
+            ASSERT_EQ(again, f) << laneTargetName(target);
         }
         for (int y = 0; y < c.height; ++y) {
             for (int x = 0; x < c.width; ++x) {
@@ -68,7 +79,10 @@ INSTANTIATE_TEST_SUITE_P(All, Envelope,
                          testing::Values(Case{17, 13, false, false}, Case{17, 13, true, false},
                                          Case{16, 8, true, false}, Case{1, 9, true, false}, Case{2, 3, true, false},
                                          Case{17, 13, false, true}, Case{17, 13, true, true}, Case{16, 8, true, true},
-                                         Case{1, 1, true, true}, Case{2, 5, true, true}, Case{1, 7, false, true}));
+                                         Case{1, 1, true, true}, Case{2, 5, true, true}, Case{1, 7, false, true},
+                                         // Wider than windows are.
+                                         Case{1200, 2, false, false}, Case{1, 2100, true, true},
+                                         Case{2, 1300, false, true}, Case{2100, 1, true, false}));
 
 }  // namespace
 }  // namespace relief::test
