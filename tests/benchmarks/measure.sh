@@ -52,6 +52,21 @@ beside peers "$bin/relief_peers" --rounds 7
 beside filter_peers "$bin/relief_filter_peers"
 beside distance_peers "$bin/relief_distance_peers" --rounds 7
 beside frames "$bin/relief_frames" 3
+# Advice held against full tables: processor time and counts, so others on the machine matter little.
+advice() {
+    printf '~~~\n'
+    local form map
+    for form in lanes scalar; do
+        printf 'form %s\n' $form
+        "$bin/relief" recommend --check --form $form --threads 1 --no-filter -q
+        for map in datasets/*/height.{png,jpg}; do
+            [ -e "$map" ] || continue
+            "$bin/relief" recommend --check --form $form --threads 1 --no-filter -q --height "$map" | sed '1d;/^regret/d'
+        done
+    done
+    printf '~~~\n'
+}
+printed recommend advice
 printed steps "$bin/relief_claims" steps
 printed wrong "$bin/relief_claims" --rays 100000 wrong
 printed gain "$bin/relief_claims" --rays 100000 gain

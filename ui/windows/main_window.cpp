@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "views/charts_view.h"
 #include "views/distance_view.h"
@@ -186,6 +187,15 @@ void MainWindow::makeSkipped() {
     addDockWidget(Qt::BottomDockWidgetArea, skipped_);
     skipped_->hide();
     connect(status_, &StatusLine::ledgerWanted, skipped_, [this] { skipped_->setVisible(skipped_->isHidden()); });
+    // Its reasons are sentences: as wide as the steps, over which it comes up.
+    connect(skipped_->toggleViewAction(), &QAction::toggled, skipped_, [this](bool shown) {
+        const auto steps = std::find_if(panes_.begin(), panes_.end(), [](const auto& pane) {
+            return pane.dock != nullptr && pane.dock->objectName() == QStringLiteral("steps-pane");
+        });
+        if (!shown || steps == panes_.end()) return;
+        if (!skipped_->isFloating() && tabifiedDockWidgets(skipped_).isEmpty()) tabifyDockWidget(steps->dock, skipped_);
+        skipped_->raise();
+    });
 }
 
 void MainWindow::makeMessages() {
