@@ -15,22 +15,10 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
+#include "relief/lanes/double_lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr std::size_t kLanes = hn::MaxLanes(D());
-using Row = std::array<double, kLanes>;
-
-HWY_INLINE V constant(double value) {
-    return hn::Set(D(), value);
-}
-HWY_INLINE V load(const Row& from) {
-    return hn::LoadU(D(), from.data());
-}
 
 // DistanceMap::trilinear.
 class DistanceLanes {
@@ -86,44 +74,24 @@ class DistanceLanes {
     bool repeats_;
 };
 
-struct Queue {
-    const DistanceMarch& march;
-    const RayBlock& rays;
-    HitBlock& hits;
-    std::size_t next;
-    std::size_t last;
-    std::vector<std::size_t>& left;
-};
-
 // A vector of rays on their way.
-class March {
+class DistanceSteps : public VectorOfRays<DistanceSteps> {
   public:
-    explicit March(Queue& queue) : queue_(queue), field_(queue.march.field), distance_(queue.march.map) {}
+    explicit DistanceSteps(RayQueue<DistanceMarch>& queue)
+        : queue_(queue), field_(queue.search.field), distance_(queue.search.map) {}
 
-    // False: nothing left to do.
-    bool go() {
-        constexpr std::uint32_t kAll = (1U << kLanes) - 1;
-        for (std::uint32_t idle = kAll & ~active_; idle != 0; idle &= idle - 1) {
-            if (!fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
-        }
-        if (active_ == 0) return false;
-        step();
-        return true;
-    }
-
-  private:
     bool fill(std::size_t lane);
     void step();
 
-    Queue& queue_;
+  private:
+    RayQueue<DistanceMarch>& queue_;
     const HeightField& field_;
     DistanceLanes distance_;
-    std::uint32_t active_ = 0;
-    Row s0_{}, t0_{}, a_{}, b_{}, perLambda_{}, lambda_{}, left_{};
+    Row<double> s0_{}, t0_{}, a_{}, b_{}, perLambda_{}, lambda_{}, left_{};
     std::array<std::size_t, kLanes> ray_{};
 };
 
-bool March::fill(std::size_t lane) {
+bool DistanceSteps::fill(std::size_t lane) {
     constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
     while (queue_.next < queue_.last) {
         const std::size_t i = queue_.next++;
@@ -143,9 +111,9 @@ bool March::fill(std::size_t lane) {
         }
         const auto [s0, t0] = surface.placeAt(0);
         s0_[lane] = s0, t0_[lane] = t0, a_[lane] = ray.a, b_[lane] = ray.b;
-        perLambda_[lane] = std::hypot(std::hypot(ray.a, ray.b), queue_.march.map.slabTexels);
+        perLambda_[lane] = std::hypot(std::hypot(ray.a, ray.b), queue_.search.map.slabTexels);
         lambda_[lane] = 0;
-        left_[lane] = queue_.march.iterations;
+        left_[lane] = queue_.search.iterations;
         ray_[lane] = i;
         active_ |= 1U << lane;
         return true;
@@ -153,7 +121,7 @@ bool March::fill(std::size_t lane) {
     return false;
 }
 
-void March::step() {
+void DistanceSteps::step() {
     const V one = constant(1), zero = hn::Zero(D());
     const V s0 = load(s0_), t0 = load(t0_), a = load(a_), b = load(b_);
     const V lambda = load(lambda_), perLambda = load(perLambda_);
@@ -169,37 +137,22 @@ void March::step() {
                          hn::And(hn::Ge(t, zero), hn::Le(t, constant(field_.height()))));
     }
     const M goesOn = hn::And(inside, hn::And(hn::Gt(left, zero), hn::Lt(after, one)));
-    hn::StoreU(after, D(), lambda_.data());
-    hn::StoreU(left, D(), left_.data());
-    std::uint8_t on[8] = {};
-    std::uint8_t in[8] = {};
-    hn::StoreMaskBits(D(), goesOn, on);
-    hn::StoreMaskBits(D(), inside, in);
-    const std::uint32_t done = active_ & ~static_cast<std::uint32_t>(on[0]);
-    for (std::uint32_t lanes = done; lanes != 0; lanes &= lanes - 1) {
-        const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
-        const std::size_t i = ray_[lane];
-        const bool hit = (in[0] >> lane & 1) != 0;
-        queue_.hits.set(i, hit ? Hit::at(queue_.rays[i], lambda_[lane]) : Hit::none(Outcome::Miss));
-    }
-    // Idle lanes stay at the start: a place to read.
+    store(after, lambda_), store(left, left_);
+    const std::uint32_t done = active_ & ~bitsOf(goesOn);
+    const std::uint32_t in = bitsOf(inside);
     active_ &= ~done;
-    for (std::uint32_t lanes = done; lanes != 0; lanes &= lanes - 1) {
-        lambda_[static_cast<std::size_t>(__builtin_ctz(lanes))] = 0;
-    }
+    overLanes(done, [&](std::size_t lane) {
+        const std::size_t i = ray_[lane];
+        const bool hit = (in >> lane & 1) != 0;
+        queue_.hits.set(i, hit ? Hit::at(queue_.rays[i], lambda_[lane]) : Hit::none(Outcome::Miss));
+        lambda_[lane] = 0;  // idle lanes stay at the start: a place to read
+    });
 }
 
-// Two vectors in turn: while one waits for memory, the other goes on.
 void marchAll(const DistanceMarch& march, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
               std::vector<std::size_t>& left) {
-    Queue queue{march, rays, hits, first, last, left};
-    March one(queue);
-    March two(queue);
-    bool more = true;
-    while (more) {
-        more = one.go();
-        more = two.go() || more;
-    }
+    RayQueue<DistanceMarch> queue{march, rays, hits, first, last, left};
+    goInTurn<DistanceSteps>(queue);
 }
 
 }  // namespace relief::HWY_NAMESPACE

@@ -11,6 +11,7 @@
 
 #include <optional>
 
+#include "relief/distance_walk_lanes.h"
 #include "relief/leaf.h"
 #include "relief/maps/distance_map.h"
 #include "relief/step_log.h"
@@ -34,24 +35,40 @@ class DistanceWalk {
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
         return run<false>(ray, segment, sink);
     }
+    // The same bits in lanes: rays first to last - 1.
+    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+        NullSink sink;
+        for (const std::size_t i : walkInLanes(*this, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
+    }
 
     const HeightField& field() const { return field_; }
     const std::shared_ptr<const DistanceMap>& distanceMap() const { return map_; }
+    const CellGrid& grid() const { return grid_; }
+    StepRule rule() const { return rule_; }
     std::size_t bytes() const { return map_->bytes(); }
     // A step leaves a cell, or a voxel through its side or its floor.
     double stepBound(const ViewRay& ray) const { return records(GridRay(grid_, ray)) + 3; }
     double segmentRecords() const { return 3; }
 
-  private:
+    // Whether the map holds for the ray.
+    bool serves(const GridRay& ray) const { return std::hypot(ray.x.run, ray.y.run) <= map_->maxRun && ray.inDomain(); }
+    // Of the map's metric, a unit of lambda.
     double perLambda(const GridRay& ray) const {
         return std::hypot(std::hypot(ray.x.run, ray.y.run), map_->slabTexels);
     }
+    // Steps after which it is given up.
     double records(const GridRay& ray) const {
         const double walked = 2 * ray.cellBound() + map_->layers() + 4;
         // Half of the shortest: what the exclusion margin takes off is less.
         return rule_ == StepRule::Exit || !ray.inDomain() ? walked : walked + 2 * perLambda(ray) / kShortestClassic;
     }
 
+    std::optional<double> leaf(const GridRay& ray, AxisCell cx, AxisCell cy) const {
+        return field_.surface() == Surface::Bilinear ? leafHit<Surface::Bilinear>(field_.heights(), grid_, ray, cx, cy)
+                                                     : leafHit<Surface::Columns>(field_.heights(), grid_, ray, cx, cy);
+    }
+
+  private:
     struct Voxel {
         int bx;
         int by;
@@ -74,11 +91,6 @@ class DistanceWalk {
         const double x = ray.x.leave(grid_.x, voxel.bx * f, std::min((voxel.bx + 1) * f, grid_.x.cells), cx.base);
         const double y = ray.y.leave(grid_.y, voxel.by * f, std::min((voxel.by + 1) * f, grid_.y.cells), cy.base);
         return std::min({x, y, floorOf(voxel.layer)});
-    }
-
-    std::optional<double> leaf(const GridRay& ray, AxisCell cx, AxisCell cy) const {
-        return field_.surface() == Surface::Bilinear ? leafHit<Surface::Bilinear>(field_.heights(), grid_, ray, cx, cy)
-                                                     : leafHit<Surface::Columns>(field_.heights(), grid_, ray, cx, cy);
     }
 
     Step record(Decision decision, const Voxel& voxel, AxisCell cx, AxisCell cy, double in, double out, double value,
@@ -112,8 +124,7 @@ template <bool kWhole, class Sink>
 Hit DistanceWalk::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);
     const GridRay ray(grid_, viewRay);
-    const double runLength = std::hypot(ray.x.run, ray.y.run);
-    const bool served = runLength <= map_->maxRun && ray.inDomain();
+    const bool served = serves(ray);
     const double metric = perLambda(ray);
     const double nearest = rule_ == StepRule::Classic ? kShortestClassic : 0;
     const int sector = azimuthSector(ray.x.run, ray.y.run, map_->parameters.sectors);

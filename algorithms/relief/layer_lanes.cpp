@@ -14,30 +14,10 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
+#include "relief/lanes/double_lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr std::size_t kLanes = hn::MaxLanes(D());
-using Row = std::array<double, kLanes>;
-
-HWY_INLINE V constant(double value) {
-    return hn::Set(D(), value);
-}
-HWY_INLINE V load(const Row& from) {
-    return hn::LoadU(D(), from.data());
-}
-HWY_INLINE void store(V from, Row& to) {
-    hn::StoreU(from, D(), to.data());
-}
-HWY_INLINE std::uint32_t bitsOf(M mask) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(D(), mask, bits);
-    return bits[0];
-}
 
 // HeightField::at.
 class SurfaceLanes {
@@ -103,46 +83,29 @@ struct Bracket {
     double below;
 };
 
-struct Queue {
-    const LayerSearch& search;
-    const RayBlock& rays;
-    HitBlock& hits;
-    std::size_t next;
-    std::size_t last;
-    std::vector<std::size_t>& left;
+struct LayerQueue : RayQueue<LayerSearch> {
     std::vector<Bracket> brackets;
 };
 
 // A vector of rays on their way through the layers.
-class Search {
+class LayerWalk : public VectorOfRays<LayerWalk> {
   public:
-    explicit Search(Queue& queue) : queue_(queue), field_(queue.search.field), surface_(field_) {}
+    explicit LayerWalk(LayerQueue& queue) : queue_(queue), field_(queue.search.field), surface_(field_) {}
 
-    // False: nothing left to do.
-    bool go() {
-        constexpr std::uint32_t kAll = (1U << kLanes) - 1;
-        for (std::uint32_t idle = kAll & ~active_; idle != 0; idle &= idle - 1) {
-            if (!fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
-        }
-        if (active_ == 0) return false;
-        step();
-        return true;
-    }
-
-  private:
     bool fill(std::size_t lane);
     void step();
+
+  private:
     void finish(std::size_t lane, bool inside);
 
-    Queue& queue_;
+    LayerQueue& queue_;
     const HeightField& field_;
     SurfaceLanes surface_;
-    std::uint32_t active_ = 0;
-    Row s0_{}, t0_{}, a_{}, b_{}, layer_{}, lambda_{}, gap_{}, above_{}, gapAbove_{};
+    Row<double> s0_{}, t0_{}, a_{}, b_{}, layer_{}, lambda_{}, gap_{}, above_{}, gapAbove_{};
     std::array<std::size_t, kLanes> ray_{};
 };
 
-bool Search::fill(std::size_t lane) {
+bool LayerWalk::fill(std::size_t lane) {
     constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
     while (queue_.next < queue_.last) {
         const std::size_t i = queue_.next++;
@@ -168,7 +131,7 @@ bool Search::fill(std::size_t lane) {
     return false;
 }
 
-void Search::step() {
+void LayerWalk::step() {
     const V one = constant(1), zero = hn::Zero(D());
     const V layer = load(layer_);
     const V lambda = hn::Min(hn::Div(layer, constant(queue_.search.layers)), one);
@@ -185,16 +148,13 @@ void Search::step() {
     if (done != 0) {
         store(lambda, lambda_), store(gap, gap_);
         const std::uint32_t in = bitsOf(inside);
-        for (std::uint32_t lanes = done; lanes != 0; lanes &= lanes - 1) {
-            const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
-            finish(lane, (in >> lane & 1) != 0);
-        }
+        overLanes(done, [&](std::size_t lane) { finish(lane, (in >> lane & 1) != 0); });
         active_ &= ~done;
     }
     store(hn::Add(layer, one), layer_), store(lambda, above_), store(gap, gapAbove_);
 }
 
-void Search::finish(std::size_t lane, bool inside) {
+void LayerWalk::finish(std::size_t lane, bool inside) {
     const std::size_t i = ray_[lane];
     if (!inside) {
         queue_.hits.set(i, Hit::none(Outcome::Miss));
@@ -213,9 +173,9 @@ void Search::finish(std::size_t lane, bool inside) {
 }
 
 // All brackets take as many halvings.
-void bisect(Queue& queue) {
+void bisect(LayerQueue& queue) {
     const SurfaceLanes surface(queue.search.field);
-    Row s0{}, t0{}, a{}, b{}, from{}, to{};
+    Row<double> s0{}, t0{}, a{}, b{}, from{}, to{};
     for (std::size_t begin = 0; begin < queue.brackets.size(); begin += kLanes) {
         const std::size_t count = std::min(kLanes, queue.brackets.size() - begin);
         for (std::size_t n = 0; n < count; ++n) {
@@ -241,17 +201,10 @@ void bisect(Queue& queue) {
     }
 }
 
-// Two vectors in turn: while one waits for memory, the other goes on.
 void searchLayers(const LayerSearch& search, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
                   std::vector<std::size_t>& left) {
-    Queue queue{search, rays, hits, first, last, left, {}};
-    Search one(queue);
-    Search two(queue);
-    bool more = true;
-    while (more) {
-        more = one.go();
-        more = two.go() || more;
-    }
+    LayerQueue queue{{search, rays, hits, first, last, left}, {}};
+    goInTurn<LayerWalk>(queue);
     if (search.refinement == LayerRefinement::Bisection) bisect(queue);
 }
 

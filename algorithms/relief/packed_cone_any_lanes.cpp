@@ -16,30 +16,10 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
+#include "relief/lanes/double_lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr std::size_t kLanes = hn::MaxLanes(D());
-template <class T>
-using Row = std::array<T, kLanes>;
-
-HWY_INLINE V constant(double value) {
-    return hn::Set(D(), value);
-}
-HWY_INLINE V load(const Row<double>& from) {
-    return hn::LoadU(D(), from.data());
-}
-// Whole numbers of 31 bits: numbers of cells and texels.
-using DI = hn::Rebind<std::int32_t, D>;
-using VI = hn::Vec<DI>;
-using DF = hn::Rebind<float, D>;
-HWY_INLINE VI whole(std::int32_t value) {
-    return hn::Set(DI(), value);
-}
 
 // Of one axis, mirrored: what stays as it is while a lane works on a segment.
 struct AxisRows {
@@ -108,7 +88,7 @@ struct AxisLanes {
 };
 
 // Which segment comes next, for all vectors.
-struct Queue {
+struct SegmentQueue {
     const PackedConeAnyHit& query;
     const AnyRayBlock& rays;
     std::size_t quadrant;  // the only one that is looked at
@@ -124,11 +104,11 @@ struct Segments {
     Row<std::size_t> number{};
     std::uint32_t active = 0;
 
-    bool fill(std::size_t lane, Queue& queue);
+    bool fill(std::size_t lane, SegmentQueue& queue);
 };
 
 // False: there is none left that needs a walk.
-bool Segments::fill(std::size_t lane, Queue& queue) {
+bool Segments::fill(std::size_t lane, SegmentQueue& queue) {
     const CellGrid& grid = queue.query.grid();
     while (queue.next < queue.last) {
         const std::size_t i = queue.next++;
@@ -161,9 +141,9 @@ bool Segments::fill(std::size_t lane, Queue& queue) {
     return false;
 }
 
-class Walk {
+class SegmentWalk {
   public:
-    explicit Walk(Queue& queue)
+    explicit SegmentWalk(SegmentQueue& queue)
         : queue_(queue),
           field_(queue.query.field()),
           grid_(queue.query.grid()),
@@ -180,11 +160,6 @@ class Walk {
         V z, dz;
         HWY_INLINE V heightAt(V mu) const { return hn::Add(z, hn::Mul(mu, dz)); }
     };
-    HWY_INLINE std::uint32_t bitsOf(M mask) const {
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(D(), mask, bits);
-        return bits[0];
-    }
     HWY_INLINE void settle(std::uint32_t lanes, Sight sight) {
         segments_.active &= ~lanes;
         for (; lanes != 0; lanes &= lanes - 1) {
@@ -194,7 +169,7 @@ class Walk {
     HWY_INLINE M blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const;
     void step();
 
-    Queue& queue_;
+    SegmentQueue& queue_;
     const HeightField& field_;
     const CellGrid& grid_;
     const std::uint32_t* words_;
@@ -204,7 +179,7 @@ class Walk {
 };
 
 // cellBlocks() of the lanes' cells.
-M Walk::blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const {
+M SegmentWalk::blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const {
     const V zero = hn::Zero(D()), one = constant(1), clearance = constant(kSightClearance);
     const V in = hn::Max(hn::Max(lanes.x.enter(), lanes.y.enter()), zero);
     const V out = hn::Min(hn::Min(exits, one), end);
@@ -248,7 +223,7 @@ M Walk::blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const {
     return hn::And(stays, hn::Gt(highest, clearance));
 }
 
-void Walk::step() {
+void SegmentWalk::step() {
     const D d;
     Lanes lanes{AxisLanes(segments_.x), AxisLanes(segments_.y), load(segments_.z), load(segments_.dz)};
     const V mu = load(segments_.mu), end = load(segments_.end), run = load(segments_.run);
@@ -305,7 +280,7 @@ void Walk::step() {
     hn::StoreU(hn::IfThenElse(moves, nextY, lanes.y.cell), d, segments_.y.cell.data());
 }
 
-bool Walk::go() {
+bool SegmentWalk::go() {
     const std::uint32_t all = (1U << kLanes) - 1;
     for (std::uint32_t idle = all & ~segments_.active; idle != 0; idle &= idle - 1) {
         if (!segments_.fill(static_cast<std::size_t>(__builtin_ctz(idle)), queue_)) break;
@@ -315,7 +290,6 @@ bool Walk::go() {
     return true;
 }
 
-// Two vectors in turn: while one waits for memory, the other goes on.
 void look(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t first, std::size_t last, Sight* sights) {
     // Rays that are shadows of one light, or sights of one pixel, are of one quadrant or of few.
     std::uint32_t quadrants = 0;
@@ -325,14 +299,8 @@ void look(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t fi
     }
     for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
         if ((quadrants >> quadrant & 1) == 0) continue;
-        Queue queue{query, rays, quadrant, first, last, sights};
-        Walk one(queue);
-        Walk two(queue);
-        bool more = true;
-        while (more) {
-            more = one.go();
-            more = two.go() || more;
-        }
+        SegmentQueue queue{query, rays, quadrant, first, last, sights};
+        goInTurn<SegmentWalk>(queue);
     }
 }
 

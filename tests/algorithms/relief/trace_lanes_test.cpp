@@ -3,6 +3,7 @@
 
 #include "fields.h"
 #include "mapping/rows/row_lanes.h"
+#include "relief/distance_conservative.h"
 
 namespace relief::test {
 namespace {
@@ -13,9 +14,18 @@ std::size_t rayCount() {
     return std::getenv("RELIEF_LONG") != nullptr ? 200000 : 700;
 }
 
-const std::vector<std::string>& laneMethods() {
-    static const std::vector<std::string> names{"max-pyramid", "cone"};
-    return names;
+const std::vector<MethodChoice>& jumps() {
+    static const std::vector<MethodChoice> all{{"max-pyramid", {}}, {"cone", {}}};
+    return all;
+}
+// Their maps take long to build.
+const std::vector<MethodChoice>& voxelWalks() {
+    static const std::vector<MethodChoice> all{
+        {"distance-conservative", {{"layers", "5"}}},
+        {"distance-conservative", {{"footprint", "4"}, {"layers", "16"}, {"rule", "classic"}}},
+        {"distance-refined", {{"footprint", "2"}, {"layers", "7"}, {"sectors", "4"}, {"horizons", "8"}}},
+        {"distance-refined", {{"footprint", "3"}, {"layers", "6"}, {"flattest", "40"}, {"horizons", "4"}}}};
+    return all;
 }
 
 // Each target that this machine can run, and at the end the best again.
@@ -86,9 +96,10 @@ RayBlock awkwardRays(const HeightField& field, std::uint64_t seed, std::size_t c
     return rays;
 }
 
-void expectTwins(const HeightField& field, const std::string& name, const RayBlock& rays, MapCache& cache) {
+void expectTwins(const HeightField& field, const MethodChoice& method, const RayBlock& rays, MapCache& cache) {
+    if (!supports(method, field.surface(), field.address())) return;
     Work work(1);
-    const auto tracer = makeTracer({name, {}}, field, cache, work);
+    const auto tracer = makeTracer(method, field, cache, work);
     HitBlock scalar;
     BlockCounts counts;
     tracer->trace(rays, scalar, counts, work);
@@ -100,7 +111,7 @@ void expectTwins(const HeightField& field, const std::string& name, const RayBlo
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (sameBits(scalar[i], lanes[i])) continue;
             if (++different > 3) continue;
-            ADD_FAILURE() << name << ", " << describe(field) << ", ray " << i << ": " << describe(rays[i])
+            ADD_FAILURE() << describe(method) << ", " << describe(field) << ", ray " << i << ": " << describe(rays[i])
                           << ": scalar " << static_cast<int>(scalar.outcome[i]) << " " << numberText(scalar.lambda[i])
                           << ", lanes " << static_cast<int>(lanes.outcome[i]) << " " << numberText(lanes.lambda[i]);
         }
@@ -108,17 +119,21 @@ void expectTwins(const HeightField& field, const std::string& name, const RayBlo
     });
 }
 
-void expectTwinsEverywhere(const Heights& heights, std::uint64_t seed) {
+void expectTwinsEverywhere(const std::vector<MethodChoice>& methods, const std::vector<double>& depths,
+                           const Heights& heights, std::uint64_t seed) {
     MapCache cache;
     for (const Surface surface : allSurfaces()) {
         for (const Address address : allAddresses()) {
-            for (const double depth : {0.02, 0.1, 0.9}) {
+            for (const double depth : depths) {
                 const HeightField field(heights, surface, address, depth);
                 const RayBlock rays = awkwardRays(field, seed, rayCount());
-                for (const std::string& name : laneMethods()) expectTwins(field, name, rays, cache);
+                for (const MethodChoice& method : methods) expectTwins(field, method, rays, cache);
             }
         }
     }
+}
+void expectTwinsEverywhere(const Heights& heights, std::uint64_t seed) {
+    expectTwinsEverywhere(jumps(), {0.02, 0.1, 0.9}, heights, seed);
 }
 
 TEST(Lanes, haveTheBitsOfTheScalarTextOnEveryRelief) {
@@ -145,17 +160,69 @@ TEST(Lanes, haveTheBitsOfTheScalarTextForAnyNumberOfRaysAndThreads) {
     MapCache cache;
     for (const std::size_t count : {0, 1, 2, 7, 15, 16, 17, 31, 511, 512, 513, 1030}) {
         const RayBlock rays = awkwardRays(field, kSeed, count);
-        for (const std::string& name : laneMethods()) expectTwins(field, name, rays, cache);
+        for (const MethodChoice& method : jumps()) expectTwins(field, method, rays, cache);
     }
     const RayBlock rays = awkwardRays(field, kSeed, 20000);
-    for (const std::string& name : laneMethods()) {
+    for (const MethodChoice& method : jumps()) {
         Work one(1), three(3);
-        const auto tracer = makeTracer({name, {}}, field, cache, one);
+        const auto tracer = makeTracer(method, field, cache, one);
         HitBlock alone, together;
         NullSink sink;
         tracer->trace(rays, alone, sink, one);
         tracer->trace(rays, together, sink, three);
         for (std::size_t i = 0; i < rays.size(); ++i) ASSERT_TRUE(sameBits(alone[i], together[i])) << i;
+    }
+}
+
+TEST(Lanes, haveTheBitsOfTheScalarTextThroughVoxels) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    for (const char* name : {"bricks", "spikes", "fractal"}) {
+        SCOPED_TRACE(name);
+        expectTwinsEverywhere(voxelWalks(), {0.02, 0.3}, share(makeRelief(name, 64, 64, kSeed)), kSeed);
+    }
+    for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {33, 14}, {60, 3}}) {
+        expectTwinsEverywhere(voxelWalks(), {0.9}, randomHeights(width, height, kSeed), kSeed);
+    }
+    for (const float value : {0.0F, 1.0F}) {
+        expectTwinsEverywhere(voxelWalks(), {0.3}, constantHeights(9, 9, value), kSeed);
+    }
+}
+
+// What an unsafe map makes of a ray is the same, too: the walk itself is, not only where it ends.
+TEST(Lanes, walkUnsafeMapsAsTheScalarTextDoes) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    for (const StepRule rule : {StepRule::Exit, StepRule::Classic}) {
+        for (const Address address : allAddresses()) {
+            const HeightField field(share(makeRelief("spikes", 50, 50, kSeed)), Surface::Bilinear, address, 0.5);
+            DistanceParameters parameters;
+            parameters.footprint = 3;
+            parameters.layers = 9;
+            Work work(2);
+            DistanceMap map = buildDistanceMap(DistanceKind::EuclideanConservative, parameters, field, work);
+            std::vector<float> values = std::get<std::vector<float>>(map.values.codes());
+            for (float& value : values) value = value < 0 ? value : 1.7F * value + 0.4F;
+            map.values = StoredValues(map.nx(), map.ny(), 9, std::move(values), Precision::Float, Rounding::Down);
+            const DistanceWalk walk(field, std::make_shared<const DistanceMap>(std::move(map)), rule);
+            const DistanceConservativeTracer exact =
+                DistanceConservativeTracer(field,
+                                           std::make_shared<const DistanceMap>(buildDistanceMap(
+                                               DistanceKind::EuclideanConservative, parameters, field, work)),
+                                           rule);
+            const RayBlock rays = awkwardRays(field, kSeed, 4 * rayCount());
+            NullSink sink;
+            std::size_t wrong = 0;
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                wrong += sameBits(walk.trace(rays[i], sink), exact.trace(rays[i], sink)) ? 0 : 1;
+            }
+            EXPECT_GT(wrong, rays.size() / 50) << "the map is not unsafe enough to tell";
+            onEveryTarget([&] {
+                HitBlock lanes(rays.size());
+                walk.traceLanes(rays, 0, rays.size(), lanes);
+                for (std::size_t i = 0; i < rays.size(); ++i) {
+                    ASSERT_TRUE(sameBits(walk.trace(rays[i], sink), lanes[i])) << i << ": " << describe(rays[i]);
+                }
+            });
+        }
     }
 }
 

@@ -1,0 +1,106 @@
+// What walks in lanes of double have in common, a ray a lane: vectors in rows of memory, the queue that finished lanes
+// are refilled from, and two vectors in turn. Compiled for each target.
+
+#if defined(RELIEF_DOUBLE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RELIEF_DOUBLE_LANES_INL_H
+#undef RELIEF_DOUBLE_LANES_INL_H
+#else
+#define RELIEF_DOUBLE_LANES_INL_H
+#endif
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <hwy/highway.h>
+
+#include "relief/ray.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::CappedTag<double, 8>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+constexpr std::size_t kLanes = hn::MaxLanes(D());
+template <class T>
+using Row = std::array<T, kLanes>;
+// Whole numbers of 31 bits (numbers of cells, texels, values), and stored values.
+using DI = hn::Rebind<std::int32_t, D>;
+using VI = hn::Vec<DI>;
+using DF = hn::Rebind<float, D>;
+
+HWY_INLINE V constant(double value) {
+    return hn::Set(D(), value);
+}
+HWY_INLINE VI whole(std::int32_t value) {
+    return hn::Set(DI(), value);
+}
+HWY_INLINE V load(const Row<double>& from) {
+    return hn::LoadU(D(), from.data());
+}
+HWY_INLINE void store(V from, Row<double>& to) {
+    hn::StoreU(from, D(), to.data());
+}
+HWY_INLINE std::uint32_t bitsOf(M mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(D(), mask, bits);
+    return bits[0];
+}
+// body(lane) for each of a set of lanes.
+template <class Body>
+HWY_INLINE void overLanes(std::uint32_t lanes, const Body& body) {
+    for (; lanes != 0; lanes &= lanes - 1) body(static_cast<std::size_t>(__builtin_ctz(lanes)));
+}
+
+// The rays that come next, for all vectors of a Search; left: those that are left to the scalar text.
+template <class Search>
+struct RayQueue {
+    const Search& search;
+    const RayBlock& rays;
+    HitBlock& hits;
+    std::size_t next;
+    std::size_t last;
+    std::vector<std::size_t>& left;
+};
+
+// A vector of rays on their way. Walk has fill(lane), which takes the next ray of the queue (false: there is none) and
+// marks the lane as active, and step().
+template <class Walk>
+class VectorOfRays {
+  public:
+    // False: nothing left to do.
+    bool go() {
+        constexpr std::uint32_t kAll = (1U << kLanes) - 1;
+        for (std::uint32_t idle = kAll & ~active_; idle != 0; idle &= idle - 1) {
+            if (!walk().fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
+        }
+        if (active_ == 0) return false;
+        walk().step();
+        return true;
+    }
+
+  protected:
+    std::uint32_t active_ = 0;
+
+  private:
+    Walk& walk() { return static_cast<Walk&>(*this); }
+};
+
+// Two vectors in turn: while one waits for memory, the other goes on.
+template <class Walk, class Queue>
+void goInTurn(Queue& queue) {
+    Walk one(queue);
+    Walk two(queue);
+    bool more = true;
+    while (more) {
+        more = one.go();
+        more = two.go() || more;
+    }
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
