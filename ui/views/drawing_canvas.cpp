@@ -71,7 +71,12 @@ DrawingCanvas::DrawingCanvas(QWidget* parent) : QVTKOpenGLNativeWidget(parent), 
     scene_->actor->GetScene()->AddItem(scene_->item);
     scene_->renderer->AddActor(scene_->actor);
     setRenderWindow(scene_->window);
-    // The grammar of all panes is ours.
+    // The grammar of all panes is ours. VTK's gestures would be made of mouse drags, too, and Qt complains of those
+    // that end when the pane is hidden.
+    for (const Qt::GestureType gesture :
+         {Qt::PinchGesture, Qt::PanGesture, Qt::TapGesture, Qt::TapAndHoldGesture, Qt::SwipeGesture}) {
+        ungrabGesture(gesture);
+    }
     interactor()->SetInteractorStyle(nullptr);
     redrawSoon_.setSingleShot(true);
     redrawSoon_.setInterval(0);

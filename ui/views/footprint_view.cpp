@@ -115,6 +115,10 @@ void FootprintView::refresh() {
     if (!footprint_) {
         using relief::MessageId;
         const bool hit = shown_ && shown_->trace.onRelief;
+        if (hit && shown_->request && FilteredPicture::tooLarge(*shown_->request)) {
+            showEmpty(MessageId::DrawFootprintTooLarge);
+            return;
+        }
         showEmpty(!shown_                   ? MessageId::DrawNoPicture
                   : !shown_->scenario.pixel ? MessageId::DrawFootprintNoPixel
                                             : (hit ? MessageId::DrawFootprintNoHit : MessageId::DrawNoRelief));

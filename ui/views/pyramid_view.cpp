@@ -66,7 +66,9 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
 
     connect(kinds, qOverload<QAbstractButton*, bool>(&QButtonGroup::buttonToggled), this,
             [this](QAbstractButton*, bool on) {
-                if (on) refresh();
+                if (!on) return;
+                workspace_->setLevels(levels());
+                refresh();
             });
     connect(near_, &QToolButton::toggled, this, [this] {
         canvas_->resetZoom();
@@ -108,6 +110,12 @@ void PyramidView::resetZoom() {
     canvas_->resetZoom();
 }
 
+relief::PyramidKind PyramidView::levels() const {
+    return maxima_->isChecked()  ? relief::PyramidKind::Max
+           : means_->isChecked() ? relief::PyramidKind::Mean
+                                 : relief::PyramidKind::Min;
+}
+
 PyramidSource PyramidView::source() const {
     PyramidSource source;
     const Snapshot& s = *shown_;
@@ -127,7 +135,7 @@ PyramidSource PyramidView::source() const {
 void PyramidView::refresh() {
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
-    const bool ready = shown_ && shown_->request && shown_->means && shown_->minima && shown_->maxima;
+    const bool ready = shown_ && shown_->request && shown_->has(levels());
     if (!ready) {
         showEmpty(relief::MessageId::DrawNoPicture);
         return;

@@ -40,6 +40,7 @@ class PyramidView : public QWidget {
     void follow();
     void choose(const ItemId& id);
     void tell(const ItemId& id);
+    relief::PyramidKind levels() const;
     PyramidSource source() const;
 
     Workspace* workspace_;

@@ -76,6 +76,8 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
       note_(new QLabel(this)),
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
       renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+    // Made of mouse drags, too; Qt complains of those that end when the pane is hidden. Fingers pinch and pan.
+    for (const Qt::GestureType gesture : {Qt::TapGesture, Qt::TapAndHoldGesture}) widget_->ungrabGesture(gesture);
     setAccessibleName(tr("Trace in 3-D"));
     setFocusProxy(widget_);
     widget_->setFocusPolicy(Qt::StrongFocus);

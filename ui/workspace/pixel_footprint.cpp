@@ -131,6 +131,11 @@ void sumWeights(PixelFootprint& out) {
 
 }  // namespace
 
+bool FilteredPicture::tooLarge(const relief::FrameRequest& request) {
+    constexpr std::size_t kMostGrey = std::size_t{1} << 24;
+    return !request.color && request.field.heights().pixels().size() > kMostGrey;
+}
+
 void FilteredPicture::use(const relief::FrameRequest& request) {
     const std::shared_ptr<const relief::FloatImage> grey = request.color ? nullptr : request.field.sharedHeights();
     if (request.color ? picture_ == request.color : picture_ && greyOf_ == grey) return;
@@ -157,6 +162,7 @@ std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame,
                                                      int x, int y, double scale, FilteredPicture& picture,
                                                      relief::Work& work) {
     const relief::VisiblePolygons visible = frame.visible(request);
+    if (FilteredPicture::tooLarge(request)) return nullptr;
     auto query = relief::filterQuery(frame, request, visible, x, y);
     if (!query) return nullptr;
     picture.use(request);

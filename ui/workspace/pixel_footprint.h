@@ -14,6 +14,9 @@ namespace reliefui {
 // to frame.
 class FilteredPicture {
   public:
+    // Heights without colours that would take too much as a picture.
+    static bool tooLarge(const relief::FrameRequest& request);
+    // Not for such.
     void use(const relief::FrameRequest& request);
     const std::shared_ptr<const relief::ColorImage>& picture() const { return picture_; }
     // Throws Cancelled.
@@ -60,7 +63,8 @@ struct PixelFootprint {
     }
 };
 
-// Of pixel (x, y) of the frame; null where it meets no relief. scale: pixels of the frame per pixel of the picture that
+// Of pixel (x, y) of the frame; null where it meets no relief, and for heights
+// that are too large to be looked at as a picture. scale: pixels of the frame per pixel of the picture that
 // is shown (below 1 for coarse frames, whose footprints are not told of). Throws Cancelled.
 std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame, const relief::FrameRequest& request,
                                                      int x, int y, double scale, FilteredPicture& picture,

@@ -199,7 +199,7 @@ void RenderWorker::runRender(const RenderJob& job, bool coarse, relief::Work& wo
         post([this, failure = RenderFailure{job.version, problem}] { listener_.failure(failure); });
     };
     const auto deliver = [&](int factor) {
-        auto snapshot = maker_.make({job.scenario, job.version, job.layer, factor, job.lastStep}, work);
+        auto snapshot = maker_.make({job.scenario, job.version, job.layer, factor, job.lastStep, job.levels}, work);
         post([this, snapshot] { listener_.snapshot(snapshot); });
     };
     guarded(

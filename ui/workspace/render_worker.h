@@ -26,6 +26,7 @@ struct RenderJob {
     Layer layer = Layer::Color;
     bool lastStep = false;  // the ray's last step is the chosen one
     bool live = false;      // something is being dragged: a coarse picture now, the full one when it rests
+    relief::PyramidKind levels = relief::PyramidKind::Max;  // what the pyramid's pane shows
 };
 
 // What is loaded before it becomes part of the open scenario: its pictures, and the scenario itself if `path` is given.

@@ -45,9 +45,16 @@ struct Snapshot {
     std::shared_ptr<const PixelFootprint> footprint;               // of the pixel; null where it has no hit
     PixelTrace trace;                                              // in full-size pixels, also when coarse
     std::shared_ptr<const relief::MaxPyramidMap> maxima;           // over the cells of the field
-    std::shared_ptr<const relief::Pyramid> means;                  // over the texels
-    std::shared_ptr<const relief::Pyramid> minima;                 // over the texels
-    std::shared_ptr<relief::MapCache> maps;                        // that were built for it, and take more
+    // Over the texels; of large pictures only if they are shown.
+    std::shared_ptr<const relief::Pyramid> means;
+    std::shared_ptr<const relief::Pyramid> minima;
+    std::shared_ptr<relief::MapCache> maps;  // that were built for it, and take more
+
+    bool has(relief::PyramidKind levels) const {
+        return levels == relief::PyramidKind::Mean  ? means != nullptr
+               : levels == relief::PyramidKind::Min ? minima != nullptr
+                                                    : maxima != nullptr;
+    }
 };
 
 }  // namespace reliefui

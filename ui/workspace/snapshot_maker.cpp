@@ -39,6 +39,9 @@ bool supersampled(const relief::Scenario& scenario) {
 }
 constexpr int kSupersampledFactor = 3;
 
+// Texels up to which all pyramids are at hand; a larger picture's would take a gigabyte that nobody looks at.
+constexpr std::size_t kAllLevels = std::size_t{1} << 24;
+
 double pixelsOf(const relief::Scenario& scenario) {
     return static_cast<double>(scenario.width) * scenario.height;
 }
@@ -146,13 +149,16 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     snapshot->scenario.step = order.lastStep ? last : std::clamp(scenario.step, 0, last);
     const relief::HeightField& field = request->field;
     snapshot->maxima = relief::maxPyramidMap(field, *maps_, work);
-    snapshot->minima = maps_->get<relief::Pyramid>({"min-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {
-        return relief::Pyramid(relief::PyramidKind::Min, field.sharedHeights(), w);
-    });
     snapshot->maps = maps_;
-    snapshot->means = maps_->get<relief::Pyramid>({"mean-pyramid", field.sharedHeights()}, work, [&](relief::Work& w) {
-        return relief::Pyramid(relief::PyramidKind::Mean, field.sharedHeights(), w);
-    });
+    const auto levels = [&](relief::PyramidKind kind, const char* name) -> std::shared_ptr<const relief::Pyramid> {
+        const bool small = field.heights().pixels().size() <= kAllLevels;
+        if (!small && order.levels != kind) return nullptr;
+        return maps_->get<relief::Pyramid>({name, field.sharedHeights()}, work, [&](relief::Work& w) {
+            return relief::Pyramid(kind, field.sharedHeights(), w);
+        });
+    };
+    snapshot->minima = levels(relief::PyramidKind::Min, "min-pyramid");
+    snapshot->means = levels(relief::PyramidKind::Mean, "mean-pyramid");
     return snapshot;
 }
 

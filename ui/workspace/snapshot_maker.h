@@ -15,6 +15,7 @@ struct SnapshotOrder {
     Layer layer = Layer::Color;
     int factor = 1;         // the picture is made so many times smaller
     bool lastStep = false;  // the ray's last step is the chosen one, whatever the scenario says
+    relief::PyramidKind levels = relief::PyramidKind::Max;  // what the pyramid's pane shows
 };
 
 class SnapshotMaker {

@@ -102,7 +102,7 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
 
 void Workspace::requestRender(bool live) {
     waiting_ = true;
-    worker_->render({scenario_, version_, layer_, toLastStep_, live});
+    worker_->render({scenario_, version_, layer_, toLastStep_, live, levels_});
     tellBusy();
 }
 
@@ -135,6 +135,13 @@ void Workspace::setLayer(Layer layer) {
     if (layer == layer_) return;
     layer_ = layer;
     if (worker_ && version_ > 0) requestRender(false);
+}
+
+void Workspace::setLevels(relief::PyramidKind levels) {
+    if (levels == levels_) return;
+    levels_ = levels;
+    const bool have = snapshot_ && snapshot_->has(levels);
+    if (!have && worker_ && version_ > 0) requestRender(false);
 }
 
 void Workspace::setStyle(const Style& style) {

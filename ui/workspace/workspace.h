@@ -51,6 +51,8 @@ class Workspace : public QObject {
     // What the result view shows of the frame; not part of the scenario.
     Layer layer() const { return layer_; }
     void setLayer(Layer layer);
+    // The pyramid that is looked at: of large pictures no other is built.
+    void setLevels(relief::PyramidKind levels);
     // How panes are drawn (theme, projector, language); not part of the scenario.
     const Style& style() const { return style_; }
     void setStyle(const Style& style);
@@ -111,6 +113,7 @@ class Workspace : public QObject {
     bool toLastStep_ = false;        // the ray's last step becomes the chosen one when it is known
     std::shared_ptr<const Snapshot> snapshot_;
     Layer layer_ = Layer::Color;
+    relief::PyramidKind levels_ = relief::PyramidKind::Max;
     Style style_;
     History past_;
     History good_;  // as it was when window and scenario last agreed

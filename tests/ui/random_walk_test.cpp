@@ -1,0 +1,302 @@
+// A walk at random over all controls: buttons, lists, sliders, numbers, menus, keys, the mouse in every pane. The
+// window must live, Qt and VTK must not complain, memory must not grow without end, and undo must still lead back.
+#include <algorithm>
+#include <cstdlib>
+#include <deque>
+#include <fstream>
+#include <random>
+
+#include <malloc.h>
+#include <unistd.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTabBar>
+#include <QTableView>
+#include <QTimer>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include "views/drawing_canvas.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+namespace {
+
+constexpr std::uint64_t kSeed = 20261121;  // RELIEF_SEED: another
+constexpr int kShortMs = 60000;
+constexpr int kLongMs = 600000;
+// Dialogs and menus are sent away as soon as they are seen.
+constexpr int kDismissMs = 40;
+constexpr int kEndMs = 120000;
+constexpr std::size_t kRemembered = 25;
+// What may stay when all is undone: pictures and maps of the walk that caches still keep, Mesa's and Qt's own.
+constexpr double kGrowthMegabytes = 400;
+
+QStringList& complaints() {
+    static QStringList all;
+    return all;
+}
+
+void noteQt(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (type == QtDebugMsg || type == QtInfoMsg) return;
+    // The X server's answer to a focus that nobody can give: no window manager runs here.
+    if (text.startsWith(QLatin1String("QXcbConnection: XCB error")) && text.contains(QLatin1String("SetInputFocus"))) {
+        return;
+    }
+    complaints() << QStringLiteral("Qt: ") + text;
+}
+
+class NotingOutput : public vtkOutputWindow {
+  public:
+    static NotingOutput* New();
+    vtkTypeMacro(NotingOutput, vtkOutputWindow) void DisplayText(const char* text) override {
+        complaints() << QStringLiteral("VTK: ") + QString::fromUtf8(text);
+    }
+
+  protected:
+    NotingOutput() = default;
+};
+vtkStandardNewMacro(NotingOutput)
+
+    double residentMegabytes() {
+    malloc_trim(0);
+    std::ifstream file("/proc/self/statm");
+    double size = 0;
+    double resident = 0;
+    file >> size >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+class Walk {
+  public:
+    Walk(QWidget* window, std::uint64_t seed) : window_(window), random_(seed) {
+        QObject::connect(&dismiss_, &QTimer::timeout, [] {
+            if (QWidget* const popup = QApplication::activePopupWidget()) popup->close();
+            QWidget* const modal = QApplication::activeModalWidget();
+            if (auto* const dialog = qobject_cast<QDialog*>(modal)) {
+                dialog->reject();
+            } else if (modal != nullptr) {
+                modal->close();
+            }
+        });
+        dismiss_.start(kDismissMs);
+    }
+
+    void step() {
+        const auto widgets = window_->findChildren<QWidget*>();
+        switch (random_() % 8) {
+            case 0:
+                return action();
+            case 1:
+                return key();
+            case 2:
+            case 3:
+                return mouse(widgets);
+            default:
+                return control(widgets);
+        }
+    }
+    QString story() const {
+        QStringList all;
+        for (const QString& line : story_) all << line;
+        return all.join(QStringLiteral("\n"));
+    }
+
+  private:
+    int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
+    void note(const QString& text) {
+        story_.push_back(text);
+        // To follow a walk that crashes.
+        if (std::getenv("RELIEF_WALK") != nullptr) std::fprintf(stderr, "%s\n", qPrintable(text));
+        if (story_.size() > kRemembered) story_.pop_front();
+    }
+    static QString told(const QWidget* widget) {
+        return QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName() +
+               QLatin1Char(' ') + widget->accessibleName();
+    }
+
+    void action() {
+        std::vector<QAction*> actions;
+        for (QAction* const candidate : window_->findChildren<QAction*>()) {
+            const bool ends = candidate->menuRole() == QAction::QuitRole ||
+                              candidate->shortcut() == QKeySequence(QKeySequence::Quit) ||
+                              candidate->shortcut() == QKeySequence(QKeySequence::Close);
+            if (candidate->isEnabled() && !candidate->isSeparator() && candidate->menu() == nullptr && !ends) {
+                actions.push_back(candidate);
+            }
+        }
+        if (actions.empty()) return;
+        QAction* const chosen = actions[static_cast<std::size_t>(below(static_cast<int>(actions.size())))];
+        note(QStringLiteral("action ") + chosen->text() + QLatin1Char(' ') + chosen->objectName());
+        chosen->trigger();
+    }
+
+    void key() {
+        static const std::vector<std::pair<Qt::Key, Qt::KeyboardModifiers>> keys{
+            {Qt::Key_Comma, Qt::NoModifier},
+            {Qt::Key_Period, Qt::NoModifier},
+            {Qt::Key_Home, Qt::NoModifier},
+            {Qt::Key_End, Qt::NoModifier},
+            {Qt::Key_Space, Qt::NoModifier},
+            {Qt::Key_Left, Qt::NoModifier},
+            {Qt::Key_Right, Qt::ShiftModifier},
+            {Qt::Key_Up, Qt::NoModifier},
+            {Qt::Key_Down, Qt::ShiftModifier},
+            {Qt::Key_Z, Qt::ControlModifier},
+            {Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier},
+            {Qt::Key_R, Qt::NoModifier},
+            {Qt::Key_F11, Qt::NoModifier},
+            {Qt::Key_Escape, Qt::NoModifier}};
+        if (below(3) == 0) {
+            const auto digit = static_cast<Qt::Key>(Qt::Key_0 + below(10));
+            note(QStringLiteral("key %1").arg(digit - Qt::Key_0));
+            QTest::keyClick(window_, digit);
+            return;
+        }
+        const auto& [chosen, modifiers] = keys[static_cast<std::size_t>(below(static_cast<int>(keys.size())))];
+        note(QStringLiteral("key ") + QKeySequence(chosen).toString());
+        QWidget* const focus = QApplication::focusWidget();
+        QTest::keyClick(focus != nullptr ? focus : window_, chosen, modifiers);
+    }
+
+    void mouse(const QList<QWidget*>& widgets) {
+        std::vector<QWidget*> panes;
+        for (QWidget* const widget : widgets) {
+            const bool drawn =
+                qobject_cast<DrawingCanvas*>(widget) != nullptr || qobject_cast<ResultView*>(widget) != nullptr ||
+                widget->inherits("QVTKOpenGLNativeWidget") || qobject_cast<QTableView*>(widget) != nullptr;
+            if (drawn && widget->isVisible() && widget->width() > 4 && widget->height() > 4) panes.push_back(widget);
+        }
+        if (panes.empty()) return;
+        QWidget* const pane = panes[static_cast<std::size_t>(below(static_cast<int>(panes.size())))];
+        const auto place = [&] { return QPoint(below(pane->width()), below(pane->height())); };
+        const Qt::MouseButton button = below(5) == 0 ? Qt::RightButton : Qt::LeftButton;
+        const Qt::KeyboardModifiers modifiers = below(4) == 0 ? Qt::ControlModifier : Qt::NoModifier;
+        const QPoint from = place();
+        switch (below(4)) {
+            case 0:
+                note(QStringLiteral("click ") + told(pane));
+                QTest::mouseClick(pane, button, modifiers, from);
+                break;
+            case 1: {
+                note(QStringLiteral("drag ") + told(pane));
+                const QPoint to = place();
+                QTest::mousePress(pane, Qt::LeftButton, modifiers, from);
+                for (int i = 1; i <= 3; ++i) QTest::mouseMove(pane, from + (to - from) * i / 3);
+                QTest::mouseRelease(pane, Qt::LeftButton, modifiers, to);
+                break;
+            }
+            case 2: {
+                note(QStringLiteral("wheel ") + told(pane));
+                QWheelEvent event(from, pane->mapToGlobal(from), {}, {0, below(2) == 0 ? 120 : -120}, Qt::NoButton,
+                                  modifiers, Qt::NoScrollPhase, false);
+                QApplication::sendEvent(pane, &event);
+                break;
+            }
+            default:
+                note(QStringLiteral("hover ") + told(pane));
+                QTest::mouseMove(pane, from);
+        }
+    }
+
+    void control(const QList<QWidget*>& widgets) {
+        std::vector<QWidget*> all;
+        for (QWidget* const widget : widgets) {
+            const bool ours =
+                qobject_cast<QAbstractButton*>(widget) != nullptr || qobject_cast<QComboBox*>(widget) != nullptr ||
+                qobject_cast<QAbstractSlider*>(widget) != nullptr ||
+                qobject_cast<QAbstractSpinBox*>(widget) != nullptr || qobject_cast<QTabBar*>(widget) != nullptr;
+            if (ours && widget->isVisible() && widget->isEnabled()) all.push_back(widget);
+        }
+        if (all.empty()) return;
+        QWidget* const chosen = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
+        note(QStringLiteral("use ") + told(chosen));
+        if (auto* const button = qobject_cast<QAbstractButton*>(chosen)) {
+            QTest::mouseClick(button, Qt::LeftButton);
+        } else if (auto* const tabs = qobject_cast<QTabBar*>(chosen)) {
+            if (tabs->count() > 0) tabs->setCurrentIndex(below(tabs->count()));
+        } else if (qobject_cast<QAbstractSpinBox*>(chosen) != nullptr) {
+            static const QStringList texts{QStringLiteral("0"),   QStringLiteral("-1"),   QStringLiteral("1e9"),
+                                           QStringLiteral("abc"), QStringLiteral("12.5"), QString(),
+                                           QStringLiteral("33")};
+            if (below(3) == 0) {
+                auto* const line = chosen->findChild<QLineEdit*>();
+                if (line == nullptr) return;
+                line->selectAll();
+                QTest::keyClicks(line, texts[below(static_cast<int>(texts.size()))]);
+                QTest::keyClick(chosen, Qt::Key_Return);
+            } else {
+                QTest::keyClick(chosen, below(2) == 0 ? Qt::Key_Up : Qt::Key_Down);
+            }
+        } else {
+            static const std::vector<Qt::Key> keys{Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown};
+            QTest::keyClick(chosen, keys[static_cast<std::size_t>(below(static_cast<int>(keys.size())))]);
+        }
+    }
+
+    QWidget* window_;
+    std::mt19937_64 random_;
+    QTimer dismiss_;
+    std::deque<QString> story_;
+};
+
+using RandomWalk = WindowTest;
+
+TEST_F(RandomWalk, overAllControls) {
+    const char* const wanted = std::getenv("RELIEF_SEED");
+    const std::uint64_t seed = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : kSeed;
+    const bool isLong = std::getenv("RELIEF_LONG") != nullptr;
+    std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
+    complaints().clear();
+    const QtMessageHandler before = qInstallMessageHandler(noteQt);
+    const vtkSmartPointer<vtkOutputWindow> output = vtkOutputWindow::GetInstance();
+    vtkOutputWindow::SetInstance(vtkSmartPointer<NotingOutput>::New());
+    openWindow(smallScenario());
+    ASSERT_FALSE(HasFatalFailure());
+    const double atFirst = residentMegabytes();
+    int steps = 0;
+    {
+        Walk walk(window_.get(), seed);
+        QElapsedTimer clock;
+        clock.start();
+        const int time = isLong ? kLongMs : kShortMs;
+        while (clock.elapsed() < time) {
+            walk.step();
+            ++steps;
+            QTest::qWait(5);
+            if (!window_->isVisible()) window_->show();
+            ASSERT_TRUE(complaints().isEmpty()) << qPrintable(complaints().join(QStringLiteral("\n"))) << "\nafter\n"
+                                                << qPrintable(walk.story());
+        }
+    }
+    const double walked = residentMegabytes();
+    // It still answers.
+    EXPECT_TRUE(QTest::qWaitFor([&] { return snapshot() && !workspace_->busy(); }, kEndMs));
+    for (int i = 0; i < 100000 && workspace_->canUndo(); ++i) workspace_->undo();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return snapshot() && !workspace_->busy(); }, kEndMs));
+    QTest::qWait(1000);
+    const double grown = residentMegabytes() - atFirst;
+    std::printf("%d steps; %.0f MB at first, %.0f walked, %.0f more than at first when all is undone\n", steps, atFirst,
+                walked, grown);
+    EXPECT_LT(grown, kGrowthMegabytes);
+    window_.reset();
+    workspace_.reset();
+    EXPECT_TRUE(complaints().isEmpty()) << qPrintable(complaints().join(QStringLiteral("\n")));
+    vtkOutputWindow::SetInstance(output);
+    qInstallMessageHandler(before);
+}
+
+}  // namespace
+}  // namespace reliefui
