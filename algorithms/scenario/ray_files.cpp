@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <vector>
 
 #include <oneapi/tbb/parallel_for.h>
+
+#include "scenario/text_lines.h"
 
 namespace relief {
 
@@ -14,51 +15,6 @@ namespace {
 
 constexpr int kDigits = 17;
 constexpr std::size_t kHitsAPiece = 8192;
-constexpr std::size_t kQuotedLength = 60;
-
-// What stood in the file, fit for one line of a message.
-std::string quoted(std::string_view text) {
-    std::string out(text.substr(0, kQuotedLength));
-    // Cut between UTF-8 characters, not inside one.
-    while (text.size() > kQuotedLength && !out.empty() && (static_cast<unsigned char>(out.back()) & 0xC0U) == 0x80U) {
-        out.pop_back();
-    }
-    if (text.size() > kQuotedLength) {
-        if (!out.empty() && static_cast<unsigned char>(out.back()) >= 0x80U) out.pop_back();
-        out += "...";
-    }
-    for (char& c : out) {
-        if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) c = '?';
-    }
-    return out;
-}
-
-// Takes the next line, without its end.
-std::string_view takeLine(std::string_view& text) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    return line;
-}
-
-double rayNumber(std::string_view text, const std::string& fileName, std::size_t line) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = end == text.data() + text.size() && !text.empty();
-    if (error == std::errc::invalid_argument || !whole) {
-        throw InputError(fileName, Message(MessageId::RayNumber, {{"line", line}, {"text", quoted(text)}}));
-    }
-    if (error == std::errc::result_out_of_range) {
-        // Too small for a double is nothing; too large is not finite.
-        const bool tiny = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
-        value = tiny ? 0 : HUGE_VAL;
-    }
-    if (!std::isfinite(value)) {
-        throw InputError(fileName, Message(MessageId::RayNotFinite, {{"line", line}, {"text", quoted(text)}}));
-    }
-    return value;
-}
 
 ViewRay parseRay(std::string_view text, const std::string& fileName, std::size_t line) {
     std::array<double, 4> numbers{};
@@ -68,7 +24,7 @@ ViewRay parseRay(std::string_view text, const std::string& fileName, std::size_t
     std::string_view rest = text;
     for (double& number : numbers) {
         const std::size_t comma = rest.find(',');
-        number = rayNumber(rest.substr(0, comma), fileName, line);
+        number = finiteNumber(rest.substr(0, comma), fileName, line);
         rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
     }
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
@@ -109,8 +65,7 @@ void forEachColumn(const Step& step, std::size_t ray, std::size_t number, const 
 }  // namespace
 
 RayBlock parseRays(std::string_view text, const std::string& fileName) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+    text = withoutMark(text);
     const std::string_view header = takeLine(text);
     if (header != kRaysHeader) {
         throw InputError(

@@ -19,6 +19,20 @@ inline constexpr std::string_view kStepsHeader =
 // Header first, then one ray a line. fileName: for messages. Throws InputError with the line's number: another header,
 // not four numbers, a number that is not finite. Blank lines are accepted at the end only.
 RayBlock parseRays(std::string_view text, const std::string& fileName);
+// Steps as they are written below, CSV or JSON (the text begins with "["), of `rays` rays, counted from 0. The rays may
+// come in any order and some be missing, the steps of one are together and count from 1. phase, i, j, k, z_in and z_out
+// need not be known: in JSON they may be left out. InputError with the line: another header, wrong columns, an unknown
+// decision or phase, a number that is not finite, lambda outside of [0, 1] or before the stretch's begin, heights that
+// are not 1 - lambda, steps out of order, a ray that the rays file has not.
+// In files steps have no period and no primitive: placeSteps() finds them.
+StepLog parseSteps(std::string_view text, const std::string& fileName, std::size_t rays);
+// Which texels they are under repeat, by where ray number `number` is; a log that never speaks of cells is of points.
+// InputError if the picture has no such texel.
+void placeSteps(std::vector<Step>& steps, const ViewRay& ray, const HeightField& field, const std::string& fileName,
+                std::size_t number);
+// The answer that the log of a ray ends with; a log that ends otherwise: Limit.
+Hit answerOf(const std::vector<Step>& steps, const ViewRay& ray);
+
 // One ray as on the command line, "s0,t0,a,b"; throws InputError naming the option.
 ViewRay parseRayText(const std::string& text, const std::string& option);
 

@@ -89,6 +89,44 @@ void setScenarioNumber(Scenario& scenario, std::string_view name, double value, 
     entry.set(scenario, value);
 }
 
+Scenario withNotesOf(const Scenario& a, const Scenario& b) {
+    Scenario out = a;
+    out.step = b.step;
+    out.breakpoints = b.breakpoints;
+    out.bookmarks = b.bookmarks;
+    return out;
+}
+
+namespace {
+
+void checkPixel(const Scenario& scenario, PixelChoice pixel, const std::string& subject) {
+    if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < scenario.width && pixel.y < scenario.height) return;
+    throw InputError(subject,
+                     Message(MessageId::PixelOutside,
+                             {{"x", pixel.x}, {"y", pixel.y}, {"width", scenario.width}, {"height", scenario.height}}));
+}
+
+void checkCount(const char* what, std::size_t count, std::size_t limit, const std::string& subject) {
+    if (count <= limit) return;
+    throw InputError(subject, Message(MessageId::TooMany, {{"what", what}, {"count", count}, {"limit", limit}}));
+}
+
+void checkNotes(const Scenario& scenario, const std::string& subject) {
+    checkCount("breakpoints", scenario.breakpoints.size(), kMostBreakpoints, subject);
+    checkCount("bookmarks", scenario.bookmarks.size(), kMostBookmarks, subject);
+    for (const Breakpoint& breakpoint : scenario.breakpoints) checkBreakpoint(breakpoint, subject);
+    // The picture may have become smaller since: going there comes to its edge.
+    for (const Bookmark& bookmark : scenario.bookmarks) {
+        pinholeCamera(bookmark.camera, scenario.width, scenario.height);
+    }
+    if (scenario.other.ray < 0) {
+        throw InputError(subject, Message(MessageId::OutOfRange,
+                                          {{"what", "ray"}, {"value", scenario.other.ray}, {"range", "0 or more"}}));
+    }
+}
+
+}  // namespace
+
 void checkScenario(const Scenario& scenario, const std::string& subject) {
     const bool orbit = scenario.camera.kind == Camera::Kind::Orbit;
     for (const ScenarioNumber& entry : scenarioNumbers()) {
@@ -109,13 +147,8 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
                                                                   {"range", "1 to " + std::to_string(kMaxSamples)}}));
     }
     pinholeCamera(scenario.camera, scenario.width, scenario.height);
-    if (scenario.pixel && (scenario.pixel->x < 0 || scenario.pixel->y < 0 || scenario.pixel->x >= scenario.width ||
-                           scenario.pixel->y >= scenario.height)) {
-        throw InputError(subject, Message(MessageId::PixelOutside, {{"x", scenario.pixel->x},
-                                                                    {"y", scenario.pixel->y},
-                                                                    {"width", scenario.width},
-                                                                    {"height", scenario.height}}));
-    }
+    if (scenario.pixel) checkPixel(scenario, *scenario.pixel, subject);
+    checkNotes(scenario, subject);
 }
 
 FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {

@@ -7,10 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "images/files.h"
 #include "relief/describe.h"
 #include "rendering/frame.h"
+#include "scenario/breakpoint.h"
 
 namespace relief {
 
@@ -35,6 +37,27 @@ struct PixelChoice {
     bool operator==(const PixelChoice&) const = default;
 };
 
+// A pixel worth coming back to, from where it was seen.
+struct Bookmark {
+    std::string name;
+    PixelChoice pixel;
+    Camera camera;
+    int step = 0;
+    bool operator==(const Bookmark&) const = default;
+};
+inline constexpr std::size_t kMostBookmarks = 1000;
+
+// Somebody else's tracer: a file of rays and one of the steps that it took on them (ray_files.h), and which of the rays
+// is looked at, from 0. Empty paths: there is none. shown: the panes show its steps instead of the method's.
+struct OtherTracer {
+    std::string rays;
+    std::string steps;
+    int ray = 0;
+    bool shown = true;
+    bool operator==(const OtherTracer&) const = default;
+    explicit operator bool() const { return !rays.empty() && !steps.empty(); }
+};
+
 struct Scenario {
     Pictures pictures;
     double reliefDepth = 0.1;
@@ -51,8 +74,11 @@ struct Scenario {
     std::array<double, 3> sky{0.55, 0.65, 0.8};  // linear
     int width = 800;
     int height = 600;
-    std::optional<PixelChoice> pixel;  // the chosen one
-    int step = 0;                      // the chosen step of its ray, from 0
+    std::optional<PixelChoice> pixel;     // the chosen one
+    int step = 0;                         // the chosen step of its ray, from 0
+    std::vector<Breakpoint> breakpoints;  // where stepping stops
+    std::vector<Bookmark> bookmarks;
+    OtherTracer other;
     bool operator==(const Scenario&) const = default;
 };
 
@@ -68,6 +94,10 @@ const std::vector<ScenarioNumber>& scenarioNumbers();
 const ScenarioNumber& scenarioNumber(std::string_view name);
 // Sets the number; InputError naming `subject` ("--relief-depth") if it is out of range.
 void setScenarioNumber(Scenario& scenario, std::string_view name, double value, const std::string& subject);
+
+// What a scenario says beside its picture and its ray; nothing is rendered or traced anew when it changes.
+// a with the notes of b: step, breakpoints, bookmarks.
+Scenario withNotesOf(const Scenario& a, const Scenario& b);
 
 // Throws InputError for the first value that is out of its range or unknown; `subject` names the scenario.
 void checkScenario(const Scenario& scenario, const std::string& subject);

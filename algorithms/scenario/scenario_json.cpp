@@ -1,151 +1,14 @@
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
-#include <nlohmann/json.hpp>
-
+#include "scenario/json_reader.h"
 #include "scenario/scenario.h"
 
 namespace relief {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// The line (from 1) on which the text first names these keys, one after the other: where a fault of a value is.
-std::size_t lineOf(const std::string& text, const std::vector<std::string>& path) {
-    std::size_t at = 0;
-    for (const std::string& key : path) {
-        const std::size_t found = text.find('"' + key + '"', at);
-        if (found == std::string::npos) break;
-        at = found;
-    }
-    return 1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-}
-
-struct Source {
-    const std::string& text;
-    const std::string& fileName;
-};
-
-// One object of the file: hands out its members by name and type, and knows which nobody asked for.
-class Reader {
-  public:
-    Reader(const Source& source, const Json& object, std::vector<std::string> path)
-        : source_(source), object_(object), path_(std::move(path)) {
-        if (!object.is_object()) fail({}, "an object");
-    }
-
-    bool has(const char* key) {
-        known_.insert(key);
-        return object_.contains(key);
-    }
-    void read(const char* key, double& value) {
-        if (!has(key)) return;
-        if (!object_[key].is_number()) fail(key, "a number");
-        value = object_[key].get<double>();
-    }
-    template <class T>
-    requires std::integral<T>
-    void readWhole(const char* key, T& value) {
-        if (!has(key)) return;
-        value = wholeAt<T>(key, object_[key]);
-    }
-    void read(const char* key, bool& value) {
-        if (!has(key)) return;
-        if (!object_[key].is_boolean()) fail(key, "true or false");
-        value = object_[key].get<bool>();
-    }
-    void read(const char* key, std::string& value) {
-        if (!has(key)) return;
-        if (!object_[key].is_string()) fail(key, "a text");
-        value = object_[key].get<std::string>();
-    }
-    // An array of exactly N numbers.
-    template <std::size_t N>
-    bool read(const char* key, std::array<double, N>& values) {
-        if (!has(key)) return false;
-        const Json& array = object_[key];
-        if (!array.is_array() || array.size() != N) fail(key, "an array of " + std::to_string(N) + " numbers");
-        for (std::size_t i = 0; i < N; ++i) {
-            if (!array[i].is_number()) fail(key, "an array of " + std::to_string(N) + " numbers");
-            values[i] = array[i].get<double>();
-        }
-        return true;
-    }
-    bool readPair(const char* key, int& first, int& second) {
-        if (!has(key)) return false;
-        const Json& array = object_[key];
-        if (!array.is_array() || array.size() != 2) fail(key, "an array of two whole numbers");
-        first = wholeAt<int>(key, array[0]);
-        second = wholeAt<int>(key, array[1]);
-        return true;
-    }
-    // Runs what reads a name and says the line if that name is unknown.
-    template <class Body>
-    void named(const char* key, const Body& body) {
-        std::string text;
-        if (!has(key)) return;
-        read(key, text);
-        try {
-            body(text);
-        } catch (const InputError& error) {
-            std::vector<std::string> path = path_;
-            path.emplace_back(key);
-            throw InputError(source_.fileName, Message(MessageId::ScenarioLine,
-                                                       {{"line", lineOf(source_.text, path)}, {"why", error.what()}}));
-        }
-    }
-    Reader child(const char* key) {
-        known_.insert(key);
-        std::vector<std::string> path = path_;
-        path.emplace_back(key);
-        return {source_, object_[key], path};
-    }
-    const Json& object() const { return object_; }
-    // Everything may be asked for from now on (the names are the user's own).
-    void acceptAll() {
-        for (const auto& [key, value] : object_.items()) known_.insert(key);
-    }
-    void finish() const {
-        for (const auto& [key, value] : object_.items()) {
-            if (known_.contains(key)) continue;
-            std::vector<std::string> path = path_;
-            path.push_back(key);
-            throw InputError(source_.fileName, Message(MessageId::ScenarioUnknownKey,
-                                                       {{"line", lineOf(source_.text, path)}, {"key", key}}));
-        }
-    }
-    [[noreturn]] void fail(const std::string& key, const std::string& wanted) const {
-        std::vector<std::string> path = path_;
-        if (!key.empty()) path.push_back(key);
-        throw InputError(source_.fileName,
-                         Message(MessageId::ScenarioWrongType, {{"line", lineOf(source_.text, path)},
-                                                                {"key", path.empty() ? "the file" : path.back()},
-                                                                {"wanted", wanted}}));
-    }
-
-  private:
-    template <class T>
-    T wholeAt(const char* key, const Json& value) const {
-        if (!value.is_number_integer()) fail(key, "a whole number");
-        if (value.is_number_unsigned()) {
-            const auto number = value.get<std::uint64_t>();
-            if (number > static_cast<std::uint64_t>(std::numeric_limits<T>::max())) fail(key, "a smaller number");
-            return static_cast<T>(number);
-        }
-        const auto number = value.get<std::int64_t>();
-        if (std::is_unsigned_v<T> || number < static_cast<std::int64_t>(std::numeric_limits<T>::min())) {
-            fail(key, "a larger number");
-        }
-        return static_cast<T>(number);
-    }
-
-    Source source_;
-    const Json& object_;
-    std::vector<std::string> path_;
-    std::set<std::string> known_;
-};
+using Reader = JsonReader;
 
 std::string relativeTo(const std::string& path, const std::string& folder) {
     if (path.empty() || folder.empty()) return path;
@@ -156,16 +19,18 @@ std::string relativeTo(const std::string& path, const std::string& folder) {
     return text.empty() || text.starts_with("..") ? std::filesystem::absolute(path).string() : text;
 }
 
+std::string resolved(const std::string& path, const std::filesystem::path& folder) {
+    const bool relative = !path.empty() && !folder.empty() && std::filesystem::path(path).is_relative();
+    return relative ? (folder / path).lexically_normal().string() : path;
+}
+
 void readPictures(Reader reader, Pictures& pictures, const std::filesystem::path& folder) {
-    const auto resolve = [&](std::string& path) {
-        if (!path.empty() && !folder.empty() && std::filesystem::path(path).is_relative()) {
-            path = (folder / path).lexically_normal().string();
-        }
-    };
     reader.read("height", pictures.height);
     reader.read("color", pictures.color);
     reader.read("normal", pictures.normal);
-    for (std::string* path : {&pictures.height, &pictures.color, &pictures.normal}) resolve(*path);
+    for (std::string* path : {&pictures.height, &pictures.color, &pictures.normal}) {
+        *path = resolved(*path, folder);
+    }
     if (reader.has("recipe")) {
         Reader recipe = reader.child("recipe");
         recipe.read("name", pictures.recipe);
@@ -254,6 +119,73 @@ Json cameraJson(const Camera& camera) {
     return json;
 }
 
+Breakpoint readBreakpoint(Reader reader) {
+    Breakpoint breakpoint;
+    reader.named("stop", [&](const std::string& name) { breakpoint.kind = parseStop(name); });
+    reader.readWhole("level", breakpoint.level);
+    reader.readWhole("i", breakpoint.i);
+    reader.readWhole("j", breakpoint.j);
+    reader.read("height", breakpoint.height);
+    reader.read("on", breakpoint.on);
+    reader.finish();
+    return breakpoint;
+}
+
+Json breakpointJson(const Breakpoint& breakpoint) {
+    Json json{{"stop", stopName(breakpoint.kind)}};
+    const Breakpoint standard;
+    const bool texel = breakpoint.kind == StopKind::Texel;
+    if (texel || breakpoint.level != standard.level) json["level"] = breakpoint.level;
+    if (texel || breakpoint.i != 0) json["i"] = breakpoint.i;
+    if (texel || breakpoint.j != 0) json["j"] = breakpoint.j;
+    if (breakpoint.height != standard.height) json["height"] = breakpoint.height;
+    if (!breakpoint.on) json["on"] = false;
+    return json;
+}
+
+Json methodJson(const MethodChoice& method) {
+    Json json = {{"name", method.name}};
+    if (!method.options.empty()) json["options"] = method.options;
+    return json;
+}
+
+void readNotes(Reader& reader, Scenario& scenario, const std::filesystem::path& folder) {
+    reader.readObjects("breakpoints",
+                       [&](Reader item) { scenario.breakpoints.push_back(readBreakpoint(std::move(item))); });
+    reader.readObjects("bookmarks", [&](Reader item) {
+        Bookmark bookmark;
+        item.read("name", bookmark.name);
+        item.readPair("pixel", bookmark.pixel.x, bookmark.pixel.y);
+        if (item.has("camera")) readCamera(item.child("camera"), bookmark.camera);
+        item.readWhole("step", bookmark.step);
+        item.finish();
+        scenario.bookmarks.push_back(std::move(bookmark));
+    });
+    if (!reader.has("other-tracer")) return;
+    Reader other = reader.child("other-tracer");
+    other.read("rays", scenario.other.rays);
+    other.read("steps", scenario.other.steps);
+    for (std::string* path : {&scenario.other.rays, &scenario.other.steps}) *path = resolved(*path, folder);
+    other.readWhole("ray", scenario.other.ray);
+    other.read("shown", scenario.other.shown);
+    other.finish();
+}
+
+void writeNotes(Json& json, const Scenario& scenario, const std::string& folder) {
+    for (const Breakpoint& breakpoint : scenario.breakpoints) json["breakpoints"].push_back(breakpointJson(breakpoint));
+    for (const Bookmark& bookmark : scenario.bookmarks) {
+        json["bookmarks"].push_back({{"name", bookmark.name},
+                                     {"pixel", {bookmark.pixel.x, bookmark.pixel.y}},
+                                     {"camera", cameraJson(bookmark.camera)},
+                                     {"step", bookmark.step}});
+    }
+    if (!scenario.other) return;
+    json["other-tracer"] = {{"rays", relativeTo(scenario.other.rays, folder)},
+                            {"steps", relativeTo(scenario.other.steps, folder)},
+                            {"ray", scenario.other.ray},
+                            {"shown", scenario.other.shown}};
+}
+
 }  // namespace
 
 std::string scenarioText(const Scenario& scenario, const std::string& baseFolder) {
@@ -263,8 +195,7 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
     json["relief"] = {{"depth", scenario.reliefDepth},
                       {"address", addressName(scenario.address)},
                       {"surface", surfaceName(scenario.surface)}};
-    json["method"] = {{"name", scenario.method.name}};
-    if (!scenario.method.options.empty()) json["method"]["options"] = scenario.method.options;
+    json["method"] = methodJson(scenario.method);
     json["filter"] = scenario.filter.name;
     if (!scenario.filter.options.empty()) json["filter-options"] = scenario.filter.options;
     if (scenario.filter.name == kSupersample) {
@@ -284,23 +215,13 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
     json["size"] = {scenario.width, scenario.height};
     if (scenario.pixel) json["pixel"] = {scenario.pixel->x, scenario.pixel->y};
     json["step"] = scenario.step;
+    writeNotes(json, scenario, baseFolder);
     // Names of files need not be UTF-8; what is not is replaced rather than refused.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Scenario parseScenario(const std::string& text, const std::string& fileName) {
-    Json json;
-    try {
-        json = Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        const auto line =
-            1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
-                           '\n');
-        throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", line}}));
-    } catch (const Json::exception&) {
-        // A number beyond double ("1e999"): the library does not say where.
-        throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", 1}}));
-    }
+    const Json json = parseJson(text, fileName);
     const std::filesystem::path folder = std::filesystem::path(fileName).parent_path();
     Scenario scenario;
     Reader reader({text, fileName}, json, {});
@@ -334,6 +255,7 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     PixelChoice pixel;
     if (reader.readPair("pixel", pixel.x, pixel.y)) scenario.pixel = pixel;
     reader.readWhole("step", scenario.step);
+    readNotes(reader, scenario, folder);
     reader.finish();
     checkScenario(scenario, fileName);
     return scenario;

@@ -28,6 +28,11 @@ Scenario unusual() {
     s.height = 123;
     s.pixel = PixelChoice{320, 7};
     s.step = 5;
+    s.breakpoints = {{StopKind::Texel, 3, -1, 7}, {StopKind::RayBelow, 2, 0, 0, 1.0 / 3, false}, {StopKind::Overshoot}};
+    Bookmark bookmark{"шпиль", {5, 6}, {}, 9};
+    bookmark.camera.azimuth = 0.1;
+    s.bookmarks = {bookmark, {"", {0, 0}, {}, 0}};
+    s.other = {"rays.csv", "steps.json", 3, false};
     return s;
 }
 
@@ -86,6 +91,14 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused("{\"reliefscope\": 1, \"size\": [1.5, 5]}", "a whole number");
     expectRefused("{\"reliefscope\": 1, \"pixel\": [800, 0]}", "pixel 800,0 is outside");
     expectRefused("{\"reliefscope\": 1, \"sky\": [1, 2]}", "an array of 3 numbers");
+    expectRefused("{\"reliefscope\": 1,\n\"breakpoints\": [\n{\"stop\": \"overshoot\"},\n{\"stop\": \"never\"}]}",
+                  "line 4: there is no breakpoint \"never\"");
+    expectRefused("{\"reliefscope\": 1,\n\"breakpoints\": [{\"stop\": \"overshoot\"},\n{\"level\": \"[,\"}]}",
+                  "line 3: \"level\" must be a whole number");
+    expectRefused("{\"reliefscope\": 1, \"breakpoints\": [{\"level\": 33}]}", "level is 33, must be 0 to 32");
+    expectRefused("{\"reliefscope\": 1, \"breakpoints\": 3}", "\"breakpoints\" must be an array of objects");
+    expectRefused("{\"reliefscope\": 1,\n\"bookmarks\": [{\"name\": \"a\"},\n{\"nam\": \"b\"}]}",
+                  "line 3: nothing is called \"nam\"");
     expectRefused("{\"reliefscope\": 1, \"camera\": {\"fov\": 1e999}}", "s.json");
     expectRefused("{\"reliefscope\": 1, \"camera\": {\"eye\": [0,0,0], \"target\": [0,0,0]}}", "distance from eye");
 }

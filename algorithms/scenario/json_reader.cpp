@@ -1,0 +1,66 @@
+#include "scenario/json_reader.h"
+
+#include <algorithm>
+
+namespace relief {
+
+namespace {
+
+// Past a string that begins at `at`.
+std::size_t pastString(const std::string& text, std::size_t at) {
+    for (++at; at < text.size() && text[at] != '"'; ++at) {
+        if (text[at] == '\\') ++at;
+    }
+    return at;
+}
+
+// Where the n-th element of the array that begins at or after `at` begins.
+std::size_t elementAt(const std::string& text, std::size_t at, std::size_t n) {
+    const std::size_t begin = text.find('[', at);
+    if (begin == std::string::npos) return at;
+    int depth = 1;
+    std::size_t i = begin + 1;
+    for (; i < text.size() && depth > 0 && n > 0; ++i) {
+        const char c = text[i];
+        if (c == '"') i = pastString(text, i);
+        if (c == '[' || c == '{') ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (c == ',' && depth == 1) --n;
+    }
+    const std::size_t found = text.find_first_not_of(" \t\r\n", i);
+    return found == std::string::npos ? begin : found;
+}
+
+std::size_t lineAt(const std::string& text, std::size_t at) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size()));
+    return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
+}
+
+}  // namespace
+
+std::size_t lineOf(const std::string& text, const std::vector<std::string>& path) {
+    std::size_t at = 0;
+    for (const std::string& key : path) {
+        if (key.starts_with("[")) {
+            at = elementAt(text, at, std::stoul(key.substr(1)));
+            continue;
+        }
+        const std::size_t found = text.find('"' + key + '"', at);
+        if (found == std::string::npos) break;
+        at = found;
+    }
+    return lineAt(text, at);
+}
+
+Json parseJson(const std::string& text, const std::string& fileName) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", lineAt(text, error.byte)}}));
+    } catch (const Json::exception&) {
+        // A number beyond double ("1e999"): the library does not say where.
+        throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", 1}}));
+    }
+}
+
+}  // namespace relief

@@ -1,0 +1,184 @@
+// One object of a JSON file: hands out its members by name and type, knows which nobody asked for, and names the line
+// of a fault.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "errors.h"
+
+namespace relief {
+
+using Json = nlohmann::ordered_json;
+
+// The line (from 1) on which the text first names these keys, one after the other: where a fault of a value is. A key
+// "[3]" is the fourth element of the array that begins there.
+std::size_t lineOf(const std::string& text, const std::vector<std::string>& path);
+// Throws InputError with the line where the text is no JSON.
+Json parseJson(const std::string& text, const std::string& fileName);
+
+struct JsonSource {
+    const std::string& text;
+    const std::string& fileName;
+};
+
+class JsonReader {
+  public:
+    JsonReader(const JsonSource& source, const Json& object, std::vector<std::string> path)
+        : source_(source), object_(object), path_(std::move(path)) {
+        if (!object.is_object()) fail({}, "an object");
+    }
+
+    bool has(const char* key) {
+        known_.insert(key);
+        return object_.contains(key);
+    }
+    void read(const char* key, double& value) {
+        if (!has(key)) return;
+        if (!object_[key].is_number()) fail(key, "a number");
+        value = object_[key].get<double>();
+    }
+    template <class T>
+    requires std::integral<T>
+    void readWhole(const char* key, T& value) {
+        if (!has(key)) return;
+        value = wholeAt<T>(key, object_[key]);
+    }
+    void read(const char* key, bool& value) {
+        if (!has(key)) return;
+        if (!object_[key].is_boolean()) fail(key, "true or false");
+        value = object_[key].get<bool>();
+    }
+    void read(const char* key, std::string& value) {
+        if (!has(key)) return;
+        if (!object_[key].is_string()) fail(key, "a text");
+        value = object_[key].get<std::string>();
+    }
+    // An array of exactly N numbers.
+    template <std::size_t N>
+    bool read(const char* key, std::array<double, N>& values) {
+        if (!has(key)) return false;
+        const Json& array = object_[key];
+        if (!array.is_array() || array.size() != N) fail(key, "an array of " + std::to_string(N) + " numbers");
+        for (std::size_t i = 0; i < N; ++i) {
+            if (!array[i].is_number()) fail(key, "an array of " + std::to_string(N) + " numbers");
+            values[i] = array[i].get<double>();
+        }
+        return true;
+    }
+    bool readPair(const char* key, int& first, int& second) {
+        if (!has(key)) return false;
+        const Json& array = object_[key];
+        if (!array.is_array() || array.size() != 2) fail(key, "an array of two whole numbers");
+        first = wholeAt<int>(key, array[0]);
+        second = wholeAt<int>(key, array[1]);
+        return true;
+    }
+    // Runs what reads a name and says the line if that name is unknown.
+    template <class Body>
+    void named(const char* key, const Body& body) {
+        std::string text;
+        if (!has(key)) return;
+        read(key, text);
+        guarded(key, [&] { body(text); });
+    }
+    JsonReader child(const char* key) {
+        known_.insert(key);
+        std::vector<std::string> path = path_;
+        path.emplace_back(key);
+        return {source_, object_[key], path};
+    }
+    // An array of texts; what reads them may throw.
+    template <class Body>
+    void readTexts(const char* key, const Body& body) {
+        if (!has(key)) return;
+        if (!object_[key].is_array()) fail(key, "an array of texts");
+        for (const Json& text : object_[key]) {
+            if (!text.is_string()) fail(key, "an array of texts");
+            guarded(key, [&] { body(text.get<std::string>()); });
+        }
+    }
+    // An array of objects.
+    template <class Body>
+    void readObjects(const char* key, const Body& body) {
+        if (!has(key)) return;
+        if (!object_[key].is_array()) fail(key, "an array of objects");
+        for (std::size_t n = 0; n < object_[key].size(); ++n) {
+            std::vector<std::string> path = path_;
+            path.emplace_back(key);
+            path.push_back("[" + std::to_string(n) + "]");
+            body(JsonReader(source_, object_[key][n], std::move(path)));
+        }
+    }
+    void readNumbers(const char* key, std::vector<double>& values) {
+        if (!has(key)) return;
+        if (!object_[key].is_array()) fail(key, "an array of numbers");
+        for (const Json& value : object_[key]) {
+            if (!value.is_number()) fail(key, "an array of numbers");
+            values.push_back(value.get<double>());
+        }
+    }
+    const Json& object() const { return object_; }
+    // Everything may be asked for from now on (the names are the user's own).
+    void acceptAll() {
+        for (const auto& [key, value] : object_.items()) known_.insert(key);
+    }
+    void finish() const {
+        for (const auto& [key, value] : object_.items()) {
+            if (known_.contains(key)) continue;
+            std::vector<std::string> path = path_;
+            path.push_back(key);
+            throw InputError(source_.fileName, Message(MessageId::ScenarioUnknownKey,
+                                                       {{"line", lineOf(source_.text, path)}, {"key", key}}));
+        }
+    }
+    [[noreturn]] void fail(const std::string& key, const std::string& wanted) const {
+        std::vector<std::string> path = path_;
+        if (!key.empty()) path.push_back(key);
+        throw InputError(source_.fileName,
+                         Message(MessageId::ScenarioWrongType, {{"line", lineOf(source_.text, path)},
+                                                                {"key", path.empty() ? "the file" : path.back()},
+                                                                {"wanted", wanted}}));
+    }
+
+  private:
+    template <class Body>
+    void guarded(const char* key, const Body& body) const {
+        try {
+            body();
+        } catch (const InputError& error) {
+            std::vector<std::string> path = path_;
+            path.emplace_back(key);
+            throw InputError(source_.fileName, Message(MessageId::ScenarioLine,
+                                                       {{"line", lineOf(source_.text, path)}, {"why", error.what()}}));
+        }
+    }
+    template <class T>
+    T wholeAt(const char* key, const Json& value) const {
+        if (!value.is_number_integer()) fail(key, "a whole number");
+        if (value.is_number_unsigned()) {
+            const auto number = value.get<std::uint64_t>();
+            if (number > static_cast<std::uint64_t>(std::numeric_limits<T>::max())) fail(key, "a smaller number");
+            return static_cast<T>(number);
+        }
+        const auto number = value.get<std::int64_t>();
+        if (std::is_unsigned_v<T> || number < static_cast<std::int64_t>(std::numeric_limits<T>::min())) {
+            fail(key, "a larger number");
+        }
+        return static_cast<T>(number);
+    }
+
+    JsonSource source_;
+    const Json& object_;
+    std::vector<std::string> path_;
+    std::set<std::string> known_;
+};
+
+}  // namespace relief

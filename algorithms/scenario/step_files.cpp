@@ -1,0 +1,326 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "relief/cell_grid.h"
+#include "scenario/breakpoint.h"
+#include "scenario/json_reader.h"
+#include "scenario/ray_files.h"
+#include "scenario/text_lines.h"
+
+namespace relief {
+
+namespace {
+
+// Beyond them a texel's number has no digits left.
+constexpr std::int64_t kFarthestTexel = std::int64_t{1} << 53;
+constexpr std::int64_t kFarthestBeside = std::int64_t{1} << 30;
+// Heights are 1 - lambda, written with as many digits as somebody's tracer likes.
+constexpr double kSameHeight = 1e-5;
+
+// Of one step, wherever it stands.
+struct Place {
+    const std::string& fileName;
+    std::size_t line;
+
+    [[noreturn]] void refuse(Message message) const { throw InputError(fileName, std::move(message)); }
+
+    std::int64_t whole(std::string_view text, std::int64_t low, std::int64_t high) const {
+        std::int64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool good = error == std::errc() && end == text.data() + text.size() && value >= low && value <= high;
+        if (!good) {
+            refuse(
+                Message(MessageId::StepWhole, {{"line", line}, {"text", quoted(text)}, {"low", low}, {"high", high}}));
+        }
+        return value;
+    }
+    double unit(const char* what, double value) const {
+        if (!(value >= 0 && value <= 1)) {
+            refuse(Message(MessageId::StepOutsideSlab, {{"line", line}, {"what", what}, {"value", value}}));
+        }
+        return value;
+    }
+    void height(const char* what, double value, double lambda) const {
+        if (!(std::abs(value - (1 - lambda)) <= kSameHeight)) {
+            refuse(Message(MessageId::StepHeights,
+                           {{"line", line}, {"what", what}, {"value", value}, {"wanted", 1 - lambda}}));
+        }
+    }
+    template <class Enum, std::size_t N>
+    Enum word(const char* what, std::string_view text, const std::array<std::string_view, N>& names) const {
+        std::string known;
+        for (std::size_t n = 0; n < N; ++n) {
+            if (names[n] == text) return static_cast<Enum>(n);
+            known += (known.empty() ? "" : ", ") + std::string(names[n]);
+        }
+        refuse(
+            Message(MessageId::StepWord, {{"line", line}, {"what", what}, {"text", quoted(text)}, {"known", known}}));
+    }
+};
+
+// One line of the file: the step, and which it is.
+struct Row {
+    std::int64_t ray = 0;
+    std::int64_t number = 0;
+    Step step;
+    std::optional<double> zIn, zOut;
+};
+
+void check(const Row& row, const Place& place) {
+    const Step& step = row.step;
+    place.unit("lambda_in", step.lambdaIn);
+    place.unit("lambda_out", step.lambdaOut);
+    place.unit("lambda_after", step.lambdaAfter);
+    if (step.lambdaOut < step.lambdaIn) {
+        place.refuse(Message(MessageId::StepBackwards,
+                             {{"line", place.line}, {"value", step.lambdaOut}, {"wanted", step.lambdaIn}}));
+    }
+    if (row.zIn) place.height("z_in", *row.zIn, step.lambdaIn);
+    if (row.zOut) place.height("z_out", *row.zOut, step.lambdaOut);
+}
+
+Row csvRow(std::string_view text, const Place& place) {
+    constexpr std::ptrdiff_t kColumns = 14;
+    const auto count = std::count(text.begin(), text.end(), ',') + 1;
+    if (count != kColumns) {
+        place.refuse(Message(MessageId::StepColumns, {{"line", place.line}, {"wanted", kColumns}, {"count", count}}));
+    }
+    Row row;
+    Step& step = row.step;
+    const auto number = [&] { return finiteNumber(takeCell(text), place.fileName, place.line); };
+    const auto texel = [&] { return place.whole(takeCell(text), -kFarthestTexel, kFarthestTexel); };
+    constexpr std::int64_t kMost = std::int64_t{1} << 40;
+    row.ray = place.whole(takeCell(text), 0, kMost);
+    row.number = place.whole(takeCell(text), 1, kMost);
+    step.phase = place.word<Phase>("phase", takeCell(text), kPhaseNames);
+    step.level = static_cast<int>(place.whole(takeCell(text), 0, kMostLevels));
+    step.i = texel();
+    step.j = texel();
+    step.k = texel();
+    step.lambdaIn = number();
+    step.lambdaOut = number();
+    row.zIn = number();
+    row.zOut = number();
+    const std::string_view value = takeCell(text);
+    // A cone may be all of space.
+    const bool endless = value == "inf" || value == "-inf" || value == "nan" || value == "-nan";
+    step.value = endless ? HUGE_VAL : finiteNumber(value, place.fileName, place.line);
+    step.decision = place.word<Decision>("decision", takeCell(text), kDecisionNames);
+    step.lambdaAfter = number();
+    check(row, place);
+    return row;
+}
+
+Row jsonRow(const Json& object, const Place& place) {
+    const auto wrong = [&](const char* key, const char* wanted) {
+        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", wanted}}));
+    };
+    const auto whole = [&](const char* key, std::optional<std::int64_t> otherwise) -> std::int64_t {
+        const auto found = object.find(key);
+        if (found == object.end() && otherwise) return *otherwise;
+        if (found == object.end() || !found->is_number_integer()) wrong(key, "whole number");
+        const auto value = found->get<std::int64_t>();
+        if (std::abs(value) > kFarthestTexel) wrong(key, "whole number");
+        return value;
+    };
+    const auto real = [&](const char* key) -> double {
+        const auto found = object.find(key);
+        if (found == object.end() || !found->is_number()) wrong(key, "number");
+        return found->get<double>();
+    };
+    const auto text = [&](const char* key) -> std::string {
+        const auto found = object.find(key);
+        if (found == object.end() || !found->is_string()) wrong(key, "text");
+        return found->get<std::string>();
+    };
+    Row row;
+    Step& step = row.step;
+    row.ray = whole("ray", std::nullopt);
+    row.number = whole("number", std::nullopt);
+    if (object.contains("phase")) step.phase = place.word<Phase>("phase", text("phase"), kPhaseNames);
+    const std::int64_t level = whole("level", 0);
+    if (level < 0 || level > kMostLevels) wrong("level", "level");
+    step.level = static_cast<int>(level);
+    step.i = whole("i", 0);
+    step.j = whole("j", 0);
+    step.k = whole("k", 0);
+    step.lambdaIn = real("lambda_in");
+    step.lambdaOut = real("lambda_out");
+    if (object.contains("z_in")) row.zIn = real("z_in");
+    if (object.contains("z_out")) row.zOut = real("z_out");
+    step.value = object.contains("value") && object["value"].is_null() ? HUGE_VAL : real("value");
+    step.decision = place.word<Decision>("decision", text("decision"), kDecisionNames);
+    step.lambdaAfter = real("lambda_after");
+    check(row, place);
+    return row;
+}
+
+// Puts rows together to the logs of rays.
+class Gatherer {
+  public:
+    explicit Gatherer(std::size_t rays) : logs_(rays) {}
+
+    void add(const Row& row, const Place& place) {
+        const auto ray = static_cast<std::size_t>(row.ray);
+        if (row.ray < 0 || ray >= logs_.size()) {
+            place.refuse(
+                Message(MessageId::StepNoRay, {{"line", place.line}, {"ray", row.ray}, {"count", logs_.size()}}));
+        }
+        const bool together = logs_[ray].empty() || ray == last_;
+        if (!together || row.number != static_cast<std::int64_t>(logs_[ray].size()) + 1) {
+            place.refuse(
+                Message(MessageId::StepOrder, {{"line", place.line}, {"number", row.number}, {"ray", row.ray}}));
+        }
+        logs_[ray].push_back(row.step);
+        last_ = ray;
+    }
+    StepLog take() const {
+        StepLog log;
+        for (const std::vector<Step>& steps : logs_) {
+            log.steps.insert(log.steps.end(), steps.begin(), steps.end());
+            log.begin.push_back(log.steps.size());
+            log.reads.push_back(0);
+        }
+        return log;
+    }
+
+  private:
+    std::vector<std::vector<Step>> logs_;
+    std::size_t last_ = 0;
+};
+
+// On which line each object of the array begins, without reading all of the text for each.
+std::vector<std::size_t> objectLines(std::string_view text) {
+    std::vector<std::size_t> lines;
+    std::size_t line = 1;
+    bool inText = false;
+    int depth = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '\n') ++line;
+        if (inText && c == '\\') ++at;
+        if (c == '"') inText = !inText;
+        if (inText) continue;
+        if (depth == 1 && c == '{') lines.push_back(line);
+        if (c == '{' || c == '[') ++depth;
+        if (c == '}' || c == ']') --depth;
+    }
+    return lines;
+}
+
+void gatherJson(const std::string& text, const std::string& fileName, Gatherer& gatherer) {
+    const Json json = parseJson(text, fileName);
+    const std::vector<std::size_t> lines = objectLines(text);
+    for (std::size_t n = 0; n < json.size(); ++n) {
+        const Place place{fileName, n < lines.size() ? lines[n] : 1};
+        if (!json[n].is_object()) {
+            place.refuse(Message(MessageId::ScenarioWrongType,
+                                 {{"line", place.line}, {"key", "steps"}, {"wanted", "an array of objects"}}));
+        }
+        gatherer.add(jsonRow(json[n], place), place);
+    }
+}
+
+}  // namespace
+
+StepLog parseSteps(std::string_view text, const std::string& fileName, std::size_t rays) {
+    Gatherer gatherer(rays);
+    text = withoutMark(text);
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin != std::string_view::npos && text[begin] == '[') {
+        gatherJson(std::string(text), fileName, gatherer);
+        return gatherer.take();
+    }
+    const std::string_view header = takeLine(text);
+    if (header != kStepsHeader) {
+        throw InputError(fileName, Message(MessageId::RaysHeader,
+                                           {{"header", std::string(kStepsHeader)}, {"text", quoted(header)}}));
+    }
+    for (std::size_t line = 2; !text.empty(); ++line) {
+        const std::string_view row = takeLine(text);
+        if (row.empty() && text.find_first_not_of("\r\n") == std::string_view::npos) break;
+        const Place place{fileName, line};
+        gatherer.add(csvRow(row, place), place);
+    }
+    return gatherer.take();
+}
+
+namespace {
+
+// One axis of a field: whether there is such a texel (of a point) or cell, and in which period the ray meets it.
+struct PlaceAxis {
+    const GridAxis& axis;
+    const RayAxis& along;
+    bool cells;
+
+    bool place(std::int64_t name, const Step& step, std::int64_t& period) const {
+        const std::int64_t index = cells && step.level == 0 ? name - axis.firstName : name;
+        const std::int64_t most = cells ? axis.cells : axis.texels;
+        // Voxels of maps are numbered from 0, cells from their first name: both are known.
+        const std::int64_t lowest = cells ? axis.cells - axis.firstName : axis.texels;
+        const std::int64_t count = step.level == 0 ? lowest : (step.level < 31 ? ((most - 1) >> step.level) + 1 : 1);
+        period = 0;
+        if (index < 0 || index >= count) {
+            // A ray may begin, and end, beside the picture.
+            const bool end = step.decision == Decision::Start || step.decision == Decision::Miss;
+            return end && step.level == 0 && std::abs(name) < kFarthestBeside;
+        }
+        if (!axis.wraps) return true;
+        const double first = std::ldexp(static_cast<double>(index), step.level);
+        const double last = std::min(std::ldexp(static_cast<double>(index + 1), step.level), static_cast<double>(most));
+        const double middle = 0.5 * (first + last) - (cells ? axis.shift : 0.0);
+        const double lambda = cells ? 0.5 * (step.lambdaIn + step.lambdaOut) : step.lambdaOut;
+        const double at = along.start - axis.shift + lambda * along.run;
+        const double periods = std::round((at - middle) / axis.texels);
+        period = std::abs(periods) < static_cast<double>(kFarthestTexel) ? static_cast<std::int64_t>(periods) : 0;
+        return true;
+    }
+};
+
+// The first step that names no texel of the field; the count of steps if all do.
+std::size_t placeAll(std::vector<Step>& steps, const CellGrid& grid, const GridRay& ray, bool cells) {
+    const PlaceAxis x{grid.x, ray.x, cells};
+    const PlaceAxis y{grid.y, ray.y, cells};
+    for (std::size_t n = 0; n < steps.size(); ++n) {
+        Step& step = steps[n];
+        step.primitive = cells ? Primitive::Texel : Primitive::Point;
+        if (!x.place(step.i, step, step.periodX) || !y.place(step.j, step, step.periodY)) return n;
+    }
+    return steps.size();
+}
+
+}  // namespace
+
+void placeSteps(std::vector<Step>& steps, const ViewRay& ray, const HeightField& field, const std::string& fileName,
+                std::size_t number) {
+    const CellGrid grid(field);
+    const GridRay inCells(grid, ray);
+    const bool cells = std::any_of(steps.begin(), steps.end(), [](const Step& step) {
+        return step.level > 0 || step.decision == Decision::Skip || step.decision == Decision::Descend ||
+               step.decision == Decision::Ascend || step.decision == Decision::Test;
+    });
+    std::size_t wrong = placeAll(steps, grid, inCells, cells);
+    // Beyond the edge lie cells, not texels.
+    if (wrong < steps.size() && !cells) wrong = placeAll(steps, grid, inCells, true);
+    if (wrong >= steps.size()) return;
+    const Step& step = steps[wrong];
+    throw InputError(fileName, Message(MessageId::StepNoTexel, {{"ray", number},
+                                                                {"number", wrong + 1},
+                                                                {"level", step.level},
+                                                                {"width", field.width()},
+                                                                {"height", field.height()},
+                                                                {"i", step.i},
+                                                                {"j", step.j}}));
+}
+
+Hit answerOf(const std::vector<Step>& steps, const ViewRay& ray) {
+    if (steps.empty()) return Hit::none(Outcome::Limit);
+    const Step& last = steps.back();
+    if (last.decision == Decision::Hit) return Hit::at(ray, last.lambdaAfter);
+    return Hit::none(last.decision == Decision::Miss ? Outcome::Miss : Outcome::Limit);
+}
+
+}  // namespace relief

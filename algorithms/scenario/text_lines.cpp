@@ -1,0 +1,71 @@
+#include "scenario/text_lines.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "errors.h"
+
+namespace relief {
+
+namespace {
+
+constexpr std::size_t kQuotedLength = 60;
+
+}  // namespace
+
+std::string quoted(std::string_view text) {
+    std::string out(text.substr(0, kQuotedLength));
+    // Cut between UTF-8 characters, not inside one.
+    while (text.size() > kQuotedLength && !out.empty() && (static_cast<unsigned char>(out.back()) & 0xC0U) == 0x80U) {
+        out.pop_back();
+    }
+    if (text.size() > kQuotedLength) {
+        if (!out.empty() && static_cast<unsigned char>(out.back()) >= 0x80U) out.pop_back();
+        out += "...";
+    }
+    for (char& c : out) {
+        if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) c = '?';
+    }
+    return out;
+}
+
+std::string_view takeLine(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+}
+
+double finiteNumber(std::string_view text, const std::string& fileName, std::size_t line) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = end == text.data() + text.size() && !text.empty();
+    if (error == std::errc::invalid_argument || !whole) {
+        throw InputError(fileName, Message(MessageId::RayNumber, {{"line", line}, {"text", quoted(text)}}));
+    }
+    if (error == std::errc::result_out_of_range) {
+        // Too small for a double is nothing; too large is not finite.
+        const bool tiny = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
+        value = tiny ? 0 : HUGE_VAL;
+    }
+    if (!std::isfinite(value)) {
+        throw InputError(fileName, Message(MessageId::RayNotFinite, {{"line", line}, {"text", quoted(text)}}));
+    }
+    return value;
+}
+
+std::string_view takeCell(std::string_view& line) {
+    const std::size_t comma = line.find(',');
+    const std::string_view cell = line.substr(0, comma);
+    line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
+    return cell;
+}
+
+std::string_view withoutMark(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+    return text;
+}
+
+}  // namespace relief

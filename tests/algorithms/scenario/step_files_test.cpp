@@ -1,0 +1,147 @@
+// Steps of somebody else's tracer: what is written reads back the same, and faults name the line.
+#include <gtest/gtest.h>
+
+#include "algorithms/relief/fields.h"
+#include "scenario/ray_files.h"
+
+namespace relief::test {
+namespace {
+
+const std::string kHeader = std::string(kStepsHeader) + "\n";
+
+std::string refusal(const std::string& text, std::size_t rays = 2) {
+    try {
+        parseSteps(text, "s.csv", rays);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(StepFiles, EveryMethodsLogReadsBackTheSame) {
+    constexpr std::uint64_t kSeed = 77;
+    Work work(1);
+    MapCache cache;
+    for (const Address address : allAddresses()) {
+        const HeightField field(randomHeights(20, 13, kSeed), Surface::Bilinear, address, 0.3);
+        RayBlock rays;
+        Random random(kSeed);
+        for (int n = 0; n < 20; ++n) {
+            rays.push({random.unit() * 60 - 20, random.unit() * 40 - 13, random.unit() * 90 - 45, random.unit() * 9});
+        }
+        for (const MethodChoice& method : allChoices()) {
+            if (!supports(method, Surface::Bilinear, address)) continue;
+            if (method.options.contains("base")) continue;  // its texels are not those of the picture
+            HitBlock hits;
+            StepLog log;
+            makeTracer(method, field, cache, work)->trace(rays, hits, log, work);
+            std::string lines = kHeader;
+            std::string objects = "[";
+            bool empty = true;
+            for (std::size_t r = 0; r < rays.size(); ++r) {
+                appendStepLines(lines, log, r, r);
+                appendStepObjects(objects, log, r, r, empty);
+            }
+            const StepLog read = parseSteps(lines, "s.csv", rays.size());
+            const StepLog readObjects = parseSteps(objects + "\n]\n", "s.json", rays.size());
+            ASSERT_EQ(read.begin, log.begin) << method.name;
+            ASSERT_EQ(readObjects.begin, log.begin) << method.name;
+            EXPECT_EQ(read.steps, readObjects.steps) << method.name;
+            for (std::size_t r = 0; r < rays.size(); ++r) {
+                const auto first = static_cast<std::ptrdiff_t>(read.begin[r]);
+                std::vector<Step> steps(read.steps.begin() + first,
+                                        read.steps.begin() + static_cast<std::ptrdiff_t>(read.begin[r + 1]));
+                placeSteps(steps, rays[r], field, "s.csv", r);
+                const Hit answer = answerOf(steps, rays[r]);
+                EXPECT_EQ(answer.outcome, hits.outcome[r]) << method.name;
+                if (answer.outcome == Outcome::Hit) {
+                    EXPECT_EQ(answer.lambda, hits.lambda[r]) << method.name;
+                }
+                std::string again;
+                StepLog one;
+                one.steps = steps;
+                one.begin.push_back(steps.size());
+                appendStepLines(again, one, 0, r);
+                std::string before;
+                appendStepLines(before, log, r, r);
+                ASSERT_EQ(again, before) << method.name;
+            }
+        }
+    }
+}
+
+TEST(StepFiles, PeriodsAreFoundAgain) {
+    // Low ground: the ray crosses several textures before it meets it.
+    const HeightField field(constantHeights(16, 16, 0.1F), Surface::Bilinear, Address::Repeat, 0.3);
+    Work work(1);
+    MapCache cache;
+    for (const char* method : {"max-pyramid", "exact", "layers"}) {
+        RayBlock rays;
+        rays.push({-40.25, 7.5, 55, -38});
+        HitBlock hits;
+        StepLog log;
+        makeTracer({method, {}}, field, cache, work)->trace(rays, hits, log, work);
+        std::vector<Step> steps = log.steps;
+        int moved = 0;
+        for (Step& step : steps) {
+            moved += step.periodX != 0 || step.periodY != 0 ? 1 : 0;
+            step.periodX = step.periodY = 99;
+        }
+        EXPECT_GT(moved, 0) << "the ray stays in one period: nothing is tested";
+        placeSteps(steps, rays[0], field, "s.csv", 0);
+        // The coarsest texel is all of the picture: which one it is, only the tracer knows.
+        for (std::size_t n = 0; n < steps.size(); ++n) {
+            if (steps[n].level < 3) {
+                EXPECT_EQ(steps[n], log.steps[n]) << method << " " << n;
+            }
+        }
+    }
+}
+
+TEST(StepFiles, FaultsNameTheLine) {
+    const std::string good = "0,1,search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,test,0.2\n";
+    EXPECT_EQ(refusal(kHeader + good), "");
+    EXPECT_EQ(refusal(kHeader + good + "\n\n"), "");
+    EXPECT_EQ(refusal("rays\n").substr(0, 36), "s.csv: line 1: the header must be \"r");
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string row = good;
+        row.replace(row.find(from), from.size(), to);
+        return refusal(kHeader + good.substr(0, 0) + row);
+    };
+    EXPECT_EQ(with(",test", ""), "s.csv: line 2: 14 values separated by commas are needed, here are 13");
+    EXPECT_EQ(with("search", "look"), "s.csv: line 2: phase \"look\" is unknown; known: start, search, refine");
+    EXPECT_NE(with("test", "jump").find("line 2: decision \"jump\" is unknown; known: start, skip"), std::string::npos);
+    EXPECT_EQ(with("0.1,0.2", "x,0.2"), "s.csv: line 2: \"x\" is not a number");
+    EXPECT_EQ(with("0.1,0.2", "0.1,nan"), "s.csv: line 2: \"nan\" is not finite");
+    EXPECT_EQ(with("0.1,0.2", "0.1,1.5"), "s.csv: line 2: lambda_out is 1.5, must be within [0, 1]");
+    EXPECT_EQ(with("0.1,0.2", "0.3,0.2"), "s.csv: line 2: lambda_out 0.2 lies before lambda_in 0.3");
+    EXPECT_EQ(with("0.9,0.8", "0.9,0.7"), "s.csv: line 2: z_out is 0.7, but 1 - lambda is 0.8");
+    EXPECT_EQ(with("0,1,search", "5,1,search"), "s.csv: line 2: ray 5: the rays file has only 2, counted from 0");
+    EXPECT_EQ(with("0,1,search", "0,2,search"), "s.csv: line 2: step 2 of ray 0 is out of order");
+    EXPECT_EQ(with("search,0", "search,99"), "s.csv: line 2: \"99\" is not a whole number from 0 to 32");
+    EXPECT_NE(refusal("[\n{\"ray\": 0,\n\"number\": 1},\n3]").find("line 2: \"lambda_in\" is missing"),
+              std::string::npos)
+        << refusal("[\n{\"ray\": 0,\n\"number\": 1},\n3]");
+    EXPECT_EQ(refusal("[\n oops"), "s.csv: line 2: this is not JSON");
+    const std::string object =
+        "{\"ray\": 0, \"number\": 1, \"lambda_in\": 0, \"lambda_out\": 0.5, \"value\": null, \"decision\": \"hit\", "
+        "\"lambda_after\": 0.5}";
+    EXPECT_EQ(refusal("[" + object + "]"), "");
+    EXPECT_NE(refusal("[\n" + object + ",\n\n7]").find("line"), std::string::npos);
+    EXPECT_NE(refusal("[\n" + object + ",\n" + object + "]").find("line 3: step 1 of ray 0 is out of order"),
+              std::string::npos);
+    // A texel that the picture has not.
+    const HeightField field(constantHeights(8, 8, 0.5F), Surface::Columns);
+    std::vector<Step> steps = parseSteps(kHeader + good, "s.csv", 1).steps;
+    EXPECT_NO_THROW(placeSteps(steps, {0, 0, 1, 1}, field, "s.csv", 0));
+    steps[0].i = 8;
+    try {
+        placeSteps(steps, {0, 0, 1, 1}, field, "s.csv", 0);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "s.csv: ray 0, step 1: level 0 of a picture of 8 x 8 has no texel (8,2)");
+    }
+}
+
+}  // namespace
+}  // namespace relief::test
