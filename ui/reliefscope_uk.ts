@@ -616,6 +616,139 @@
         <source>what hits may be wrong by where that spares work; its error is measured</source>
         <translation>наскільки можуть хибити влучання там, де це береже роботу; похибку виміряно</translation>
     </message>
+    <message>
+        <source>looking for pixels</source>
+        <translation>пошук пікселів</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::BookmarkDialog</name>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Закладки</translation>
+    </message>
+    <message>
+        <source>Enter goes there, F2 gives another name</source>
+        <translation>Enter веде туди, F2 дає іншу назву</translation>
+    </message>
+    <message>
+        <source>&amp;Go there</source>
+        <translation>&amp;Перейти</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Вилучити</translation>
+    </message>
+    <message>
+        <source>Remove bookmark</source>
+        <translation>Вилучити закладку</translation>
+    </message>
+    <message>
+        <source>Rename bookmark</source>
+        <translation>Перейменувати закладку</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::BookmarkMenu</name>
+    <message>
+        <source>%1 – pixel (%2, %3), step %4</source>
+        <translation>%1 – піксель (%2, %3), крок %4</translation>
+    </message>
+    <message>
+        <source>bookmark %1</source>
+        <translation>закладка %1</translation>
+    </message>
+    <message>
+        <source>Add bookmark</source>
+        <translation>Додати закладку</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::BreakpointBar</name>
+    <message>
+        <source>stop when</source>
+        <translation>зупинка, коли</translation>
+    </message>
+    <message>
+        <source>Where stepping stops</source>
+        <translation>Де зупиняються кроки</translation>
+    </message>
+    <message>
+        <source>Playing and running stop at the step at which this begins to hold</source>
+        <translation>Програвання й перехід зупиняються на кроці, з якого це справджується</translation>
+    </message>
+    <message>
+        <source>level below</source>
+        <translation>рівень нижче</translation>
+    </message>
+    <message>
+        <source>texel</source>
+        <translation>тексель</translation>
+    </message>
+    <message>
+        <source>ray below</source>
+        <translation>промінь нижче</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>проскок</translation>
+    </message>
+    <message>
+        <source>disagreement with exact</source>
+        <translation>розбіжність із точним</translation>
+    </message>
+    <message>
+        <source>level </source>
+        <translation>рівень </translation>
+    </message>
+    <message>
+        <source>Level of the pyramid, 0 the finest</source>
+        <translation>Рівень піраміди, 0 — найдрібніший</translation>
+    </message>
+    <message>
+        <source>Column of the texel</source>
+        <translation>Стовпець текселя</translation>
+    </message>
+    <message>
+        <source>Row of the texel</source>
+        <translation>Рядок текселя</translation>
+    </message>
+    <message>
+        <source>Height of the ray, 1 the top of the slab</source>
+        <translation>Висота променя, 1 — верх шару</translation>
+    </message>
+    <message>
+        <source>Add the breakpoint</source>
+        <translation>Додати точку зупинки</translation>
+    </message>
+    <message>
+        <source>Add the breakpoint; F9 sets one at the texel of the chosen step</source>
+        <translation>Додати точку зупинки; F9 ставить її на текселі вибраного кроку</translation>
+    </message>
+    <message>
+        <source>Add breakpoint</source>
+        <translation>Додати точку зупинки</translation>
+    </message>
+    <message>
+        <source>Remove breakpoint</source>
+        <translation>Вилучити точку зупинки</translation>
+    </message>
+    <message>
+        <source>Set breakpoint on or off</source>
+        <translation>Увімкнути чи вимкнути точку зупинки</translation>
+    </message>
+    <message>
+        <source>Stops here; press to set it off</source>
+        <translation>Зупиняє; натисніть, щоб вимкнути</translation>
+    </message>
+    <message>
+        <source>Is off; press to set it on</source>
+        <translation>Вимкнена; натисніть, щоб увімкнути</translation>
+    </message>
+    <message>
+        <source>Remove the breakpoint: %1</source>
+        <translation>Вилучити точку зупинки: %1</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::ChartsView</name>
@@ -1303,10 +1436,6 @@
         <translation>Пробіл</translation>
     </message>
     <message>
-        <source>Play the steps, two a second</source>
-        <translation>Програти кроки, два на секунду</translation>
-    </message>
-    <message>
         <source>&amp;Go to pixel…</source>
         <translation>До пікс&amp;еля…</translation>
     </message>
@@ -1427,10 +1556,6 @@
         <translation>перший і останній крок</translation>
     </message>
     <message>
-        <source>play the steps</source>
-        <translation>програти кроки</translation>
-    </message>
-    <message>
         <source>go to a pane</source>
         <translation>перейти до панелі</translation>
     </message>
@@ -1502,6 +1627,174 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>Charts</source>
         <translation>Діаграми</translation>
     </message>
+    <message>
+        <source>Open another &amp;tracer&apos;s steps…</source>
+        <translation>Відкрити кроки іншого &amp;трасувальника…</translation>
+    </message>
+    <message>
+        <source>Open a file of rays and a file of the steps that another tracer took on them</source>
+        <translation>Відкрити файл променів і файл кроків, які зробив на них інший трасувальник</translation>
+    </message>
+    <message>
+        <source>Play the steps until a breakpoint</source>
+        <translation>Програти кроки до точки зупинки</translation>
+    </message>
+    <message>
+        <source>Step &amp;over a level</source>
+        <translation>Кр&amp;ок через рівень</translation>
+    </message>
+    <message>
+        <source>Over what lies on finer levels</source>
+        <translation>Повз те, що лежить на дрібніших рівнях</translation>
+    </message>
+    <message>
+        <source>Step &amp;back over a level</source>
+        <translation>Крок &amp;назад через рівень</translation>
+    </message>
+    <message>
+        <source>Back over what lies on finer levels</source>
+        <translation>Назад повз те, що лежить на дрібніших рівнях</translation>
+    </message>
+    <message>
+        <source>&amp;Run to the next breakpoint</source>
+        <translation>До наступної &amp;точки зупинки</translation>
+    </message>
+    <message>
+        <source>On to the step at which a condition begins to hold</source>
+        <translation>Уперед до кроку, з якого справджується умова</translation>
+    </message>
+    <message>
+        <source>Run bac&amp;k to a breakpoint</source>
+        <translation>Назад до точки &amp;зупинки</translation>
+    </message>
+    <message>
+        <source>Back to the breakpoint before</source>
+        <translation>Назад до попередньої точки зупинки</translation>
+    </message>
+    <message>
+        <source>&amp;Stop at this texel</source>
+        <translation>З&amp;упинятися на цьому текселі</translation>
+    </message>
+    <message>
+        <source>Set a breakpoint at the texel of the chosen step, or take it away</source>
+        <translation>Поставити точку зупинки на текселі вибраного кроку або вилучити її</translation>
+    </message>
+    <message>
+        <source>G&amp;uess the hit</source>
+        <translation>Вга&amp;дати влучання</translation>
+    </message>
+    <message>
+        <source>Hide the answer; a click in the profile guesses where the ray hits</source>
+        <translation>Приховати відповідь; клацання в профілі вгадує, куди влучить промінь</translation>
+    </message>
+    <message>
+        <source>play the steps, until a breakpoint</source>
+        <translation>програти кроки до точки зупинки</translation>
+    </message>
+    <message>
+        <source>step over a level, and back</source>
+        <translation>крок через рівень і назад</translation>
+    </message>
+    <message>
+        <source>run to the next breakpoint, and back</source>
+        <translation>до наступної точки зупинки і назад</translation>
+    </message>
+    <message>
+        <source>set a breakpoint at this texel</source>
+        <translation>точка зупинки на цьому текселі</translation>
+    </message>
+    <message>
+        <source>next pixel: largest error, most steps, overshoot, disagreement</source>
+        <translation>наступний піксель: найбільша похибка, найбільше кроків, проскок, розбіжність</translation>
+    </message>
+    <message>
+        <source>add a bookmark, go to the next one</source>
+        <translation>додати закладку, перейти до наступної</translation>
+    </message>
+    <message>
+        <source>guess where the ray hits, by a click in the profile</source>
+        <translation>вгадати клацанням у профілі, куди влучить промінь</translation>
+    </message>
+    <message>
+        <source>Next pixel &amp;worth seeing</source>
+        <translation>Наступний &amp;вартий уваги піксель</translation>
+    </message>
+    <message>
+        <source>Largest &amp;error</source>
+        <translation>Найбільша &amp;похибка</translation>
+    </message>
+    <message>
+        <source>The pixel whose hit is farthest from the exact one; again: the next</source>
+        <translation>Піксель, влучання якого найдалі від точного; ще раз — наступний</translation>
+    </message>
+    <message>
+        <source>Most &amp;steps</source>
+        <translation>Найбільше &amp;кроків</translation>
+    </message>
+    <message>
+        <source>The pixel whose ray takes the most steps; again: the next</source>
+        <translation>Піксель, промінь якого робить найбільше кроків; ще раз — наступний</translation>
+    </message>
+    <message>
+        <source>&amp;Overshoot</source>
+        <translation>Пр&amp;оскок</translation>
+    </message>
+    <message>
+        <source>The pixel whose ray goes farthest past the surface; again: the next</source>
+        <translation>Піксель, промінь якого проходить найдалі за поверхню; ще раз — наступний</translation>
+    </message>
+    <message>
+        <source>&amp;Disagreement</source>
+        <translation>&amp;Розбіжність</translation>
+    </message>
+    <message>
+        <source>The pixel where the compared methods are farthest apart; again: the next</source>
+        <translation>Піксель, де порівнювані методи розходяться найбільше; ще раз — наступний</translation>
+    </message>
+    <message>
+        <source>Book&amp;marks</source>
+        <translation>За&amp;кладки</translation>
+    </message>
+    <message>
+        <source>&amp;Add bookmark</source>
+        <translation>&amp;Додати закладку</translation>
+    </message>
+    <message>
+        <source>Keep this pixel, the camera and the step</source>
+        <translation>Запам&apos;ятати цей піксель, камеру та крок</translation>
+    </message>
+    <message>
+        <source>&amp;Next bookmark</source>
+        <translation>&amp;Наступна закладка</translation>
+    </message>
+    <message>
+        <source>Go to the next bookmark</source>
+        <translation>Перейти до наступної закладки</translation>
+    </message>
+    <message>
+        <source>Na&amp;mes…</source>
+        <translation>Н&amp;азви…</translation>
+    </message>
+    <message>
+        <source>Name bookmarks, remove them</source>
+        <translation>Назвати чи вилучити закладки</translation>
+    </message>
+    <message>
+        <source>Rays of another tracer: s0,t0,a,b in texels</source>
+        <translation>Промені іншого трасувальника: s0,t0,a,b у текселях</translation>
+    </message>
+    <message>
+        <source>Rays (*.csv);;All files (*)</source>
+        <translation>Промені (*.csv);;Усі файли (*)</translation>
+    </message>
+    <message>
+        <source>Its steps on them</source>
+        <translation>Його кроки на них</translation>
+    </message>
+    <message>
+        <source>Steps (*.csv *.json);;All files (*)</source>
+        <translation>Кроки (*.csv *.json);;Усі файли (*)</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -1530,6 +1823,53 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>This method has no options.</source>
         <translation>Цей метод не має параметрів.</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::OtherBar</name>
+    <message>
+        <source>ray </source>
+        <translation>промінь </translation>
+    </message>
+    <message>
+        <source>Ray of the file</source>
+        <translation>Промінь із файлу</translation>
+    </message>
+    <message>
+        <source>Which ray of the file is looked at, counted from 0</source>
+        <translation>Який промінь файлу розглядається, лік від 0</translation>
+    </message>
+    <message>
+        <source>Whose steps are shown</source>
+        <translation>Чиї кроки показано</translation>
+    </message>
+    <message>
+        <source>Whose steps all panes show; the duel sets both side by side</source>
+        <translation>Чиї кроки показують усі панелі; двобій ставить обидва поруч</translation>
+    </message>
+    <message>
+        <source>Close the other tracer&apos;s files</source>
+        <translation>Закрити файли іншого трасувальника</translation>
+    </message>
+    <message>
+        <source>Choose ray</source>
+        <translation>Вибрати промінь</translation>
+    </message>
+    <message>
+        <source>Open another tracer&apos;s steps</source>
+        <translation>Відкрити кроки іншого трасувальника</translation>
+    </message>
+    <message>
+        <source>Close another tracer&apos;s steps</source>
+        <translation>Закрити кроки іншого трасувальника</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>із %1</translation>
+    </message>
+    <message>
+        <source>steps of %1</source>
+        <translation>кроки: %1</translation>
     </message>
 </context>
 <context>
@@ -1631,6 +1971,57 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
 </context>
 <context>
+    <name>reliefui::PixelFinder</name>
+    <message>
+        <source>The picture is not complete yet</source>
+        <translation>Зображення ще не готове</translation>
+    </message>
+    <message>
+        <source>Looking for pixels …</source>
+        <translation>Пошук пікселів …</translation>
+    </message>
+    <message>
+        <source>Every hit is the exact one</source>
+        <translation>Кожне влучання точне</translation>
+    </message>
+    <message>
+        <source>No ray takes a step</source>
+        <translation>Жоден промінь не робить кроків</translation>
+    </message>
+    <message>
+        <source>No ray goes past the surface</source>
+        <translation>Жоден промінь не проходить за поверхню</translation>
+    </message>
+    <message>
+        <source>The two methods agree everywhere</source>
+        <translation>Обидва методи всюди згодні</translation>
+    </message>
+    <message>
+        <source>%1 of %2: pixel (%3, %4), %5</source>
+        <translation>%1 із %2: піксель (%3, %4), %5</translation>
+    </message>
+    <message>
+        <source>steps: %1</source>
+        <translation>кроків: %1</translation>
+    </message>
+    <message>
+        <source>another outcome</source>
+        <translation>інший наслідок</translation>
+    </message>
+    <message>
+        <source>%1 texels from %2</source>
+        <translation>на %1 текселя від %2</translation>
+    </message>
+    <message>
+        <source>%1 texels past the surface</source>
+        <translation>на %1 текселя за поверхнею</translation>
+    </message>
+    <message>
+        <source>%1 texels from the exact hit</source>
+        <translation>на %1 текселя від точного влучання</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::ProfileView</name>
     <message>
         <source>Profile</source>
@@ -1711,6 +2102,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Figures</source>
         <translation>Рисунки</translation>
+    </message>
+    <message>
+        <source>guess</source>
+        <translation>вгадати</translation>
+    </message>
+    <message>
+        <source>Hide the answer; a click guesses where the ray hits, then it is shown (G)</source>
+        <translation>Приховати відповідь; клацання вгадує, куди влучить промінь, потім її показано (G)</translation>
     </message>
 </context>
 <context>
@@ -2296,6 +2695,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>Click: what was skipped, and why</source>
         <translation>Клацання: що пропущено і чому</translation>
     </message>
+    <message>
+        <source>ray %1 of the file</source>
+        <translation>промінь %1 із файлу</translation>
+    </message>
+    <message>
+        <source>hidden until somebody has guessed</source>
+        <translation>приховано, доки хтось не вгадає</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::StepBar</name>
@@ -2362,6 +2769,18 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>%1/s</source>
         <translation>%1/с</translation>
+    </message>
+    <message>
+        <source>Step over what lies on finer levels</source>
+        <translation>Крок повз те, що лежить на дрібніших рівнях</translation>
+    </message>
+    <message>
+        <source>Run to the next breakpoint</source>
+        <translation>До наступної точки зупинки</translation>
+    </message>
+    <message>
+        <source>hidden until somebody has guessed</source>
+        <translation>приховано, доки хтось не вгадає</translation>
     </message>
 </context>
 <context>
@@ -2573,6 +2992,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Open %1</source>
         <translation>Відкрити %1</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Перейти до: %1</translation>
     </message>
 </context>
 </TS>

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "drawings/drawing.h"
@@ -36,6 +37,9 @@ struct ProfileOptions {
     LevelsShown levels = LevelsShown::Visited;
     bool trueAspect = false;  // a texel is as long across as upwards
     bool nearRay = false;     // only the heights that the ray comes through
+    // Somebody is to guess where the ray hits; or has guessed this lambda, and the answer stands beside it.
+    bool guessing = false;
+    std::optional<double> guess;
 };
 
 // How a log's steps are shown; the decision gives colour and shape. The next kinds of method add theirs. Body: an empty
@@ -81,6 +85,10 @@ Drawing profileRelief(const ProfileSource& source, const ProfileOptions& options
 Drawing profileMarks(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame, int step);
 // Spheres and cones of the steps; part of the marks.
 void addBodies(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame, std::size_t chosen);
+// What is asked of who guesses, or the guess and how far the answer is from it; part of the marks.
+void addGuess(Drawing& drawing, const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame);
+// How far a guess is from the answer along the ray, at least the descent itself, texels; infinite where nothing is hit.
+double guessError(const ProfileSource& source, double guess);
 // Numbers and units, at the edges of what is seen.
 Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame);
 // In at most `width` points; only what occurs.

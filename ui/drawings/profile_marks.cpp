@@ -84,6 +84,7 @@ class Marks {
             marks();
         }
         hit();
+        addGuess(drawing_, source_, options_, frame_);
         levelNames();
         return std::move(drawing_);
     }

@@ -12,10 +12,10 @@ constexpr int kRounds = 7;
 
 // What the rays depend on.
 relief::Scenario raysOf(const relief::Scenario& scenario) {
-    relief::Scenario part = scenario;
     const relief::Scenario standard;
+    relief::Scenario part = relief::withNotesOf(scenario, standard);
     part.pixel.reset();
-    part.step = 0;
+    part.other = {};
     part.method = standard.method;
     part.filter = standard.filter;
     part.light = standard.light;

@@ -236,7 +236,10 @@ void DrawingCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void DrawingCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && !dragging_) Q_EMIT clicked(itemAt(event->localPos()));
+    if (event->button() == Qt::LeftButton && !dragging_) {
+        Q_EMIT clickedAt(event->localPos());
+        Q_EMIT clicked(itemAt(event->localPos()));
+    }
     dragging_ = false;
 }
 

@@ -41,6 +41,7 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
 
   signals:
     void clicked(const reliefui::ItemId& id);
+    void clickedAt(const QPointF& widget);     // before it, whatever is there
     void hovered(const reliefui::ItemId& id);  // none: nothing is under the pointer
     void resized();
     void moved();                         // zoomed or moved: another part is seen

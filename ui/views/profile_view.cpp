@@ -34,6 +34,10 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
     canvas_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(canvas_, &QWidget::customContextMenuRequested, this, &ProfileView::openMenu);
     connect(canvas_, &DrawingCanvas::clicked, this, &ProfileView::choose);
+    connect(canvas_, &DrawingCanvas::clickedAt, this, [this](const QPointF& at) {
+        if (options_.guessing && ready()) guessAt(frame_.lambdaAt(canvas_->toDrawing(at).x));
+    });
+    connect(workspace_, &Workspace::guessingChanged, this, &ProfileView::showGuessing);
     connect(canvas_, &DrawingCanvas::pointed, this, &ProfileView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &ProfileView::refresh);
@@ -60,6 +64,8 @@ void ProfileView::makeBar() {
     allLevels_ = add(tr("all levels"), tr("The maxima of all levels, not only of those that the ray asked"), true);
     near_ = add(tr("near the ray"), tr("Only the heights that the ray comes through"), true);
     aspect_ = add(tr("true aspect"), tr("A texel as long across as upwards: the relief's true shape"), true);
+    guess_ = add(tr("guess"), tr("Hide the answer; a click guesses where the ray hits, then it is shown (G)"), true);
+    guess_->setObjectName(QStringLiteral("guess"));
     auto* const fit =
         add(tr("fit"), tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step"), false);
     bar->addStretch(1);
@@ -69,6 +75,7 @@ void ProfileView::makeBar() {
     column->addLayout(bar);
     column->addWidget(canvas_, 1);
 
+    connect(guess_, &QToolButton::toggled, workspace_, &Workspace::setGuessing);
     connect(allLevels_, &QToolButton::toggled, this, [this](bool on) {
         options_.levels = on ? LevelsShown::All : LevelsShown::Visited;
         refresh();
@@ -129,6 +136,8 @@ void ProfileView::refresh() {
     if (stale_) return;
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
+    // A guess is about one ray.
+    if (options_.guess && shown_ && shown_->version != guessed_) options_.guess.reset();
     if (!ready()) {
         showEmpty(!shown_ ? relief::MessageId::DrawNoPicture
                           : (shown_->scenario.pixel ? relief::MessageId::DrawNoRelief : relief::MessageId::DrawNoRay));
@@ -169,6 +178,20 @@ void ProfileView::refreshStep() {
     if (!ready() || !relief_) return;
     auto marks = std::make_shared<const Drawing>(profileMarks(source(), options_, frame_, workspace_->scenario().step));
     canvas_->setLayers({relief_, axes_, std::move(marks)}, legend_);
+}
+
+void ProfileView::showGuessing(bool on) {
+    guess_->setChecked(on);
+    options_.guessing = on;
+    if (on) options_.guess.reset();
+    canvas_->resetZoom();
+    refresh();
+}
+
+void ProfileView::guessAt(double lambda) {
+    options_.guess = std::clamp(lambda, 0.0, frame_.lambdaEnd);
+    guessed_ = workspace_->version();
+    workspace_->setGuessing(false);
 }
 
 void ProfileView::showEmpty(relief::MessageId why) {

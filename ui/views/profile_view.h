@@ -33,6 +33,8 @@ class ProfileView : public QWidget {
     void showNearRay(bool on);
     void setTrueAspect(bool on);
     void resetZoom();
+    // Somebody guesses where the ray hits, by a click on the profile; then the answer is shown beside the guess.
+    void guessAt(double lambda);
     // SVG, PDF or PNG, by the ending; says when it is done, or why not.
     void saveFigure(const QString& path);
 
@@ -50,6 +52,7 @@ class ProfileView : public QWidget {
     void refreshStep();  // another step
     void showEmpty(relief::MessageId why);
     void choose(const ItemId& id);
+    void showGuessing(bool on);
     void tell(const QPointF& widget);
     void setReadout(const QString& text);
     void openMenu(const QPoint& at);
@@ -63,9 +66,11 @@ class ProfileView : public QWidget {
     QToolButton* allLevels_ = nullptr;
     QToolButton* near_ = nullptr;
     QToolButton* aspect_ = nullptr;
+    QToolButton* guess_ = nullptr;
     QString readout_;
     std::shared_ptr<const Snapshot> shown_;
     ProfileOptions options_;
+    std::uint64_t guessed_ = 0;  // the version that the guess is about
     ProfileFrame frame_;
     std::shared_ptr<const Drawing> relief_;
     std::shared_ptr<const Drawing> axes_;

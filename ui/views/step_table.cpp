@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPixmap>
+#include <QSortFilterProxyModel>
 #include <QTableView>
 
 #include "scenario/ray_files.h"
@@ -116,10 +117,33 @@ QString StepModel::text(const relief::Step& step, int row, int column) const {
     }
 }
 
+double StepModel::sortKey(const relief::Step& step, int row, int column) const {
+    switch (column) {
+        case Number:
+            return row;
+        case Level:
+            return step.level;
+        case Texel:
+            // Row by row.
+            return static_cast<double>(step.j) * 0x1p26 + static_cast<double>(step.i);
+        case Lambda:
+            return step.lambdaIn;
+        case Height:
+            return step.zIn();
+        case Value:
+            return step.value;
+        case Decision:
+            return static_cast<double>(step.decision);
+        default:
+            return step.lambdaAfter;
+    }
+}
+
 QVariant StepModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) return {};
     const relief::Step& step = snapshot_->trace.steps[static_cast<std::size_t>(index.row())];
     if (role == Qt::DisplayRole) return text(step, index.row(), index.column());
+    if (role == kSortRole) return sortKey(step, index.row(), index.column());
     if (role == Qt::DecorationRole && index.column() == Decision) return symbol(step.decision, style_, 14);
     if (role == Qt::TextAlignmentRole) {
         return static_cast<int>((index.column() == Decision ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -149,10 +173,15 @@ StepTable::StepTable(Workspace* workspace, QWidget* parent)
     : QWidget(parent),
       workspace_(workspace),
       model_(new StepModel(this)),
+      sorted_(new QSortFilterProxyModel(this)),
       table_(new QTableView(this)),
       sentence_(new QLabel(this)) {
     setAccessibleName(tr("Steps"));
-    table_->setModel(model_);
+    sorted_->setSourceModel(model_);
+    sorted_->setSortRole(StepModel::kSortRole);
+    table_->setModel(sorted_);
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(StepModel::Number, Qt::AscendingOrder);
     table_->setAccessibleName(tr("Table of steps"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -186,7 +215,7 @@ StepTable::StepTable(Workspace* workspace, QWidget* parent)
     connect(workspace_, &Workspace::styleChanged, this, &StepTable::refresh);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& current, const QModelIndex&) {
-                if (!following_ && current.isValid()) workspace_->chooseStep(current.row());
+                if (!following_ && current.isValid()) workspace_->chooseStep(stepOf(current));
             });
     refresh();
 }
@@ -223,6 +252,12 @@ void StepTable::followStep(int step) {
         sentence_->setText(tr("The steps of the chosen pixel's ray will stand here."));
         return;
     }
+    const relief::Language language = workspace_->style().language;
+    if (snapshot->trace.hidden) {
+        const std::string text = relief::sentence(relief::Message(relief::MessageId::DrawHidden), language);
+        sentence_->setText(QString::fromStdString(text));
+        return;
+    }
     const PixelTrace& trace = snapshot->trace;
     if (trace.steps.empty()) {
         sentence_->setText(trace.onRelief ? tr("This method logged no step.")
@@ -232,12 +267,20 @@ void StepTable::followStep(int step) {
     const int row = std::clamp(step, 0, static_cast<int>(trace.steps.size()) - 1);
     const auto at = static_cast<std::size_t>(row);
     following_ = true;
-    table_->setCurrentIndex(model_->index(row, 0));
-    table_->scrollTo(model_->index(row, 0));
+    table_->setCurrentIndex(indexOf(row));
+    table_->scrollTo(indexOf(row));
     following_ = false;
     const relief::StepContext context = relief::stepContext(snapshot->scenario.method, trace.ray, trace.steps, at);
     const relief::Message message = relief::stepSentence(trace.steps[at], context);
-    sentence_->setText(QString::fromStdString(relief::sentence(message, workspace_->style().language)));
+    sentence_->setText(QString::fromStdString(relief::sentence(message, language)));
+}
+
+QModelIndex StepTable::indexOf(int step) const {
+    return sorted_->mapFromSource(model_->index(step, 0));
+}
+
+int StepTable::stepOf(const QModelIndex& index) const {
+    return sorted_->mapToSource(index).row();
 }
 
 bool StepTable::eventFilter(QObject* watched, QEvent* event) {
@@ -259,7 +302,7 @@ void StepTable::copyRows() {
     for (const QModelIndex& row : rows) {
         QStringList cells;
         for (int c = 0; c < StepModel::Columns; ++c) {
-            cells << model_->data(model_->index(row.row(), c), Qt::DisplayRole).toString();
+            cells << sorted_->data(sorted_->index(row.row(), c), Qt::DisplayRole).toString();
         }
         text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
     }

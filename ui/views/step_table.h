@@ -7,6 +7,7 @@
 #include "workspace/workspace.h"
 
 class QLabel;
+class QSortFilterProxyModel;
 class QTableView;
 
 namespace reliefui {
@@ -25,7 +26,11 @@ class StepModel : public QAbstractTableModel {
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
+    // What rows are sorted by: the column's first number, or the decision's place in the list.
+    static constexpr int kSortRole = Qt::UserRole;
+
   private:
+    double sortKey(const relief::Step& step, int row, int column) const;
     QString text(const relief::Step& step, int row, int column) const;
 
     std::shared_ptr<const Snapshot> snapshot_;
@@ -37,7 +42,7 @@ class StepTable : public QWidget {
   public:
     explicit StepTable(Workspace* workspace, QWidget* parent = nullptr);
 
-    const QTableView* table() const { return table_; }
+    QTableView* table() const { return table_; }
     QString sentence() const;
 
   public slots:
@@ -53,7 +58,11 @@ class StepTable : public QWidget {
     void applyStyle();
 
     Workspace* workspace_;
+    QModelIndex indexOf(int step) const;  // in the order of the view
+    int stepOf(const QModelIndex& index) const;
+
     StepModel* model_;
+    QSortFilterProxyModel* sorted_;
     QTableView* table_;
     QLabel* sentence_;
     bool following_ = false;  // the selection moves because the workspace's step did

@@ -212,7 +212,8 @@ void Trace3dView::refresh() {
     const auto snapshot = workspace_->snapshot();
     const Rgba ground = workspace_->style().background();
     renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
-    const bool same = shown_ && snapshot && shown_->version == snapshot->version && shown_->coarse == snapshot->coarse;
+    const bool same = shown_ && snapshot && shown_->version == snapshot->version && shown_->coarse == snapshot->coarse &&
+                      shown_->trace.hidden == snapshot->trace.hidden;
     if (same) return;
     shown_ = snapshot;
     renderer_->RemoveAllViewProps();

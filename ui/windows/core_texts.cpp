@@ -116,6 +116,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "map cone-dummer"),
     QT_TRANSLATE_NOOP("core", "map relaxed-cone"),
     QT_TRANSLATE_NOOP("core", "error against exact"),
+    QT_TRANSLATE_NOOP("core", "looking for pixels"),
     QT_TRANSLATE_NOOP("core", "Bilinear"),
     QT_TRANSLATE_NOOP("core", "Columns"),
     QT_TRANSLATE_NOOP("core", "Repeat"),

@@ -25,7 +25,9 @@
 #include "views/rows_view.h"
 #include "views/step_table.h"
 #include "views/trace3d_view.h"
+#include "windows/breakpoint_bar.h"
 #include "windows/message_bar.h"
+#include "windows/other_bar.h"
 #include "windows/pane_title.h"
 #include "windows/scene_panel.h"
 #include "windows/skipped_panel.h"
@@ -82,6 +84,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
 
     connect(workspace_, &Workspace::scenarioChanged, this, &MainWindow::refreshTitles);
     connect(workspace_, &Workspace::stepChanged, this, &MainWindow::refreshTitles);
+    connect(workspace_, &Workspace::notesChanged, this, &MainWindow::refreshTitles);
     connect(workspace_, &Workspace::opened, this, &MainWindow::remember);
     refreshTitles();
 }
@@ -134,8 +137,12 @@ void MainWindow::makePanes() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     stepBar_ = new StepBar(workspace_, time);
+    breakpoints_ = new BreakpointBar(workspace_, time);
     steps_ = new StepTable(workspace_, time);
     column->addWidget(stepBar_);
+    column->addWidget(breakpoints_);
+    other_ = new OtherBar(workspace_, time);
+    column->addWidget(other_);
     column->addWidget(steps_, 1);
     auto* const scroll = new QScrollArea(this);
     auto* const panel = new ScenePanel(workspace_, scroll);

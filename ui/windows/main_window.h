@@ -12,11 +12,15 @@ class QMenu;
 
 namespace reliefui {
 
+class BreakpointBar;
 class ChartsView;
 class DistanceView;
 class FootprintView;
+class BookmarkMenu;
 class MessageBar;
+class OtherBar;
 class PaneTitle;
+class PixelFinder;
 class ProfileView;
 class PyramidView;
 class ResultView;
@@ -43,6 +47,11 @@ class MainWindow : public QMainWindow {
     ChartsView* charts() { return charts_; }
     Trace3dView* trace() { return trace_; }
     StepTable* steps() { return steps_; }
+    StepBar* stepBar() { return stepBar_; }
+    BreakpointBar* breakpoints() { return breakpoints_; }
+    OtherBar* other() { return other_; }
+    PixelFinder* finder() { return finder_; }
+    BookmarkMenu* bookmarks() { return bookmarks_; }
     MessageBar* messages() { return messages_; }
     TopBar* topBar() { return topBar_; }
     StatusLine* status() { return status_; }
@@ -86,6 +95,10 @@ class MainWindow : public QMainWindow {
     void makeEditMenu();
     void makeViewMenu();
     void makeRayMenu();
+    void makeWorthMenu(QMenu* menu);
+    void makeBookmarkMenu(QMenu* menu);
+    void showBookmarks();
+    void askOtherTracer();
     void makeHelpMenu();
     QAction* addAction(QMenu* menu, const QString& text, const QKeySequence& keys, const QString& help);
     void fillRecent();
@@ -113,6 +126,10 @@ class MainWindow : public QMainWindow {
     Trace3dView* trace_ = nullptr;
     StepTable* steps_ = nullptr;
     StepBar* stepBar_ = nullptr;
+    BreakpointBar* breakpoints_ = nullptr;
+    OtherBar* other_ = nullptr;
+    PixelFinder* finder_ = nullptr;
+    BookmarkMenu* bookmarks_ = nullptr;
     MessageBar* messages_ = nullptr;
     StatusLine* status_ = nullptr;
     QDockWidget* skipped_ = nullptr;

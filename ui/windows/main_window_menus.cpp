@@ -18,6 +18,7 @@
 #include "views/distance_view.h"
 #include "views/result_painting.h"
 #include "views/result_view.h"
+#include "windows/breakpoint_bar.h"
 #include "windows/main_window.h"
 #include "windows/scene_panel.h"
 #include "windows/status_line.h"
@@ -64,6 +65,9 @@ void MainWindow::makeFileMenu() {
     auto* const save = addAction(menu, tr("&Save scenario…"), QKeySequence::Save,
                                  tr("Save what is looked at and how, to open it again"));
     connect(save, &QAction::triggered, this, &MainWindow::askSaveScenario);
+    auto* const other = addAction(menu, tr("Open another &tracer's steps…"), QKeySequence(QStringLiteral("Ctrl+T")),
+                                  tr("Open a file of rays and a file of the steps that another tracer took on them"));
+    connect(other, &QAction::triggered, this, &MainWindow::askOtherTracer);
     auto* const picture = addAction(menu, tr("Save &picture…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")),
                                     tr("Save the picture of the result"));
     connect(picture, &QAction::triggered, this, [this] { askSavePicture(); });
@@ -133,7 +137,26 @@ void MainWindow::makeRayMenu() {
     add(tr("&Previous step"), QKeySequence(Qt::Key_Comma), tr("One step back"), &StepBar::previous);
     add(tr("&Next step"), QKeySequence(Qt::Key_Period), tr("One step on"), &StepBar::next);
     add(tr("&Last step") + '\t' + tr("End"), {}, tr("To the last step of the ray"), &StepBar::last);
-    add(tr("Pla&y") + '\t' + tr("Space"), {}, tr("Play the steps, two a second"), &StepBar::togglePlay);
+    add(tr("Pla&y") + '\t' + tr("Space"), {}, tr("Play the steps until a breakpoint"), &StepBar::togglePlay);
+    add(tr("Step &over a level"), QKeySequence(Qt::Key_F10), tr("Over what lies on finer levels"), &StepBar::over);
+    add(tr("Step &back over a level"), QKeySequence(QStringLiteral("Shift+F10")),
+        tr("Back over what lies on finer levels"), &StepBar::overBack);
+    menu->addSeparator();
+    add(tr("&Run to the next breakpoint"), QKeySequence(Qt::Key_F5),
+        tr("On to the step at which a condition begins to hold"), &StepBar::run);
+    add(tr("Run bac&k to a breakpoint"), QKeySequence(QStringLiteral("Shift+F5")), tr("Back to the breakpoint before"),
+        &StepBar::runBack);
+    connect(addAction(menu, tr("&Stop at this texel"), QKeySequence(Qt::Key_F9),
+                      tr("Set a breakpoint at the texel of the chosen step, or take it away")),
+            &QAction::triggered, breakpoints_, &BreakpointBar::toggleHere);
+    menu->addSeparator();
+    makeWorthMenu(menu);
+    makeBookmarkMenu(menu);
+    auto* const guess = addAction(menu, tr("G&uess the hit"), QKeySequence(Qt::Key_G),
+                                  tr("Hide the answer; a click in the profile guesses where the ray hits"));
+    guess->setCheckable(true);
+    connect(guess, &QAction::toggled, workspace_, &Workspace::setGuessing);
+    connect(workspace_, &Workspace::guessingChanged, guess, &QAction::setChecked);
     menu->addSeparator();
     auto* const pixel = addAction(menu, tr("&Go to pixel…"), QKeySequence(QStringLiteral("Ctrl+G")),
                                   tr("Choose a pixel by its coordinates"));
@@ -228,7 +251,14 @@ void MainWindow::showShortcuts() {
         {tr("Arrows in the result (with Shift: ten)"), tr("move the pixel")},
         {QStringLiteral(",   ."), tr("previous and next step")},
         {tr("Home   End"), tr("first and last step")},
-        {tr("Space"), tr("play the steps")},
+        {tr("Space"), tr("play the steps, until a breakpoint")},
+        {QStringLiteral("F10   Shift+F10"), tr("step over a level, and back")},
+        {QStringLiteral("F5   Shift+F5"), tr("run to the next breakpoint, and back")},
+        {QStringLiteral("F9"), tr("set a breakpoint at this texel")},
+        {QStringLiteral("Shift+E   Shift+S   Shift+O   Shift+D"),
+         tr("next pixel: largest error, most steps, overshoot, disagreement")},
+        {QStringLiteral("Ctrl+B   Ctrl+Shift+B"), tr("add a bookmark, go to the next one")},
+        {QStringLiteral("G"), tr("guess where the ray hits, by a click in the profile")},
         {QStringLiteral("1 – 9, 0"), tr("go to a pane")},
         {tr("Double click on a title"), tr("fill the window with the pane, and back")},
         {QStringLiteral("Ctrl+Z   Ctrl+Shift+Z"), tr("undo and redo")},

@@ -131,10 +131,14 @@ void StatusLine::refresh() {
 
 QString StatusLine::pixelText() const {
     const auto snapshot = workspace_->snapshot();
-    if (!snapshot || !snapshot->scenario.pixel) return tr("no pixel chosen");
+    if (!snapshot || (!snapshot->scenario.pixel && !snapshot->other)) return tr("no pixel chosen");
     const PixelTrace& trace = snapshot->trace;
     QString text = tr("pixel (%1, %2)").arg(trace.pixel.x).arg(trace.pixel.y) + QStringLiteral("     ");
+    if (trace.fromFile || snapshot->other) {
+        text = tr("ray %1 of the file").arg(snapshot->scenario.other.ray) + QStringLiteral("     ");
+    }
     if (!trace.onRelief) return text + tr("sky: no polygon here");
+    if (trace.hidden) return text + tr("hidden until somebody has guessed");
     if (trace.hit.outcome == relief::Outcome::Hit) {
         text += tr("hit at texel (%1, %2), λ %3")
                     .arg(trace.hit.s, 0, 'f', 2)

@@ -9,6 +9,8 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include "windows/breakpoint_bar.h"
+
 namespace reliefui {
 
 namespace {
@@ -40,6 +42,8 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
     button(QStringLiteral("◀"), tr("Previous step"), QStringLiteral(","), &StepBar::previous);
     button(QStringLiteral("▶"), tr("Next step"), QStringLiteral("."), &StepBar::next);
     button(QStringLiteral("▶|"), tr("Last step"), tr("End"), &StepBar::last);
+    button(QStringLiteral("↷"), tr("Step over what lies on finer levels"), QStringLiteral("F10"), &StepBar::over);
+    button(QStringLiteral("▶●"), tr("Run to the next breakpoint"), QStringLiteral("F5"), &StepBar::run);
     play_ = button(tr("Play"), tr("Play the steps"), tr("Space"), &StepBar::togglePlay);
     play_->setCheckable(true);
     speed_->setObjectName(QStringLiteral("play-speed"));
@@ -60,6 +64,8 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
     connect(slider_, &QSlider::valueChanged, workspace_, &Workspace::chooseStep);
     connect(workspace_, &Workspace::snapshotChanged, this, &StepBar::refresh);
     connect(workspace_, &Workspace::stepChanged, this, &StepBar::refresh);
+    connect(workspace_, &Workspace::scenarioChanged, this, &StepBar::refresh);
+    connect(workspace_, &Workspace::notesChanged, this, &StepBar::refresh);
     refresh();
 }
 
@@ -88,6 +94,48 @@ void StepBar::last() {
     workspace_->chooseStep(count() - 1);
 }
 
+void StepBar::over() {
+    if (count() > 0) workspace_->chooseStep(levelStep(true));
+}
+
+void StepBar::overBack() {
+    if (count() > 0) workspace_->chooseStep(levelStep(false));
+}
+
+int StepBar::levelStep(bool forward) const {
+    const auto& steps = workspace_->snapshot()->trace.steps;
+    return static_cast<int>(relief::stepOver(steps, static_cast<std::size_t>(step()), forward));
+}
+
+void StepBar::run() {
+    runTo(true);
+}
+
+void StepBar::runBack() {
+    runTo(false);
+}
+
+// Without a breakpoint on the way: to the end.
+void StepBar::runTo(bool forward) {
+    if (count() == 0) return;
+    const auto stop = relief::nextStop(workspace_->scenario().breakpoints, workspace_->snapshot()->trace.stopped(),
+                                       static_cast<std::size_t>(step()), forward);
+    const int end = forward ? count() - 1 : 0;
+    workspace_->chooseStep(stop ? static_cast<int>(*stop) : end);
+}
+
+// The breakpoints at which the chosen step stands, those that are on.
+QString StepBar::stopsHere() const {
+    QStringList names;
+    if (count() == 0) return {};
+    const relief::StoppedRay ray = workspace_->snapshot()->trace.stopped();
+    for (const relief::Breakpoint& breakpoint : workspace_->scenario().breakpoints) {
+        if (!breakpoint.on || !relief::stopsAt(breakpoint, ray, static_cast<std::size_t>(step()))) continue;
+        names << breakpointText(breakpoint, workspace_->style().language);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
 void StepBar::togglePlay() {
     const bool play = !timer_.isActive() && count() > 1;
     if (play && step() + 1 >= count()) first();
@@ -97,7 +145,8 @@ void StepBar::togglePlay() {
 
 void StepBar::advance() {
     if (step() + 1 < count()) next();
-    if (step() + 1 >= count() && timer_.isActive()) togglePlay();
+    const bool stop = step() + 1 >= count() || !stopsHere().isEmpty();
+    if (stop && timer_.isActive()) togglePlay();
 }
 
 void StepBar::refresh() {
@@ -105,7 +154,14 @@ void StepBar::refresh() {
     slider_->setEnabled(count() > 1);
     slider_->setRange(0, std::max(0, count() - 1));
     slider_->setValue(step());
-    label_->setText(count() > 0 ? tr("step %1 of %2").arg(step() + 1).arg(count()) : tr("no ray"));
+    if (count() == 0) {
+        label_->setText(workspace_->guessing() ? tr("hidden until somebody has guessed") : tr("no ray"));
+        return;
+    }
+    const QString stops = stopsHere();
+    QString text = tr("step %1 of %2").arg(step() + 1).arg(count());
+    if (!stops.isEmpty()) text += QStringLiteral("  ● ") + stops;
+    label_->setText(text);
 }
 
 }  // namespace reliefui

@@ -23,6 +23,13 @@ class StepBar : public QWidget {
     void previous();
     void next();
     void last();
+    // Over what lies on finer levels than the chosen step.
+    void over();
+    void overBack();
+    // To the next breakpoint, or the one before; to the end of the ray where there is none.
+    void run();
+    void runBack();
+    // Until the ray's end or a breakpoint.
     void togglePlay();
 
   private:
@@ -30,6 +37,9 @@ class StepBar : public QWidget {
     int step() const;
     void refresh();
     void advance();
+    int levelStep(bool forward) const;
+    void runTo(bool forward);
+    QString stopsHere() const;
 
     Workspace* workspace_;
     QSlider* slider_;

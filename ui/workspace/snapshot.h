@@ -15,19 +15,9 @@
 #include "scenario/scenario.h"
 #include "workspace/layers.h"
 #include "workspace/pixel_footprint.h"
+#include "workspace/pixel_trace.h"
 
 namespace reliefui {
-
-// The chosen pixel's ray as the production tracer logged it.
-struct PixelTrace {
-    relief::PixelChoice pixel;
-    bool onRelief = false;  // false: no polygon covers the pixel; the rest is empty then
-    relief::ViewRay ray;
-    relief::Hit hit;
-    std::vector<relief::Step> steps;
-    std::uint32_t reads = 0;
-    int baseLevel = 0;  // what the method traced instead of the heights, see Tracer::baseLevel
-};
 
 struct Snapshot {
     std::uint64_t version = 0;  // of the scenario
@@ -44,6 +34,8 @@ struct Snapshot {
     std::optional<relief::BoundedError> bounded;                   // of a full frame that skips within a bound
     std::shared_ptr<const PixelFootprint> footprint;               // of the pixel; null where it has no hit
     PixelTrace trace;                                              // in full-size pixels, also when coarse
+    std::shared_ptr<const PixelTrace> other;                       // of somebody else's tracer; null: no files are open
+    std::size_t otherRays = 0;                                     // that the files have
     std::shared_ptr<const relief::MaxPyramidMap> maxima;           // over the cells of the field
     // Over the texels; of large pictures only if they are shown.
     std::shared_ptr<const relief::Pyramid> means;

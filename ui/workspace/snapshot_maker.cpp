@@ -15,9 +15,9 @@ constexpr int kCoarsestFactor = 8;
 
 // Everything on which the frame's buffers depend.
 bool sameFrame(const relief::Scenario& a, const relief::Scenario& b) {
-    relief::Scenario c = b;
+    relief::Scenario c = relief::withNotesOf(b, a);
     c.pixel = a.pixel;
-    c.step = a.step;
+    c.other = a.other;
     return a == c;
 }
 
@@ -92,25 +92,11 @@ void SnapshotMaker::render(Size& size, const relief::Scenario& scenario, const r
     if (!supersampled(scenario)) learn(*size.frame, &size == &coarse_, lightOnly);
 }
 
-PixelTrace SnapshotMaker::trace(const relief::Scenario& scenario, const relief::Assets& assets,
-                                const relief::Tracer& tracer, relief::Work& work) const {
-    PixelTrace out;
-    if (!scenario.pixel) return out;
-    out.pixel = *scenario.pixel;
-    const auto ray = relief::pixelRay(relief::frameRequest(scenario, assets), out.pixel.x, out.pixel.y);
-    if (!ray) return out;
-    relief::RayBlock rays;
-    rays.push(*ray);
-    relief::HitBlock hits;
-    relief::StepLog log;
-    tracer.trace(rays, hits, log, work);
-    out.onRelief = true;
-    out.ray = *ray;
-    out.hit = hits[0];
-    out.steps = std::move(log.steps);
-    out.reads = log.reads.front();
-    out.baseLevel = tracer.baseLevel();
-    return out;
+const OtherFiles* SnapshotMaker::otherFiles(const relief::Scenario& scenario) {
+    if (!scenario.other) return nullptr;
+    const bool known = other_ && other_->from.rays == scenario.other.rays && other_->from.steps == scenario.other.steps;
+    if (!known) other_ = readOtherFiles(scenario.other);
+    return other_.get();
 }
 
 std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, relief::Work& work) {
@@ -137,7 +123,12 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     snapshot->tracer = size.renderer->tracer();
     snapshot->guarantee = size.renderer->tracer()->guarantee();
     snapshot->methodBytes = size.renderer->tracer()->bytes();
-    snapshot->trace = trace(scenario, snapshot->assets, *size.renderer->tracer(), work);
+    // In full-size pixels, also when the frame is coarse.
+    RayTraces traces = traceRay(scenario, relief::frameRequest(scenario, snapshot->assets), *size.renderer->tracer(),
+                                otherFiles(scenario), *maps_, work);
+    snapshot->trace = std::move(traces.shown);
+    snapshot->other = traces.other;
+    snapshot->otherRays = traces.otherRays;
     if (scenario.pixel) {
         const auto inFrame = [](int at, int side, int whole) { return std::clamp(at * side / whole, 0, side - 1); };
         const int x = inFrame(scenario.pixel->x, request->width, scenario.width);

@@ -47,11 +47,11 @@ class SnapshotMaker {
     void render(Size& size, const relief::Scenario& scenario, const relief::FrameRequest& request,
                 const relief::Assets& assets, relief::Work& work);
     void learn(const relief::Frame& frame, bool coarse, bool lightOnly);
-    PixelTrace trace(const relief::Scenario& scenario, const relief::Assets& assets, const relief::Tracer& tracer,
-                     relief::Work& work) const;
+    const OtherFiles* otherFiles(const relief::Scenario& scenario);
 
     relief::AssetStore store_;
     std::shared_ptr<relief::MapCache> maps_ = std::make_shared<relief::MapCache>();
+    std::shared_ptr<const OtherFiles> other_;  // that were read last
     Size full_;
     Size coarse_;
     FilteredPicture filtered_;

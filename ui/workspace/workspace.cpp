@@ -11,10 +11,9 @@ namespace reliefui {
 
 namespace {
 
-bool onlyStepDiffers(const relief::Scenario& a, const relief::Scenario& b) {
-    relief::Scenario c = b;
-    c.step = a.step;
-    return a == c;
+// Nothing has to be computed for it.
+bool onlyNotesDiffer(const relief::Scenario& a, const relief::Scenario& b) {
+    return a == relief::withNotesOf(b, a);
 }
 
 void clampPixel(relief::Scenario& scenario) {
@@ -81,18 +80,22 @@ void Workspace::change(const relief::Scenario& scenario, const QString& what, co
         worker_->cancelLoad();
     }
     // Who looks at the end of the ray goes on doing so when the ray changes.
-    if (snapshot_ && scenario_.step >= lastStep(*snapshot_)) toLastStep_ = true;
+    const bool atEnd = snapshot_ && scenario_.step >= lastStep(*snapshot_);
+    if (atEnd && !keepStep_ && !onlyNotesDiffer(wanted, scenario_)) toLastStep_ = true;
     past_.push({wanted, what, mergeKey});
     apply(wanted, live);
 }
 
 void Workspace::apply(const relief::Scenario& scenario, bool live) {
-    const bool stepOnly = onlyStepDiffers(scenario, scenario_) && version_ > 0;
+    const bool notesOnly = onlyNotesDiffer(scenario, scenario_) && version_ > 0;
     const bool agreed = goodVersion_ == version_;
+    const bool step = scenario.step != scenario_.step;
+    const bool notes = scenario.breakpoints != scenario_.breakpoints || scenario.bookmarks != scenario_.bookmarks;
     scenario_ = scenario;
-    if (stepOnly) {
+    if (notesOnly) {
         if (agreed) good_ = past_;
-        Q_EMIT stepChanged(scenario_.step);
+        if (step) Q_EMIT stepChanged(scenario_.step);
+        if (notes) Q_EMIT notesChanged();
         return;
     }
     version_ = ++lastVersion_;
@@ -122,13 +125,57 @@ void Workspace::choosePixel(int x, int y) {
 }
 
 void Workspace::chooseStep(int step) {
-    if (!snapshot_ || snapshot_->trace.steps.empty()) return;
+    if (!snapshot_ || snapshot_->trace.steps.empty() || guessing_) return;
     relief::Scenario wanted = scenario_;
     wanted.step = std::clamp(step, 0, lastStep(*snapshot_));
     if (wanted.step == scenario_.step) return;
     toLastStep_ = false;
     past_.push({wanted, tr("Choose step"), QStringLiteral("step")});
     apply(wanted, false);
+}
+
+void Workspace::setBreakpoints(std::vector<relief::Breakpoint> breakpoints, const QString& what) {
+    relief::Scenario wanted = scenario_;
+    wanted.breakpoints = std::move(breakpoints);
+    change(wanted, what);
+}
+
+void Workspace::setBookmarks(std::vector<relief::Bookmark> bookmarks, const QString& what) {
+    relief::Scenario wanted = scenario_;
+    wanted.bookmarks = std::move(bookmarks);
+    change(wanted, what);
+}
+
+void Workspace::goTo(const relief::Bookmark& bookmark) {
+    relief::Scenario wanted = scenario_;
+    wanted.camera = bookmark.camera;
+    wanted.pixel = bookmark.pixel;
+    wanted.step = bookmark.step;
+    toLastStep_ = false;
+    keepStep_ = true;
+    change(wanted, tr("Go to %1").arg(QString::fromStdString(bookmark.name)));
+    keepStep_ = false;
+}
+
+void Workspace::setGuessing(bool on) {
+    if (on == guessing_) return;
+    guessing_ = on;
+    hideAnswer();
+    Q_EMIT guessingChanged(on);
+    Q_EMIT snapshotChanged();
+}
+
+void Workspace::hideAnswer() {
+    hidden_.reset();
+    if (!guessing_ || !snapshot_) return;
+    auto hidden = std::make_shared<Snapshot>(*snapshot_);
+    hidden->trace.steps.clear();
+    hidden->trace.hit = relief::Hit::none(relief::Outcome::Unset);
+    hidden->trace.judgement = {};
+    hidden->trace.hidden = true;
+    hidden->other.reset();
+    hidden->footprint.reset();
+    hidden_ = std::move(hidden);
 }
 
 void Workspace::setLayer(Layer layer) {
@@ -242,6 +289,7 @@ void Workspace::cancel() {
 void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     if (snapshot_ && snapshot->version < snapshot_->version) return;
     snapshot_ = std::move(snapshot);
+    hideAnswer();
     if (snapshot_->version == version_) {
         const int last = lastStep(*snapshot_);
         const int step = toLastStep_ ? last : std::clamp(scenario_.step, 0, last);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QObject>
 #include <QString>
@@ -36,7 +37,7 @@ class Workspace : public QObject {
     const relief::Scenario& scenario() const { return scenario_; }
     std::uint64_t version() const { return version_; }
     // The newest complete state; null before the first.
-    std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
+    std::shared_ptr<const Snapshot> snapshot() const { return guessing_ && hidden_ ? hidden_ : snapshot_; }
 
     // A new scenario value. Changes with the same non-empty mergeKey in a row (a drag) become one step of undo. While
     // `live`, a coarse picture is drawn first. An impossible value is refused with problem() and changes nothing.
@@ -47,6 +48,17 @@ class Workspace : public QObject {
     // undo history as well.
     void choosePixel(int x, int y);
     void chooseStep(int step);
+
+    // Where stepping stops, and pixels worth coming back to: entries of the undo history as well, nothing is rendered.
+    void setBreakpoints(std::vector<relief::Breakpoint> breakpoints, const QString& what);
+    void setBookmarks(std::vector<relief::Bookmark> bookmarks, const QString& what);
+    // Its camera, pixel and step.
+    void goTo(const relief::Bookmark& bookmark);
+
+    // While somebody guesses where the ray hits, snapshots come without its hit and its steps; not part of the
+    // scenario.
+    bool guessing() const { return guessing_; }
+    void setGuessing(bool on);
 
     // What the result view shows of the frame; not part of the scenario.
     Layer layer() const { return layer_; }
@@ -74,9 +86,11 @@ class Workspace : public QObject {
     void cancel();
 
   signals:
-    void scenarioChanged();                               // at once, before anything is computed
-    void snapshotChanged();                               // a new state is on screen
-    void stepChanged(int step);                           // only the chosen step changed
+    void scenarioChanged();      // at once, before anything is computed
+    void snapshotChanged();      // a new state is on screen
+    void stepChanged(int step);  // only the chosen step changed
+    void notesChanged();         // only breakpoints or bookmarks changed
+    void guessingChanged(bool on);
     void styleChanged();                                  // repaint
     void progress(const QString& what, double fraction);  // fraction < 0: done
     void problem(const QString& oneLine);                 // to be shown; nothing changed
@@ -101,6 +115,7 @@ class Workspace : public QObject {
     void accept(const Pending& pending);
     void apply(const relief::Scenario& scenario, bool live);
     void travel(Action action);
+    void hideAnswer();
     void takeSnapshot(std::shared_ptr<const Snapshot> snapshot);
     void fail(const RenderFailure& failure);
     void goBack();
@@ -111,9 +126,12 @@ class Workspace : public QObject {
     std::uint64_t version_ = 0;
     std::uint64_t lastVersion_ = 0;  // versions that turned out impossible are not given again
     bool toLastStep_ = false;        // the ray's last step becomes the chosen one when it is known
+    bool keepStep_ = false;          // what is being changed says which step is the chosen one
     std::shared_ptr<const Snapshot> snapshot_;
+    std::shared_ptr<const Snapshot> hidden_;  // the same while somebody guesses
     Layer layer_ = Layer::Color;
     relief::PyramidKind levels_ = relief::PyramidKind::Max;
+    bool guessing_ = false;
     Style style_;
     History past_;
     History good_;  // as it was when window and scenario last agreed

@@ -1,0 +1,268 @@
+// Pixels worth seeing, bookmarks, guesses, somebody else's tracer.
+#include <cmath>
+#include <fstream>
+
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTableView>
+#include <QTemporaryDir>
+
+#include "scenario/ray_files.h"
+#include "views/drawing_canvas.h"
+#include "views/profile_view.h"
+#include "views/step_table.h"
+#include "views/trace3d_view.h"
+#include "window_fixture.h"
+#include "windows/bookmarks.h"
+#include "windows/other_bar.h"
+#include "workspace/pixel_finder.h"
+
+namespace reliefui {
+
+namespace {
+
+relief::Scenario coarseLayers() {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"layers", {{"layers", "6"}}};
+    return scenario;
+}
+
+TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
+    openWindow(coarseLayers());
+    QSignalSpy said(window_->finder(), &PixelFinder::said);
+    const auto press = [&](Qt::Key key) {
+        QTest::keyClick(window_.get(), key, Qt::ShiftModifier);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->finder()->busy(); }, 20000));
+        waitForFull();
+    };
+    relief::Work work;
+    const relief::ErrorLayer errors =
+        relief::errorAgainstExact(*snapshot()->frame, *snapshot()->request, *snapshot()->maps, work);
+    press(Qt::Key_E);
+    const auto& found = window_->finder()->found();
+    ASSERT_GT(found.size(), 1U);
+    EXPECT_EQ(found.front().value, static_cast<float>(errors.largest));
+    EXPECT_EQ(scenario().pixel, (relief::PixelChoice{found[0].x, found[0].y}));
+    EXPECT_NEAR(snapshot()->trace.judgement.texels, errors.largest, 1e-5 * errors.largest);
+    press(Qt::Key_E);
+    EXPECT_EQ(scenario().pixel, (relief::PixelChoice{found[1].x, found[1].y})) << "again: the next";
+    press(Qt::Key_O);
+    EXPECT_TRUE(snapshot()->trace.judgement.overshoot);
+    press(Qt::Key_S);
+    EXPECT_EQ(window_->finder()->found().front().value, static_cast<double>(snapshot()->trace.steps.size()));
+    press(Qt::Key_D);
+    EXPECT_GT(window_->finder()->found().front().value, 0);
+    EXPECT_TRUE(said.last().first().toString().contains(QStringLiteral("exact")));
+    // Each is a step of undo of its own.
+    const auto here = scenario().pixel;
+    workspace_->undo();
+    EXPECT_NE(scenario().pixel, here);
+    // An exact method has none.
+    relief::Scenario exact = scenario();
+    exact.method = {"max-pyramid", {}};
+    workspace_->change(exact, QStringLiteral("test"));
+    waitForFull();
+    press(Qt::Key_E);
+    EXPECT_TRUE(window_->finder()->found().empty());
+}
+
+TEST_F(WindowTest, BookmarksKeepPixelCameraAndStep) {
+    openWindow(smallScenario());
+    workspace_->chooseStep(2);
+    const relief::Scenario marked = scenario();
+    const QImage picture = snapshot()->picture;
+    QTest::keyClick(window_.get(), Qt::Key_B, Qt::ControlModifier);
+    ASSERT_EQ(scenario().bookmarks.size(), 1U);
+    relief::Scenario elsewhere = scenario();
+    elsewhere.camera.azimuth += 25;
+    elsewhere.pixel = relief::PixelChoice{20, 100};
+    workspace_->change(elsewhere, QStringLiteral("test"));
+    waitForFull();
+    EXPECT_NE(snapshot()->picture, picture);
+    QTest::keyClick(window_.get(), Qt::Key_B, Qt::ControlModifier);
+    ASSERT_EQ(scenario().bookmarks.size(), 2U);
+    EXPECT_NE(scenario().bookmarks[0].name, scenario().bookmarks[1].name);
+    QTest::keyClick(window_.get(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+    waitForFull();
+    EXPECT_EQ(scenario().camera, marked.camera);
+    EXPECT_EQ(scenario().pixel, marked.pixel);
+    EXPECT_EQ(scenario().step, 2) << "not the ray's last step";
+    EXPECT_EQ(snapshot()->picture, picture) << "the same bits";
+    // The list names and removes; undo brings back.
+    BookmarkDialog dialog(workspace_.get());
+    ASSERT_EQ(dialog.list()->count(), 2);
+    dialog.list()->setCurrentRow(0);
+    dialog.list()->item(0)->setText(QString::fromUtf8("шпиль"));
+    EXPECT_EQ(scenario().bookmarks[0].name, std::string("шпиль"));
+    const relief::Scenario named = scenario();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("marks.json"));
+    workspace_->save(path);
+    dialog.list()->setCurrentRow(0);
+    dialog.remove();
+    EXPECT_EQ(scenario().bookmarks.size(), 1U);
+    workspace_->undo();
+    EXPECT_EQ(scenario(), named);
+    workspace_->undo();
+    workspace_->open(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == named; }, 5000));
+    waitForFull();
+    // The menu offers them.
+    window_->bookmarks()->fill();
+    bool offered = false;
+    for (QAction* const action : window_->findChildren<QAction*>()) {
+        offered = offered || action->text().contains(QString::fromUtf8("шпиль"));
+    }
+    EXPECT_TRUE(offered);
+}
+
+TEST_F(WindowTest, WhoGuessesSeesNoAnswerUntilTheClick) {
+    openWindow(smallScenario());
+    const relief::Hit hit = snapshot()->trace.hit;
+    const std::size_t steps = snapshot()->trace.steps.size();
+    ASSERT_EQ(hit.outcome, relief::Outcome::Hit);
+    QTest::keyClick(window_.get(), Qt::Key_6);
+    QTest::qWait(200);
+    const int step = scenario().step;
+    QTest::keyClick(window_.get(), Qt::Key_G);
+    EXPECT_TRUE(workspace_->guessing());
+    EXPECT_TRUE(snapshot()->trace.steps.empty());
+    EXPECT_NE(snapshot()->trace.hit.outcome, relief::Outcome::Hit);
+    EXPECT_EQ(window_->steps()->table()->model()->rowCount(), 0);
+    const auto* const status = window_->findChild<QLabel*>(QStringLiteral("status-pixel"));
+    EXPECT_FALSE(status->text().contains(QString::number(hit.lambda, 'f', 3)));
+    workspace_->chooseStep(0);
+    EXPECT_EQ(scenario().step, step);
+    ProfileView* const profile = window_->profile();
+    QTest::qWait(200);
+    // A click a third of the way before the hit.
+    const double guess = hit.lambda * 2 / 3;
+    const QPoint at = profile->canvas()->toWidget(profile->frame().onRay(guess)).toPoint();
+    QTest::mouseClick(profile->canvas(), Qt::LeftButton, Qt::NoModifier, at);
+    EXPECT_FALSE(workspace_->guessing());
+    EXPECT_EQ(snapshot()->trace.steps.size(), steps);
+    EXPECT_EQ(snapshot()->trace.hit.lambda, hit.lambda);
+    ASSERT_TRUE(profile->options().guess);
+    const double texel = profile->frame().run > 0 ? 1 / profile->frame().run : 0.01;
+    EXPECT_NEAR(*profile->options().guess, guess, texel) << "within what a pixel of the screen is";
+    // Another ray: nobody has guessed there.
+    workspace_->choosePixel(30, 100);
+    waitForFull();
+    QTest::qWait(100);
+    EXPECT_FALSE(profile->options().guess);
+}
+
+// What another program would have written: here our own method's steps.
+struct OtherFilesOnDisk {
+    QTemporaryDir folder;
+    QString rays = folder.filePath(QStringLiteral("rays.csv"));
+    QString steps = folder.filePath(QStringLiteral("steps.csv"));
+    std::vector<std::vector<relief::Step>> logs;
+
+    void write(const QString& path, const std::string& text) const {
+        std::ofstream(path.toStdString(), std::ios::binary) << text;
+    }
+    explicit OtherFilesOnDisk(const Snapshot& snapshot) {
+        relief::Work work;
+        relief::RayBlock block;
+        block.push(snapshot.trace.ray);
+        block.push({10.5, 20.25, 31, -7});
+        relief::HitBlock hits;
+        relief::StepLog log;
+        relief::makeTracer({"layers", {{"layers", "5"}}}, snapshot.request->field, *snapshot.maps, work)
+            ->trace(block, hits, log, work);
+        std::string rayText = std::string(relief::kRaysHeader) + "\n";
+        std::string stepText = std::string(relief::kStepsHeader) + "\n";
+        for (std::size_t r = 0; r < block.size(); ++r) {
+            for (const double value : {block[r].s0, block[r].t0, block[r].a, block[r].b}) {
+                rayText += relief::numberText(value, 17) + ",";
+            }
+            rayText.back() = '\n';
+            relief::appendStepLines(stepText, log, r, r);
+            const auto first = log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r]);
+            logs.emplace_back(first, log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r + 1]));
+        }
+        write(rays, rayText);
+        write(steps, stepText);
+    }
+};
+
+TEST_F(WindowTest, AnotherTracersStepsFillThePanes) {
+    openWindow(smallScenario());
+    const relief::Scenario before = scenario();
+    const std::vector<relief::Step> own = snapshot()->trace.steps;
+    const OtherFilesOnDisk files(*snapshot());
+    EXPECT_FALSE(window_->other()->isVisible());
+    window_->other()->open(files.rays, files.steps);
+    waitForFull();
+    ASSERT_TRUE(snapshot()->other);
+    EXPECT_EQ(snapshot()->trace.steps, files.logs[0]);
+    EXPECT_TRUE(snapshot()->trace.fromFile);
+    EXPECT_TRUE(window_->other()->isVisible());
+    EXPECT_EQ(window_->steps()->table()->model()->rowCount(), static_cast<int>(files.logs[0].size()));
+    EXPECT_EQ(snapshot()->trace.hit.lambda, files.logs[0].back().lambdaAfter);
+    EXPECT_GT(colorsIn(grab(window_->trace())), 50);
+    // The next ray of the file, then our own steps on it.
+    window_->other()->findChild<QSpinBox*>(QStringLiteral("other-ray"))->setValue(1);
+    waitForFull();
+    EXPECT_EQ(snapshot()->trace.steps, files.logs[1]);
+    EXPECT_EQ(snapshot()->trace.ray, (relief::ViewRay{10.5, 20.25, 31, -7}));
+    relief::Scenario ours = scenario();
+    ours.other.shown = false;
+    workspace_->change(ours, QStringLiteral("test"));
+    waitForFull();
+    EXPECT_FALSE(snapshot()->trace.fromFile);
+    EXPECT_EQ(snapshot()->trace.ray, (relief::ViewRay{10.5, 20.25, 31, -7}));
+    EXPECT_EQ(snapshot()->other->steps, files.logs[1]);
+    // Saved, opened, undone.
+    const QString path = files.folder.filePath(QStringLiteral("other.json"));
+    const relief::Scenario set = scenario();
+    workspace_->save(path);
+    while (workspace_->canUndo()) workspace_->undo();
+    waitForFull();
+    EXPECT_EQ(scenario(), before);
+    EXPECT_EQ(snapshot()->trace.steps, own);
+    EXPECT_FALSE(window_->other()->isVisible());
+    workspace_->open(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == set; }, 5000));
+    waitForFull();
+    EXPECT_EQ(snapshot()->other->steps, files.logs[1]);
+}
+
+TEST_F(WindowTest, BadStepsOfAnotherTracerAreRefusedWithTheLine) {
+    openWindow(smallScenario());
+    const relief::Scenario before = scenario();
+    const std::vector<relief::Step> own = snapshot()->trace.steps;
+    const OtherFilesOnDisk files(*snapshot());
+    QSignalSpy problems(workspace_.get(), &Workspace::problem);
+    const auto refused = [&](const QString& rays, const QString& steps) {
+        problems.clear();
+        window_->other()->open(rays, steps);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !problems.empty(); }, 5000));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !workspace_->busy(); }, 5000));
+        EXPECT_EQ(scenario(), before);
+        EXPECT_EQ(snapshot()->trace.steps, own);
+        return problems.empty() ? QString() : problems.first().first().toString();
+    };
+    const QString broken = files.folder.filePath(QStringLiteral("broken.csv"));
+    files.write(broken, std::string(relief::kStepsHeader) + "\n0,1,search,0,0,0,0,0,oops,1,1,0,start,0\n");
+    QString text = refused(files.rays, broken);
+    EXPECT_TRUE(text.contains(QStringLiteral("broken.csv"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("2"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("oops"))) << text.toStdString();
+    text = refused(files.steps, files.steps);
+    EXPECT_TRUE(text.contains(QStringLiteral("s0,t0,a,b"))) << text.toStdString();
+    text = refused(files.folder.filePath(QStringLiteral("none.csv")), files.steps);
+    EXPECT_TRUE(text.contains(QStringLiteral("none.csv"))) << text.toStdString();
+    // A texel that this picture has not.
+    files.write(broken, std::string(relief::kStepsHeader) + "\n0,1,search,0,900,0,0,0,0.5,1,0.5,0,test,0.5\n");
+    text = refused(files.rays, broken);
+    EXPECT_TRUE(text.contains(QStringLiteral("900"))) << text.toStdString();
+}
+
+}  // namespace
+
+}  // namespace reliefui

@@ -1,0 +1,183 @@
+#include "windows/breakpoint_bar.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <QToolButton>
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kFarthestTexel = 1 << 30;
+constexpr double kHeightStep = 0.05;
+
+}  // namespace
+
+QString breakpointText(const relief::Breakpoint& breakpoint, relief::Language language) {
+    return QString::fromStdString(relief::sentence(relief::breakpointTitle(breakpoint), language));
+}
+
+BreakpointBar::BreakpointBar(Workspace* workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), row_(new QHBoxLayout(this)), kind_(new QComboBox(this)) {
+    row_->setContentsMargins(6, 0, 6, 2);
+    row_->addWidget(new QLabel(tr("stop when"), this));
+    kind_->setObjectName(QStringLiteral("breakpoint-kind"));
+    kind_->setAccessibleName(tr("Where stepping stops"));
+    kind_->setToolTip(tr("Playing and running stop at the step at which this begins to hold"));
+    kind_->addItems({tr("level below"), tr("texel"), tr("ray below"), tr("overshoot"), tr("disagreement with exact")});
+    row_->addWidget(kind_);
+    level_ =
+        addNumber("breakpoint-level", tr("level "), tr("Level of the pyramid, 0 the finest"), 0, relief::kMostLevels);
+    i_ = addNumber("breakpoint-i", QStringLiteral("i "), tr("Column of the texel"), -kFarthestTexel, kFarthestTexel);
+    j_ = addNumber("breakpoint-j", QStringLiteral("j "), tr("Row of the texel"), -kFarthestTexel, kFarthestTexel);
+    height_ = new QDoubleSpinBox(this);
+    height_->setObjectName(QStringLiteral("breakpoint-height"));
+    height_->setAccessibleName(tr("Height of the ray, 1 the top of the slab"));
+    height_->setToolTip(height_->accessibleName());
+    height_->setRange(0, 1);
+    height_->setSingleStep(kHeightStep);
+    row_->addWidget(height_);
+    auto* const plus = new QToolButton(this);
+    plus->setObjectName(QStringLiteral("breakpoint-add"));
+    plus->setText(QStringLiteral("+"));
+    plus->setAutoRaise(true);
+    plus->setAccessibleName(tr("Add the breakpoint"));
+    plus->setToolTip(tr("Add the breakpoint; F9 sets one at the texel of the chosen step"));
+    row_->addWidget(plus);
+    chips_ = new QWidget(this);
+    row_->addWidget(chips_, 1);
+    const relief::Breakpoint standard;
+    level_->setValue(standard.level);
+    height_->setValue(standard.height);
+    connect(plus, &QToolButton::clicked, this, &BreakpointBar::add);
+    connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, &BreakpointBar::showFields);
+    connect(workspace_, &Workspace::scenarioChanged, this, &BreakpointBar::refresh);
+    connect(workspace_, &Workspace::notesChanged, this, &BreakpointBar::refresh);
+    connect(workspace_, &Workspace::styleChanged, this, [this] {
+        shown_.clear();
+        refresh();
+    });
+    showFields();
+    refresh();
+}
+
+QSpinBox* BreakpointBar::addNumber(const char* name, const QString& prefix, const QString& help, int low, int high) {
+    auto* const box = new QSpinBox(this);
+    box->setObjectName(QLatin1String(name));
+    box->setRange(low, high);
+    box->setPrefix(prefix);
+    box->setAccessibleName(help);
+    box->setToolTip(help);
+    row_->addWidget(box);
+    return box;
+}
+
+void BreakpointBar::showFields() {
+    const auto kind = static_cast<relief::StopKind>(kind_->currentIndex());
+    const bool texel = kind == relief::StopKind::Texel;
+    level_->setVisible(texel || kind == relief::StopKind::LevelBelow);
+    i_->setVisible(texel);
+    j_->setVisible(texel);
+    height_->setVisible(kind == relief::StopKind::RayBelow);
+    const auto snapshot = workspace_->snapshot();
+    if (!texel || !snapshot || snapshot->trace.steps.empty()) return;
+    // Where the ray is now: what a person means most of the time.
+    const auto& steps = snapshot->trace.steps;
+    const int last = static_cast<int>(steps.size()) - 1;
+    const relief::Step& step = steps[static_cast<std::size_t>(std::clamp(workspace_->scenario().step, 0, last))];
+    level_->setValue(step.level);
+    i_->setValue(static_cast<int>(step.i));
+    j_->setValue(static_cast<int>(step.j));
+}
+
+relief::Breakpoint BreakpointBar::edited() const {
+    relief::Breakpoint breakpoint;
+    breakpoint.kind = static_cast<relief::StopKind>(kind_->currentIndex());
+    using relief::StopKind;
+    if (breakpoint.kind == StopKind::LevelBelow || breakpoint.kind == StopKind::Texel) {
+        breakpoint.level = level_->value();
+    }
+    if (breakpoint.kind == StopKind::Texel) {
+        breakpoint.i = i_->value();
+        breakpoint.j = j_->value();
+    }
+    if (breakpoint.kind == StopKind::RayBelow) breakpoint.height = height_->value();
+    return breakpoint;
+}
+
+void BreakpointBar::add() {
+    std::vector<relief::Breakpoint> all = workspace_->scenario().breakpoints;
+    const relief::Breakpoint wanted = edited();
+    if (std::find(all.begin(), all.end(), wanted) != all.end()) return;
+    all.push_back(wanted);
+    workspace_->setBreakpoints(std::move(all), tr("Add breakpoint"));
+}
+
+void BreakpointBar::toggleHere() {
+    kind_->setCurrentIndex(static_cast<int>(relief::StopKind::Texel));
+    showFields();
+    const relief::Breakpoint here = edited();
+    const std::vector<relief::Breakpoint>& all = workspace_->scenario().breakpoints;
+    const auto found = std::find(all.begin(), all.end(), here);
+    if (found == all.end()) return add();
+    remove(static_cast<std::size_t>(found - all.begin()));
+}
+
+void BreakpointBar::remove(std::size_t number) {
+    std::vector<relief::Breakpoint> all = workspace_->scenario().breakpoints;
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(number));
+    workspace_->setBreakpoints(std::move(all), tr("Remove breakpoint"));
+}
+
+void BreakpointBar::setOn(std::size_t number, bool on) {
+    std::vector<relief::Breakpoint> all = workspace_->scenario().breakpoints;
+    all[number].on = on;
+    workspace_->setBreakpoints(std::move(all), tr("Set breakpoint on or off"));
+}
+
+void BreakpointBar::refresh() {
+    const std::vector<relief::Breakpoint>& now = workspace_->scenario().breakpoints;
+    if (now == shown_ && chips_->layout() != nullptr) return;
+    shown_ = now;
+    // A chip may be the one that was just clicked: it goes when its own event is over.
+    QWidget* const old = chips_;
+    chips_ = new QWidget(this);
+    row_->replaceWidget(old, chips_);
+    old->hide();
+    old->deleteLater();
+    auto* const row = new QHBoxLayout(chips_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    for (std::size_t n = 0; n < now.size(); ++n) addChip(n, now[n]);
+    row->addStretch(1);
+    chips_->show();
+}
+
+void BreakpointBar::addChip(std::size_t number, const relief::Breakpoint& breakpoint) {
+    const QString text = breakpointText(breakpoint, workspace_->style().language);
+    auto* const chip = new QToolButton(chips_);
+    chip->setObjectName(QStringLiteral("breakpoint-%1").arg(number));
+    chip->setCheckable(true);
+    chip->setChecked(breakpoint.on);
+    // The dot, not only the colour, says that it is on.
+    chip->setText((breakpoint.on ? QStringLiteral("● ") : QStringLiteral("○ ")) + text);
+    chip->setAccessibleName(text);
+    chip->setToolTip(breakpoint.on ? tr("Stops here; press to set it off") : tr("Is off; press to set it on"));
+    connect(chip, &QToolButton::toggled, this, [this, number](bool on) { setOn(number, on); });
+    chips_->layout()->addWidget(chip);
+    auto* const cross = new QToolButton(chips_);
+    cross->setObjectName(QStringLiteral("breakpoint-remove-%1").arg(number));
+    cross->setText(QStringLiteral("×"));
+    cross->setAutoRaise(true);
+    cross->setAccessibleName(tr("Remove the breakpoint: %1").arg(text));
+    cross->setToolTip(cross->accessibleName());
+    connect(cross, &QToolButton::clicked, this, [this, number] { remove(number); });
+    chips_->layout()->addWidget(cross);
+}
+
+}  // namespace reliefui

@@ -1,0 +1,71 @@
+// The main window's menus about rays: pixels worth seeing, bookmarks, somebody else's tracer.
+#include <QFileDialog>
+#include <QMenu>
+#include <QStatusBar>
+
+#include "windows/bookmarks.h"
+#include "windows/main_window.h"
+#include "windows/other_bar.h"
+#include "windows/status_line.h"
+#include "workspace/pixel_finder.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kMessageMs = 8000;
+constexpr const char* kExactTracer = "exact";
+
+}  // namespace
+
+void MainWindow::makeWorthMenu(QMenu* menu) {
+    finder_ = new PixelFinder(workspace_, this);
+    connect(finder_, &PixelFinder::said, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kMessageMs); });
+    QMenu* const worth = menu->addMenu(tr("Next pixel &worth seeing"));
+    const auto add = [&](const QString& text, const char* keys, const QString& help, relief::Worth kind) {
+        auto* const action = addAction(worth, text, QKeySequence(QLatin1String(keys)), help);
+        connect(action, &QAction::triggered, this, [this, kind] {
+            // Against the first method that is compared; alone, against the exact one.
+            finder_->next(kind, {kExactTracer, {}});
+        });
+    };
+    add(tr("Largest &error"), "Shift+E", tr("The pixel whose hit is farthest from the exact one; again: the next"),
+        relief::Worth::Error);
+    add(tr("Most &steps"), "Shift+S", tr("The pixel whose ray takes the most steps; again: the next"),
+        relief::Worth::Steps);
+    add(tr("&Overshoot"), "Shift+O", tr("The pixel whose ray goes farthest past the surface; again: the next"),
+        relief::Worth::Overshoot);
+    add(tr("&Disagreement"), "Shift+D", tr("The pixel where the compared methods are farthest apart; again: the next"),
+        relief::Worth::Disagreement);
+}
+
+void MainWindow::makeBookmarkMenu(QMenu* menu) {
+    QMenu* const marks = menu->addMenu(tr("Book&marks"));
+    auto* const here = addAction(marks, tr("&Add bookmark"), QKeySequence(QStringLiteral("Ctrl+B")),
+                                 tr("Keep this pixel, the camera and the step"));
+    auto* const next = addAction(marks, tr("&Next bookmark"), QKeySequence(QStringLiteral("Ctrl+Shift+B")),
+                                 tr("Go to the next bookmark"));
+    auto* const all = addAction(marks, tr("Na&mes…"), {}, tr("Name bookmarks, remove them"));
+    bookmarks_ = new BookmarkMenu(workspace_, marks, this);
+    connect(here, &QAction::triggered, bookmarks_, &BookmarkMenu::addHere);
+    connect(next, &QAction::triggered, bookmarks_, &BookmarkMenu::next);
+    connect(all, &QAction::triggered, this, &MainWindow::showBookmarks);
+}
+
+void MainWindow::showBookmarks() {
+    auto* const dialog = new BookmarkDialog(workspace_, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+void MainWindow::askOtherTracer() {
+    const QString rays = QFileDialog::getOpenFileName(this, tr("Rays of another tracer: s0,t0,a,b in texels"), {},
+                                                      tr("Rays (*.csv);;All files (*)"));
+    if (rays.isEmpty()) return;
+    const QString steps =
+        QFileDialog::getOpenFileName(this, tr("Its steps on them"), rays, tr("Steps (*.csv *.json);;All files (*)"));
+    if (!steps.isEmpty()) other_->open(rays, steps);
+}
+
+}  // namespace reliefui

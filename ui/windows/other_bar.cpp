@@ -1,0 +1,95 @@
+#include "windows/other_bar.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+
+namespace reliefui {
+
+OtherBar::OtherBar(Workspace* workspace, QWidget* parent)
+    : QWidget(parent),
+      workspace_(workspace),
+      file_(new QLabel(this)),
+      ray_(new QSpinBox(this)),
+      count_(new QLabel(this)),
+      whose_(new QComboBox(this)) {
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 0, 6, 2);
+    row->addWidget(file_);
+    ray_->setObjectName(QStringLiteral("other-ray"));
+    ray_->setPrefix(tr("ray "));
+    ray_->setAccessibleName(tr("Ray of the file"));
+    ray_->setToolTip(tr("Which ray of the file is looked at, counted from 0"));
+    row->addWidget(ray_);
+    row->addWidget(count_);
+    whose_->setObjectName(QStringLiteral("other-shown"));
+    whose_->setAccessibleName(tr("Whose steps are shown"));
+    whose_->setToolTip(tr("Whose steps all panes show; the duel sets both side by side"));
+    row->addWidget(whose_);
+    auto* const closer = new QToolButton(this);
+    closer->setObjectName(QStringLiteral("other-close"));
+    closer->setText(QStringLiteral("×"));
+    closer->setAutoRaise(true);
+    closer->setAccessibleName(tr("Close the other tracer's files"));
+    closer->setToolTip(closer->accessibleName());
+    row->addWidget(closer);
+    row->addStretch(1);
+    connect(closer, &QToolButton::clicked, this, &OtherBar::close);
+    connect(ray_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int ray) {
+        relief::OtherTracer other = workspace_->scenario().other;
+        other.ray = ray;
+        change(other, tr("Choose ray"));
+    });
+    connect(whose_, qOverload<int>(&QComboBox::activated), this, [this](int item) {
+        relief::OtherTracer other = workspace_->scenario().other;
+        other.shown = item == 0;
+        change(other, tr("Whose steps are shown"));
+    });
+    connect(workspace_, &Workspace::scenarioChanged, this, &OtherBar::refresh);
+    connect(workspace_, &Workspace::snapshotChanged, this, &OtherBar::refresh);
+    refresh();
+}
+
+void OtherBar::change(const relief::OtherTracer& other, const QString& what) {
+    relief::Scenario wanted = workspace_->scenario();
+    wanted.other = other;
+    workspace_->change(wanted, what);
+}
+
+void OtherBar::open(const QString& rays, const QString& steps) {
+    change(
+        {QFileInfo(rays).absoluteFilePath().toStdString(), QFileInfo(steps).absoluteFilePath().toStdString(), 0, true},
+        tr("Open another tracer's steps"));
+}
+
+void OtherBar::close() {
+    change({}, tr("Close another tracer's steps"));
+}
+
+void OtherBar::refresh() {
+    const relief::Scenario& scenario = workspace_->scenario();
+    const auto snapshot = workspace_->snapshot();
+    setVisible(static_cast<bool>(scenario.other));
+    if (!scenario.other) return;
+    const QSignalBlocker quietRay(ray_);
+    const QSignalBlocker quietWhose(whose_);
+    const int rays = snapshot ? static_cast<int>(snapshot->otherRays) : 0;
+    ray_->setRange(0, std::max(scenario.other.ray, rays - 1));
+    ray_->setValue(scenario.other.ray);
+    count_->setText(tr("of %1").arg(rays));
+    const QString name = QFileInfo(QString::fromStdString(scenario.other.steps)).fileName();
+    file_->setText(QFileInfo(QString::fromStdString(scenario.other.rays)).fileName());
+    file_->setToolTip(QString::fromStdString(scenario.other.rays + "\n" + scenario.other.steps));
+    whose_->clear();
+    whose_->addItem(tr("steps of %1").arg(name));
+    whose_->addItem(tr("steps of %1").arg(QString::fromStdString(scenario.method.name)));
+    whose_->setCurrentIndex(scenario.other.shown ? 0 : 1);
+}
+
+}  // namespace reliefui
