@@ -18,7 +18,8 @@ void addWords(Drawing& drawing, Point at, Message text, Anchor anchor, Point off
     label.anchor = anchor;
     label.offset = offset;
     label.size = size;
-    drawing.add({}, Role::Label, std::move(label), Emphasis::Strong);
+    label.plate = true;
+    drawing.add({}, Role::Background, std::move(label), Emphasis::Strong);
 }
 
 }  // namespace
@@ -46,9 +47,9 @@ void addGuess(Drawing& drawing, const ProfileSource& source, const ProfileOption
         // Above both, so that it is read beside the marks of the steps.
         const double y = std::max(seen.y0 + 26 / frame.zoom, std::min(at.y, there.y) - 34 / frame.zoom);
         for (const Point end : {at, there}) {
-            drawing.add({}, Role::Highlight, Polyline{{{end.x, y}, end}, false}, Emphasis::Normal);
+            drawing.add({}, Role::Highlight, Polyline{{{end.x, y}, end}, false}, Emphasis::Faint);
         }
-        drawing.add({}, Role::Highlight, Polyline{{{at.x, y}, {there.x, y}}, true}, Emphasis::Strong);
+        drawing.add({}, Role::Highlight, Polyline{{{at.x, y}, {there.x, y}}, true}, Emphasis::Normal);
         addWords(drawing, {(at.x + there.x) / 2, y},
                  Message(MessageId::DrawGuessAnswer, {{"texels", relief::numberText(error, 3)}}), Anchor::Bottom,
                  {0, -3}, kWords);

@@ -78,9 +78,6 @@ DrawingCanvas::DrawingCanvas(QWidget* parent) : QVTKOpenGLNativeWidget(parent), 
         ungrabGesture(gesture);
     }
     interactor()->SetInteractorStyle(nullptr);
-    redrawSoon_.setSingleShot(true);
-    redrawSoon_.setInterval(0);
-    connect(&redrawSoon_, &QTimer::timeout, this, &DrawingCanvas::paint);
     setStyle(style_);
 }
 

@@ -7,10 +7,9 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
-#include <QTimer>
-
 #include "drawings/style.h"
 #include "drawings/view_map.h"
+#include "views/soon.h"
 
 namespace reliefui {
 
@@ -75,7 +74,7 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
     bool dragging_ = false;
     QPointF pressed_;
     QPointF last_;
-    QTimer redrawSoon_;
+    Soon redrawSoon_{this, [this] { paint(); }};
     struct Scene;
     std::unique_ptr<Scene> scene_;
 };

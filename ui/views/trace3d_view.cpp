@@ -97,11 +97,6 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     column->setSpacing(0);
     column->addLayout(bar);
     column->addWidget(widget_, 1);
-    renderSoon_.setSingleShot(true);
-    renderSoon_.setInterval(0);
-    connect(&renderSoon_, &QTimer::timeout, this, [this] {
-        if (widget_->isVisible() && widget_->isValid()) window_->Render();
-    });
     connect(workspace_, &Workspace::snapshotChanged, this, &Trace3dView::refresh);
     connect(workspace_, &Workspace::stepChanged, this, &Trace3dView::showStep);
     connect(workspace_, &Workspace::styleChanged, this, [this] {
@@ -212,8 +207,8 @@ void Trace3dView::refresh() {
     const auto snapshot = workspace_->snapshot();
     const Rgba ground = workspace_->style().background();
     renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
-    const bool same = shown_ && snapshot && shown_->version == snapshot->version && shown_->coarse == snapshot->coarse &&
-                      shown_->trace.hidden == snapshot->trace.hidden;
+    const bool same = shown_ && snapshot && shown_->version == snapshot->version &&
+                      shown_->coarse == snapshot->coarse && shown_->trace.hidden == snapshot->trace.hidden;
     if (same) return;
     shown_ = snapshot;
     renderer_->RemoveAllViewProps();
@@ -361,6 +356,10 @@ bool Trace3dView::eventFilter(QObject* watched, QEvent* event) {
         default:
             return QWidget::eventFilter(watched, event);
     }
+}
+
+void Trace3dView::renderNow() {
+    if (widget_->isVisible() && widget_->isValid()) window_->Render();
 }
 
 void Trace3dView::render() {

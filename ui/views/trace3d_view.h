@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <vtkSmartPointer.h>
-#include <QTimer>
 #include <QWidget>
 
+#include "views/soon.h"
 #include "views/trace3d_scene.h"
 #include "views/turntable.h"
 #include "workspace/workspace.h"
@@ -52,6 +52,7 @@ class Trace3dView : public QWidget {
     void placeTopLabel();
     bool handleMouse(QMouseEvent* event);
     void render();
+    void renderNow();
 
     Workspace* workspace_;
     QVTKOpenGLNativeWidget* widget_;
@@ -64,7 +65,7 @@ class Trace3dView : public QWidget {
     vtkSmartPointer<vtkTextActor> topLabel_;           // at the left corner of the slab's top
     Turntable camera_;
     QPointF last_;
-    QTimer renderSoon_;
+    Soon renderSoon_{this, [this] { renderNow(); }};
     bool placed_ = false;  // the camera has been put somewhere
     bool following_ = false;
     double exaggeration_ = 1;
