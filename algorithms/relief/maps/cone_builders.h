@@ -12,8 +12,9 @@ namespace relief {
 // 1024).
 inline constexpr double kConeSlack = 0.01;
 // kappa of every cell, all sectors; at least what is needed, at most 1 + slack times that. apex: A of each cell.
-// Branch and bound over the max pyramid, for blocks of cells first: a node is opened only if its maximum at the least
-// gap, and its plane (cone_planes.h), could steepen a slope. After Valasek & Ban 2022; planes and blocks are additions.
+// Near cells are all looked at, in lanes (cone_strip.h). Beyond, branch and bound over the max pyramid, for blocks of
+// cells first: a node is opened only if its maximum at the least gap, and its plane (cone_planes.h), could steepen a
+// slope. After Valasek & Ban 2022; the near cells, planes and blocks are additions.
 void conservativeCones(const HeightField& field, int sectors, double slack, std::vector<float>& apex,
                        std::vector<float>& slopes, Work& work);
 // The same between texel centres, without a guard: (h_q - h_p) / |q - p|.

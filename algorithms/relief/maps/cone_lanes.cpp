@@ -58,6 +58,47 @@ std::size_t above(const ConeNodes& nodes, float x, float y, float apex, float sl
     return found;
 }
 
+using DNear = hn::CappedTag<float, kNearPad / 2>;
+
+void apexes(const float* cells, std::ptrdiff_t stride, int n, float* out) {
+    const DNear d;
+    const auto lanes = static_cast<int>(hn::Lanes(d));
+    const auto across = [&](const float* from) {
+        return hn::Max(hn::Max(hn::LoadU(d, from - 1), hn::LoadU(d, from)), hn::LoadU(d, from + 1));
+    };
+    for (int i = 0; i < n; i += lanes) {
+        const float* from = cells + i;
+        hn::StoreU(hn::Max(hn::Max(across(from - stride), across(from)), across(from + stride)), d, out + i);
+    }
+}
+
+// Two vectors at once, for one waits for the other's maxima.
+void steepen(const NearRings& rings, const float* cells, const float* apex, int n, float steeper, float* slopes) {
+    const DNear d;
+    const auto lanes = static_cast<int>(hn::Lanes(d));
+    const std::ptrdiff_t* offsets = rings.offsets.data();
+    const auto by = hn::Set(d, steeper);
+    for (int i = 0; i < n; i += 2 * lanes) {
+        const float* first = cells + i;
+        const float* second = first + lanes;
+        const auto apexI = hn::LoadU(d, apex + i), apexK = hn::LoadU(d, apex + i + lanes);
+        auto slopeI = hn::Zero(d), slopeK = slopeI;
+        std::size_t at = 0;
+        for (std::size_t k = 0; k < rings.ends.size(); ++k) {
+            auto highI = hn::LoadU(d, first + offsets[at]), highK = hn::LoadU(d, second + offsets[at]);
+            while (++at < rings.ends[k]) {
+                highI = hn::Max(highI, hn::LoadU(d, first + offsets[at]));
+                highK = hn::Max(highK, hn::LoadU(d, second + offsets[at]));
+            }
+            const auto inverse = hn::Set(d, rings.inverseGaps[k]);
+            slopeI = hn::Max(slopeI, hn::Mul(hn::Sub(highI, apexI), inverse));
+            slopeK = hn::Max(slopeK, hn::Mul(hn::Sub(highK, apexK), inverse));
+        }
+        hn::StoreU(hn::Mul(slopeI, by), d, slopes + i);
+        hn::StoreU(hn::Mul(slopeK, by), d, slopes + i + lanes);
+    }
+}
+
 }  // namespace relief::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -65,6 +106,8 @@ HWY_AFTER_NAMESPACE();
 namespace relief {
 
 HWY_EXPORT(above);
+HWY_EXPORT(apexes);
+HWY_EXPORT(steepen);
 
 void ConeNodes::clear() {
     for (auto* column : {&middleX, &middleY, &halfX, &halfY, &highest, &value, &gradientX, &gradientY}) column->clear();
@@ -89,6 +132,15 @@ void ConeNodes::finish() {
 
 std::size_t nodesAbove(const ConeNodes& nodes, float x, float y, float apex, float slope, std::uint32_t* which) {
     return HWY_DYNAMIC_DISPATCH(above)(nodes, x, y, apex, slope, which);
+}
+
+void apexesAbove(const float* cells, std::ptrdiff_t stride, int n, float* out) {
+    HWY_DYNAMIC_DISPATCH(apexes)(cells, stride, n, out);
+}
+
+void steepenByRings(const NearRings& rings, const float* cells, const float* apexes, int n, float steeper,
+                    float* slopes) {
+    HWY_DYNAMIC_DISPATCH(steepen)(rings, cells, apexes, n, steeper, slopes);
 }
 
 }  // namespace relief

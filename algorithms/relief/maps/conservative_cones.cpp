@@ -7,26 +7,32 @@
 #include <cstdint>
 #include <limits>
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include "relief/maps/cone_builders.h"
 #include "relief/maps/cone_lanes.h"
 #include "relief/maps/cone_scene.h"
+#include "relief/maps/cone_strip.h"
 
 namespace relief {
 
 namespace {
 
-constexpr int kBlock = 8;               // cells across
+constexpr int kBlock = kStripRows;      // cells across
 constexpr double kRounded = 1 - 1e-12;  // squares of doubles
 constexpr std::size_t kBlockCells = kBlock * kBlock;
-constexpr int kNear = 3;  // cells around a cell that are looked at first
-constexpr int kWindow = kBlock + 2 * kNear;
 
 // One block of cells; kept from one to the next of a row for what decided there.
 class BlockCones {
   public:
-    explicit BlockCones(const ConeScene& scene) : scene_(scene) {}
+    explicit BlockCones(const ConeScene& scene) : scene_(scene), strip_(scene) {}
+
+    // To the blocks of other rows. Nothing is kept from those before: which thread works on which does not matter.
+    void startRow(int y0) {
+        strip_.load(y0);
+        for (auto& seeds : seeds_) seeds.clear();
+    }
 
     void build(int x0, int y0, std::vector<float>& apex, std::vector<float>& slopes);
 
@@ -50,6 +56,7 @@ class BlockCones {
     void refine(std::size_t at, int sector);
     void open(std::size_t at, const ConeNodes::Place& node, int sector);
     void raise(std::size_t at, const ConeDecider& by, int sector);
+    bool isNear(const ConeCells& cells) const;
     ConeCells cellsOf(const ConeNodes::Place& node) const {
         return {(node.i << node.level) + node.shiftX, std::min((node.i + 1) << node.level, scene_.width) + node.shiftX,
                 (node.j << node.level) + node.shiftY,
@@ -79,8 +86,8 @@ class BlockCones {
     }
 
     const ConeScene& scene_;
+    ConeStrip strip_;
     ConeCells block_{};
-    std::array<float, kWindow * kWindow> window_{};  // the cells around; -1: none
     std::array<float, kBlockCells> apex_{};
     std::array<double, kBlockCells> slope_{};  // attained by a cell, or the guard
     std::array<ConeDecider, kBlockCells> decider_{};
@@ -93,73 +100,30 @@ class BlockCones {
 
 void BlockCones::start(int x0, int y0) {
     block_ = {x0, std::min(x0 + kBlock, scene_.width), y0, std::min(y0 + kBlock, scene_.height)};
-    const auto places = [](const GridAxis& axis, int from) {
-        std::array<int, kWindow> all{};
-        for (int n = 0; n < kWindow; ++n) {
-            const int k = from - kNear + n;
-            all[static_cast<std::size_t>(n)] =
-                axis.wraps || (k >= 0 && k < axis.cells) ? ConeScene::place(axis, k) : -1;
-        }
-        return all;
-    };
-    const auto xs = places(scene_.grid.x, x0);
-    const auto ys = places(scene_.grid.y, y0);
-    auto* to = window_.data();
-    for (const int y : ys) {
-        for (const int x : xs) *to++ = x < 0 || y < 0 ? -1.0F : scene_.cells(x, y);
-    }
-    std::array<float, kWindow * kBlock> across{};
-    for (int y = 0; y < kWindow; ++y) {
-        for (int x = 0; x < kBlock; ++x) {
-            const float* cell = window_.data() + y * kWindow + x + kNear;
-            across[static_cast<std::size_t>(y * kBlock + x)] = std::max({cell[-1], cell[0], cell[1]});
-        }
-    }
-    for (int n = 0; n < kBlock * kBlock; ++n) {
-        const float* cell = across.data() + n + kNear * kBlock;
-        apex_[static_cast<std::size_t>(n)] = std::max({cell[-kBlock], cell[0], cell[kBlock]});
-    }
+    overCells([&](std::size_t n) {
+        apex_[n] = strip_.apex(x0 + static_cast<int>(n % kBlock), static_cast<int>(n / kBlock));
+    });
 }
 
-// Lower bounds of the slopes: the guard, the cells next to the 3 x 3, and what decided the last block.
+// Lower bounds of the slopes: the guard, the near cells, and what decided the last block.
 void BlockCones::guess(int sector) {
-    std::array<float, kBlockCells> steepest{};
-    std::array<int, kBlockCells> by{};  // place in the window from the cell's own
-    for (int y = -kNear; y <= kNear; ++y) {
-        for (int x = -kNear; x <= kNear; ++x) {
-            const auto gap2 = static_cast<double>(squaredGap({0, 1, 0, 1}, {x, x + 1, y, y + 1}));
-            if (gap2 == 0 || gap2 >= scene_.squaredReach) continue;
-            if (!scene_.sectors.meets(sector, x - 1, x + 1, y - 1, y + 1)) continue;
-            const auto inverse = static_cast<float>(1 / std::sqrt(gap2));
-            const int offset = y * kWindow + x;
-            for (int row = 0; row < kBlock; ++row) {
-                const float* cells = window_.data() + (row + kNear) * kWindow + kNear + offset;
-                const float* apexes = apex_.data() + row * kBlock;
-                float* best = steepest.data() + row * kBlock;
-                int* from = by.data() + row * kBlock;
-                for (int n = 0; n < kBlock; ++n) {
-                    const float slope = (cells[n] - apexes[n]) * inverse;
-                    from[n] = slope > best[n] ? offset : from[n];
-                    best[n] = std::max(best[n], slope);
-                }
-            }
-        }
-    }
     overCells([&](std::size_t n) {
-        slope_[n] = (scene_.highest - static_cast<double>(apex_[n])) / scene_.reach;
+        const float near = strip_.slope(sector, block_.x0 + static_cast<int>(n % kBlock), static_cast<int>(n / kBlock));
+        slope_[n] =
+            std::max((scene_.highest - static_cast<double>(apex_[n])) / scene_.reach, static_cast<double>(near));
         decided_[n] = false;
-        if (by[n] != 0) {
-            const auto place = static_cast<std::size_t>((static_cast<int>(n) / kBlock + kNear) * kWindow +
-                                                        static_cast<int>(n) % kBlock + kNear + by[n]);
-            raise(n,
-                  {block_.x0 - kNear + static_cast<int>(place % kWindow),
-                   block_.y0 - kNear + static_cast<int>(place / kWindow), static_cast<double>(window_[place])},
-                  sector);
-        }
     });
     for (const ConeDecider& seed : seeds_[static_cast<std::size_t>(sector)]) {
         overCells([&](std::size_t n) { raise(n, seed, sector); });
     }
+}
+
+// Whether all cells of the block have looked at all of these.
+bool BlockCones::isNear(const ConeCells& cells) const {
+    // Clamp: the outermost cells are seen in more directions than the strip looks in.
+    if (scene_.unbounded && scene_.sectors.count() > 1) return false;
+    return cells.x0 >= block_.x1 - 1 - kNearCells && cells.x1 - 1 <= block_.x0 + kNearCells &&
+           cells.y0 >= block_.y1 - 1 - kNearCells && cells.y1 - 1 <= block_.y0 + kNearCells;
 }
 
 void BlockCones::raise(std::size_t at, const ConeDecider& by, int sector) {
@@ -239,11 +203,11 @@ void BlockCones::collect(int level, int i, int j, int shiftX, int shiftY, int se
     const ConeNodes::Place at{level, i, j, shiftX, shiftY};
     const ConeCells cells = cellsOf(at);
     const std::int64_t gap2 = squaredGap(block_, cells);
-    if (static_cast<double>(gap2) >= scene_.squaredReach || !matters(node, at, gap2) ||
+    if (isNear(cells) || static_cast<double>(gap2) >= scene_.squaredReach || !matters(node, at, gap2) ||
         !scene_.meets(block_, cells, sector))
         return;
     // Smaller nodes than this tell the block's cells no more.
-    constexpr std::int64_t kFine = 4;
+    constexpr std::int64_t kFine = 8;
     constexpr int kSmallest = 1;
     const std::int64_t size = kFine << level;
     if (level <= kSmallest || size * size <= gap2) {
@@ -347,9 +311,11 @@ void conservativeCones(const HeightField& field, int sectors, double slack, std:
     apex.resize(scene.cells.size());
     const int rows = (scene.height + kBlock - 1) / kBlock;
     work.progress().begin("map cone", rows);
+    tbb::enumerable_thread_specific<BlockCones> blocks([&] { return BlockCones(scene); });
     work.arena().execute([&] {
         tbb::parallel_for(0, rows, [&](int row) {
-            BlockCones block(scene);
+            BlockCones& block = blocks.local();
+            block.startRow(row * kBlock);
             for (int x = 0; x < scene.width && !work.stopped(); x += kBlock) block.build(x, row * kBlock, apex, slopes);
             work.progress().advance();
         });

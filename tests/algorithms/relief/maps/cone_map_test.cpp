@@ -8,6 +8,7 @@
 
 #include "brute_cells.h"
 #include "images/reliefs.h"
+#include "mapping/rows/row_lanes.h"
 #include "relief/maps/cone_builders.h"
 #include "relief/maps/distance_map.h"
 
@@ -95,7 +96,9 @@ TEST(ConservativeCones, AreTheSteepestOverAllOtherCells) {
             }
             // Long slopes, and nodes far off.
             for (const char* relief : {"hills", "fractal", "bricks"}) {
-                const HeightField field(share(makeRelief(relief, 67, 41, 3)), surface, address, 0.3);
+                const bool half = address == Address::Repeat;  // no farther than half a period is looked
+                const HeightField field(share(makeRelief(relief, half ? 62 : 67, half ? 60 : 41, 3)), surface, address,
+                                        0.3);
                 SCOPED_TRACE(describe(field));
                 expectTheSteepest(field);
             }
@@ -108,9 +111,10 @@ TEST(ConservativeCones, HoldNoPointOfTheSurface) {
     constexpr double kNearly = 0.05;  // of the slab, among so many points
     for (const Surface surface : allSurfaces()) {
         for (const Address address : allAddresses()) {
-            const HeightField field(walls(13, 10, 22), surface, address, 0.3);
-            const BruteCells cells(field);
-            for (const int sectors : {1, 4, 8}) {
+            for (const auto& [side, sectors] :
+                 std::vector<std::pair<int, int>>{{10, 1}, {10, 4}, {10, 8}, {80, 1}, {80, 4}, {80, 8}}) {
+                const HeightField field(walls(side + 3, side, 22), surface, address, 0.3);
+                const BruteCells cells(field);
                 SCOPED_TRACE(describe(field) + ", sectors " + std::to_string(sectors));
                 const ConeMap map = built(ConeKind::Conservative, sectors, field);
                 Random random(5);
@@ -122,7 +126,7 @@ TEST(ConservativeCones, HoldNoPointOfTheSurface) {
                     const double s = x + random.unit() - cells.shift;
                     const double t = y + random.unit() - cells.shift;
                     const double angle = 2 * std::numbers::pi * random.unit();
-                    const double way = 26 * random.unit() * random.unit();
+                    const double way = 2.6 * side * random.unit() * random.unit();
                     const double a = std::cos(angle) * way;
                     const double b = std::sin(angle) * way;
                     if (!cells.holds(s, t) || !cells.holds(s + a, t + b)) continue;
@@ -158,6 +162,25 @@ TEST(ConservativeCones, SectorsAreNoSteeperThanTheWhole) {
         }
     }
     EXPECT_LT(sum, 0.95 * sumWhole);
+}
+
+TEST(ConservativeCones, AreTheSameForAnyTargetAndThreads) {
+    for (const Address address : allAddresses()) {
+        const HeightField field(share(makeRelief("hills", 150, 70, 4)), Surface::Bilinear, address, 0.3);
+        ConeParameters parameters;
+        parameters.sectors = 4;
+        Work one(1);
+        const ConeMap expected = buildConeMap(ConeKind::Conservative, parameters, field, one);
+        for (const std::int64_t target : laneTargets()) {
+            SCOPED_TRACE(describe(field) + " " + laneTargetName(target));
+            forceLaneTarget(target);
+            Work work(3);
+            const ConeMap map = buildConeMap(ConeKind::Conservative, parameters, field, work);
+            forceLaneTarget(0);
+            EXPECT_TRUE(map.apex.codes() == expected.apex.codes());
+            EXPECT_TRUE(map.slopes.codes() == expected.slopes.codes());
+        }
+    }
 }
 
 TEST(DummersCones, AreTheSteepestOverAllTexelCentres) {

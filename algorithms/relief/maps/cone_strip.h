@@ -1,0 +1,43 @@
+// The cells of some rows and those around them, as cones see them at first: their apexes, and how steep the cells that
+// are near make them, every one looked at, in lanes.
+#pragma once
+
+#include <vector>
+
+#include "relief/maps/cone_lanes.h"
+#include "relief/maps/cone_scene.h"
+
+namespace relief {
+
+inline constexpr int kStripRows = 8;
+// Cells to each side, along both axes, that are looked at.
+inline constexpr int kNearCells = 24;
+
+class ConeStrip {
+  public:
+    explicit ConeStrip(const ConeScene& scene);
+
+    // Rows y0 to y0 + kStripRows - 1, as many as there are.
+    void load(int y0);
+
+    float apex(int x, int row) const { return apexes_[at(x, row)]; }
+    // At least what a near cell asks of the cone, at most kNearSteeper times that.
+    float slope(int sector, int x, int row) const { return slopes_[static_cast<std::size_t>(sector)][at(x, row)]; }
+    static constexpr float kNearSteeper = 1 + 3e-7F;
+
+  private:
+    std::size_t at(int x, int row) const {
+        return static_cast<std::size_t>(row) * width_ + static_cast<std::size_t>(x);
+    }
+
+    const ConeScene& scene_;
+    std::size_t width_;   // of a row of apexes and slopes: whole vectors
+    std::size_t stride_;  // of a row of cells
+    std::vector<int> columns_;
+    std::vector<float> cells_;  // -1: none
+    std::vector<float> apexes_;
+    std::vector<NearRings> rings_;  // of each sector
+    std::vector<std::vector<float>> slopes_;
+};
+
+}  // namespace relief
