@@ -90,6 +90,9 @@ class EllipticalKernel {
     const EllipticalSettings& settings() const { return settings_; }
     // From now on blocks and single pixels are filtered in lanes, where these serve.
     void setLanes(std::shared_ptr<const EllipticalLanes> lanes) { lanes_ = std::move(lanes); }
+    const std::shared_ptr<const ColorLevels>& sharedLevels() const { return levels_; }
+    // Null: the scalar text filters.
+    std::shared_ptr<const LaneLevels> laneLevels() const { return lanes_ ? lanes_->levels() : nullptr; }
     // Beyond the picture itself.
     std::size_t bytes() const {
         return levels_->bytes() - levels_->picture()->bytes() + table_.bytes() + map_.bytes() +

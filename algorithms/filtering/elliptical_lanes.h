@@ -28,6 +28,7 @@ class EllipticalLanes {
     static bool serves(const EllipticalSettings& settings);
 
     std::size_t bytes() const { return levels_->bytes(); }
+    const std::shared_ptr<const LaneLevels>& levels() const { return levels_; }
 
     // scale: texels of the picture per texel of the queries'. colors, left: of the block's length. A pixel with
     // left 1 was left out: its colour is not written. log: null but for a block of one pixel; takes its texels.

@@ -13,7 +13,7 @@
 //   position-area  times the projected area of the surface there, max(0, 1 + a h_s + b h_t)
 // The last two sum over the surface itself: where the relief under a texel is steep, so that its parts lie far apart in
 // the pixel, it is taken in parts, first the finer levels' texels, then parts of texels.
-// A fourth, rays, is another text: elliptical_rays.h.
+// Two more, rays and grid, are other texts: elliptical_rays.h, elliptical_grid.h.
 // All equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at the hit's height.
 // None visible: the colour at the hit.
 //
@@ -41,6 +41,7 @@ enum class VisibleForm : std::uint8_t { Plane, Position, PositionArea };
 struct VisibleOptions : EllipticalOptions {
     std::string form = "position-area";
     int samples = 16;
+    int points = 3;
 
     static std::vector<OptionField<VisibleOptions>> fields() {
         auto all = EllipticalOptions::fieldsOf<VisibleOptions>();
@@ -50,9 +51,9 @@ struct VisibleOptions : EllipticalOptions {
                         0,
                         1,
                         1,
-                        {"plane", "position", "position-area", "rays"},
+                        {"plane", "position", "position-area", "rays", "grid"},
                         "where in the pixel a texel counts: its place on the plane, its own, and with its area seen; "
-                        "or what rays through parts of the pixel see"},
+                        "or what rays through parts of the pixel see, of its own or on a grid that neighbours share"},
                        &VisibleOptions::form});
         all.push_back({{"samples",
                         OptionKind::Integer,
@@ -63,6 +64,15 @@ struct VisibleOptions : EllipticalOptions {
                         {},
                         "form=rays: through a pixel in which the relief is no plane"},
                        &VisibleOptions::samples});
+        all.push_back({{"points",
+                        OptionKind::Integer,
+                        "",
+                        2,
+                        16,
+                        1,
+                        {},
+                        "form=grid: looked at for each pixel where the relief is no plane"},
+                       &VisibleOptions::points});
         return all;
     }
 };

@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "filtering/pixel_view.h"
 #include "mapping/footprint.h"
 #include "relief/ray.h"
 
@@ -19,6 +20,10 @@ struct FilterQuery {
     // How much more the rays of pixels beside run (a, b) for each texel that they enter further on (s0, t0): 0 seen
     // from infinitely far, thickness / height of the eye above the plane else.
     double spread = 0;
+    // Which pixel of which view it is; null: of none, its rays are made of the Jacobian and the spread.
+    const PixelView* view = nullptr;
+    int x = 0, y = 0;
+    bool exact = false;  // place and lambda are the hit of the view's own ray, by an exact method
 };
 
 // The Jacobian in other texels, scale of them per texel of j's.
@@ -32,14 +37,21 @@ struct FilterBlock {
     std::vector<double> ux, vx, uy, vy;
     RayBlock rays;
     std::vector<double> lambda, spread;
+    std::vector<const PixelView*> view;
+    std::vector<int> x, y;
+    std::vector<std::uint8_t> exact;
 
     std::size_t size() const { return s.size(); }
     void resize(std::size_t count) {
         for (auto* column : {&s, &t, &ux, &vx, &uy, &vy, &lambda, &spread}) column->resize(count);
         rays.resize(count);
+        view.resize(count);
+        exact.resize(count);
+        for (auto* column : {&x, &y}) column->resize(count);
     }
     FilterQuery operator[](std::size_t i) const {
-        return {{s[i], t[i]}, {ux[i], vx[i], uy[i], vy[i]}, rays[i], lambda[i], spread[i]};
+        return {{s[i], t[i]}, {ux[i], vx[i], uy[i], vy[i]}, rays[i], lambda[i], spread[i], view[i], x[i], y[i],
+                exact[i] != 0};
     }
     void set(std::size_t i, const FilterQuery& query) {
         s[i] = query.place.x, t[i] = query.place.y;
@@ -48,6 +60,15 @@ struct FilterBlock {
         rays.set(i, query.ray);
         lambda[i] = query.lambda;
         spread[i] = query.spread;
+        view[i] = query.view;
+        x[i] = query.x, y[i] = query.y;
+        exact[i] = query.exact ? 1 : 0;
+    }
+    // What plain filtering reads of a query, and no more.
+    void place(std::size_t i, glm::dvec2 at, const Jacobian& j) {
+        s[i] = at.x, t[i] = at.y;
+        ux[i] = j.ux, vx[i] = j.vx;
+        uy[i] = j.uy, vy[i] = j.vy;
     }
     void push(const FilterQuery& query) {
         resize(size() + 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filtering/elliptical_grid.h"
 #include "filtering/elliptical_rays.h"
 #include "filtering/sampler.h"
 
@@ -114,9 +115,10 @@ class VisibleFilter final : public TextureFilter {
     glm::dvec2 scale_;
 };
 
+template <class Kernel>
 class RaysFilter final : public TextureFilter {
   public:
-    RaysFilter(const FilterDescription& description, const FilterTools& tools, RaysKernel kernel)
+    RaysFilter(const FilterDescription& description, const FilterTools& tools, Kernel kernel)
         : description_(description), kernel_(std::move(kernel)), scale_(pictureScale(*tools.picture, tools.field)) {}
 
     const FilterDescription& description() const override { return description_; }
@@ -134,7 +136,7 @@ class RaysFilter final : public TextureFilter {
 
   private:
     const FilterDescription& description_;
-    RaysKernel kernel_;
+    Kernel kernel_;
     glm::dvec2 scale_;
 };
 
@@ -265,10 +267,24 @@ std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, cons
         return std::make_unique<EllipticalFilter>(filter, ready, kernelOf(options));
     }
     const auto options = parseOptions<VisibleOptions>(filter.name, choice.options, kFilterSet);
-    if (options.form == kRaysForm && RaysKernel::serves(EllipticalSettings::of(options))) {
-        return std::make_unique<RaysFilter>(
+    const bool rays = RaysKernel::serves(EllipticalSettings::of(options));
+    const auto raysKernel = [&] {
+        return RaysKernel(kernelOf(options), makeTracer({"max-pyramid", {}}, tools.field, maps, work), options.samples);
+    };
+    if (options.form == kRaysForm && rays) {
+        return std::make_unique<RaysFilter<RaysKernel>>(filter, ready, raysKernel());
+    }
+    if (options.form == kGridForm && rays) {
+        std::shared_ptr<const ConeTwin> twin;
+        if (tools.field.heights().size() <= ConeTwin::kMostTexels) {
+            twin = std::make_shared<const ConeTwin>(tools.field, packedCones(tools.field, maps, work));
+        }
+        EllipticalKernel plain = kernelOf(options);
+        PointReader reader(plain.sharedLevels(), address, plain.laneLevels());
+        return std::make_unique<RaysFilter<GridKernel>>(
             filter, ready,
-            RaysKernel(kernelOf(options), makeTracer({"max-pyramid", {}}, tools.field, maps, work), options.samples));
+            GridKernel(std::move(plain), std::move(reader), raysKernel(),
+                       makeTracer({"max-pyramid", {}}, tools.field, maps, work), std::move(twin), options.points));
     }
     VisibleKernel kernel(kernelOf(options), parsedForm(options.form), tools.field,
                          makeAnyHit(sightChoice(tools.field), tools.field, maps, work),

@@ -14,6 +14,7 @@
 #include "measuring/quantiles.h"
 #include "measuring/random_rays.h"
 #include "rendering/supersample.h"
+#include "rendering/tile_worker.h"
 
 namespace relief {
 
@@ -66,6 +67,12 @@ std::vector<glm::ivec2> countedPixels(const Frame& frame) {
             if (all) pixels.emplace_back(x, y);
         }
     }
+    // As a frame's tiles have them.
+    const auto tile = [](glm::ivec2 p) { return glm::ivec2(p.x / kTileWidth, p.y / kTileHeight); };
+    std::stable_sort(pixels.begin(), pixels.end(), [&](glm::ivec2 p, glm::ivec2 q) {
+        const glm::ivec2 a = tile(p), b = tile(q);
+        return a.y != b.y ? a.y < b.y : a.x < b.x;
+    });
     return pixels;
 }
 

@@ -14,12 +14,27 @@ struct Split {
 
 Split split(double x, int size, Address address) {
     if (address == Address::Repeat) {
-        x = std::fmod(x, size);
+        // Within a period it is the remainder itself.
+        if (!(std::abs(x) < size)) x = std::fmod(x, size);
     } else {
         x = std::clamp(x, -1.0, size + 1.0);
     }
     const double whole = std::floor(x);
     return {static_cast<std::int64_t>(whole), x - whole};
+}
+
+// The four texels round a point of the bilinear surface.
+struct Corners {
+    double h00, h10, h01, h11;
+};
+
+Corners cornersAt(const HeightField& field, std::int64_t i, std::int64_t j) {
+    const FloatImage& heights = field.heights();
+    if (i >= 0 && j >= 0 && i + 1 < heights.width() && j + 1 < heights.height()) {
+        const float* at = &heights(static_cast<int>(i), static_cast<int>(j));
+        return {at[0], at[1], at[heights.width()], at[heights.width() + 1]};
+    }
+    return {field.texel(i, j), field.texel(i + 1, j), field.texel(i, j + 1), field.texel(i + 1, j + 1)};
 }
 
 }  // namespace
@@ -30,8 +45,9 @@ double HeightField::at(double s, double t) const {
     }
     const Split x = split(s - 0.5, width(), address_);
     const Split y = split(t - 0.5, height(), address_);
-    const double top = (1 - x.rest) * texel(x.index, y.index) + x.rest * texel(x.index + 1, y.index);
-    const double bottom = (1 - x.rest) * texel(x.index, y.index + 1) + x.rest * texel(x.index + 1, y.index + 1);
+    const auto [h00, h10, h01, h11] = cornersAt(*this, x.index, y.index);
+    const double top = (1 - x.rest) * h00 + x.rest * h10;
+    const double bottom = (1 - x.rest) * h01 + x.rest * h11;
     return (1 - y.rest) * top + y.rest * bottom;
 }
 
@@ -43,10 +59,7 @@ std::pair<double, double> HeightField::slope(double s, double t) const {
     }
     const Split x = split(s - 0.5, width(), address_);
     const Split y = split(t - 0.5, height(), address_);
-    const double h00 = texel(x.index, y.index);
-    const double h10 = texel(x.index + 1, y.index);
-    const double h01 = texel(x.index, y.index + 1);
-    const double h11 = texel(x.index + 1, y.index + 1);
+    const auto [h00, h10, h01, h11] = cornersAt(*this, x.index, y.index);
     return {(1 - y.rest) * (h10 - h00) + y.rest * (h11 - h01), (1 - x.rest) * (h01 - h00) + x.rest * (h11 - h10)};
 }
 

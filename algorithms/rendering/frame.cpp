@@ -151,6 +151,9 @@ std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& r
     query.ray = frame.rays->rays[i];
     query.lambda = hit.lambda;
     query.spread = polygon->runPerTexel;
+    query.view = polygon;
+    query.x = x, query.y = y;
+    query.exact = frame.exactHits && frame.hits->by[i] != HitBy::LittleParallax;
     query.place = lookUpPoint(request.field, query.ray, hit);
     // Of the plane at the hit's height: s = s0 + lambda (s0 - sEye) r, and t alike.
     const double scale = 1 + hit.lambda * polygon->runPerTexel;

@@ -25,7 +25,6 @@
 namespace relief {
 
 class ConeTwin;
-class ConeTwin;
 class FlatGround;
 struct FrameBuffers;
 struct HeightBoundsMap;
@@ -110,6 +109,7 @@ struct Frame {
     double colorPerTexel = 1;  // texels of the colour picture per texel of the heights, along the denser axis
     std::shared_ptr<const TextureFilter> filter;       // null: heights in grey, read at the hit
     std::shared_ptr<const TextureFilter> plainFilter;  // of tiny footprints; null: there are none
+    bool exactHits = false;  // by an exact method, of the heights themselves
     ShadingNormal shading = ShadingNormal::Relief;
     std::shared_ptr<const BakedNormals> bakedNormals;  // where the method shades by a normal map and none is given
     PinholeCamera camera;

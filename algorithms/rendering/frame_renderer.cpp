@@ -6,6 +6,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "filtering/elliptical_grid.h"
 #include "relief/lanes/cone_twin.h"
 #include "rendering/flat_ground.h"
 #include "rendering/supersample.h"
@@ -270,7 +271,7 @@ std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& 
     return ground->never() ? nullptr : std::move(ground);
 }
 
-// The max pyramid's hits by cones, as soon as these pay or are there for shadows anyway.
+// The max pyramid's hits by cones, as soon as these pay or are there for shadows or the filter anyway.
 std::unique_ptr<const ConeTwin> FrameRenderer::madeTwin(const FrameRequest& request, const Tracer& tracer, Work& work) {
     const std::shared_ptr<const FloatImage>& heights = request.field.sharedHeights();
     if (tracedOf_ != heights) traced_ = 0;
@@ -278,7 +279,9 @@ std::unique_ptr<const ConeTwin> FrameRenderer::madeTwin(const FrameRequest& requ
     traced_ += static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
     const bool apt = request.skip && tracer.pyramid() != nullptr && tracer.baseLevel() == 0 &&
                      tracer.guarantee() == Guarantee::Exact && heights->size() <= ConeTwin::kMostTexels;
-    const bool pays = request.shadows || traced_ > ConeTwin::kRaysPerTexel * heights->size();
+    const auto form = request.filter.options.find("form");
+    const bool there = request.shadows || (form != request.filter.options.end() && form->second == kGridForm);
+    const bool pays = there || traced_ > ConeTwin::kRaysPerTexel * heights->size();
     if (!apt || !pays) return nullptr;
     return std::make_unique<const ConeTwin>(request.field, packedCones(request.field, *maps_, work));
 }
@@ -310,6 +313,7 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     const bool newTracer = first || has(stale, Stage::Hits) || !tracer;
     if (newTracer) tracer = makeTracer(request.method, request.field, *maps_, work);
     frame->shading = tracer->description().shading;
+    frame->exactHits = tracer->guarantee() == Guarantee::Exact && tracer->baseLevel() == 0;
     if (frame->shading == ShadingNormal::NormalMap && !request.normals) {
         frame->bakedNormals = bakedNormals(request.field, *maps_, work);
     }

@@ -41,10 +41,7 @@ double inverseDepthPerQ(const VisiblePolygon& polygon, const ClipPolygon& clippe
 
 VisiblePolygon::Entry VisiblePolygon::entry(int x, int y) const {
     const TexelPoint texel = texelFromScreen.at(x + 0.5, y + 0.5);
-    // A centre on the very edge may be rounded out of the picture, where under border nothing is.
-    const double s0 = std::clamp(texel.s, 0.0, static_cast<double>(quad.width));
-    const double t0 = std::clamp(texel.t, 0.0, static_cast<double>(quad.height));
-    return {rayAt(s0, t0), static_cast<float>(texel.q * inverseDepthPerQ)};
+    return {ray(texel), static_cast<float>(texel.q * inverseDepthPerQ)};
 }
 
 PixelSpan VisiblePolygon::span(int y, int width) const {
@@ -72,6 +69,8 @@ VisiblePolygons visiblePolygons(const std::vector<TexturedQuad>& scene, const Pi
     for (std::size_t n = 0; n < scene.size(); ++n) {
         VisiblePolygon polygon;
         polygon.quad = scene[n];
+        polygon.width = scene[n].width;
+        polygon.height = scene[n].height;
         polygon.number = static_cast<std::uint8_t>(n);
         const TexturedPlane& plane = polygon.quad.plane;
         // A view in the plane itself would see a line: nothing to draw.

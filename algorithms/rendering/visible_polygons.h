@@ -5,26 +5,18 @@
 #include <optional>
 #include <vector>
 
+#include "filtering/pixel_view.h"
 #include "mapping/clipping.h"
-#include "relief/ray.h"
 #include "rendering/camera.h"
 #include "rendering/scene.h"
 
 namespace relief {
 
-// A view ray in slab coordinates comes from the eye at (sEye, tEye) and height above the top plane; where it enters at
-// (s0, t0), its run per unit of descent is (s0 - sEye, t0 - tEye) * thickness / height.
-struct VisiblePolygon {
+struct VisiblePolygon : PixelView {
     TexturedQuad quad;
-    std::uint8_t number = 0;  // in the scene
-    Homography texelFromScreen;
+    std::uint8_t number = 0;         // in the scene
     std::vector<glm::dvec2> screen;  // its visible part
-    double sEye = 0;
-    double tEye = 0;
-    double runPerTexel = 0;       // thickness / height of the eye above the plane
-    double inverseDepthPerQ = 0;  // 1 / camera depth = q * this
-
-    ViewRay rayAt(double s0, double t0) const { return {s0, t0, (s0 - sEye) * runPerTexel, (t0 - tEye) * runPerTexel}; }
+    double inverseDepthPerQ = 0;     // 1 / camera depth = q * this
 
     struct Entry {
         ViewRay ray;

@@ -1,0 +1,249 @@
+#include "filtering/point_reader.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "filtering/lane_job.h"
+
+// Vectors in arrays: not for the instruction sets without a fixed width.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "filtering/point_reader.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include "filtering/lane_texels-inl.h"
+
+#ifndef RELIEF_POINT_READER_ONCE
+#define RELIEF_POINT_READER_ONCE
+namespace relief {
+
+// Longest footprints, over their width: longer ones are widened.
+inline constexpr float kPointAnisotropy = 8;
+// Of the minor axis' variance, in texels of the level chosen, at least: half of what a bilinear tap itself blurs by.
+inline constexpr float kLeastOfLevel = 0.125F;
+// Variance of a bilinear tap between means of texels: 1/6 + 1/12.
+inline constexpr float kTapVariance = 0.25F;
+// Texels of the level between taps, at most, unless there would be more than kMostTaps.
+inline constexpr float kTapSpacing = 1.5F;
+
+}  // namespace relief
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+struct PointSums {
+    V red, green, blue;
+
+    HWY_INLINE void add(VU redGreen, VU blueOnly, V w) {
+        const DI d;
+        const VU low = hn::And(redGreen, hn::Set(DU(), 0xFFFFU));
+        red = hn::Add(red, hn::Mul(w, toFloat(hn::BitCast(d, low))));
+        green = hn::Add(green, hn::Mul(w, toFloat(hn::BitCast(d, hn::ShiftRight<16>(redGreen)))));
+        blue = hn::Add(blue, hn::Mul(w, toFloat(hn::BitCast(d, blueOnly))));
+    }
+};
+
+// As PointReader::taps, in texels of the level.
+struct TapLanes {
+    VI level, width, height, origin, stride;
+    VI cellS, cellT;
+    V restS, restT;  // from the cell's corner
+    V stepS, stepT;
+    V count;
+};
+
+HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
+                           std::uint8_t* HWY_RESTRICT left) {
+    const D d;
+    const DI di;
+    TapLanes f;
+    const V ux = hn::Load(d, chunk.ux + first), vx = hn::Load(d, chunk.vx + first);
+    const V uy = hn::Load(d, chunk.uy + first), vy = hn::Load(d, chunk.vy + first);
+    const V uu = hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy)), vv = hn::Add(hn::Mul(vx, vx), hn::Mul(vy, vy));
+    const V uv = hn::Add(hn::Mul(ux, vx), hn::Mul(uy, vy)), det = hn::Sub(hn::Mul(ux, vy), hn::Mul(uy, vx));
+    const V apart = hn::Sub(uu, vv), twice = hn::Add(uv, uv);
+    const V root = hn::Sqrt(hn::Add(hn::Mul(apart, apart), hn::Mul(twice, twice)));
+    const V largest = hn::Mul(set(0.5F), hn::Add(hn::Add(uu, vv), root));
+    const V least = hn::Div(hn::Mul(det, det), hn::Max(largest, set(kLeastSquare)));
+    // NaN fails.
+    const auto usual = hn::Le(largest, set(job.mostSquare));
+    const V minor = hn::Max(least, hn::Mul(largest, set(1 / (kPointAnisotropy * kPointAnisotropy))));
+    const V over = hn::Mul(minor, set(1 / kLeastOfLevel));
+    const VI exponent = hn::Sub(hn::ShiftRight<23>(hn::BitCast(di, over)), setI(127));
+    f.level = hn::Min(hn::Max(hn::ShiftRight<1>(exponent), setI(0)), setI(job.top));
+    f.level = hn::IfThenElseZero(hn::RebindMask(di, usual), f.level);
+    const LaneLevels& levels = *job.levels;
+    f.width = perLevel(levels.width, f.level);
+    f.height = perLevel(levels.height, f.level);
+    f.origin = perLevel(levels.origin, f.level);
+    f.stride = perLevel(levels.stride, f.level);
+    const V scale = hn::GatherIndex(d, job.scale.data(), f.level), zero = hn::Zero(d), one = set(1);
+    const V more = hn::Max(hn::Sub(hn::Mul(largest, hn::Mul(scale, scale)), set(kTapVariance)), zero);
+    const V length = hn::Sqrt(hn::Mul(set(12), more));
+    f.count = hn::Min(hn::Add(one, hn::Ceil(hn::Mul(length, set(1 / kTapSpacing)))), set(kMostTaps));
+    f.count = hn::IfThenElse(usual, f.count, one);
+    const V between = hn::Sqrt(hn::Max(hn::Sub(hn::Mul(f.count, f.count), one), one));
+    // The major axis' direction, by its row without cancellation.
+    const auto wide = hn::Ge(uu, vv);
+    const V alongS = hn::IfThenElse(wide, hn::Sub(largest, vv), uv), alongT = hn::IfThenElse(wide, uv, hn::Sub(largest, uu));
+    const V norm = hn::Sqrt(hn::Add(hn::Mul(alongS, alongS), hn::Mul(alongT, alongT)));
+    const auto several = hn::And(hn::Gt(f.count, one), hn::Gt(norm, zero));
+    const V step = hn::IfThenElseZero(several, hn::Div(length, hn::Mul(between, norm)));
+    f.stepS = hn::Mul(step, alongS);
+    f.stepT = hn::Mul(step, alongT);
+
+    const VI mask = hn::Sub(hn::Shl(setI(1), f.level), setI(1));
+    const auto split = [&](const std::int32_t* whole, const float* rest, VI& cell, V& within) HWY_ATTR {
+        const VI texel = hn::Load(di, whole + first);
+        cell = hn::Shr(texel, f.level);
+        within = hn::Mul(hn::Add(toFloat(hn::And(texel, mask)), hn::Load(d, rest + first)), scale);
+    };
+    split(chunk.wholeS, chunk.restS, f.cellS, f.restS);
+    split(chunk.wholeT, chunk.restT, f.cellT, f.restT);
+    // On levels with narrow last texels, only what keeps clear of them.
+    const V reach = hn::Add(hn::Mul(hn::Mul(set(0.5F), f.count), hn::Add(hn::Abs(f.stepS), hn::Abs(f.stepT))), one);
+    const auto inside = [&](V at, VI size) HWY_ATTR {
+        return hn::And(hn::Ge(at, reach), hn::Le(hn::Add(at, reach), hn::Sub(toFloat(size), one)));
+    };
+    const auto clear = hn::And(inside(hn::Add(toFloat(f.cellS), f.restS), f.width),
+                               inside(hn::Add(toFloat(f.cellT), f.restT), f.height));
+    const auto whole = hn::RebindMask(d, hn::Gt(perLevel(levels.whole, f.level), setI(0)));
+    const auto served =
+        hn::And(hn::And(usual, hn::Gt(hn::Load(d, chunk.valid + first), zero)), hn::Or(whole, clear));
+    f.count = hn::IfThenElseZero(served, f.count);
+    alignas(64) std::int32_t flags[kLanes];
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, served), setI(0), setI(1)), di, flags);
+    for (std::size_t k = 0; k < kLanes; ++k) left[k] = static_cast<std::uint8_t>(flags[k]);
+    return f;
+}
+
+HWY_INLINE void addTap(const LaneJob& job, const TapLanes& f, V offset, V weight, PointSums& sums) {
+    const DI di;
+    const bool repeat = job.levels->address == Address::Repeat;
+    const V s = hn::Sub(hn::Add(f.restS, hn::Mul(offset, f.stepS)), set(0.5F));
+    const V t = hn::Sub(hn::Add(f.restT, hn::Mul(offset, f.stepT)), set(0.5F));
+    const V floorS = hn::Floor(s), floorT = hn::Floor(t);
+    const V shareS = hn::Sub(s, floorS), shareT = hn::Sub(t, floorT);
+    VI column = hn::Add(f.cellS, toInt(floorS)), row = hn::Add(f.cellT, toInt(floorT));
+    VI next = hn::Add(row, setI(1));
+    if (repeat) {
+        const auto out = [&](VI i, VI size) HWY_ATTR { return hn::Or(hn::Lt(i, setI(0)), hn::Not(hn::Lt(i, size))); };
+        if (!hn::AllFalse(di, out(column, f.width))) column = wrapped(column, f.width);
+        if (!hn::AllFalse(di, hn::Or(out(row, f.height), out(next, f.height)))) {
+            row = wrapped(row, f.height);
+            next = wrapped(next, f.height);
+        }
+    } else {
+        column = hn::Max(hn::Min(column, f.width), setI(-1));
+        const VI last = hn::Sub(f.height, setI(1));
+        row = hn::Max(hn::Min(row, last), setI(0));
+        next = hn::Max(hn::Min(next, last), setI(0));
+    }
+    const V right = hn::Mul(weight, shareS), onLeft = hn::Sub(weight, right);
+    const V lowerRight = hn::Mul(right, shareT), lowerLeft = hn::Mul(onLeft, shareT);
+    alignas(64) std::int32_t at[kLanes];
+    const auto add = [&](VI in, V w0, V w1) HWY_ATTR {
+        hn::Store(hn::Add(hn::Add(f.origin, hn::Mul(in, f.stride)), column), di, at);
+        const Pair pair = loadPair(job.levels->texels.data(), at);
+        sums.add(pair.redGreen0, pair.blue0, w0);
+        sums.add(pair.redGreen1, pair.blue1, w1);
+    };
+    add(row, hn::Sub(onLeft, lowerLeft), hn::Sub(right, lowerRight));
+    add(next, lowerLeft, lowerRight);
+}
+
+void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, std::uint8_t* left,
+                Color* HWY_RESTRICT colors, FootprintCounts& counts) {
+    const D d;
+    const TapLanes f = tapsOf(job, chunk, first, left);
+    const V zero = hn::Zero(d), one = set(1);
+    PointSums sums{zero, zero, zero};
+    const float most = hn::GetLane(hn::MaxOfLanes(d, f.count));
+    const V middle = hn::Mul(set(0.5F), hn::Sub(f.count, one));
+    for (float n = 0; n < most; n += 1) {
+        const auto active = hn::Lt(set(n), f.count);
+        const V offset = hn::IfThenElseZero(active, hn::Sub(set(n), middle));
+        addTap(job, f, offset, hn::IfThenElseZero(active, one), sums);
+    }
+    const V per = hn::Mul(hn::Max(f.count, one), set(kLaneWhite));
+    alignas(64) float red[kLanes], green[kLanes], blue[kLanes], taps[kLanes];
+    hn::Store(hn::Div(sums.red, per), d, red);
+    hn::Store(hn::Div(sums.green, per), d, green);
+    hn::Store(hn::Div(sums.blue, per), d, blue);
+    hn::Store(f.count, d, taps);
+    for (std::size_t k = 0; k < kLanes && first + k < chunk.count; ++k) {
+        if (left[k] != 0) continue;
+        colors[k] = {red[k], green[k], blue[k]};
+        counts.texels += 4 * static_cast<std::int64_t>(taps[k]);
+    }
+}
+
+void readPoints(const LaneJob& job, FootprintCounts& counts) {
+    LaneChunk chunk;
+    for (std::size_t begin = 0; begin < job.count; begin += kLanePixels) {
+        chunk.fill(job, begin);
+        for (std::size_t k = 0; k < chunk.count; k += kLanes) {
+            std::uint8_t left[kLanes];
+            readVector(job, chunk, k, left, job.colors + begin + k, counts);
+            for (std::size_t n = 0; n < kLanes && k + n < chunk.count; ++n) job.left[begin + k + n] = left[n];
+        }
+    }
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace relief {
+
+HWY_EXPORT(readPoints);
+
+PointTaps PointReader::taps(const Jacobian& j) const {
+    const SemiAxes<double> axes = ellipseOf(j).semiAxes();
+    PointTaps taps;
+    // NaN fails.
+    if (!(axes.major <= 4.0 * std::max(levels_->width(), levels_->height()))) return taps;
+    const double minor = std::max(axes.minor, axes.major / kPointAnisotropy);
+    const double over = minor * minor / kLeastOfLevel;
+    while (taps.level < levels_->top() && over >= std::ldexp(1.0, 2 * (taps.level + 1))) ++taps.level;
+    const double size = std::ldexp(1.0, taps.level);
+    const double more = std::max(0.0, axes.major * axes.major / (size * size) - kTapVariance);
+    const double length = std::sqrt(12 * more);
+    taps.count = static_cast<int>(std::min<double>(1 + std::ceil(length / kTapSpacing), kMostTaps));
+    if (taps.count == 1) return taps;
+    const double step = size * length / std::sqrt(taps.count * taps.count - 1.0);
+    taps.step = step * glm::dvec2(axes.majorU, axes.majorV);
+    return taps;
+}
+
+Color PointReader::color(glm::dvec2 place, const PointTaps& taps) const {
+    Color sum(0);
+    for (int n = 0; n < taps.count; ++n) sum += levels_->bilinear(taps.level, place + taps.offset(n), address_);
+    return sum / static_cast<float>(taps.count);
+}
+
+void PointReader::read(const PointBlock& points, std::span<Color> colors, FootprintCounts& counts) const {
+    assert(colors.size() == points.size());
+    static thread_local std::vector<std::uint8_t> left;
+    left.assign(points.size(), 1);
+    if (lanes_) {
+        LaneJob job = laneJob(*lanes_, {});
+        job.s = points.s.data(), job.t = points.t.data();
+        job.ux = points.ux.data(), job.vx = points.vx.data();
+        job.uy = points.uy.data(), job.vy = points.vy.data();
+        job.count = points.size();
+        job.colors = colors.data(), job.left = left.data();
+        HWY_DYNAMIC_DISPATCH(readPoints)(job, counts);
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (left[i] == 0) continue;
+        const PointTaps taps = this->taps(points.jacobian(i));
+        colors[i] = color({points.s[i], points.t[i]}, taps);
+        counts.texels += std::int64_t{4} * taps.count;
+    }
+}
+
+}  // namespace relief
+#endif
