@@ -540,12 +540,16 @@
         <translation>багато пікселів разом, за 16-бітними рівнями, де формула пряма; або по одному, з подвійною точністю</translation>
     </message>
     <message>
-        <source>where in the pixel a texel counts: its place on the plane, its own, and with its area seen; or what rays through parts of the pixel see</source>
-        <translation>де в пікселі рахується тексель: його місце на площині, справжнє, і з видимою площею; або що бачать промені крізь частини пікселя</translation>
+        <source>where in the pixel a texel counts: its place on the plane, its own, and with its area seen; or what rays through parts of the pixel see, of its own or on a grid that neighbours share</source>
+        <translation>де в пікселі рахується тексель: його місце на площині, справжнє, і з видимою площею; або що бачать промені крізь частини пікселя, власні чи на спільній із сусідами сітці</translation>
     </message>
     <message>
         <source>form=rays: through a pixel in which the relief is no plane</source>
         <translation>form=rays: крізь піксель, у якому рельєф не є площиною</translation>
+    </message>
+    <message>
+        <source>form=grid: looked at for each pixel where the relief is no plane</source>
+        <translation>form=grid: на кожен піксель, де рельєф не є площиною</translation>
     </message>
     <message>
         <source>samples along each side of a pixel</source>

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "filtering/grid_tile.h"
 #include "relief/block_work.h"
 #include "relief/look_up_point.h"
 
@@ -12,11 +13,6 @@ namespace relief {
 
 namespace {
 
-// Of the pixel's weights: their sigma at the points, and how far out points count, pixels.
-constexpr double kPointSigma = 0.52;
-constexpr double kPointReach = 1.1;
-// Of a point's footprint, over the points' spacing.
-constexpr double kBlurPerSpacing = 0.3;
 // Second difference of the hits over the first, on a plane; and the same in texels of the picture, which is not seen.
 constexpr double kMostBend = 0.1;
 constexpr double kUnseenBend = 0.05;
@@ -24,27 +20,11 @@ constexpr double kUnseenBend = 0.05;
 constexpr double kLevel = 1e-9;
 // Least 1 + r . g of a point's tangent plane: as in elliptical_rays.cpp.
 constexpr double kLeastFacing = 1;
-// Cells round a pixel within which its points lie.
-constexpr int kHalo = 2;
-// Cells of the squares in which points are traced and read one after the other.
-constexpr int kSquare = 4;
 // Pixels of a tile along each side, powers of two: as a frame asks them.
 constexpr int kTileAcross = 6, kTileDown = 4;
 
-enum State : std::uint8_t { kUnknown, kWanted, kHit, kMissed };
-
 double square(glm::dvec2 v) {
     return v.x * v.x + v.y * v.y;
-}
-
-// The square of the distance of a lattice's nearest points: (k / points, k turn / points), modulo whole pixels.
-double nearest(int points, int turn) {
-    double least = 1;
-    for (int k = 1; k < points; ++k) {
-        const auto off = [&](int n) { return std::min(n % points, points - n % points) / static_cast<double>(points); };
-        least = std::min(least, square({off(k), off(k * turn)}));
-    }
-    return least;
 }
 
 // Derivatives of s and t along the picture, as jacobianAt, with what all points share made once.
@@ -62,8 +42,7 @@ struct ViewDerivatives {
           vy1(m.ty * m.q1 - m.t1 * m.qy) {}
     // times factor / q^2.
     Jacobian at(double x, double y, double factor) const {
-        return {factor * (uxY * y + ux1), factor * (vxY * y + vx1), factor * (uyX * x + uy1),
-                factor * (vyX * x + vy1)};
+        return {factor * (uxY * y + ux1), factor * (vxY * y + vx1), factor * (uyX * x + uy1), factor * (vyX * x + vy1)};
     }
 };
 
@@ -91,82 +70,6 @@ void reserve(std::vector<T>& column, std::size_t count) {
 
 }  // namespace
 
-PointLattice PointLattice::of(int points) {
-    assert(points >= 2);
-    PointLattice lattice;
-    int turn = 1;
-    for (int n = 2; n < points; ++n) {
-        if (nearest(points, n) > nearest(points, turn)) turn = n;
-    }
-    for (int k = 0; k < points; ++k) {
-        const auto place = [&](int n) {
-            const double at = n % points / static_cast<double>(points);
-            return at > 0.5 ? at - 1 : at;
-        };
-        lattice.places.emplace_back(place(k), place(k * turn));
-    }
-    lattice.blur = kBlurPerSpacing / std::sqrt(points);
-    for (int dy = -kHalo; dy <= kHalo; ++dy) {
-        for (int dx = -kHalo; dx <= kHalo; ++dx) {
-            for (int k = 0; k < points; ++k) {
-                const double r2 = square(glm::dvec2(dx, dy) + lattice.places[static_cast<std::size_t>(k)]);
-                if (r2 > kPointReach * kPointReach) continue;
-                const double weight = std::exp(-r2 / (2 * kPointSigma * kPointSigma));
-                lattice.terms.push_back({dx, dy, k, static_cast<float>(weight)});
-            }
-        }
-    }
-    return lattice;
-}
-
-// Pixels of one view within one tile, the cells around them, and their points. Kept from tile to tile of a thread.
-struct GridKernel::Tile {
-    const PixelView* view = nullptr;
-    glm::dvec2 scale{1};
-    std::vector<std::size_t> pixels;            // of the block
-    int x0 = 0, y0 = 0, width = 0, height = 0;  // of the cells
-    // A cell's centre.
-    std::vector<std::uint8_t> centre;
-    std::vector<glm::dvec2> place;
-    std::vector<double> lambda;
-    std::vector<ViewRay> ray;
-    // A cell's points, one after the other.
-    std::vector<std::uint8_t> state;
-    std::vector<Color> color;
-    // Points to be read, square after square: where, and what is met.
-    std::vector<std::uint32_t> slots;
-    std::vector<glm::dvec2> at;
-    std::vector<ViewRay> rays;
-    std::vector<Hit> hits;
-    // The rays that are traced, and whose they are.
-    std::vector<std::uint32_t> traced;
-    RayBlock block;
-    HitBlock found;
-    // Pixels that are plain, and with what; the others.
-    FilterBlock plain;
-    std::vector<std::size_t> plainOf, edges;
-    PointBlock points;
-    std::vector<Color> colors;
-    std::vector<std::uint32_t> colorOf;
-
-    std::size_t cell(int x, int y) const {
-        return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x - x0);
-    }
-    // body(cell, x, y): squares of cells one after the other.
-    template <class Body>
-    void overCells(const Body& body) const {
-        for (int top = 0; top < height; top += kSquare) {
-            for (int left = 0; left < width; left += kSquare) {
-                for (int y = top; y < std::min(top + kSquare, height); ++y) {
-                    for (int x = left; x < std::min(left + kSquare, width); ++x) {
-                        body(cell(x0 + x, y0 + y), x0 + x, y0 + y);
-                    }
-                }
-            }
-        }
-    }
-};
-
 GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone,
                        std::shared_ptr<const Tracer> tracer, std::shared_ptr<const ConeTwin> twin, int points)
     : plain_(std::move(plain)),
@@ -182,7 +85,7 @@ bool GridKernel::serves(const FilterQuery& query) const {
     const double q = map.denominator(query.x + 0.5, query.y + 0.5);
     // All points that the pixel and its neighbours ask for lie before the horizon.
     constexpr double kLeastOfQ = 0.25;
-    if (!(q - (kHalo + 1) * (std::abs(map.qx) + std::abs(map.qy)) > kLeastOfQ * q)) return false;
+    if (!(q - (kLatticeHalo + 1) * (std::abs(map.qx) + std::abs(map.qy)) > kLeastOfQ * q)) return false;
     const Jacobian& j = query.jacobian;
     const double largest = 4.0 * std::max(tracer_->field().width(), tracer_->field().height());
     return std::abs(j.ux) + std::abs(j.uy) + std::abs(j.vx) + std::abs(j.vy) < largest;
@@ -194,8 +97,8 @@ void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
         x0 = std::min(x0, block.x[i]), x1 = std::max(x1, block.x[i]);
         y0 = std::min(y0, block.y[i]), y1 = std::max(y1, block.y[i]);
     }
-    tile.x0 = x0 - kHalo, tile.y0 = y0 - kHalo;
-    tile.width = x1 - x0 + 1 + 2 * kHalo, tile.height = y1 - y0 + 1 + 2 * kHalo;
+    tile.x0 = x0 - kLatticeHalo, tile.y0 = y0 - kLatticeHalo;
+    tile.width = x1 - x0 + 1 + 2 * kLatticeHalo, tile.height = y1 - y0 + 1 + 2 * kLatticeHalo;
     const auto cells = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
     tile.centre.assign(cells, kUnknown);
     reserve(tile.place, cells);
@@ -316,9 +219,8 @@ void GridKernel::tracePoints(Tile& tile, Work& work) const {
             if (known) {
                 tile.rays.push_back(tile.ray[cell]);
                 const glm::dvec2 place = tile.place[cell];
-                tile.hits.push_back(tile.centre[cell] == kHit
-                                        ? Hit{Outcome::Hit, tile.lambda[cell], place.x, place.y}
-                                        : Hit::none(Outcome::Miss));
+                tile.hits.push_back(tile.centre[cell] == kHit ? Hit{Outcome::Hit, tile.lambda[cell], place.x, place.y}
+                                                              : Hit::none(Outcome::Miss));
             } else {
                 tile.rays.push_back(rayThrough(*tile.view, at.x, at.y));
                 tile.hits.push_back({});
@@ -417,44 +319,6 @@ void GridKernel::filterTile(const FilterBlock& block, Tile& tile, std::span<Colo
     log->footprint = plain_.footprint(scaled(block[0].jacobian, tile.scale), block[0].place * tile.scale);
     log->color = colors[0];
     logPoints(block[0], tile, *log);
-}
-
-// The texels of the one pixel there is, as parts of its points' shares.
-void GridKernel::logPoints(const FilterQuery& query, const Tile& tile, FootprintLog& log) const {
-    const std::size_t points = lattice_.places.size();
-    const glm::dvec2 own = query.place * tile.scale;
-    const double toLevel = std::ldexp(1.0, -log.footprint.level);
-    float total = 0;
-    for (const PointLattice::Term& term : lattice_.terms) {
-        const std::size_t cell = tile.cell(query.x + term.dx, query.y + term.dy);
-        const auto slot = static_cast<std::uint32_t>(cell * points + static_cast<std::size_t>(term.point));
-        if (tile.state[slot] != kHit) continue;
-        total += term.weight;
-        const auto n =
-            static_cast<std::size_t>(std::find(tile.colorOf.begin(), tile.colorOf.end(), slot) - tile.colorOf.begin());
-        const PointTaps taps = reader_.taps(tile.points.jacobian(n));
-        const double size = std::ldexp(1.0, taps.level);
-        for (int k = 0; k < taps.count; ++k) {
-            const glm::dvec2 place = glm::dvec2(tile.points.s[n], tile.points.t[n]) + taps.offset(k);
-            const BilinearSupport x = plain_.across(taps.level).support(place.x / size);
-            const BilinearSupport y = plain_.down(taps.level).support(place.y / size);
-            for (int c = 0; c < 4; ++c) {
-                const bool right = c % 2 == 1, below = c / 2 == 1;
-                FootprintTexel texel;
-                texel.i = right ? x.second : x.first;
-                texel.j = below ? y.second : y.first;
-                texel.level = taps.level;
-                const glm::dvec2 off{(right ? 1 : 0) - x.share, (below ? 1 : 0) - y.share};
-                const glm::dvec2 at = log.footprint.centre + (place - own + size * off) * toLevel;
-                texel.u = at.x, texel.v = at.y;
-                texel.weight = Color(term.weight / static_cast<float>(taps.count) *
-                                     (right ? x.share : 1 - x.share) * (below ? y.share : 1 - y.share));
-                texel.tested = true;
-                log.texels.push_back(texel);
-            }
-        }
-    }
-    log.allHidden = !(total > 0);
 }
 
 void GridKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,

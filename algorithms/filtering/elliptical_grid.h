@@ -16,27 +16,13 @@
 #include <vector>
 
 #include "filtering/elliptical_rays.h"
+#include "filtering/point_lattice.h"
 #include "filtering/point_reader.h"
 #include "relief/lanes/cone_twin.h"
 
 namespace relief {
 
 inline constexpr std::string_view kGridForm = "grid";
-
-// Points of a lattice in a pixel, and those that a pixel sums, of the cells around. Variances in pixels^2.
-struct PointLattice {
-    struct Term {
-        int dx, dy;  // cells
-        int point;
-        float weight;
-    };
-    std::vector<glm::dvec2> places;  // from the cell's centre, (-1/2, 1/2] both; the first is the centre
-    std::vector<Term> terms;
-    double blur = 0;  // of each point's footprint, pixels
-
-    // points: at least 2. The lattice of so many points a pixel whose nearest points are farthest apart.
-    static PointLattice of(int points);
-};
 
 class GridKernel {
   public:
@@ -53,8 +39,8 @@ class GridKernel {
   private:
     struct Tile;
     bool serves(const FilterQuery& query) const;
-    void filterTile(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts,
-                    Work& work, FootprintLog* log) const;
+    void filterTile(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts, Work& work,
+                    FootprintLog* log) const;
     void lay(const FilterBlock& block, Tile& tile) const;
     void traceCentres(Tile& tile, Work& work) const;
     void wantPoints(const FilterBlock& block, Tile& tile) const;

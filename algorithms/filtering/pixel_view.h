@@ -1,9 +1,9 @@
 // How the pixels of a picture see the slab of one polygon: the view ray through any point of the picture. Made with the
 // frame; filters ask it for rays between the pixels' centres.
 //
-// Frames and units: pixel (i, j) centred at (i + 1/2, j + 1/2), x right, y down; s, t in texels of the height map. A ray
-// comes from the eye at (sEye, tEye) and a height above the top plane; where it enters at (s0, t0), its run per unit of
-// descent is (s0 - sEye, t0 - tEye) * thickness / height.
+// Frames and units: pixel (i, j) centred at (i + 1/2, j + 1/2), x right, y down; s, t in texels of the height map. A
+// ray comes from the eye at (sEye, tEye) and a height above the top plane; where it enters at (s0, t0), its run per
+// unit of descent is (s0 - sEye, t0 - tEye) * thickness / height.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct PixelView {
     double sEye = 0;
     double tEye = 0;
     double runPerTexel = 0;  // thickness / height of the eye above the plane
-    int width = 1;  // of the polygon's picture, texels
+    int width = 1;           // of the polygon's picture, texels
     int height = 1;
 
     ViewRay rayAt(double s0, double t0) const { return {s0, t0, (s0 - sEye) * runPerTexel, (t0 - tEye) * runPerTexel}; }

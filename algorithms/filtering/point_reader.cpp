@@ -87,7 +87,8 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     const V between = hn::Sqrt(hn::Max(hn::Sub(hn::Mul(f.count, f.count), one), one));
     // The major axis' direction, by its row without cancellation.
     const auto wide = hn::Ge(uu, vv);
-    const V alongS = hn::IfThenElse(wide, hn::Sub(largest, vv), uv), alongT = hn::IfThenElse(wide, uv, hn::Sub(largest, uu));
+    const V alongS = hn::IfThenElse(wide, hn::Sub(largest, vv), uv),
+            alongT = hn::IfThenElse(wide, uv, hn::Sub(largest, uu));
     const V norm = hn::Sqrt(hn::Add(hn::Mul(alongS, alongS), hn::Mul(alongT, alongT)));
     const auto several = hn::And(hn::Gt(f.count, one), hn::Gt(norm, zero));
     const V step = hn::IfThenElseZero(several, hn::Div(length, hn::Mul(between, norm)));
@@ -110,8 +111,7 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     const auto clear = hn::And(inside(hn::Add(toFloat(f.cellS), f.restS), f.width),
                                inside(hn::Add(toFloat(f.cellT), f.restT), f.height));
     const auto whole = hn::RebindMask(d, hn::Gt(perLevel(levels.whole, f.level), setI(0)));
-    const auto served =
-        hn::And(hn::And(usual, hn::Gt(hn::Load(d, chunk.valid + first), zero)), hn::Or(whole, clear));
+    const auto served = hn::And(hn::And(usual, hn::Gt(hn::Load(d, chunk.valid + first), zero)), hn::Or(whole, clear));
     f.count = hn::IfThenElseZero(served, f.count);
     alignas(64) std::int32_t flags[kLanes];
     hn::Store(hn::IfThenElse(hn::RebindMask(di, served), setI(0), setI(1)), di, flags);

@@ -133,6 +133,11 @@ glm::vec3 Frame::normal(int x, int y, const FrameRequest& request) const {
     return glm::length(mapped) > 0 ? glm::vec3(mappedNormal(quad, mapped)) : glm::vec3(quad.normal);
 }
 
+bool Frame::shadedByRelief(const FrameRequest& request) const {
+    if (shading == ShadingNormal::Plane || (shading == ShadingNormal::NormalMap && bakedNormals)) return false;
+    return !request.normals || shading == ShadingNormal::Heights;
+}
+
 VisiblePolygons Frame::visible(const FrameRequest& request) const {
     return visiblePolygons(polygons, camera, width, height, request.field.reliefDepth());
 }

@@ -109,7 +109,7 @@ struct Frame {
     double colorPerTexel = 1;  // texels of the colour picture per texel of the heights, along the denser axis
     std::shared_ptr<const TextureFilter> filter;       // null: heights in grey, read at the hit
     std::shared_ptr<const TextureFilter> plainFilter;  // of tiny footprints; null: there are none
-    bool exactHits = false;  // by an exact method, of the heights themselves
+    bool exactHits = false;                            // by an exact method, of the heights themselves
     ShadingNormal shading = ShadingNormal::Relief;
     std::shared_ptr<const BakedNormals> bakedNormals;  // where the method shades by a normal map and none is given
     PinholeCamera camera;
@@ -128,6 +128,8 @@ struct Frame {
     VisiblePolygons visible(const FrameRequest& request) const;
     // Unit normal of the lit surface in world space, whichever the method shades by; zero without a hit.
     glm::vec3 normal(int x, int y, const FrameRequest& request) const;
+    // Whether that is the relief's own, and no map's or plane's.
+    bool shadedByRelief(const FrameRequest& request) const;
 };
 
 // Keeps the buffers of the last frame and computes only the stages whose inputs changed. One renderer a window pane or

@@ -13,10 +13,15 @@ glm::dvec3 lightDirection(const Light& light) {
     return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
 }
 
+ReliefAxes::ReliefAxes(const TexturedQuad& quad)
+    : normal(quad.normal), alongS(glm::normalize(quad.plane.perS)), alongT(glm::normalize(quad.plane.perT)) {}
+
+glm::dvec3 ReliefAxes::normalOf(std::pair<double, double> slope, double slabTexels) const {
+    return glm::normalize(normal - slabTexels * slope.first * alongS - slabTexels * slope.second * alongT);
+}
+
 glm::dvec3 reliefNormal(const TexturedQuad& quad, std::pair<double, double> slope, double slabTexels) {
-    const glm::dvec3 alongS = glm::normalize(quad.plane.perS);
-    const glm::dvec3 alongT = glm::normalize(quad.plane.perT);
-    return glm::normalize(quad.normal - slabTexels * slope.first * alongS - slabTexels * slope.second * alongT);
+    return ReliefAxes(quad).normalOf(slope, slabTexels);
 }
 
 glm::dvec3 mappedNormal(const TexturedQuad& quad, glm::vec3 tangent) {

@@ -22,6 +22,15 @@ struct Light {
 
 glm::dvec3 lightDirection(const Light& light);
 
+// A polygon's axes of length 1, made once for many normals.
+struct ReliefAxes {
+    glm::dvec3 normal, alongS, alongT;
+
+    explicit ReliefAxes(const TexturedQuad& quad);
+    // As reliefNormal.
+    glm::dvec3 normalOf(std::pair<double, double> slope, double slabTexels) const;
+};
+
 // World normal of the relief: slope (dh/ds, dh/dt) per texel, slab thickness in texels, on a polygon's axes.
 glm::dvec3 reliefNormal(const TexturedQuad& quad, std::pair<double, double> slope, double slabTexels);
 // World normal from a normal map's vector (OpenGL: x along s, y against t, z out).

@@ -303,10 +303,19 @@ void TileWorker::lightHits(const PixelArea& tile) const {
     const auto colors = frame_.color->color.pixels();
     const std::vector<std::uint8_t>& shadowed = frame_.shadows->shadowed;
     const auto out = buffers_.light->color.pixels();
+    const bool ofRelief = frame_.shadedByRelief(request_);
+    std::vector<ReliefAxes> axes;
+    for (const TexturedQuad& quad : frame_.polygons) axes.emplace_back(quad);
+    const auto normal = [&](int x, int y, std::size_t i) {
+        if (!ofRelief) return frame_.normal(x, y, request_);
+        const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
+        return glm::vec3(
+            axes[frame_.rays->polygon[i]].normalOf(request_.field.slope(place.x, place.y), frame_.slabTexels));
+    };
     overPixels(tile, [&](int x, int y, std::size_t i) {
         switch (hits.outcome[i]) {
             case Outcome::Hit:
-                out[i] = lambert(colors[i], frame_.normal(x, y, request_), toLight_, request_.light,
+                out[i] = lambert(colors[i], normal(x, y, i), toLight_, request_.light,
                                  !shadowed.empty() && shadowed[i] != 0);
                 break;
             case Outcome::Limit:

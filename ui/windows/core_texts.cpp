@@ -148,10 +148,11 @@ namespace {
     QT_TRANSLATE_NOOP("core", "of the map of weights along each side; the table has its square"),
     QT_TRANSLATE_NOOP("core",
                       "where in the pixel a texel counts: its place on the plane, its own, and with its area seen; or "
-                      "what rays through parts of the pixel see"),
+                      "what rays through parts of the pixel see, of its own or on a grid that neighbours share"),
     QT_TRANSLATE_NOOP("core",
                       "many pixels at once, of 16-bit levels, where the formula is direct; or one by one in double"),
     QT_TRANSLATE_NOOP("core", "form=rays: through a pixel in which the relief is no plane"),
+    QT_TRANSLATE_NOOP("core", "form=grid: looked at for each pixel where the relief is no plane"),
     QT_TRANSLATE_NOOP("core", "samples along each side of a pixel"),
     QT_TRANSLATE_NOOP("core", "what a pixel of the display is: how samples are weighed"),
     QT_TRANSLATE_NOOP("core", "Weights"),

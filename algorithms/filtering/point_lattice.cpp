@@ -1,0 +1,61 @@
+#include "filtering/point_lattice.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace relief {
+
+namespace {
+
+// Of the pixel's weights: their sigma at the points, and how far out points count, pixels.
+constexpr double kPointSigma = 0.52;
+constexpr double kPointReach = 1.1;
+// Of a point's footprint, over the points' spacing.
+constexpr double kBlurPerSpacing = 0.3;
+
+double square(glm::dvec2 v) {
+    return v.x * v.x + v.y * v.y;
+}
+
+// The square of the distance of a lattice's nearest points: (k / points, k turn / points), modulo whole pixels.
+double nearest(int points, int turn) {
+    double least = 1;
+    for (int k = 1; k < points; ++k) {
+        const auto off = [&](int n) { return std::min(n % points, points - n % points) / static_cast<double>(points); };
+        least = std::min(least, square({off(k), off(k * turn)}));
+    }
+    return least;
+}
+
+}  // namespace
+
+PointLattice PointLattice::of(int points) {
+    assert(points >= 2);
+    PointLattice lattice;
+    int turn = 1;
+    for (int n = 2; n < points; ++n) {
+        if (nearest(points, n) > nearest(points, turn)) turn = n;
+    }
+    for (int k = 0; k < points; ++k) {
+        const auto place = [&](int n) {
+            const double at = n % points / static_cast<double>(points);
+            return at > 0.5 ? at - 1 : at;
+        };
+        lattice.places.emplace_back(place(k), place(k * turn));
+    }
+    lattice.blur = kBlurPerSpacing / std::sqrt(points);
+    for (int dy = -kLatticeHalo; dy <= kLatticeHalo; ++dy) {
+        for (int dx = -kLatticeHalo; dx <= kLatticeHalo; ++dx) {
+            for (int k = 0; k < points; ++k) {
+                const double r2 = square(glm::dvec2(dx, dy) + lattice.places[static_cast<std::size_t>(k)]);
+                if (r2 > kPointReach * kPointReach) continue;
+                const double weight = std::exp(-r2 / (2 * kPointSigma * kPointSigma));
+                lattice.terms.push_back({dx, dy, k, static_cast<float>(weight)});
+            }
+        }
+    }
+    return lattice;
+}
+
+}  // namespace relief

@@ -1,0 +1,28 @@
+// Points that the pixels of a picture share: a lattice, the same in every pixel, its centre among them.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace relief {
+
+// Cells round a pixel within which its points lie.
+inline constexpr int kLatticeHalo = 2;
+
+// Points of a lattice in a pixel, and those that a pixel sums, of the cells around. Variances in pixels^2.
+struct PointLattice {
+    struct Term {
+        int dx, dy;  // cells
+        int point;
+        float weight;
+    };
+    std::vector<glm::dvec2> places;  // from the cell's centre, (-1/2, 1/2] both; the first is the centre
+    std::vector<Term> terms;
+    double blur = 0;  // of each point's footprint, pixels
+
+    // points: at least 2. The lattice of so many points a pixel whose nearest points are farthest apart.
+    static PointLattice of(int points);
+};
+
+}  // namespace relief

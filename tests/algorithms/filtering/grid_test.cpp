@@ -1,0 +1,268 @@
+// elliptical-visible:form=grid: pixels that are no plane as sums of points that neighbours share.
+#include "filtering/elliptical_grid.h"
+
+#include <gtest/gtest.h>
+
+#include "filter_cases.h"
+#include "images/reliefs.h"
+#include "mapping/rows/row_lanes.h"
+#include "measuring/bench_filters.h"
+#include "rendering/frame.h"
+
+namespace relief::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 43;
+// Sums of sums of 16-bit texels in float.
+constexpr double kRounding = 1e-4;
+// Between a bilinear reading of 16-bit texels, its place in float, and the same in double: places are off by up to
+// 1e-5 texel, texels by 8e-6.
+constexpr double kTapRounding = 1e-4;
+// Levels and numbers of taps are chosen by comparisons: so many of a thousand points may fall to the other side.
+constexpr double kOtherSide = 2e-3;
+
+FilterChoice grid(const char* points = "3") {
+    return {"elliptical-visible", {{"form", "grid"}, {"points", points}}};
+}
+
+struct ForcedTarget {
+    explicit ForcedTarget(std::int64_t target) { forceLaneTarget(target); }
+    ~ForcedTarget() { forceLaneTarget(0); }
+};
+
+HeightField reliefOf(const char* name, Address address = Address::Repeat, Surface surface = Surface::Bilinear) {
+    return HeightField(std::make_shared<const FloatImage>(makeRelief(name, 64, 48, kSeed)), surface, address, 0.1);
+}
+
+FrameRequest requestOf(const HeightField& field, const Picture& picture, const FilterChoice& filter) {
+    FrameRequest request(field);
+    request.width = 150;
+    request.height = 70;
+    request.color = picture;
+    request.filter = filter;
+    request.camera.elevation = 30;
+    return request;
+}
+
+// A frame with what its pixels ask, in its order.
+struct Asked {
+    Work work{1};
+    FrameRequest request;
+    std::shared_ptr<const Frame> frame;
+    VisiblePolygons visible;
+    FilterBlock block;
+
+    explicit Asked(const FrameRequest& frameRequest, int threads = 1) : work(threads), request(frameRequest) {
+        FrameRenderer renderer(std::make_shared<MapCache>());
+        frame = renderer.render(request, work);
+        visible = frame->visible(request);
+        for (int y = 0; y < request.height; ++y) {
+            for (int x = 0; x < request.width; ++x) {
+                if (const auto query = filterQuery(*frame, request, visible, x, y)) block.push(*query);
+            }
+        }
+    }
+    Color color(std::size_t i) const { return frame->color->color(block.x[i], block.y[i]); }
+};
+
+TEST(Grid, latticesAreEvenAndKeepTheMean) {
+    for (const int points : {2, 3, 4, 5, 7, 10, 16}) {
+        const PointLattice lattice = PointLattice::of(points);
+        ASSERT_EQ(lattice.places.size(), static_cast<std::size_t>(points));
+        EXPECT_EQ(lattice.places[0], glm::dvec2(0));
+        double least = 1;
+        for (std::size_t k = 1; k < lattice.places.size(); ++k) {
+            for (int n = 0; n < 9; ++n) {
+                least = std::min(least, glm::length(lattice.places[k] + glm::dvec2(n % 3 - 1, n / 3 - 1)));
+            }
+        }
+        // Of the hexagonal lattice 1.07 / sqrt(points), and no lattice of so few points comes nearer than this.
+        EXPECT_GE(least, 0.79 / std::sqrt(points)) << points;
+        glm::dvec2 mean(0);
+        double total = 0;
+        for (const PointLattice::Term& term : lattice.terms) {
+            const glm::dvec2 at = glm::dvec2(term.dx, term.dy) + lattice.places[static_cast<std::size_t>(term.point)];
+            mean += static_cast<double>(term.weight) * at;
+            total += term.weight;
+            EXPECT_LE(std::abs(term.dx), kLatticeHalo);
+            EXPECT_LE(std::abs(term.dy), kLatticeHalo);
+        }
+        // A point and its mirror image both count.
+        EXPECT_LT(glm::length(mean) / total, 1e-6) << points;
+    }
+}
+
+TEST(Grid, aConstantPictureStaysConstant) {
+    const Color color(0.25F, 0.5F, 0.75F);
+    const Picture picture = constantPicture(128, 96, color);
+    for (const char* name : {"bricks", "city"}) {
+        for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+            for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+                const Asked asked(requestOf(reliefOf(name, address, surface), picture, grid()));
+                ASSERT_GT(asked.block.size(), 2000U);
+                EXPECT_GT(asked.frame->counters.at("texels traced back"), 1000);
+                for (std::size_t i = 0; i < asked.block.size(); ++i) {
+                    for (int c = 0; c < 3; ++c) ASSERT_NEAR(asked.color(i)[c], color[c], kRounding) << name << ' ' << i;
+                }
+            }
+        }
+    }
+}
+
+TEST(Grid, levelGroundIsPlainFiltering) {
+    const Picture picture = randomPicture(64, 64, kSeed);
+    for (const float height : {0.0F, 0.4F, 1.0F}) {
+        const HeightField field = fieldFor(*picture, Address::Repeat, height);
+        const Asked seen(requestOf(field, picture, grid())), plain(requestOf(field, picture, {"elliptical", {}}));
+        ASSERT_GT(seen.block.size(), 2000U);
+        EXPECT_TRUE(seen.frame->color->color == plain.frame->color->color) << height;
+    }
+}
+
+// Alone, in rows, and as the frame's tiles have them; the log changes nothing.
+TEST(Grid, anyCompanyAndAnyTargetHaveTheSameBits) {
+    for (const char* name : {"bricks", "hills"}) {
+        const Picture picture = randomPicture(100, 96, kSeed);
+        const HeightField field = reliefOf(name);
+        const Asked asked(requestOf(field, picture, grid("5")));
+        MadeFilter made(grid("5"), picture, field);
+        std::vector<Color> rows(asked.block.size());
+        FootprintCounts counts;
+        made.filter->colors(asked.block, rows, counts, made.work);
+        EXPECT_GT(counts.flat, 100) << name;
+        EXPECT_GT(counts.footprints, counts.flat + 100) << name;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            ASSERT_EQ(rows[i], asked.color(i)) << name << ' ' << i;
+            if (i % 17 != 0) continue;
+            FootprintLog log;
+            ASSERT_EQ(made.at(asked.block[i]), rows[i]) << name << ' ' << i;
+            ASSERT_EQ(made.at(asked.block[i], &log), rows[i]) << name << ' ' << i;
+        }
+        for (const std::int64_t target : laneTargets()) {
+            const ForcedTarget forced(target);
+            std::vector<Color> again(rows.size());
+            made.filter->colors(asked.block, again, counts, made.work);
+            EXPECT_EQ(again, rows) << laneTargetName(target);
+        }
+    }
+}
+
+TEST(Grid, framesAreTheSameForAnyNumberOfThreadsAndWithoutSkipping) {
+    FrameRequest request = requestOf(reliefOf("city"), randomPicture(128, 96, kSeed), grid());
+    for (const SceneKind scene : {SceneKind::Floor, SceneKind::Cube}) {
+        request.scene = scene;
+        request.skip = true;
+        const Asked first(request), other(request, 3);
+        request.skip = false;
+        const Asked all(request);
+        EXPECT_TRUE(first.frame->color->color == other.frame->color->color);
+        EXPECT_TRUE(first.frame->color->color == all.frame->color->color);
+    }
+}
+
+// Hits of methods that are not exact are filtered as form=rays does.
+TEST(Grid, withoutExactHitsItIsRays) {
+    FrameRequest request = requestOf(reliefOf("bricks"), randomPicture(128, 96, kSeed), grid());
+    request.method = {"layers", {}};
+    const Asked seen(request);
+    request.filter = {"elliptical-visible", {{"form", "rays"}}};
+    const Asked rays(request);
+    EXPECT_TRUE(seen.frame->color->color == rays.frame->color->color);
+}
+
+// Nearer to the truth than plain filtering, by the part measured and some room; with more points nearer.
+TEST(Grid, behindBricksTheErrorIsAThirdOfPlain) {
+    FilterBenchOptions options;
+    options.scenes = {filterScene("bricks", 256, kSeed)};
+    options.filters = {{"elliptical", {}}, grid("2"), grid("3"), grid("5")};
+    options.pixelModels = {PixelModel::Gaussian};
+    options.elevations = {25};
+    options.width = 80;
+    options.height = 60;
+    options.samples = 8;
+    options.rounds = 1;
+    Work work(1);
+    const auto rows = benchFilters(options, work);
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_LT(rows[2].rmse, rows[0].rmse / 3);
+    EXPECT_LT(rows[2].rmse, rows[1].rmse);
+    EXPECT_LT(rows[3].rmse, rows[2].rmse);
+}
+
+TEST(Grid, theLogSumsUpToTheColour) {
+    const Picture picture = randomPicture(128, 96, kSeed);
+    const HeightField field = reliefOf("bricks");
+    const Asked asked(requestOf(field, picture, grid()));
+    MadeFilter made(grid(), picture, field);
+    const ColorLevels levels(picture, made.work);
+    int planes = 0, summed = 0, apart = 0;
+    for (std::size_t i = 0; i < asked.block.size(); i += 5) {
+        FootprintLog log;
+        const Color color = made.at(asked.block[i], &log);
+        ASSERT_EQ(color, log.color);
+        (log.skipped ? planes : summed) += 1;
+        if (log.texels.empty()) continue;
+        glm::dvec3 sum(0), total(0);
+        for (const FootprintTexel& texel : log.texels) {
+            sum += glm::dvec3(texel.weight * levels.level(texel.level)(texel.i, texel.j));
+            total += glm::dvec3(texel.weight);
+        }
+        for (int c = 0; c < 3; ++c) apart += std::abs(sum[c] / total[c] - color[c]) > 2 * kRounding ? 1 : 0;
+    }
+    EXPECT_GT(planes, 10);
+    EXPECT_GT(summed, 100);
+    // A pixel is a dozen points.
+    EXPECT_LE(apart, 3 * 12 * kOtherSide * summed);
+}
+
+TEST(PointReader, lanesAreNearTheTwin) {
+    Random random(kSeed);
+    struct Case {
+        int width, height;
+        Address address;
+    };
+    for (const Case& c : {Case{64, 32, Address::Repeat}, Case{37, 53, Address::Repeat}, Case{37, 53, Address::Clamp},
+                          Case{32, 128, Address::Border}, Case{1, 1, Address::Repeat}}) {
+        const Picture picture = randomPicture(c.width, c.height, kSeed);
+        Work work(1);
+        const auto levels = std::make_shared<const ColorLevels>(picture, work);
+        const PointReader lanes(levels, c.address, laneLevels(*levels, c.address, work));
+        const PointReader twin(levels, c.address, nullptr);
+        PointBlock points;
+        constexpr std::size_t kPoints = 3001;
+        points.resize(kPoints);
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            glm::dvec2 place{random.between(-2, 3) * c.width, random.between(-2, 3) * c.height};
+            if (i % 13 == 0) place.x = 1e300;
+            Jacobian j = randomJacobian(random, i % 7 == 0 ? 3000 : 8);
+            if (i % 19 == 0) j.ux = std::nan("");
+            if (i % 23 == 0) j = {0, 0, 0, 0};
+            points.set(i, place, j);
+        }
+        std::vector<Color> got(kPoints), expected(kPoints);
+        FootprintCounts counts;
+        lanes.read(points, got, counts);
+        twin.read(points, expected, counts);
+        int apart = 0;
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            double difference = 0;
+            for (int k = 0; k < 3; ++k) {
+                difference = std::max(difference, std::abs(double{got[i][k]} - double{expected[i][k]}));
+            }
+            // Not finite: neither.
+            apart += difference <= kTapRounding ? 0 : 1;
+        }
+        EXPECT_LE(apart, kOtherSide * kPoints) << c.width << 'x' << c.height;
+        for (const std::int64_t target : laneTargets()) {
+            const ForcedTarget forced(target);
+            std::vector<Color> again(kPoints);
+            lanes.read(points, again, counts);
+            for (std::size_t i = 0; i < kPoints; ++i) {
+                ASSERT_EQ(again[i], got[i]) << laneTargetName(target) << ' ' << i;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief::test
