@@ -99,7 +99,7 @@ TEST(Grid, aConstantPictureStaysConstant) {
         for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
             for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
                 const Asked asked(requestOf(reliefOf(name, address, surface), picture, grid()));
-                ASSERT_GT(asked.block.size(), 2000U);
+                ASSERT_GT(asked.block.size(), 1000U);
                 EXPECT_GT(asked.frame->counters.at("texels traced back"), 1000);
                 for (std::size_t i = 0; i < asked.block.size(); ++i) {
                     for (int c = 0; c < 3; ++c) ASSERT_NEAR(asked.color(i)[c], color[c], kRounding) << name << ' ' << i;
@@ -129,7 +129,7 @@ TEST(Grid, anyCompanyAndAnyTargetHaveTheSameBits) {
         std::vector<Color> rows(asked.block.size());
         FootprintCounts counts;
         made.filter->colors(asked.block, rows, counts, made.work);
-        EXPECT_GT(counts.flat, 100) << name;
+        EXPECT_GT(counts.flat, 20) << name;
         EXPECT_GT(counts.footprints, counts.flat + 100) << name;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             ASSERT_EQ(rows[i], asked.color(i)) << name << ' ' << i;
