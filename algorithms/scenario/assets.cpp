@@ -6,7 +6,7 @@ namespace relief {
 namespace {
 
 bool sameHeights(const Pictures& a, const Pictures& b) {
-    return a.height == b.height && a.recipe == b.recipe && a.reading == b.reading &&
+    return a.height == b.height && a.recipe == b.recipe && a.drawn == b.drawn && a.reading == b.reading &&
            (a.recipe.empty() ||
             (a.recipeWidth == b.recipeWidth && a.recipeHeight == b.recipeHeight && a.seed == b.seed));
 }
@@ -15,10 +15,12 @@ std::shared_ptr<const HeightImage> loadHeights(const Pictures& pictures, Work& w
     if (!pictures.height.empty()) {
         return std::make_shared<HeightImage>(readHeight(pictures.height, pictures.reading, work));
     }
-    if (pictures.recipe.empty()) throw InputError("--height", Message(MessageId::NoHeights));
+    const bool drawn = !pictures.drawn.empty();
+    if (pictures.recipe.empty() && !drawn) throw InputError("--height", Message(MessageId::NoHeights));
     auto made = std::make_shared<HeightImage>();
-    made->heights = makeRelief(pictures.recipe, pictures.recipeWidth, pictures.recipeHeight, pictures.seed);
-    made->info.path = pictures.recipe;
+    made->heights = drawn ? drawnHeights(pictures.drawn)
+                          : makeRelief(pictures.recipe, pictures.recipeWidth, pictures.recipeHeight, pictures.seed);
+    made->info.path = drawn ? std::string(kDrawn) : pictures.recipe;
     made->info.format = "procedural";
     made->info.width = made->heights.width();
     made->info.height = made->heights.height();

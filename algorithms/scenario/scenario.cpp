@@ -68,6 +68,15 @@ void checkNumber(const ScenarioNumber& entry, double value, const std::string& s
 
 }  // namespace
 
+std::string heightsName(const Pictures& pictures) {
+    const auto sized = [](std::string_view name, int width, int height) {
+        return std::string(name) + ":" + std::to_string(width) + "x" + std::to_string(height);
+    };
+    if (!pictures.drawn.empty()) return sized(kDrawn, pictures.drawn.width, pictures.drawn.height);
+    if (!pictures.height.empty()) return pictures.height;
+    return sized(pictures.recipe, pictures.recipeWidth, pictures.recipeHeight) + ":" + std::to_string(pictures.seed);
+}
+
 const std::vector<ScenarioNumber>& scenarioNumbers() {
     static const std::vector<ScenarioNumber> numbers = makeNumbers();
     return numbers;
@@ -139,7 +148,15 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
         throw InputError(subject,
                          Message(MessageId::OutOfRange, {{"what", "sky"}, {"value", channel}, {"range", "0 to 1000"}}));
     }
+    const Pictures& pictures = scenario.pictures;
+    if (!pictures.drawn.empty()) {
+        checkDrawn(pictures.drawn, subject);
+        if (!pictures.height.empty() || !pictures.recipe.empty()) {
+            throw InputError(subject, Message(MessageId::HeightsTwice));
+        }
+    }
     checkMethod(scenario.method, subject);
+    checkComparison(scenario.comparison, subject);
     checkFilter(scenario.filter, subject.empty() ? "--filter" : subject);
     if (scenario.filter.samples < 1 || scenario.filter.samples > kMaxSamples) {
         throw InputError(subject, Message(MessageId::OutOfRange, {{"what", "supersample"},

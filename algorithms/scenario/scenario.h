@@ -9,27 +9,34 @@
 #include <string>
 #include <vector>
 
+#include "images/drawn_relief.h"
 #include "images/files.h"
 #include "relief/describe.h"
 #include "rendering/frame.h"
 #include "scenario/breakpoint.h"
+#include "scenario/comparison.h"
 
 namespace relief {
 
 inline constexpr int kScenarioVersion = 1;
 
-// Where the heights come from: a file or a procedural relief ("bricks", ...); color and normal may be empty.
+// Where the heights come from: a file, a procedural relief ("bricks", ...) or a relief drawn by hand, one of the
+// three; color and normal may be empty.
 struct Pictures {
     std::string height;
     std::string recipe;
     int recipeWidth = 256;
     int recipeHeight = 256;
     std::uint64_t seed = 1;
+    DrawnRelief drawn;
     std::string color;
     std::string normal;
     HeightReadOptions reading;
     bool operator==(const Pictures&) const = default;
 };
+
+// The file; "bricks:256x256:1"; "drawn:8x8".
+std::string heightsName(const Pictures& pictures);
 
 struct PixelChoice {
     int x = 0;
@@ -79,6 +86,7 @@ struct Scenario {
     std::vector<Breakpoint> breakpoints;  // where stepping stops
     std::vector<Bookmark> bookmarks;
     OtherTracer other;
+    Comparison comparison;  // with other methods
     bool operator==(const Scenario&) const = default;
 };
 

@@ -24,6 +24,17 @@ std::string resolved(const std::string& path, const std::filesystem::path& folde
     return relative ? (folder / path).lexically_normal().string() : path;
 }
 
+// Each row a text, so that a person finds it; one row: a profile.
+void readDrawn(Reader reader, DrawnRelief& drawn) {
+    reader.readWhole("width", drawn.width);
+    reader.readWhole("height", drawn.height);
+    reader.readTexts("rows", [&](const std::string& row) {
+        for (const double height : parseDrawnNumbers(row, "rows")) drawn.heights.push_back(height);
+    });
+    if (drawn.empty()) reader.fail("rows", "an array of texts, the heights of a row in each");
+    reader.finish();
+}
+
 void readPictures(Reader reader, Pictures& pictures, const std::filesystem::path& folder) {
     reader.read("height", pictures.height);
     reader.read("color", pictures.color);
@@ -39,6 +50,7 @@ void readPictures(Reader reader, Pictures& pictures, const std::filesystem::path
         recipe.readWhole("seed", pictures.seed);
         recipe.finish();
     }
+    if (reader.has("drawn")) readDrawn(reader.child("drawn"), pictures.drawn);
     reader.read("channel", pictures.reading.channel);
     reader.read("invert", pictures.reading.invert);
     reader.named("range", [&](const std::string& text) { pictures.reading.range = parseHeightRange(text); });
@@ -87,6 +99,45 @@ void readLight(Reader reader, Light& light) {
     reader.finish();
 }
 
+Json methodJson(const MethodChoice& method) {
+    Json json = {{"name", method.name}};
+    if (!method.options.empty()) json["options"] = method.options;
+    return json;
+}
+
+void readComparison(Reader reader, Comparison& comparison) {
+    reader.readObjects("methods", [&](Reader other) {
+        comparison.others.emplace_back();
+        readMethod(std::move(other), comparison.others.back());
+    });
+    reader.named("mode", [&](const std::string& name) { comparison.mode = parseCompareMode(name); });
+    reader.named("difference", [&](const std::string& name) { comparison.measure = parseCompareMeasure(name); });
+    reader.named("reference", [&](const std::string& name) { comparison.reference = parseCompareReference(name); });
+    reader.readNumbers("dividers", comparison.dividers);
+    reader.read("rate", comparison.rate);
+    reader.finish();
+}
+
+Json comparisonJson(const Comparison& comparison) {
+    Json json = {{"methods", Json::array()}};
+    for (const MethodChoice& other : comparison.others) json["methods"].push_back(methodJson(other));
+    json["mode"] = compareModeName(comparison.mode);
+    json["difference"] = compareMeasureName(comparison.measure);
+    json["reference"] = compareReferenceName(comparison.reference);
+    if (!comparison.dividers.empty()) json["dividers"] = comparison.dividers;
+    json["rate"] = comparison.rate;
+    return json;
+}
+
+Json drawnJson(const DrawnRelief& drawn) {
+    Json json = {{"width", drawn.width}, {"height", drawn.height}, {"rows", Json::array()}};
+    for (std::size_t i = 0; i < drawn.heights.size(); i += static_cast<std::size_t>(drawn.width)) {
+        const auto row = drawn.heights.begin() + static_cast<std::ptrdiff_t>(i);
+        json["rows"].push_back(drawnNumbers({row, row + drawn.width}));
+    }
+    return json;
+}
+
 Json pictureJson(const Pictures& pictures, const std::string& folder) {
     Json json;
     if (!pictures.height.empty()) json["height"] = relativeTo(pictures.height, folder);
@@ -96,6 +147,7 @@ Json pictureJson(const Pictures& pictures, const std::string& folder) {
                           {"height", pictures.recipeHeight},
                           {"seed", pictures.seed}};
     }
+    if (!pictures.drawn.empty()) json["drawn"] = drawnJson(pictures.drawn);
     if (!pictures.color.empty()) json["color"] = relativeTo(pictures.color, folder);
     if (!pictures.normal.empty()) json["normal"] = relativeTo(pictures.normal, folder);
     if (!pictures.reading.channel.empty()) json["channel"] = pictures.reading.channel;
@@ -140,12 +192,6 @@ Json breakpointJson(const Breakpoint& breakpoint) {
     if (texel || breakpoint.j != 0) json["j"] = breakpoint.j;
     if (breakpoint.height != standard.height) json["height"] = breakpoint.height;
     if (!breakpoint.on) json["on"] = false;
-    return json;
-}
-
-Json methodJson(const MethodChoice& method) {
-    Json json = {{"name", method.name}};
-    if (!method.options.empty()) json["options"] = method.options;
     return json;
 }
 
@@ -215,6 +261,7 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
     json["size"] = {scenario.width, scenario.height};
     if (scenario.pixel) json["pixel"] = {scenario.pixel->x, scenario.pixel->y};
     json["step"] = scenario.step;
+    if (!(scenario.comparison == Comparison{})) json["compare"] = comparisonJson(scenario.comparison);
     writeNotes(json, scenario, baseFolder);
     // Names of files need not be UTF-8; what is not is replaced rather than refused.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -255,6 +302,7 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     PixelChoice pixel;
     if (reader.readPair("pixel", pixel.x, pixel.y)) scenario.pixel = pixel;
     reader.readWhole("step", scenario.step);
+    if (reader.has("compare")) readComparison(reader.child("compare"), scenario.comparison);
     readNotes(reader, scenario, folder);
     reader.finish();
     checkScenario(scenario, fileName);

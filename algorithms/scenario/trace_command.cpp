@@ -29,6 +29,8 @@ std::string commandBegin(const Scenario& scenario) {
     const Pictures& pictures = scenario.pictures;
     if (!pictures.height.empty()) {
         add("--height", pictures.height);
+    } else if (!pictures.drawn.empty()) {
+        add("--relief", drawnRecipe(pictures.drawn));
     } else {
         add("--relief", pictures.recipe + ":" + std::to_string(pictures.recipeWidth) + "x" +
                             std::to_string(pictures.recipeHeight) + ":" + std::to_string(pictures.seed));

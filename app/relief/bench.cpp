@@ -77,12 +77,6 @@ std::vector<Pictures> chosenPictures(const BenchCommandOptions& given) {
     return all;
 }
 
-std::string pictureName(const Pictures& pictures) {
-    if (!pictures.height.empty()) return pictures.height;
-    return pictures.recipe + ":" + std::to_string(pictures.recipeWidth) + "x" + std::to_string(pictures.recipeHeight) +
-           ":" + std::to_string(pictures.seed);
-}
-
 // A height map of the sweep: files are read at once, so that faults show; reliefs are made when they are measured.
 struct SweepMap {
     Pictures pictures;
@@ -93,8 +87,8 @@ struct SweepMap {
 std::vector<SweepMap> sweepMaps(const std::vector<Pictures>& pictures, Session& session) {
     std::vector<SweepMap> maps;
     for (const Pictures& one : pictures) {
-        maps.push_back({one, pictureName(one), nullptr});
-        if (one.height.empty()) {
+        maps.push_back({one, heightsName(one), nullptr});
+        if (one.height.empty() && one.drawn.empty()) {
             // Sizes are wrong only where the recipe has one of its own, a small one.
             const auto& known = reliefRecipes();
             const auto recipe =

@@ -35,7 +35,7 @@ FilterScene givenScene(Pictures pictures, const OptionText& color, double depth,
     AssetStore store;
     const Assets assets = store.load(pictures, session.work());
     noteHeights(session, assets, scenario);
-    return {pictures.height.empty() ? pictures.recipe : pictures.height,
+    return {pictures.recipe.empty() ? heightsName(pictures) : pictures.recipe,
             HeightField(assets.heights, Surface::Bilinear, Address::Repeat, depth),
             assets.color ? assets.color : patchPicture(*assets.heights, seed)};
 }

@@ -92,10 +92,11 @@ std::string scenarioInfo(const std::string& path, Session& session) {
     Table table(session.language());
     table.title(path);
     table.row(MessageId::InfoFormat, Message(MessageId::InfoScenario, {{"version", kScenarioVersion}}));
-    table.row(MessageId::InfoHeightMap,
-              pictures.height.empty() ? pictures.recipe + " " + sizeText(pictures.recipeWidth, pictures.recipeHeight) +
-                                            ", seed " + std::to_string(pictures.seed)
-                                      : pictures.height);
+    const bool recipe = pictures.height.empty() && pictures.drawn.empty();
+    table.row(MessageId::InfoHeightMap, recipe ? pictures.recipe + " " +
+                                                     sizeText(pictures.recipeWidth, pictures.recipeHeight) + ", seed " +
+                                                     std::to_string(pictures.seed)
+                                               : heightsName(pictures));
     if (!pictures.color.empty()) table.row(MessageId::InfoColor, pictures.color);
     if (!pictures.normal.empty()) table.row(MessageId::InfoNormals, pictures.normal);
     table.row(MessageId::InfoRelief, std::string(surfaceName(scenario.surface)) + ", " +

@@ -151,7 +151,8 @@ void ReadingOptions::apply(HeightReadOptions& reading) const {
 }
 
 void noteHeights(Session& session, const Assets& assets, const Scenario& scenario) {
-    const std::string& name = scenario.pictures.height.empty() ? scenario.pictures.recipe : scenario.pictures.height;
+    const Pictures& pictures = scenario.pictures;
+    const std::string name = pictures.recipe.empty() ? heightsName(pictures) : pictures.recipe;
     for (const Message& message : assets.height->notes) session.note(name, message);
 }
 

@@ -73,6 +73,15 @@ void applySetting(OptionValues& options, const std::string& text, const std::str
     options[text.substr(0, equals)] = text.substr(equals + 1);
 }
 
+// "drawn", "WxH", "0.1,0.5,...": as the trace command of a relief drawn by hand has it.
+void applyDrawn(Pictures& pictures, const std::vector<std::string>& parts) {
+    const SizeText size = parseSize(parts[1], "--relief", kMostDrawnSide);
+    pictures.drawn = {size.width, size.height, parseDrawnNumbers(parts[2], "--relief")};
+    pictures.height.clear();
+    pictures.recipe.clear();
+    checkDrawn(pictures.drawn, "--relief");
+}
+
 }  // namespace
 
 void applyOrbit(Scenario& scenario, const std::string& text, const std::string& option) {
@@ -85,6 +94,8 @@ void applyOrbit(Scenario& scenario, const std::string& text, const std::string& 
 
 void applyRecipe(Pictures& pictures, const std::string& text) {
     const std::vector<std::string> parts = splitText(text, ':');
+    if (parts[0] == kDrawn && parts.size() == 3) return applyDrawn(pictures, parts);
+    pictures.drawn = {};
     std::string known;
     const ReliefRecipe* found = nullptr;
     for (const ReliefRecipe& recipe : reliefRecipes()) {
@@ -239,6 +250,7 @@ void ScenarioOptions::applyPictures(Scenario& scenario) const {
         if (height_->empty()) throw InputError("--height", Message(MessageId::FileMissing));
         scenario.pictures.height = *height_;
         scenario.pictures.recipe.clear();
+        scenario.pictures.drawn = {};
     }
     if (color_) scenario.pictures.color = *color_;
     if (normal_) scenario.pictures.normal = *normal_;

@@ -56,12 +56,6 @@ HeightField fieldOf(const Scenario& scenario, const Assets& assets) {
     return {assets.heights, scenario.surface, scenario.address, scenario.reliefDepth};
 }
 
-std::string nameOf(const Pictures& pictures) {
-    if (!pictures.height.empty()) return pictures.height;
-    return pictures.recipe + ":" + std::to_string(pictures.recipeWidth) + "x" + std::to_string(pictures.recipeHeight) +
-           ":" + std::to_string(pictures.seed);
-}
-
 // Every procedural relief, small, in place of a height map that was not given.
 std::vector<Scenario> checkedScenarios(const RecommendOptions& given) {
     if (given.scenario.heightsGiven()) return {given.scenario.scenario()};
@@ -92,7 +86,7 @@ int runCheck(const RecommendOptions& given, Session& session) {
         kept = kept && result.keepsBound;
         advised += result.adviceSeconds;
         measured += result.tableSeconds;
-        rows.push_back({nameOf(scenario.pictures), readable(100 * result.regret(), kDigits),
+        rows.push_back({heightsName(scenario.pictures), readable(100 * result.regret(), kDigits),
                         readable(100 * result.chosenBeyond, kDigits) + (result.keepsBound ? "" : "!"),
                         methodText(result.chosen), methodText(result.best)});
     }
@@ -118,7 +112,7 @@ int runRecommend(const RecommendOptions& given, Session& session) {
     noteHeights(session, assets, scenario);
     AdviceOptions options(fieldOf(scenario, assets));
     applyAsked(given, options);
-    options.name = nameOf(scenario.pictures);
+    options.name = heightsName(scenario.pictures);
     options.color = assets.color;
     const Advice advice = recommend(options, work);
     session.eraseBar();

@@ -16,6 +16,7 @@ relief::Scenario raysOf(const relief::Scenario& scenario) {
     relief::Scenario part = relief::withNotesOf(scenario, standard);
     part.pixel.reset();
     part.other = {};
+    part.comparison = {};
     part.method = standard.method;
     part.filter = standard.filter;
     part.light = standard.light;

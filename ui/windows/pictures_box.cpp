@@ -146,7 +146,9 @@ void PicturesBox::refresh() {
     const relief::Pictures& pictures = workspace_->scenario().pictures;
     const bool procedural = pictures.height.empty();
     const QFileInfo heights(QString::fromStdString(pictures.height));
-    folder_->setText(procedural ? tr("procedural relief") : heights.dir().dirName());
+    folder_->setText(!pictures.drawn.empty() ? tr("relief drawn by hand")
+                     : procedural            ? tr("procedural relief")
+                                             : heights.dir().dirName());
     folder_->setToolTip(procedural ? QString() : heights.absolutePath());
     for (const Row& row : rows_) {
         const QFileInfo file(QString::fromStdString(pictures.*row.member));

@@ -18,6 +18,7 @@ bool sameFrame(const relief::Scenario& a, const relief::Scenario& b) {
     relief::Scenario c = relief::withNotesOf(b, a);
     c.pixel = a.pixel;
     c.other = a.other;
+    c.comparison = a.comparison;
     return a == c;
 }
 

@@ -48,6 +48,36 @@ TEST(Scenario, survivesTheRoundTrip) {
     EXPECT_EQ(parseScenario(scenarioText(other), "s.json"), other);
 }
 
+Scenario drawn() {
+    Scenario s = unusual();
+    s.pictures = {};
+    s.pictures.drawn = {3, 2, {0, 1, 0.1 + 0.2, 0.125, 1.0 / 3, 1}};
+    s.comparison.others = {{"layers", {{"layers", "32"}}}, {"exact", {}}};
+    s.comparison.mode = CompareMode::Swipe;
+    s.comparison.measure = CompareMeasure::L1;
+    s.comparison.reference = CompareReference::MethodA;
+    s.comparison.dividers = {0.25, 1.0 / 3};
+    s.comparison.rate = 0.7;
+    return s;
+}
+
+TEST(Scenario, DrawnReliefAndComparisonSurviveTheRoundTrip) {
+    EXPECT_EQ(parseScenario(scenarioText(drawn()), "s.json"), drawn());
+    Scenario profile = drawn();
+    profile.pictures.drawn = {4, 3, {0, 0.5, 1, 0.25}};
+    const Scenario back = parseScenario(scenarioText(profile), "s.json");
+    EXPECT_EQ(back, profile);
+    Work work;
+    AssetStore store;
+    const FloatImage& heights = *store.load(back.pictures, work).heights;
+    ASSERT_EQ(heights.width(), 4);
+    ASSERT_EQ(heights.height(), 3);
+    for (int j = 0; j < 3; ++j) EXPECT_EQ(heights(3, j), 0.25F);
+    // Another height is another picture.
+    profile.pictures.drawn.heights[3] = 0.75;
+    EXPECT_EQ((*store.load(profile.pictures, work).heights)(3, 1), 0.75F);
+}
+
 TEST(Scenario, pathsAreRelativeToTheFile) {
     const Scenario read =
         parseScenario(R"({"reliefscope": 1, "pictures": {"height": "a/b.png"}})", "/some/where/s.json");
@@ -99,6 +129,21 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused("{\"reliefscope\": 1, \"breakpoints\": 3}", "\"breakpoints\" must be an array of objects");
     expectRefused("{\"reliefscope\": 1,\n\"bookmarks\": [{\"name\": \"a\"},\n{\"nam\": \"b\"}]}",
                   "line 3: nothing is called \"nam\"");
+    const std::string rows = "{\"reliefscope\": 1, \"pictures\": {\"drawn\": {\"width\": 2, \"height\": 2,\n\"rows\": ";
+    expectRefused(rows + "[\"0,1\", \"0.5,x\"]}}}", "line 2");
+    expectRefused(rows + "[\"0,1\", \"0.5\"]}}}", "has 3 heights; it needs 4");
+    expectRefused(rows + "[\"0,1\", \"0.5,1.5\"]}}}", "a drawn height is 1.5");
+    expectRefused(rows + "[\"0,1\", \"0.5,nan\"]}}}", "s.json");
+    expectRefused(rows + "[]}}}", "an array of texts");
+    expectRefused(rows + "[\"0,1\", \"0,1\"]}, \"height\": \"a.png\"}}", "one of the two");
+    const std::string wide = "{\"reliefscope\": 1, \"pictures\": {\"drawn\": {\"width\": 33, \"height\": 2, ";
+    expectRefused(wide + "\"rows\": [\"0,1\"]}}}", "33");
+    const std::string compare = "{\"reliefscope\": 1,\n\"compare\": {";
+    expectRefused(compare + "\"mode\": \"blink\"}}", "no mode of comparison \"blink\"");
+    expectRefused(compare + "\"methods\": [3]}}", "an object");
+    expectRefused(compare + "\"methods\": [{\"name\": \"magic\"}]}}", "no tracer \"magic\"");
+    expectRefused(compare + "\"dividers\": [0.5, 0.2]}}", "a divider is 0.2");
+    expectRefused(compare + "\"rate\": 0}}", "rate is 0");
     expectRefused("{\"reliefscope\": 1, \"camera\": {\"fov\": 1e999}}", "s.json");
     expectRefused("{\"reliefscope\": 1, \"camera\": {\"eye\": [0,0,0], \"target\": [0,0,0]}}", "distance from eye");
 }
@@ -108,6 +153,7 @@ TEST(Scenario, theTraceCommandQuotesForTheShell) {
     EXPECT_NE(line.find("--height 'тека з пробілами/висоти.png'"), std::string::npos) << line;
     EXPECT_NE(line.find("--pixel 320,7"), std::string::npos) << line;
     EXPECT_NE(line.find("--relief-depth 0.30000000000000004"), std::string::npos) << line;
+    EXPECT_NE(traceCommand(drawn()).find("--relief drawn:3x2:0,1,0.30000000000000004,0.125,"), std::string::npos);
 }
 
 }  // namespace

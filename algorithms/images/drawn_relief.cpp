@@ -1,0 +1,71 @@
+#include "images/drawn_relief.h"
+
+#include <algorithm>
+
+#include "relief/describe.h"
+
+namespace relief {
+
+namespace {
+
+std::string rangeText(const std::string& low, const std::string& high) {
+    return low + " to " + high;
+}
+
+}  // namespace
+
+void checkDrawn(const DrawnRelief& drawn, const std::string& subject) {
+    for (const int side : {drawn.width, drawn.height}) {
+        if (side >= kLeastDrawnSide && side <= kMostDrawnSide) continue;
+        throw InputError(
+            subject, Message(MessageId::OutOfRange,
+                             {{"what", "a side of the drawn relief"},
+                              {"value", side},
+                              {"range", rangeText(std::to_string(kLeastDrawnSide), std::to_string(kMostDrawnSide))}}));
+    }
+    const auto all = static_cast<std::size_t>(drawn.width) * static_cast<std::size_t>(drawn.height);
+    if (drawn.heights.size() != all && drawn.heights.size() != static_cast<std::size_t>(drawn.width)) {
+        throw InputError(subject, Message(MessageId::DrawnCount,
+                                          {{"count", drawn.heights.size()}, {"all", all}, {"row", drawn.width}}));
+    }
+    for (const double height : drawn.heights) {
+        if (height >= 0 && height <= 1) continue;
+        throw InputError(subject,
+                         Message(MessageId::OutOfRange,
+                                 {{"what", "a drawn height"}, {"value", height}, {"range", rangeText("0", "1")}}));
+    }
+}
+
+FloatImage drawnHeights(const DrawnRelief& drawn) {
+    FloatImage image(drawn.width, drawn.height);
+    for (int j = 0; j < drawn.height; ++j) {
+        for (int i = 0; i < drawn.width; ++i) image(i, j) = static_cast<float>(drawn.at(i, j));
+    }
+    return image;
+}
+
+std::string drawnNumbers(const std::vector<double>& heights) {
+    std::string text;
+    for (const double height : heights) text += (text.empty() ? "" : ",") + numberText(height);
+    return text;
+}
+
+std::vector<double> parseDrawnNumbers(std::string_view text, const std::string& subject) {
+    std::vector<double> heights;
+    while (true) {
+        const std::size_t comma = text.find(',');
+        std::string_view part = text.substr(0, comma);
+        while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+        while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
+        heights.push_back(parseNumber(part, subject));
+        if (comma == std::string_view::npos) return heights;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+std::string drawnRecipe(const DrawnRelief& drawn) {
+    return std::string(kDrawn) + ":" + std::to_string(drawn.width) + "x" + std::to_string(drawn.height) + ":" +
+           drawnNumbers(drawn.heights);
+}
+
+}  // namespace relief
