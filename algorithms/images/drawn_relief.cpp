@@ -1,8 +1,8 @@
 #include "images/drawn_relief.h"
 
-#include <algorithm>
+#include <charconv>
 
-#include "relief/describe.h"
+#include "errors.h"
 
 namespace relief {
 
@@ -57,7 +57,12 @@ std::vector<double> parseDrawnNumbers(std::string_view text, const std::string& 
         std::string_view part = text.substr(0, comma);
         while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
         while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
-        heights.push_back(parseNumber(part, subject));
+        double height = 0;
+        const auto result = std::from_chars(part.data(), part.data() + part.size(), height);
+        if (result.ec != std::errc() || result.ptr != part.data() + part.size()) {
+            throw InputError(subject, Message(MessageId::NotANumber, {{"text", std::string(part)}}));
+        }
+        heights.push_back(height);
         if (comma == std::string_view::npos) return heights;
         text.remove_prefix(comma + 1);
     }

@@ -11,6 +11,7 @@
 #include "errors.h"
 #include "measuring/pareto.h"
 #include "views/charts_data.h"
+#include "views/compare_data.h"
 #include "views/figure.h"
 #include "windows/display_check.h"
 #include "windows/main_window.h"
@@ -103,6 +104,14 @@ std::shared_ptr<const reliefui::ChartsSource> measuredCharts(const reliefui::Sna
     return charts;
 }
 
+// The compare pane, rendered and measured now; null where there is nothing to compare with.
+std::shared_ptr<const reliefui::ComparedView> measuredComparison(const reliefui::Snapshot& snapshot) {
+    if (snapshot.scenario.comparison.others.empty()) return nullptr;
+    Work work;
+    reliefui::Comparer comparer;
+    return reliefui::withRates(*comparer.view(snapshot, work), snapshot, work);
+}
+
 int exportFigure(int count, char** values, const Arguments& arguments) {
     reliefui::FigureRequest request;
     request.view = arguments.figure;
@@ -135,6 +144,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     Work work;
     const std::shared_ptr<const reliefui::Snapshot> snapshot = maker.make(order, work);
     if (request.view == "charts") request.charts = measuredCharts(*snapshot, arguments);
+    if (request.view == "compare") request.compare = measuredComparison(*snapshot);
     reliefui::writeFigure(*snapshot, request, arguments.output);
     return 0;
 }

@@ -241,6 +241,15 @@ TEST_P(TraceTest, TheCopiedCommandTracesTheChosenPixel) {
     scenario.pictures.recipe = "hills";
     const std::string line = "'" RELIEF_PROGRAM "' " + traceCommand(scenario).substr(7) + " > /dev/null";
     EXPECT_EQ(std::system(line.c_str()), 0) << line;
+    // Heights drawn by hand are in the command itself.
+    scenario.pictures = {};
+    scenario.pictures.drawn = {3, 2, {0, 1, 0.25, 1.0 / 3, 0.5, 0.75}};
+    const std::string answer = runFine({"trace", write("drawn.json", scenarioText(scenario, path("")))});
+    const std::string drawn =
+        "'" RELIEF_PROGRAM "' " + traceCommand(scenario).substr(7) + " > '" + path("out.csv") + "'";
+    EXPECT_EQ(std::system(drawn.c_str()), 0) << drawn;
+    EXPECT_EQ(read("out.csv"), answer) << drawn;
+    EXPECT_EQ(fields(lines(answer)[1])[0], "hit");
 }
 
 TEST_P(TraceTest, OutputsThatCannotBeWritten) {

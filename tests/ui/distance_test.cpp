@@ -453,7 +453,7 @@ TEST_F(DistanceTest, ItIsExportedAsItIsShown) {
         EXPECT_GT(QFileInfo(file).size(), 3000) << ending;
     }
     EXPECT_GT(colorsIn(QImage(folder.filePath(QStringLiteral("map.png")))), 50);
-    EXPECT_GT(colorsIn(view()->picture(800)), 50);
+    EXPECT_GT(colorsIn(view()->image(800)), 50);
 }
 
 }  // namespace

@@ -302,7 +302,7 @@ TEST_F(FootprintTest, TheFigureIsThePane) {
         view()->saveFigure(path);
         EXPECT_GT(QFileInfo(path).size(), 1000) << name;
     }
-    const QImage picture = view()->picture(900);
+    const QImage picture = view()->image(900);
     EXPECT_GT(colorsIn(picture), 10);
     EXPECT_FALSE(QImage(folder.filePath(QStringLiteral("f.png"))).isNull());
 }

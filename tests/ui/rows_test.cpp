@@ -370,7 +370,7 @@ TEST_F(RowsPane, ItIsExportedAsItIsShown) {
         view()->saveFigure(file);
         EXPECT_GT(QFileInfo(file).size(), 3000) << ending;
     }
-    EXPECT_GT(colorsIn(view()->picture(800)), 50);
+    EXPECT_GT(colorsIn(view()->image(800)), 50);
 }
 
 // By the program, without a display.

@@ -61,6 +61,28 @@ void LegendRows::line(Role role, const Message& what, LevelTint tint, double len
     text({at.x + length + 4, at.y}, what);
 }
 
+void LegendRows::ramp(ColorMap map, const Message& what) {
+    static constexpr int kRampCells = 64;
+    constexpr double kBar = 56;
+    const Point at = place(kBar + 5 + textRoom(what) + kBetween);
+    static const auto values = [] {
+        auto ramp = std::make_shared<relief::FloatImage>(kRampCells, 1);
+        for (int i = 0; i < kRampCells; ++i) (*ramp)(i, 0) = static_cast<float>(i) / (kRampCells - 1);
+        return std::shared_ptr<const relief::FloatImage>(ramp);
+    }();
+    Cells bar;
+    bar.values = values;
+    bar.x = at.x;
+    bar.y = at.y - 5;
+    bar.cellWidth = kBar / kRampCells;
+    bar.cellHeight = 10;
+    bar.clip = {bar.x, bar.y, bar.x + kBar, bar.y + 10};
+    bar.map = map;
+    add(Role::HeightFill, bar);
+    add(Role::Frame, Rectangle{bar.clip, false, 0, 0});
+    text({at.x + kBar + 5, at.y}, what);
+}
+
 void LegendRows::decisions(const std::array<bool, relief::kDecisionNames.size()>& seen) {
     for (std::size_t d = 0; d < seen.size(); ++d) {
         if (!seen[d]) continue;

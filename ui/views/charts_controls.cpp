@@ -10,9 +10,9 @@
 namespace reliefui {
 
 ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)) {
-    setAccessibleName(tr("Charts"));
-    setFocusProxy(canvas_);
+    : FigureView(workspace, tr("Charts"), QStringLiteral("charts"), tr("Export the charts"), parent),
+      canvas_(new DrawingCanvas(this)) {
+    setFace(canvas_);
     LatestJob::Listener listener;
     listener.failed = [this](const QString& problem) {
         measuring_ = false;
@@ -31,9 +31,7 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
     column->setSpacing(0);
     column->addWidget(bar_);
     column->addWidget(canvas_, 1);
-    canvas_->setContextMenuPolicy(Qt::CustomContextMenu);
     canvas_->installEventFilter(this);
-    connect(canvas_, &QWidget::customContextMenuRequested, this, &ChartsView::openMenu);
     connect(canvas_, &DrawingCanvas::pointed, this, &ChartsView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &ChartsView::draw);

@@ -1,34 +1,21 @@
 #include "views/charts_view.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QTimer>
 #include <QToolButton>
 
 #include "views/drawing_canvas.h"
-#include "views/figure.h"
 
 namespace reliefui {
 
 namespace {
-
-constexpr int kCopiedWidth = 1600;  // pixels
 
 QString number(double value) {
     return QString::fromStdString(relief::numberText(value, 3));
 }
 
 }  // namespace
-
-// A pane behind another tab counts as visible for Qt; it only lies outside the window.
-bool ChartsView::inSight() const {
-    return isVisible() && !visibleRegion().isEmpty();
-}
 
 bool ChartsView::settled() const {
     return !stale_ && !job_->busy();
@@ -164,14 +151,7 @@ void ChartsView::showEmpty() {
     job_->drop();
     measuring_ = false;
     picture_ = {};
-    auto drawing = std::make_shared<Drawing>();
-    drawing->bounds = {0, 0, 100, 100};
-    Label label;
-    label.at = {50, 50};
-    label.text = relief::Message(relief::MessageId::DrawNoPicture);
-    label.anchor = Anchor::Center;
-    drawing->add({}, Role::Label, std::move(label));
-    canvas_->setLayers({std::move(drawing)}, nullptr);
+    canvas_->showText(relief::MessageId::DrawNoPicture);
     setReadout({});
     showBusy();
 }
@@ -200,11 +180,6 @@ void ChartsView::choose(std::size_t point) {
     measuring_ = false;
     job_->start({work, done});
     showBusy();
-}
-
-void ChartsView::setReadout(const QString& text) {
-    readout_ = text;
-    Q_EMIT hovered(text);
 }
 
 // Speed never without its error.
@@ -241,52 +216,8 @@ void ChartsView::tell(const QPointF& widget) {
     setReadout(at.bar ? textOf(*at.bar) : QString());
 }
 
-void ChartsView::openMenu(const QPoint& at) {
-    QMenu menu(this);
-    tell(at);
-    const QString value = readout();
-    QAction* const copy =
-        menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
-    copy->setEnabled(!value.isEmpty());
-    QAction* const picture =
-        menu.addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(image(kCopiedWidth)); });
-    QAction* const save = menu.addAction(tr("Export figure…"), this, &ChartsView::askFigure);
-    picture->setEnabled(histograms_ != nullptr);
-    save->setEnabled(histograms_ != nullptr);
-    menu.exec(canvas_->mapToGlobal(at));
-}
-
-FigureRequest ChartsView::figure() const {
-    FigureRequest request;
-    request.view = "charts";
-    request.style = workspace_->style();
+void ChartsView::fillFigure(FigureRequest& request) const {
     request.charts = std::make_shared<const ChartsSource>(source());
-    return request;
-}
-
-QImage ChartsView::image(int width) const {
-    return histograms_ ? figureImage(*snapshot_, figure(), width) : QImage();
-}
-
-void ChartsView::askFigure() {
-    QString path = QFileDialog::getSaveFileName(this, tr("Export the charts"), QStringLiteral("charts.svg"),
-                                                tr("Figures") + QStringLiteral(" (*.svg *.pdf *.png)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".svg");
-    saveFigure(path);
-}
-
-void ChartsView::saveFigure(const QString& path) {
-    if (!histograms_) return;
-    FigureRequest request = figure();
-    // In print, dark lines on white.
-    request.style.theme = Theme::Light;
-    try {
-        writeFigure(*snapshot_, request, path.toStdString());
-        Q_EMIT saved(path);
-    } catch (const relief::InputError& error) {
-        Q_EMIT workspace_->problem(QString::fromStdString(error.text(request.style.language)));
-    }
 }
 
 }  // namespace reliefui

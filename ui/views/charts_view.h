@@ -7,11 +7,10 @@
 #include <optional>
 
 #include <QPointF>
-#include <QWidget>
 
 #include "views/charts_data.h"
+#include "views/figure_view.h"
 #include "workspace/latest_job.h"
-#include "workspace/workspace.h"
 
 class QComboBox;
 class QToolButton;
@@ -19,9 +18,8 @@ class QToolButton;
 namespace reliefui {
 
 class DrawingCanvas;
-struct FigureRequest;
 
-class ChartsView : public QWidget {
+class ChartsView : public FigureView {
     Q_OBJECT
   public:
     explicit ChartsView(Workspace* workspace, QWidget* parent = nullptr);
@@ -34,9 +32,6 @@ class ChartsView : public QWidget {
     const relief::FrameHistograms* histograms() const { return histograms_.get(); }
     // Nothing is waited for.
     bool settled() const;
-    QString readout() const { return readout_; }
-    // The pane as a picture, as it is exported.
-    QImage image(int width) const;
 
   public slots:
     void measure();
@@ -48,15 +43,12 @@ class ChartsView : public QWidget {
     void setMeasure(relief::ErrorMeasure measure);
     // The method of a mark, and its worst pixel.
     void choose(std::size_t point);
-    // SVG, PDF or PNG, by the ending; says when it is done, or why not.
-    void saveFigure(const QString& path);
-
-  signals:
-    void saved(const QString& path);
-    void hovered(const QString& readout);  // empty: nothing is under the pointer
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    std::shared_ptr<const Snapshot> figureSnapshot() const override { return histograms_ ? snapshot_ : nullptr; }
+    void fillFigure(FigureRequest& request) const override;
+    void tell(const QPointF& widget) override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
   private:
@@ -68,17 +60,10 @@ class ChartsView : public QWidget {
     void draw();  // another pixel, room or style
     void showEmpty();
     void showBusy();
-    void tell(const QPointF& widget);
-    void setReadout(const QString& text);
     QString textOf(const relief::ParetoPoint& point) const;
     QString textOf(const HistogramBar& bar) const;
-    void openMenu(const QPoint& at);
-    void askFigure();
     ChartsSource source() const;
-    FigureRequest figure() const;
-    bool inSight() const;
 
-    Workspace* workspace_;
     DrawingCanvas* canvas_;
     QWidget* bar_ = nullptr;
     QToolButton* measureButton_ = nullptr;
@@ -87,7 +72,6 @@ class ChartsView : public QWidget {
     QComboBox* shown_ = nullptr;
     QComboBox* error_ = nullptr;
 
-    QString readout_;
     std::shared_ptr<const Snapshot> snapshot_;
     std::shared_ptr<const relief::Frame> counted_;  // that the histograms are of
     std::shared_ptr<const relief::FrameHistograms> histograms_;

@@ -2,16 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QApplication>
 #include <QButtonGroup>
-#include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QProgressBar>
 #include <QSlider>
 #include <QToolButton>
@@ -21,14 +16,12 @@
 #include "scenario/step_sentence.h"
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
-#include "views/figure.h"
 #include "windows/core_texts.h"
 
 namespace reliefui {
 
 namespace {
 
-constexpr int kCopiedWidth = 1600;  // pixels
 constexpr int kPatienceMs = 250;
 
 QString number(double value, int decimals) {
@@ -45,9 +38,9 @@ void letShrink(QComboBox* box) {
 }  // namespace
 
 DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)) {
-    setAccessibleName(tr("Distance map"));
-    setFocusProxy(canvas_);
+    : FigureView(workspace, tr("Distance map"), QStringLiteral("distance"), tr("Export the distance map"), parent),
+      canvas_(new DrawingCanvas(this)) {
+    setFace(canvas_);
     auto* const maps = new QHBoxLayout;
     auto* const slices = new QHBoxLayout;
     makeMapBar(maps);
@@ -66,8 +59,6 @@ DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
         bar_->setValue(static_cast<int>(fraction * 1000));
     };
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
-    canvas_->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(canvas_, &QWidget::customContextMenuRequested, this, &DistanceView::openMenu);
     connect(canvas_, &DrawingCanvas::clicked, this, &DistanceView::choose);
     connect(canvas_, &DrawingCanvas::pointed, this, &DistanceView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
@@ -257,11 +248,6 @@ void DistanceView::choose(const ItemId& id) {
     if (id.kind == ItemKind::Hit && count > 0) workspace_->chooseStep(static_cast<int>(count - 1));
 }
 
-void DistanceView::setReadout(const QString& text) {
-    readout_ = text;
-    Q_EMIT hovered(text);
-}
-
 void DistanceView::tell(const QPointF& widget) {
     if (!result_) return setReadout({});
     const DistanceSource source = distanceSource(*result_->snapshot, result_->maps);
@@ -286,56 +272,8 @@ void DistanceView::tell(const QPointF& widget) {
     setReadout(text);
 }
 
-void DistanceView::openMenu(const QPoint& at) {
-    QMenu menu(this);
-    tell(at);
-    const QString value = readout();
-    QAction* const copy =
-        menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
-    copy->setEnabled(!value.isEmpty());
-    QAction* const image = menu.addAction(tr("Copy picture"), this,
-                                          [this] { QApplication::clipboard()->setImage(picture(kCopiedWidth)); });
-    QAction* const save = menu.addAction(tr("Export figure…"), this, &DistanceView::askFigure);
-    image->setEnabled(result_ != nullptr);
-    save->setEnabled(result_ != nullptr);
-    menu.exec(canvas_->mapToGlobal(at));
-}
-
-QImage DistanceView::picture(int width) const {
-    if (!result_) return {};
-    FigureRequest request;
-    request.view = "distance";
-    request.style = workspace_->style();
+void DistanceView::fillFigure(FigureRequest& request) const {
     request.distance = options_;
-    Snapshot now = *result_->snapshot;
-    now.scenario.step = workspace_->scenario().step;
-    return figureImage(now, request, width);
-}
-
-void DistanceView::askFigure() {
-    QString path = QFileDialog::getSaveFileName(this, tr("Export the distance map"), QStringLiteral("distance.svg"),
-                                                tr("Figures") + QStringLiteral(" (*.svg *.pdf *.png)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".svg");
-    saveFigure(path);
-}
-
-void DistanceView::saveFigure(const QString& path) {
-    if (!result_) return;
-    FigureRequest request;
-    request.view = "distance";
-    // In print, dark lines on white.
-    request.style = workspace_->style();
-    request.style.theme = Theme::Light;
-    request.distance = options_;
-    Snapshot now = *result_->snapshot;
-    now.scenario.step = workspace_->scenario().step;
-    try {
-        writeFigure(now, request, path.toStdString());
-        Q_EMIT saved(path);
-    } catch (const relief::InputError& error) {
-        Q_EMIT workspace_->problem(QString::fromStdString(error.text(request.style.language)));
-    }
 }
 
 }  // namespace reliefui

@@ -34,11 +34,6 @@ bool DistanceView::ready() const {
     return snapshot_ && snapshot_->request && snapshot_->maxima && snapshot_->maps;
 }
 
-// A pane behind another tab counts as visible for Qt; it only lies outside the window.
-bool DistanceView::inSight() const {
-    return isVisible() && !visibleRegion().isEmpty();
-}
-
 bool DistanceView::settled() const {
     return !stale_ && !job_->busy();
 }
@@ -163,14 +158,7 @@ void DistanceView::showMarks() {
 
 void DistanceView::showEmpty(relief::MessageId why) {
     result_.reset();
-    auto drawing = std::make_shared<Drawing>();
-    drawing->bounds = {0, 0, 100, 100};
-    Label label;
-    label.at = {50, 50};
-    label.text = relief::Message(why);
-    label.anchor = Anchor::Center;
-    drawing->add({}, Role::Label, std::move(label));
-    canvas_->setLayers({std::move(drawing)}, nullptr);
+    canvas_->showText(why);
     showControls();
 }
 

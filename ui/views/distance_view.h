@@ -7,11 +7,10 @@
 #include <vector>
 
 #include <QTimer>
-#include <QWidget>
 
 #include "views/distance_maps.h"
+#include "views/figure_view.h"
 #include "workspace/latest_job.h"
-#include "workspace/workspace.h"
 
 class QComboBox;
 class QFrame;
@@ -25,7 +24,7 @@ namespace reliefui {
 
 class DrawingCanvas;
 
-class DistanceView : public QWidget {
+class DistanceView : public FigureView {
     Q_OBJECT
   public:
     explicit DistanceView(Workspace* workspace, QWidget* parent = nullptr);
@@ -38,23 +37,17 @@ class DistanceView : public QWidget {
     const DistancePicture* shown() const { return result_ ? &result_->picture : nullptr; }
     // Nothing is waited for: what is on the screen is what was asked for, or a problem is said.
     bool settled() const;
-    QString readout() const { return readout_; }
     QString problem() const { return problem_; }
-    // The pane as a picture, as it is exported, with the options of the screen.
-    QImage picture(int width) const;
 
   public slots:
     void cancel();
     void resetZoom();
-    // SVG, PDF or PNG, by the ending; says when it is done, or why not.
-    void saveFigure(const QString& path);
-
-  signals:
-    void saved(const QString& path);
-    void hovered(const QString& readout);  // empty: nothing is under the pointer
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    std::shared_ptr<const Snapshot> figureSnapshot() const override { return result_ ? result_->snapshot : nullptr; }
+    void fillFigure(FigureRequest& request) const override;
+    void tell(const QPointF& widget) override;
     void resizeEvent(QResizeEvent* event) override;
 
   private:
@@ -89,15 +82,9 @@ class DistanceView : public QWidget {
     void showWaiting();
     void change(const DistanceOptions& options);
     void choose(const ItemId& id);
-    void tell(const QPointF& widget);
-    void setReadout(const QString& text);
-    void openMenu(const QPoint& at);
-    void askFigure();
     bool ready() const;
-    bool inSight() const;
     MapNames namesNow() const;
 
-    Workspace* workspace_;
     DrawingCanvas* canvas_;
     QComboBox* kind_ = nullptr;
     QComboBox* minus_ = nullptr;
@@ -116,7 +103,6 @@ class DistanceView : public QWidget {
     QTimer patience_;
 
     DistanceOptions options_;
-    QString readout_;
     QString problem_;
     std::shared_ptr<const Snapshot> snapshot_;
     DistanceMaps maps_;

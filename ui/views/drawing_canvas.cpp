@@ -99,6 +99,17 @@ void DrawingCanvas::setLayers(std::vector<std::shared_ptr<const Drawing>> layers
     redraw();
 }
 
+void DrawingCanvas::showText(relief::MessageId why) {
+    auto drawing = std::make_shared<Drawing>();
+    drawing->bounds = {0, 0, 100, 100};
+    Label label;
+    label.at = drawing->bounds.center();
+    label.text = relief::Message(why);
+    label.anchor = Anchor::Center;
+    drawing->add({}, Role::Label, std::move(label));
+    setLayers({std::move(drawing)}, nullptr);
+}
+
 void DrawingCanvas::setStyle(const Style& style) {
     style_ = style;
     const Rgba ground = style.background();

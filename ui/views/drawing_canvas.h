@@ -22,6 +22,8 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
     // From the lowest to the topmost. The legend stands at the lower edge, whatever the zoom.
     void setLayers(std::vector<std::shared_ptr<const Drawing>> layers, std::shared_ptr<const Drawing> legend);
     void setStyle(const Style& style);
+    // Nothing to show but what would fill the pane, and how.
+    void showText(relief::MessageId why);
 
     // Room for the drawing at its home zoom, in points.
     QSizeF room() const;

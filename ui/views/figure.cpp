@@ -11,7 +11,9 @@
 #include "images/files.h"
 #include "measuring/bench_rows.h"
 #include "relief/maps/map_choice.h"
+#include "views/compare_painting.h"
 #include "views/distance_maps.h"
+#include "views/drawn_view.h"
 #include "views/result_painting.h"
 
 namespace reliefui {
@@ -43,10 +45,23 @@ std::string endingOf(const std::string& path) {
     return ending;
 }
 
+// Pictures in two columns where there are more than three, with their numbers.
+double compareAspect(const ComparedView& view, relief::CompareMode mode) {
+    const double picture = static_cast<double>(view.scenario.height) / view.scenario.width;
+    const std::size_t count = view.methods.size();
+    constexpr double kText = 0.12;
+    const bool beside = mode == relief::CompareMode::Tiles || mode == relief::CompareMode::Difference;
+    if (!beside) return picture + kText;
+    const double columns = count == 4 ? 2 : static_cast<double>(count);
+    return picture * (count == 4 ? 2 : 1) / columns + kText;
+}
+
 double aspectOf(const Snapshot& snapshot, const FigureRequest& request) {
     if (request.view == "rows") return kRowsAspect;
     if (request.view == "pareto") return kParetoAspect;
     if (request.view == "charts") return kChartsAspect;
+    if (request.view == "compare" && request.compare)
+        return compareAspect(*request.compare, snapshot.scenario.comparison.mode);
     if (request.view != "result") return kDrawingAspect;
     return static_cast<double>(snapshot.layer.image.height()) / std::max(1, snapshot.layer.image.width());
 }
@@ -77,8 +92,9 @@ void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, c
     }
 }
 
-void paintPyramid(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
-    const PyramidSource source = pyramidSource(snapshot, true, true);
+void paintPyramid(QPainter& painter, const Snapshot& snapshot, const PyramidOptions& options, const Box& page,
+                  const Style& style) {
+    const PyramidSource source = pyramidSource(snapshot, options);
     const double unit = style.pixelsPerPoint();
     const Drawing legend = pyramidLegend(source, page.width() / unit - 12, style.language);
     const Box room = figureRoom(legend, page, style);
@@ -175,6 +191,28 @@ void paintFootprint(QPainter& painter, const Snapshot& snapshot, const Footprint
     painter.restore();
 }
 
+void paintComparison(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
+                     const Style& style) {
+    if (!request.compare) {
+        const Drawing empty = emptyDrawing(MessageId::DrawCompareOne);
+        paintFigure(painter, {&empty}, {}, page, style);
+        return;
+    }
+    const relief::Comparison& how = snapshot.scenario.comparison;
+    const ComparePage parts = comparePage(compareSource(*request.compare, how, request.compareShown), page, style);
+    paintCompare(painter, *request.compare, how, parts, page, style, snapshot.scenario.pixel, {});
+}
+
+void paintByHand(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
+    const DrawnSource source = drawnSource(snapshot);
+    if (source.relief.empty()) {
+        const Drawing empty = emptyDrawing(MessageId::DrawDrawnNone);
+        paintFigure(painter, {&empty}, {}, page, style);
+        return;
+    }
+    paintDrawn(painter, source, page, style);
+}
+
 void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
                double unitsPerPoint) {
     Style style = request.style;
@@ -184,13 +222,17 @@ void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
     if (request.view == "result") {
         paintResult(painter, snapshot, page, style);
     } else if (request.view == "pyramid") {
-        paintPyramid(painter, snapshot, page, style);
+        paintPyramid(painter, snapshot, request.pyramid, page, style);
     } else if (request.view == "distance") {
         paintDistance(painter, snapshot, request.distance, page, style);
     } else if (request.view == "rows") {
         paintRows(painter, snapshot, request, page, style);
     } else if (request.view == "pareto" || request.view == "charts") {
         paintCharts(painter, *request.charts, page, style);
+    } else if (request.view == "compare") {
+        paintComparison(painter, snapshot, request, page, style);
+    } else if (request.view == "drawn") {
+        paintByHand(painter, snapshot, page, style);
     } else if (request.view == "footprint") {
         paintFootprint(painter, snapshot, request.footprint, page, style);
     } else {
@@ -230,16 +272,18 @@ void requireRange(const std::string& what, double value, double low, double high
 
 }  // namespace
 
-PyramidSource pyramidSource(const Snapshot& s, bool overCells, bool nearRay) {
+PyramidSource pyramidSource(const Snapshot& s, const PyramidOptions& options) {
     PyramidSource source;
     source.field = &s.request->field;
-    source.overCells = overCells;
-    source.pyramid = overCells ? std::shared_ptr<const relief::Pyramid>(s.maxima, &s.maxima->pyramid) : s.means;
+    source.overCells = options.kind == relief::PyramidKind::Max;
+    source.pyramid = source.overCells ? std::shared_ptr<const relief::Pyramid>(s.maxima, &s.maxima->pyramid)
+                                      : (options.kind == relief::PyramidKind::Mean ? s.means : s.minima);
     source.hasRay = s.trace.onRelief;
     source.ray = s.trace.ray;
     source.hit = s.trace.hit;
     source.steps = &s.trace.steps;
-    source.nearRay = nearRay;
+    source.baseLevel = s.trace.baseLevel;
+    source.nearRay = options.nearRay;
     return source;
 }
 
@@ -282,8 +326,8 @@ std::optional<RowsPlace> rowsPlace(const Snapshot& s) {
 }
 
 const std::vector<std::string>& figureViews() {
-    static const std::vector<std::string> kViews{"charts",  "distance", "footprint", "pareto",
-                                                 "profile", "pyramid",  "result",    "rows"};
+    static const std::vector<std::string> kViews{"charts", "compare", "distance", "drawn",  "footprint",
+                                                 "pareto", "profile", "pyramid",  "result", "rows"};
     return kViews;
 }
 

@@ -20,25 +20,34 @@
 namespace reliefui {
 
 // What panes draw of a snapshot.
-PyramidSource pyramidSource(const Snapshot& snapshot, bool overCells, bool nearRay);
+struct PyramidOptions {
+    relief::PyramidKind kind = relief::PyramidKind::Max;  // the maxima are over the cells, the others over the texels
+    bool nearRay = true;
+};
+PyramidSource pyramidSource(const Snapshot& snapshot, const PyramidOptions& options);
 ProfileSource profileSource(const Snapshot& snapshot);
 // Nothing where the chosen pixel shows the sky, or there is none. Not of coarse snapshots.
 std::optional<RowsPlace> rowsPlace(const Snapshot& snapshot);
+
+struct ComparedView;
 
 struct FigureRequest {
     std::string view;      // one of figureViews()
     double widthMm = 160;  // the height follows from the view
     double dpi = 300;      // of pixels
     Style style;           // theme and language; points are the page's
+    PyramidOptions pyramid;
     ProfileOptions profile;
     DistanceOptions distance;
     RowsOptions rows;
     RowsRange rowsRange;
     FootprintOptions footprint;
-    std::shared_ptr<const ChartsSource> charts;  // of "pareto", which needs nothing of the snapshot, and of "charts"
+    std::shared_ptr<const ChartsSource> charts;   // of "pareto", which needs nothing of the snapshot, and of "charts"
+    std::shared_ptr<const ComparedView> compare;  // of "compare"; null: nothing to compare with
+    std::size_t compareShown = 0;                 // of flicker
 };
 
-// "charts", "distance", "footprint", "pareto", "profile", "pyramid", "result", "rows".
+// "charts", "compare", "distance", "drawn", "footprint", "pareto", "profile", "pyramid", "result", "rows".
 const std::vector<std::string>& figureViews();
 
 // SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown view, ending, width or resolution,

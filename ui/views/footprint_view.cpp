@@ -1,25 +1,18 @@
 #include "views/footprint_view.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
-#include <QMenu>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
-#include "views/figure.h"
 
 namespace reliefui {
 
 namespace {
 
-constexpr int kCopiedWidth = 1600;  // pixels
 // Of the pane's height: what explains must leave room for what is explained.
 constexpr double kMostLegend = 0.4;
 // Twice as far out as at first, and a little to the side.
@@ -32,9 +25,9 @@ QString number(double value, int decimals) {
 }  // namespace
 
 FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)) {
-    setAccessibleName(tr("Footprint"));
-    setFocusProxy(canvas_);
+    : FigureView(workspace, tr("Footprint"), QStringLiteral("footprint"), tr("Export the footprint"), parent),
+      canvas_(new DrawingCanvas(this)) {
+    setFace(canvas_);
     auto* const bar = new QHBoxLayout;
     makeBar(bar);
     auto* const column = new QVBoxLayout(this);
@@ -42,8 +35,6 @@ FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
     column->setSpacing(0);
     column->addLayout(bar);
     column->addWidget(canvas_, 1);
-    canvas_->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(canvas_, &QWidget::customContextMenuRequested, this, &FootprintView::openMenu);
     connect(canvas_, &DrawingCanvas::pointed, this, &FootprintView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] {
         setReadout({});
@@ -88,11 +79,6 @@ void FootprintView::setOptions(const FootprintOptions& options) {
     options_ = options;
     neighbours_->setCurrentIndex(neighbours_->findData(options.neighbours));
     refresh();
-}
-
-// A pane behind another tab counts as visible for Qt; it only lies outside the window.
-bool FootprintView::inSight() const {
-    return isVisible() && !visibleRegion().isEmpty();
 }
 
 void FootprintView::paintEvent(QPaintEvent* event) {
@@ -161,19 +147,7 @@ void FootprintView::redraw() {
 void FootprintView::showEmpty(relief::MessageId why) {
     texture_.reset();
     marks_.reset();
-    auto drawing = std::make_shared<Drawing>();
-    drawing->bounds = {0, 0, 100, 100};
-    Label label;
-    label.at = {50, 50};
-    label.text = relief::Message(why);
-    label.anchor = Anchor::Center;
-    drawing->add({}, Role::Label, std::move(label));
-    canvas_->setLayers({std::move(drawing)}, nullptr);
-}
-
-void FootprintView::setReadout(const QString& text) {
-    readout_ = text;
-    Q_EMIT hovered(text);
+    canvas_->showText(why);
 }
 
 void FootprintView::tell(const QPointF& widget) {
@@ -211,52 +185,8 @@ void FootprintView::tell(const QPointF& widget) {
     setReadout(text);
 }
 
-void FootprintView::openMenu(const QPoint& at) {
-    QMenu menu(this);
-    tell(at);
-    const QString value = readout();
-    QAction* const copy =
-        menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
-    copy->setEnabled(!value.isEmpty());
-    QAction* const image = menu.addAction(tr("Copy picture"), this,
-                                          [this] { QApplication::clipboard()->setImage(picture(kCopiedWidth)); });
-    QAction* const save = menu.addAction(tr("Export figure…"), this, &FootprintView::askFigure);
-    image->setEnabled(footprint_ != nullptr);
-    save->setEnabled(footprint_ != nullptr);
-    menu.exec(canvas_->mapToGlobal(at));
-}
-
-QImage FootprintView::picture(int width) const {
-    if (!footprint_) return {};
-    FigureRequest request;
-    request.view = "footprint";
-    request.style = workspace_->style();
+void FootprintView::fillFigure(FigureRequest& request) const {
     request.footprint = options_;
-    return figureImage(*shown_, request, width);
-}
-
-void FootprintView::askFigure() {
-    QString path = QFileDialog::getSaveFileName(this, tr("Export the footprint"), QStringLiteral("footprint.svg"),
-                                                tr("Figures") + QStringLiteral(" (*.svg *.pdf *.png)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".svg");
-    saveFigure(path);
-}
-
-void FootprintView::saveFigure(const QString& path) {
-    if (!footprint_) return;
-    FigureRequest request;
-    request.view = "footprint";
-    // In print, dark lines on white.
-    request.style = workspace_->style();
-    request.style.theme = Theme::Light;
-    request.footprint = options_;
-    try {
-        writeFigure(*shown_, request, path.toStdString());
-        Q_EMIT saved(path);
-    } catch (const relief::InputError& error) {
-        Q_EMIT workspace_->problem(QString::fromStdString(error.text(request.style.language)));
-    }
 }
 
 }  // namespace reliefui

@@ -5,10 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include <QWidget>
-
 #include "drawings/footprint_drawing.h"
-#include "workspace/workspace.h"
+#include "views/figure_view.h"
 
 class QComboBox;
 class QHBoxLayout;
@@ -17,7 +15,7 @@ namespace reliefui {
 
 class DrawingCanvas;
 
-class FootprintView : public QWidget {
+class FootprintView : public FigureView {
     Q_OBJECT
   public:
     explicit FootprintView(Workspace* workspace, QWidget* parent = nullptr);
@@ -28,39 +26,25 @@ class FootprintView : public QWidget {
     // What is on the screen; null where there is nothing to show.
     const PixelFootprint* shown() const { return footprint_.get(); }
     const Drawing* marks() const { return marks_.get(); }
-    // What is under the pointer.
-    QString readout() const { return readout_; }
-    // The pane as a picture, as it is exported, with the options of the screen.
-    QImage picture(int width) const;
 
   public slots:
     void resetZoom();
-    // SVG, PDF or PNG, by the ending; says when it is done, or why not.
-    void saveFigure(const QString& path);
-
-  signals:
-    void saved(const QString& path);
-    void hovered(const QString& readout);  // empty: nothing is under the pointer
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    std::shared_ptr<const Snapshot> figureSnapshot() const override { return footprint_ ? shown_ : nullptr; }
+    void fillFigure(FigureRequest& request) const override;
+    void tell(const QPointF& widget) override;
 
   private:
     void makeBar(QHBoxLayout* bar);
     void refresh();  // another footprint, room or option
     void redraw();   // another part is seen, or another texel is under the pointer
     void showEmpty(relief::MessageId why);
-    void tell(const QPointF& widget);
-    void setReadout(const QString& text);
-    void openMenu(const QPoint& at);
-    void askFigure();
-    bool inSight() const;
 
-    Workspace* workspace_;
     DrawingCanvas* canvas_;
     QComboBox* neighbours_ = nullptr;
     FootprintOptions options_;
-    QString readout_;
     std::shared_ptr<const Snapshot> shown_;
     std::shared_ptr<const PixelFootprint> footprint_;
     std::shared_ptr<const Drawing> texture_;

@@ -1,24 +1,16 @@
 #include "views/profile_view.h"
 
-#include <QApplication>
-#include <QClipboard>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
-#include <QMenu>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
-#include "views/figure.h"
 
 namespace reliefui {
 
 namespace {
-
-constexpr int kCopiedWidth = 1600;  // pixels
 
 QString number(double value, int decimals) {
     return QString::fromStdString(relief::fixedText(value, decimals));
@@ -27,12 +19,10 @@ QString number(double value, int decimals) {
 }  // namespace
 
 ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)) {
-    setAccessibleName(tr("Profile"));
-    setFocusProxy(canvas_);
+    : FigureView(workspace, tr("Profile"), QStringLiteral("profile"), tr("Export the profile"), parent),
+      canvas_(new DrawingCanvas(this)) {
+    setFace(canvas_);
     makeBar();
-    canvas_->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(canvas_, &QWidget::customContextMenuRequested, this, &ProfileView::openMenu);
     connect(canvas_, &DrawingCanvas::clicked, this, &ProfileView::choose);
     connect(canvas_, &DrawingCanvas::clickedAt, this, [this](const QPointF& at) {
         if (options_.guessing && ready()) guessAt(frame_.lambdaAt(canvas_->toDrawing(at).x));
@@ -91,11 +81,6 @@ void ProfileView::makeBar() {
     connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
 }
 
-void ProfileView::setReadout(const QString& text) {
-    readout_ = text;
-    Q_EMIT hovered(text);
-}
-
 void ProfileView::showAllLevels(bool all) {
     allLevels_->setChecked(all);
 }
@@ -118,11 +103,6 @@ bool ProfileView::ready() const {
 
 ProfileSource ProfileView::source() const {
     return profileSource(*shown_);
-}
-
-// A pane behind another tab counts as visible for Qt; it only lies outside the window.
-bool ProfileView::inSight() const {
-    return isVisible() && !visibleRegion().isEmpty();
 }
 
 void ProfileView::paintEvent(QPaintEvent* event) {
@@ -197,14 +177,7 @@ void ProfileView::guessAt(double lambda) {
 void ProfileView::showEmpty(relief::MessageId why) {
     relief_.reset();
     axes_.reset();
-    auto drawing = std::make_shared<Drawing>();
-    drawing->bounds = {0, 0, 100, 100};
-    Label label;
-    label.at = {50, 50};
-    label.text = relief::Message(why);
-    label.anchor = Anchor::Center;
-    drawing->add({}, Role::Label, std::move(label));
-    canvas_->setLayers({std::move(drawing)}, nullptr);
+    canvas_->showText(why);
 }
 
 void ProfileView::choose(const ItemId& id) {
@@ -241,54 +214,8 @@ void ProfileView::tell(const QPointF& widget) {
     setReadout(text);
 }
 
-void ProfileView::openMenu(const QPoint& at) {
-    QMenu menu(this);
-    tell(at);
-    const QString value = readout();
-    QAction* const copy =
-        menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
-    copy->setEnabled(!value.isEmpty());
-    menu.addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(picture(kCopiedWidth)); });
-    QAction* const save = menu.addAction(tr("Export figure…"), this, &ProfileView::askFigure);
-    save->setEnabled(ready());
-    menu.exec(canvas_->mapToGlobal(at));
-}
-
-QImage ProfileView::picture(int width) const {
-    if (!shown_ || !shown_->request) return {};
-    FigureRequest request;
-    request.view = "profile";
-    request.style = workspace_->style();
+void ProfileView::fillFigure(FigureRequest& request) const {
     request.profile = options_;
-    Snapshot now = *shown_;
-    now.scenario.step = workspace_->scenario().step;
-    return figureImage(now, request, width);
-}
-
-void ProfileView::askFigure() {
-    QString path = QFileDialog::getSaveFileName(this, tr("Export the profile"), QStringLiteral("profile.svg"),
-                                                tr("Figures") + QStringLiteral(" (*.svg *.pdf *.png)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".svg");
-    saveFigure(path);
-}
-
-void ProfileView::saveFigure(const QString& path) {
-    if (!ready()) return;
-    FigureRequest request;
-    request.view = "profile";
-    // In print, dark lines on white.
-    request.style = workspace_->style();
-    request.style.theme = Theme::Light;
-    request.profile = options_;
-    Snapshot now = *shown_;
-    now.scenario.step = workspace_->scenario().step;
-    try {
-        writeFigure(now, request, path.toStdString());
-        Q_EMIT saved(path);
-    } catch (const relief::InputError& error) {
-        Q_EMIT workspace_->problem(QString::fromStdString(error.text(request.style.language)));
-    }
 }
 
 }  // namespace reliefui

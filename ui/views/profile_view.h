@@ -4,10 +4,8 @@
 
 #include <memory>
 
-#include <QWidget>
-
 #include "drawings/profile_drawing.h"
-#include "workspace/workspace.h"
+#include "views/figure_view.h"
 
 class QToolButton;
 
@@ -15,7 +13,7 @@ namespace reliefui {
 
 class DrawingCanvas;
 
-class ProfileView : public QWidget {
+class ProfileView : public FigureView {
     Q_OBJECT
   public:
     explicit ProfileView(Workspace* workspace, QWidget* parent = nullptr);
@@ -23,10 +21,6 @@ class ProfileView : public QWidget {
     DrawingCanvas* canvas() const { return canvas_; }
     const ProfileFrame& frame() const { return frame_; }
     const ProfileOptions& options() const { return options_; }
-    // What is under the pointer.
-    QString readout() const { return readout_; }
-    // The pane as a picture, as it is exported, with the options of the screen.
-    QImage picture(int width) const;
 
   public slots:
     void showAllLevels(bool all);
@@ -35,15 +29,12 @@ class ProfileView : public QWidget {
     void resetZoom();
     // Somebody guesses where the ray hits, by a click on the profile; then the answer is shown beside the guess.
     void guessAt(double lambda);
-    // SVG, PDF or PNG, by the ending; says when it is done, or why not.
-    void saveFigure(const QString& path);
-
-  signals:
-    void saved(const QString& path);
-    void hovered(const QString& readout);  // empty: nothing is under the pointer
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    std::shared_ptr<const Snapshot> figureSnapshot() const override { return ready() ? shown_ : nullptr; }
+    void fillFigure(FigureRequest& request) const override;
+    void tell(const QPointF& widget) override;
 
   private:
     void makeBar();
@@ -53,21 +44,14 @@ class ProfileView : public QWidget {
     void showEmpty(relief::MessageId why);
     void choose(const ItemId& id);
     void showGuessing(bool on);
-    void tell(const QPointF& widget);
-    void setReadout(const QString& text);
-    void openMenu(const QPoint& at);
-    void askFigure();
     bool ready() const;
-    bool inSight() const;
     ProfileSource source() const;
 
-    Workspace* workspace_;
     DrawingCanvas* canvas_;
     QToolButton* allLevels_ = nullptr;
     QToolButton* near_ = nullptr;
     QToolButton* aspect_ = nullptr;
     QToolButton* guess_ = nullptr;
-    QString readout_;
     std::shared_ptr<const Snapshot> shown_;
     ProfileOptions options_;
     std::uint64_t guessed_ = 0;  // the version that the guess is about

@@ -3,7 +3,6 @@
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -27,9 +26,9 @@ QToolButton* switchButton(const QString& text, const QString& help, QWidget* par
 }  // namespace
 
 PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)), readout_(new QLabel(this)) {
-    setAccessibleName(tr("Pyramid"));
-    setFocusProxy(canvas_);
+    : FigureView(workspace, tr("Pyramid"), QStringLiteral("pyramid"), tr("Export the pyramid"), parent),
+      canvas_(new DrawingCanvas(this)) {
+    setFace(canvas_);
     maxima_ = switchButton(tr("max"), tr("The highest point under each texel: what lets the ray skip"), this);
     means_ = switchButton(tr("mean"), tr("The mean under each texel: what colours are filtered with"), this);
     minima_ = switchButton(tr("min"), tr("The lowest point under each texel"), this);
@@ -44,10 +43,6 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     kinds->addButton(means_);
     kinds->addButton(minima_);
     maxima_->setChecked(true);
-    readout_->setObjectName(QStringLiteral("pyramid-readout"));
-    readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    // A long readout must not widen the pane.
-    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
     auto* const bar = new QHBoxLayout;
     bar->setContentsMargins(4, 2, 6, 2);
@@ -57,7 +52,7 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     bar->addWidget(near_);
     bar->addWidget(follow_);
     bar->addWidget(all);
-    bar->addWidget(readout_, 1);
+    bar->addStretch(1);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -77,16 +72,12 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     connect(follow_, &QToolButton::toggled, this, &PyramidView::setFollowing);
     connect(all, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
     connect(canvas_, &DrawingCanvas::clicked, this, &PyramidView::choose);
-    connect(canvas_, &DrawingCanvas::hovered, this, &PyramidView::tell);
+    connect(canvas_, &DrawingCanvas::hovered, this, &PyramidView::tellItem);
     connect(canvas_, &DrawingCanvas::resized, this, &PyramidView::refresh);
     connect(workspace_, &Workspace::snapshotChanged, this, &PyramidView::refresh);
     connect(workspace_, &Workspace::stepChanged, this, &PyramidView::refreshStep);
     connect(workspace_, &Workspace::styleChanged, this, &PyramidView::refresh);
     refresh();
-}
-
-QString PyramidView::readout() const {
-    return readout_->text();
 }
 
 void PyramidView::showMeans(bool means) {
@@ -116,20 +107,20 @@ relief::PyramidKind PyramidView::levels() const {
                                  : relief::PyramidKind::Min;
 }
 
+PyramidOptions PyramidView::options() const {
+    return {levels(), near_->isChecked()};
+}
+
 PyramidSource PyramidView::source() const {
-    PyramidSource source;
-    const Snapshot& s = *shown_;
-    source.field = &s.request->field;
-    source.overCells = maxima_->isChecked();
-    source.pyramid = source.overCells ? std::shared_ptr<const relief::Pyramid>(s.maxima, &s.maxima->pyramid)
-                                      : (means_->isChecked() ? s.means : s.minima);
-    source.hasRay = s.trace.onRelief;
-    source.ray = s.trace.ray;
-    source.hit = s.trace.hit;
-    source.steps = &s.trace.steps;
-    source.baseLevel = s.trace.baseLevel;
-    source.nearRay = near_->isChecked();
-    return source;
+    return pyramidSource(*shown_, options());
+}
+
+void PyramidView::fillFigure(FigureRequest& request) const {
+    request.pyramid = options();
+}
+
+void PyramidView::tell(const QPointF& widget) {
+    tellItem(canvas_->itemAt(widget));
 }
 
 void PyramidView::refresh() {
@@ -175,14 +166,7 @@ void PyramidView::refreshStep() {
 void PyramidView::showEmpty(relief::MessageId why) {
     levels_.reset();
     picture_ = {};
-    auto drawing = std::make_shared<Drawing>();
-    drawing->bounds = {0, 0, 100, 100};
-    Label label;
-    label.at = {50, 50};
-    label.text = relief::Message(why);
-    label.anchor = Anchor::Center;
-    drawing->add({}, Role::Label, std::move(label));
-    canvas_->setLayers({std::move(drawing)}, nullptr);
+    canvas_->showText(why);
 }
 
 void PyramidView::follow() {
@@ -213,14 +197,14 @@ void PyramidView::choose(const ItemId& id) {
     }
 }
 
-void PyramidView::tell(const ItemId& id) {
+void PyramidView::tellItem(const ItemId& id) {
     ItemId texel = id;
     if (shown_ && id.kind == ItemKind::Step && id.i < static_cast<std::int64_t>(shown_->trace.steps.size())) {
         const relief::Step& step = shown_->trace.steps[static_cast<std::size_t>(id.i)];
         texel = {ItemKind::Texel, step.level, step.i, step.j};
     }
     if (!shown_ || texel.kind != ItemKind::Texel) {
-        readout_->clear();
+        setReadout({});
         return;
     }
     const PyramidSource from = source();
@@ -238,7 +222,7 @@ void PyramidView::tell(const ItemId& id) {
                        .arg(texel.j)
                        .arg(number(value, 3), number(value * from.field->slabTexels(), 1));
     if (id.kind == ItemKind::Step) text = tr("step %1 · %2").arg(id.i + 1).arg(text);
-    readout_->setText(text);
+    setReadout(text);
 }
 
 }  // namespace reliefui

@@ -4,26 +4,22 @@
 
 #include <memory>
 
-#include <QWidget>
-
 #include "drawings/pyramid_drawing.h"
-#include "workspace/workspace.h"
+#include "views/figure_view.h"
 
-class QLabel;
 class QToolButton;
 
 namespace reliefui {
 
 class DrawingCanvas;
 
-class PyramidView : public QWidget {
+class PyramidView : public FigureView {
     Q_OBJECT
   public:
     explicit PyramidView(Workspace* workspace, QWidget* parent = nullptr);
 
     DrawingCanvas* canvas() const { return canvas_; }
     const std::vector<LevelBlock>& blocks() const { return picture_.blocks; }
-    QString readout() const;
 
   public slots:
     void showMeans(bool means);
@@ -33,24 +29,28 @@ class PyramidView : public QWidget {
     void setFollowing(bool on);
     void resetZoom();
 
+  protected:
+    std::shared_ptr<const Snapshot> figureSnapshot() const override { return levels_ ? shown_ : nullptr; }
+    void fillFigure(FigureRequest& request) const override;
+    void tell(const QPointF& widget) override;
+
   private:
     void refresh();      // another map, ray or room
     void refreshStep();  // another step
     void showEmpty(relief::MessageId why);
     void follow();
     void choose(const ItemId& id);
-    void tell(const ItemId& id);
+    void tellItem(const ItemId& id);
     relief::PyramidKind levels() const;
+    PyramidOptions options() const;
     PyramidSource source() const;
 
-    Workspace* workspace_;
     DrawingCanvas* canvas_;
     QToolButton* maxima_;
     QToolButton* means_;
     QToolButton* minima_;
     QToolButton* near_;
     QToolButton* follow_;
-    QLabel* readout_;
     std::shared_ptr<const Snapshot> shown_;
     PyramidPicture picture_;
     bool cramped_ = false;     // no room for all levels

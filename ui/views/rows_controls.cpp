@@ -34,9 +34,9 @@ bool takes(const relief::RowMethodDescription* method, const char* option) {
 }  // namespace
 
 RowsView::RowsView(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), canvas_(new DrawingCanvas(this)) {
-    setAccessibleName(tr("Rows"));
-    setFocusProxy(canvas_);
+    : FigureView(workspace, tr("Rows"), QStringLiteral("rows"), tr("Export the rows"), parent),
+      canvas_(new DrawingCanvas(this)) {
+    setFace(canvas_);
     makeBar();
     makeVariants();
     auto* const column = new QVBoxLayout(this);
@@ -51,9 +51,7 @@ RowsView::RowsView(Workspace* workspace, QWidget* parent)
     };
     listener.progress = [](const QString&, double) {};
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
-    canvas_->setContextMenuPolicy(Qt::CustomContextMenu);
     canvas_->installEventFilter(this);
-    connect(canvas_, &QWidget::customContextMenuRequested, this, &RowsView::openMenu);
     connect(canvas_, &DrawingCanvas::pointed, this, &RowsView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &RowsView::draw);

@@ -3,25 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QApplication>
-#include <QClipboard>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QTimer>
 #include <QWheelEvent>
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
-#include "views/figure.h"
 
 namespace reliefui {
 
 namespace {
 
-constexpr int kCopiedWidth = 1600;  // pixels
-constexpr double kClickReach = 4;   // pixels that a click may move
+constexpr double kClickReach = 4;  // pixels that a click may move
 constexpr double kFewestPixels = 4;
 
 QString number(double value, int decimals) {
@@ -46,11 +39,6 @@ void RowsView::change(const RowsOptions& options) {
     } else {
         refresh();
     }
-}
-
-// A pane behind another tab counts as visible for Qt; it only lies outside the window.
-bool RowsView::inSight() const {
-    return isVisible() && !visibleRegion().isEmpty();
 }
 
 bool RowsView::settled() const {
@@ -118,14 +106,7 @@ void RowsView::draw() {
 void RowsView::showEmpty(relief::MessageId why) {
     job_->drop();
     data_.reset();
-    auto drawing = std::make_shared<Drawing>();
-    drawing->bounds = {0, 0, 100, 100};
-    Label label;
-    label.at = {50, 50};
-    label.text = relief::Message(why);
-    label.anchor = Anchor::Center;
-    drawing->add({}, Role::Label, std::move(label));
-    canvas_->setLayers({std::move(drawing)}, nullptr);
+    canvas_->showText(why);
     setReadout({});
 }
 
@@ -213,11 +194,6 @@ void RowsView::choosePixel(const QPointF& widget) {
     workspace_->choosePixel(x, data_->place.line);
 }
 
-void RowsView::setReadout(const QString& text) {
-    readout_ = text;
-    Q_EMIT hovered(text);
-}
-
 void RowsView::tell(const QPointF& widget) {
     if (!data_) return setReadout({});
     const RowsReading at = rowsReading(*data_, frame_, canvas_->toDrawing(widget));
@@ -237,53 +213,9 @@ void RowsView::tell(const QPointF& widget) {
     setReadout(text);
 }
 
-void RowsView::openMenu(const QPoint& at) {
-    QMenu menu(this);
-    tell(at);
-    const QString value = readout();
-    QAction* const copy =
-        menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
-    copy->setEnabled(!value.isEmpty());
-    QAction* const image = menu.addAction(tr("Copy picture"), this,
-                                          [this] { QApplication::clipboard()->setImage(picture(kCopiedWidth)); });
-    QAction* const save = menu.addAction(tr("Export figure…"), this, &RowsView::askFigure);
-    image->setEnabled(data_ != nullptr);
-    save->setEnabled(data_ != nullptr);
-    menu.exec(canvas_->mapToGlobal(at));
-}
-
-FigureRequest RowsView::figure() const {
-    FigureRequest request;
-    request.view = "rows";
-    request.style = workspace_->style();
+void RowsView::fillFigure(FigureRequest& request) const {
     request.rows = options_;
     request.rowsRange = range_;
-    return request;
-}
-
-QImage RowsView::picture(int width) const {
-    return data_ ? figureImage(*snapshot_, figure(), width) : QImage();
-}
-
-void RowsView::askFigure() {
-    QString path = QFileDialog::getSaveFileName(this, tr("Export the rows"), QStringLiteral("rows.svg"),
-                                                tr("Figures") + QStringLiteral(" (*.svg *.pdf *.png)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".svg");
-    saveFigure(path);
-}
-
-void RowsView::saveFigure(const QString& path) {
-    if (!data_) return;
-    FigureRequest request = figure();
-    // In print, dark lines on white.
-    request.style.theme = Theme::Light;
-    try {
-        writeFigure(*snapshot_, request, path.toStdString());
-        Q_EMIT saved(path);
-    } catch (const relief::InputError& error) {
-        Q_EMIT workspace_->problem(QString::fromStdString(error.text(request.style.language)));
-    }
 }
 
 }  // namespace reliefui

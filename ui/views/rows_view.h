@@ -6,11 +6,10 @@
 #include <vector>
 
 #include <QPointF>
-#include <QWidget>
 
 #include "drawings/rows_drawing.h"
+#include "views/figure_view.h"
 #include "workspace/latest_job.h"
-#include "workspace/workspace.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -22,9 +21,8 @@ class QToolButton;
 namespace reliefui {
 
 class DrawingCanvas;
-struct FigureRequest;
 
-class RowsView : public QWidget {
+class RowsView : public FigureView {
     Q_OBJECT
   public:
     explicit RowsView(Workspace* workspace, QWidget* parent = nullptr);
@@ -39,21 +37,15 @@ class RowsView : public QWidget {
     const RowsFrame& frame() const { return frame_; }
     // Nothing is waited for.
     bool settled() const;
-    QString readout() const { return readout_; }
-    // The pane as a picture, as it is exported, with the options of the screen.
-    QImage picture(int width) const;
 
   public slots:
     void resetZoom();
-    // SVG, PDF or PNG, by the ending; says when it is done, or why not.
-    void saveFigure(const QString& path);
-
-  signals:
-    void saved(const QString& path);
-    void hovered(const QString& readout);  // empty: nothing is under the pointer
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    std::shared_ptr<const Snapshot> figureSnapshot() const override { return data_ ? snapshot_ : nullptr; }
+    void fillFigure(FigureRequest& request) const override;
+    void tell(const QPointF& widget) override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
   private:
@@ -81,14 +73,7 @@ class RowsView : public QWidget {
     void zoom(double factor, double x);
     bool mouse(QMouseEvent* event);
     void choosePixel(const QPointF& widget);
-    void tell(const QPointF& widget);
-    void setReadout(const QString& text);
-    void openMenu(const QPoint& at);
-    void askFigure();
-    FigureRequest figure() const;
-    bool inSight() const;
 
-    Workspace* workspace_;
     DrawingCanvas* canvas_;
     QWidget* bar_ = nullptr;
     QWidget* variants_ = nullptr;
@@ -101,7 +86,6 @@ class RowsView : public QWidget {
     RowsOptions options_;
     RowsRange range_;
     RowsFrame frame_;
-    QString readout_;
     std::shared_ptr<const Snapshot> snapshot_;  // that data_ are of
     std::shared_ptr<const RowsData> data_;
     std::shared_ptr<const Drawing> axes_;

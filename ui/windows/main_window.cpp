@@ -15,8 +15,10 @@
 #include <algorithm>
 
 #include "views/charts_view.h"
+#include "views/compare_view.h"
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
+#include "views/drawn_view.h"
 #include "views/footprint_view.h"
 #include "views/profile_view.h"
 #include "views/pyramid_view.h"
@@ -92,7 +94,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
 MainWindow::~MainWindow() = default;
 
 PaneTitle* MainWindow::titleOf(const QString& title, QWidget* whole) {
-    auto* const bar = new PaneTitle(title, QString::number((panes_.size() + 1) % 10), this);
+    auto* const bar = new PaneTitle(title, paneKey(panes_.size()), this);
     connect(bar, &PaneTitle::fillRequested, this, [this, whole] { fill(whole); });
     return bar;
 }
@@ -155,34 +157,45 @@ void MainWindow::makePanes() {
     addPane(tr("Trace 3-D"), QStringLiteral("trace-pane"), trace_, trace_->findChild<QVTKOpenGLNativeWidget*>(),
             Qt::RightDockWidgetArea);
     addPane(tr("Pyramid"), QStringLiteral("pyramid-pane"), pyramid_, pyramid_->canvas(), Qt::RightDockWidgetArea);
+    linkFigure(pyramid_);
     addPane(tr("Steps"), QStringLiteral("steps-pane"), time, steps_->findChild<QTableView*>(),
             Qt::BottomDockWidgetArea);
     addPane(tr("Scene"), QStringLiteral("scene-pane"), scroll, panel, Qt::LeftDockWidgetArea);
     addPane(tr("Profile"), QStringLiteral("profile-pane"), profile_, profile_->canvas(), Qt::RightDockWidgetArea);
-    const auto say = [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); };
-    connect(profile_, &ProfileView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
-            &PaneTitle::setNote);
-    connect(profile_, &ProfileView::saved, this, say);
+    linkFigure(profile_);
     addPane(tr("Distance map"), QStringLiteral("distance-pane"), distance_, distance_->canvas(),
             Qt::RightDockWidgetArea);
-    connect(distance_, &DistanceView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
-            &PaneTitle::setNote);
-    connect(distance_, &DistanceView::saved, this, say);
+    linkFigure(distance_);
     footprint_ = new FootprintView(workspace_, this);
     addPane(tr("Footprint"), QStringLiteral("footprint-pane"), footprint_, footprint_->canvas(),
             Qt::RightDockWidgetArea);
-    connect(footprint_, &FootprintView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
-            &PaneTitle::setNote);
-    connect(footprint_, &FootprintView::saved, this, say);
+    linkFigure(footprint_);
     addPane(tr("Rows"), QStringLiteral("rows-pane"), rows_, rows_->canvas(), Qt::RightDockWidgetArea);
-    connect(rows_, &RowsView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
-            &PaneTitle::setNote);
-    connect(rows_, &RowsView::saved, this, say);
+    linkFigure(rows_);
     charts_ = new ChartsView(workspace_, this);
     addPane(tr("Charts"), QStringLiteral("charts-pane"), charts_, charts_->canvas(), Qt::RightDockWidgetArea);
-    connect(charts_, &ChartsView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
+    linkFigure(charts_);
+    compare_ = new CompareView(workspace_, this);
+    addPane(tr("Compare"), QStringLiteral("compare-pane"), compare_, compare_->pictures(), Qt::RightDockWidgetArea);
+    linkFigure(compare_);
+    drawn_ = new DrawnView(workspace_, this);
+    addPane(tr("By hand"), QStringLiteral("drawn-pane"), drawn_, drawn_->grid(), Qt::RightDockWidgetArea);
+    linkFigure(drawn_);
+}
+
+// Of the pane that was added last: its readout stands in the title, what it saved in the last line.
+void MainWindow::linkFigure(FigureView* view) {
+    connect(view, &FigureView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
             &PaneTitle::setNote);
-    connect(charts_, &ChartsView::saved, this, say);
+    connect(view, &FigureView::saved, this,
+            [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); });
+}
+
+// 1 to 9 and 0; panes after the tenth have Alt and the same again.
+QString MainWindow::paneKey(std::size_t pane) {
+    constexpr std::size_t kPlain = 10;
+    const QString digit = QString::number((pane + 1) % kPlain);
+    return pane < kPlain ? digit : QStringLiteral("Alt+") + digit;
 }
 
 // Not one of the panes: it is opened from the menu or from the bottom line.

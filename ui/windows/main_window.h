@@ -14,7 +14,10 @@ namespace reliefui {
 
 class BreakpointBar;
 class ChartsView;
+class CompareView;
 class DistanceView;
+class DrawnView;
+class FigureView;
 class FootprintView;
 class BookmarkMenu;
 class MessageBar;
@@ -45,6 +48,8 @@ class MainWindow : public QMainWindow {
     RowsView* rows() { return rows_; }
     FootprintView* footprint() { return footprint_; }
     ChartsView* charts() { return charts_; }
+    CompareView* compare() { return compare_; }
+    DrawnView* drawn() { return drawn_; }
     Trace3dView* trace() { return trace_; }
     StepTable* steps() { return steps_; }
     StepBar* stepBar() { return stepBar_; }
@@ -84,6 +89,8 @@ class MainWindow : public QMainWindow {
     void makeSkipped();
     QDockWidget* addPane(const QString& title, const QString& name, QWidget* whole, QWidget* focus,
                          Qt::DockWidgetArea area);
+    void linkFigure(FigureView* view);
+    static QString paneKey(std::size_t pane);
     PaneTitle* titleOf(const QString& title, QWidget* whole);
     void makeMessages();
     void shareRoom();
@@ -123,6 +130,8 @@ class MainWindow : public QMainWindow {
     RowsView* rows_ = nullptr;
     FootprintView* footprint_ = nullptr;
     ChartsView* charts_ = nullptr;
+    CompareView* compare_ = nullptr;
+    DrawnView* drawn_ = nullptr;
     Trace3dView* trace_ = nullptr;
     StepTable* steps_ = nullptr;
     StepBar* stepBar_ = nullptr;

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "views/charts_view.h"
+#include "views/compare_view.h"
 #include "views/distance_view.h"
 #include "views/result_painting.h"
 #include "views/result_view.h"
@@ -98,14 +99,14 @@ void MainWindow::makeEditMenu() {
     connect(cancel, &QAction::triggered, workspace_, &Workspace::cancel);
     connect(cancel, &QAction::triggered, distance_, &DistanceView::cancel);
     connect(cancel, &QAction::triggered, charts_, &ChartsView::cancel);
+    connect(cancel, &QAction::triggered, compare_, &CompareView::cancel);
 }
 
 void MainWindow::makeViewMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&View"));
     QMenu* const go = menu->addMenu(tr("&Go to"));
     for (std::size_t i = 0; i < panes_.size(); ++i) {
-        const QString number = QString::number((i + 1) % 10);  // the tenth: 0
-        auto* const action = addAction(go, panes_[i].title, QKeySequence(number), tr("Go to this pane"));
+        auto* const action = addAction(go, panes_[i].title, QKeySequence(paneKey(i)), tr("Go to this pane"));
         connect(action, &QAction::triggered, this, [this, i] { focusPane(i); });
     }
     QMenu* const shown = menu->addMenu(tr("&Panes"));
@@ -174,8 +175,8 @@ void MainWindow::makeHelpMenu() {
 void MainWindow::refreshTitles() {
     const relief::Pictures& pictures = workspace_->scenario().pictures;
     const QFileInfo file(QString::fromStdString(pictures.height));
-    const QString name = pictures.height.empty() ? QString::fromStdString(pictures.recipe)
-                                                 : file.dir().dirName() + '/' + file.fileName();
+    const QString made = pictures.drawn.empty() ? QString::fromStdString(pictures.recipe) : tr("drawn by hand");
+    const QString name = pictures.height.empty() ? made : file.dir().dirName() + '/' + file.fileName();
     setWindowTitle(name.isEmpty() ? tr("Reliefscope") : tr("%1 – Reliefscope").arg(name));
     undo_->setEnabled(workspace_->canUndo());
     redo_->setEnabled(workspace_->canRedo());
@@ -259,7 +260,7 @@ void MainWindow::showShortcuts() {
          tr("next pixel: largest error, most steps, overshoot, disagreement")},
         {QStringLiteral("Ctrl+B   Ctrl+Shift+B"), tr("add a bookmark, go to the next one")},
         {QStringLiteral("G"), tr("guess where the ray hits, by a click in the profile")},
-        {QStringLiteral("1 – 9, 0"), tr("go to a pane")},
+        {QStringLiteral("1 – 9, 0, Alt+1, Alt+2"), tr("go to a pane")},
         {tr("Double click on a title"), tr("fill the window with the pane, and back")},
         {QStringLiteral("Ctrl+Z   Ctrl+Shift+Z"), tr("undo and redo")},
         {QStringLiteral("Ctrl+Shift+C"), tr("copy the relief trace command of the pixel")},

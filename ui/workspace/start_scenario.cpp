@@ -62,6 +62,8 @@ relief::Scenario startScenario(const std::string& datasets) {
     if (!datasets.empty()) scenario.pictures = picturesIn((fs::path(datasets) / kWall).string());
     // The light falls on the relief that the ray meets, not on the finer one of the normal map.
     scenario.pictures.normal.clear();
+    // Whose errors are seen at once.
+    scenario.comparison.others = {{"layers", {}}, {"offset", {}}};
     scenario.pixel = kWallPixel;
     scenario.step = kWallStep;
     if (scenario.pictures.height.empty()) {

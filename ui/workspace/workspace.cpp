@@ -22,6 +22,13 @@ void clampPixel(relief::Scenario& scenario) {
     scenario.pixel->y = std::clamp(scenario.pixel->y, 0, std::max(0, scenario.height - 1));
 }
 
+// Whether there is something to be loaded from the one for the other: heights drawn by hand are at hand.
+bool needsLoading(const relief::Pictures& from, const relief::Pictures& to) {
+    relief::Pictures same = to;
+    if (!from.drawn.empty() && !to.drawn.empty()) same.drawn = from.drawn;
+    return !(same == from);
+}
+
 // Beyond the core's own checks: a picture that would take this machine's memory is a slip of the hand in a window.
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
 
@@ -71,7 +78,7 @@ void Workspace::change(const relief::Scenario& scenario, const QString& what, co
         Q_EMIT scenarioChanged();  // controls go back to what is
         return;
     }
-    if (!(wanted.pictures == scenario_.pictures)) {
+    if (needsLoading(scenario_.pictures, wanted.pictures)) {
         load({0, Action::Change, wanted, what, mergeKey, {}});
         return;
     }
@@ -264,7 +271,7 @@ void Workspace::travel(Action action) {
     if (back ? !past_.canUndo() : !past_.canRedo()) return;
     past_.close();
     const History::Entry& target = back ? past_.undone() : past_.redone();
-    if (!(target.scenario.pictures == scenario_.pictures)) {
+    if (needsLoading(scenario_.pictures, target.scenario.pictures)) {
         load({0, action, target.scenario, target.what, {}, {}});
         return;
     }

@@ -1,0 +1,247 @@
+// Reliefs drawn by hand: what is drawn of them, and that all panes follow the mouse.
+#include <cmath>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "drawings/drawn_drawing.h"
+#include "images/reliefs.h"
+#include "scenario/scenario.h"
+#include "views/drawing_canvas.h"
+#include "views/drawn_view.h"
+#include "views/profile_view.h"
+#include "views/pyramid_view.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+DrawnSource sourceOf(relief::DrawnRelief drawn) {
+    DrawnSource source;
+    source.relief = std::move(drawn);
+    source.hasRay = true;
+    source.ray = {0.5, 0.25, 1.5, 0.5};
+    source.hit = relief::Hit::at(source.ray, 0.75);
+    return source;
+}
+
+Point endOfRay(const DrawnPicture& picture) {
+    for (const Item& item : picture.drawing.items) {
+        const auto* ring = std::get_if<Ring>(&item.primitive);
+        if (item.role == Role::Hit && ring != nullptr) return ring->center;
+    }
+    return {-1, -1};
+}
+
+TEST(Drawn, TheGridIsWhatTheTracerGetsAndTheRayLiesOnIt) {
+    const DrawnSource source = sourceOf({3, 2, {0, 0.25, 0.5, 0.75, 1, 0.125}});
+    const DrawnPicture picture = drawnPicture(source, 0.5);
+    const Cells* cells = nullptr;
+    for (const Item& item : picture.drawing.items) {
+        if (cells == nullptr) cells = std::get_if<Cells>(&item.primitive);
+    }
+    ASSERT_NE(cells, nullptr);
+    EXPECT_EQ((*cells->values)(2, 1), 0.125F);
+    EXPECT_EQ(endOfRay(picture), (Point{0.5 + 0.75 * 1.5, 0.25 + 0.75 * 0.5}));
+    EXPECT_EQ(drawnTexelAt(picture, source.relief, {2.4, 1.9}), (std::pair{2, 1}));
+    EXPECT_FALSE(drawnTexelAt(picture, source.relief, {3.1, 0.5}));
+}
+
+TEST(Drawn, TheProfileShowsTheRayFromTheSide) {
+    const DrawnSource source = sourceOf({4, 4, {0, 0.25, 0.5, 1}});
+    const DrawnPicture picture = drawnPicture(source, 0.5);
+    ASSERT_TRUE(picture.profile);
+    // Where the ray is 0.75 of the slab below its top.
+    const Point end = endOfRay(picture);
+    EXPECT_NEAR(end.x, 0.5 + 0.75 * 1.5, 1e-12);
+    EXPECT_NEAR(drawnHeightAt(picture, end), 0.25, 1e-12);
+    EXPECT_EQ(drawnTexelAt(picture, source.relief, {3.5, picture.body.y0 + 0.1}), (std::pair{3, 0}));
+    for (const double aspect : {0.2, 0.5, 2.0}) {
+        const Box bounds = drawnPicture(source, aspect).drawing.bounds;
+        EXPECT_GE(bounds.height(), bounds.width() * std::min(aspect, 0.3) * 0.7);
+    }
+    EXPECT_TRUE(drawnPicture({}, 1).drawing.items.empty());
+}
+
+class DrawnPane : public WindowTest {
+  protected:
+    void openPane() {
+        relief::Scenario scenario = smallScenario();
+        scenario.camera.elevation = 30;
+        openWindow(scenario);
+        QTest::keyClick(window_.get(), Qt::Key_2, Qt::AltModifier);
+        QTest::qWait(100);
+    }
+    DrawnView* view() { return window_->drawn(); }
+    DrawnGrid* grid() { return view()->grid(); }
+    const relief::DrawnRelief drawn() { return scenario().pictures.drawn; }
+    void drag(QPointF from, QPointF to, int moves = 4) {
+        QTest::mousePress(grid(), Qt::LeftButton, {}, from.toPoint());
+        for (int n = 1; n <= moves; ++n) {
+            const QPointF at = from + (to - from) * n / moves;
+            QMouseEvent move(QEvent::MouseMove, at, Qt::LeftButton, Qt::LeftButton, {});
+            QApplication::sendEvent(grid(), &move);
+            QTest::qWait(20);
+        }
+        QTest::mouseRelease(grid(), Qt::LeftButton, {}, to.toPoint());
+        waitForFull();
+    }
+    // What the tracers see is what was drawn.
+    void expectFollowed() {
+        const relief::FloatImage wanted = relief::drawnHeights(drawn());
+        EXPECT_TRUE(std::ranges::equal(snapshot()->request->field.heights().pixels(), wanted.pixels()));
+        float highest = 0;
+        for (const float h : wanted.pixels()) highest = std::max(highest, h);
+        const relief::Pyramid& maxima = snapshot()->maxima->pyramid;
+        EXPECT_EQ(maxima.level(maxima.levels() - 1)(0, 0), highest);
+        EXPECT_EQ(snapshot()->scenario.pictures.drawn, drawn());
+    }
+};
+
+TEST_F(DrawnPane, ItStartsFromWhatThereIsAndGoesBack) {
+    openPane();
+    EXPECT_GT(colorsIn(grab(grid())), 1) << "says how to begin";
+    const relief::Scenario before = scenario();
+    const QImage picture = snapshot()->picture;
+    const relief::Hit hit = snapshot()->trace.hit;
+    const float there =
+        snapshot()->request->field.texel(static_cast<int>(std::floor(hit.s)), static_cast<int>(std::floor(hit.t)));
+    view()->startFromPicture();
+    waitForFull();
+    EXPECT_EQ(drawn().width, 16);
+    EXPECT_NEAR(drawn().at(8, 8), there, 0.0005) << "the hit lies in the middle";
+    expectFollowed();
+    view()->startFromRecipe(QStringLiteral("hills"));
+    waitForFull();
+    EXPECT_NEAR(drawn().at(3, 5), relief::makeRelief("hills", 16, 16, 1)(3, 5), 0.0005);
+    expectFollowed();
+    EXPECT_GT(colorsIn(grab(grid())), 20);
+    workspace_->undo();
+    workspace_->undo();
+    waitForFull();
+    EXPECT_EQ(scenario(), before);
+    EXPECT_EQ(snapshot()->picture, picture);
+}
+
+TEST_F(DrawnPane, ADraggedTexelIsFollowedAndOneStepOfUndo) {
+    openPane();
+    view()->setSide(8);
+    view()->startFromRecipe(QStringLiteral("hills"));
+    waitForFull();
+    const relief::Scenario before = scenario();
+    const QImage picture = snapshot()->picture;
+    const double old = drawn().at(2, 3);
+    const QPointF at = grid()->placeOf(2, 3);
+    const double points = 40;
+    drag(at, at + QPointF(0, (old > 0.5 ? 1 : -1) * points * workspace_->style().pixelsPerPoint()));
+    EXPECT_NEAR(std::abs(drawn().at(2, 3) - old), points / 150, 0.01);
+    EXPECT_EQ(grid()->chosen(), (std::pair{2, 3}));
+    expectFollowed();
+    EXPECT_NE(snapshot()->picture, picture);
+    for (int n = 0; n < 64; ++n) {
+        if (n != 3 * 8 + 2) {
+            EXPECT_EQ(drawn().heights[static_cast<std::size_t>(n)], before.pictures.drawn.heights[std::size_t(n)]);
+        }
+    }
+    const relief::Scenario after = scenario();
+    workspace_->undo();
+    waitForFull();
+    EXPECT_EQ(scenario(), before) << "one step of undo for the whole drag";
+    EXPECT_EQ(snapshot()->picture, picture);
+    workspace_->redo();
+    waitForFull();
+    EXPECT_EQ(scenario().pictures, after.pictures);
+}
+
+TEST_F(DrawnPane, AHeightIsTypedAndKeysWork) {
+    openPane();
+    view()->startFlat(0.25);
+    waitForFull();
+    QTest::mouseClick(grid(), Qt::LeftButton, {}, grid()->placeOf(4, 5).toPoint());
+    auto* const spin = view()->findChild<QDoubleSpinBox*>(QStringLiteral("drawn-height"));
+    EXPECT_EQ(spin->value(), 0.25);
+    QTest::keyClick(grid(), Qt::Key_Return);
+    EXPECT_TRUE(spin->hasFocus());
+    QTest::keyClicks(spin, QStringLiteral("0.875"));
+    QTest::keyClick(spin, Qt::Key_Return);
+    waitForFull();
+    EXPECT_EQ(drawn().at(4, 5), 0.875);
+    expectFollowed();
+    grid()->setFocus();
+    QTest::keyClick(grid(), Qt::Key_Right);
+    EXPECT_EQ(grid()->chosen(), (std::pair{5, 5}));
+    QTest::keyClick(grid(), Qt::Key_PageUp, Qt::ShiftModifier);
+    waitForFull();
+    EXPECT_EQ(drawn().at(5, 5), 0.35);
+    // The cells are printed, and as bright as they are high: probed in a corner, beside the number.
+    const QPointF corner = grid()->placeOf(1, 0) - grid()->placeOf(0, 0);
+    const auto brightness = [&](int i, int j) {
+        return qGray(grab(grid()).pixel((grid()->placeOf(i, j) + 0.35 * QPointF(corner.x(), corner.x())).toPoint()));
+    };
+    EXPECT_GT(brightness(4, 5), brightness(5, 5));
+    EXPECT_GT(brightness(5, 5), brightness(8, 8));
+}
+
+TEST_F(DrawnPane, AProfileIsDrawnWithThePointer) {
+    openPane();
+    view()->startFlat();
+    waitForFull();
+    view()->setProfile(true);
+    waitForFull();
+    ASSERT_TRUE(drawn().profile());
+    // Over six columns in three events: none is left out.
+    drag(grid()->placeOf(2, 0, 0.01), grid()->placeOf(7, 0, 0.6), 3);
+    for (int i = 3; i <= 7; ++i) EXPECT_GT(drawn().at(i, 0), 0.1) << i;
+    EXPECT_NEAR(drawn().at(7, 0), 0.6, 0.02);
+    EXPECT_EQ(drawn().at(8, 0), 0);
+    expectFollowed();
+    EXPECT_EQ(snapshot()->request->field.height(), 16) << "the row is repeated";
+    view()->setProfile(false);
+    waitForFull();
+    EXPECT_FALSE(drawn().profile());
+    expectFollowed();
+    EXPECT_EQ(drawn().at(7, 3), drawn().at(7, 12));
+}
+
+TEST_F(DrawnPane, ItIsSavedReopenedAndExported) {
+    openPane();
+    view()->setSide(8);
+    view()->startFromRecipe(QStringLiteral("city"));
+    waitForFull();
+    const relief::Scenario before = scenario();
+    const QImage picture = snapshot()->picture;
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("drawn.json"));
+    workspace_->save(file);
+    view()->startFlat();
+    waitForFull();
+    workspace_->open(file);
+    waitForFull();
+    EXPECT_EQ(scenario(), before);
+    EXPECT_EQ(snapshot()->picture, picture);
+    const QString png = folder.filePath(QStringLiteral("drawn.png"));
+    view()->saveFigure(png, 800);
+    EXPECT_EQ(QImage(png).width(), 800);
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("DISPLAY"));
+    environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
+    process.setProcessEnvironment(environment);
+    const QString svg = folder.filePath(QStringLiteral("drawn.svg"));
+    process.start(QStringLiteral(RELIEFSCOPE),
+                  {file, QStringLiteral("--export"), QStringLiteral("drawn"), QStringLiteral("-o"), svg});
+    process.waitForFinished(60000);
+    EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    QFile text(svg);
+    ASSERT_TRUE(text.open(QIODevice::ReadOnly));
+    EXPECT_GT(text.readAll().count("<text"), 64);
+}
+
+}  // namespace
+
+}  // namespace reliefui

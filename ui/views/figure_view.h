@@ -1,0 +1,66 @@
+// What all panes that can be exported have in common: the menu (copy value, copy picture, export), the export dialog,
+// the readout of what is under the pointer, and that nothing is drawn out of sight.
+#pragma once
+
+#include <memory>
+
+#include <QImage>
+#include <QWidget>
+
+#include "views/figure.h"
+#include "workspace/workspace.h"
+
+class QMenu;
+
+namespace reliefui {
+
+class FigureView : public QWidget {
+    Q_OBJECT
+  public:
+    // What is under the pointer; empty: nothing.
+    QString readout() const { return readout_; }
+    // The pane as a picture, as it is exported, with the options of the screen; null where there is nothing.
+    QImage image(int width) const;
+
+  public slots:
+    // SVG, PDF or PNG, by the ending; says when it is done, or why not. pixels: the width of a PNG; 0: the standard.
+    void saveFigure(const QString& path, int pixels = 0);
+
+  signals:
+    void saved(const QString& path);
+    void hovered(const QString& readout);
+
+  protected:
+    // name: of the view (figureViews()) and of the file; dialog: the title of its dialog, "Export the profile".
+    FigureView(Workspace* workspace, const QString& title, const QString& name, const QString& dialog, QWidget* parent);
+
+    // The part of the pane that has the menu.
+    void setFace(QWidget* face);
+    void setReadout(const QString& text);
+    // A pane behind another tab counts as visible for Qt; it only lies outside the window.
+    bool inSight() const { return isVisible() && !visibleRegion().isEmpty(); }
+
+    // What the figure is of; null: there is nothing to be exported. The step on screen is put into it.
+    virtual std::shared_ptr<const Snapshot> figureSnapshot() const = 0;
+    // Adds what the view shows to the request.
+    virtual void fillFigure(FigureRequest& request) const = 0;
+    // Reads out what lies under this point of the face.
+    virtual void tell(const QPointF&) {}
+    // More entries, above the common ones.
+    virtual void addToMenu(QMenu&) {}
+
+    Workspace* const workspace_;
+
+  private:
+    FigureRequest figure() const;
+    Snapshot figureState() const;
+    void openMenu(const QPoint& at);
+    void askFigure();
+
+    QString name_;
+    QString dialog_;
+    QWidget* face_ = nullptr;
+    QString readout_;
+};
+
+}  // namespace reliefui
