@@ -152,7 +152,10 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
     std::size_t below = 0;
     for (const CompareTile& tile : source.tiles) below += numbers(tile).size();
     layout.lines = below = std::max(below, source.lines);
-    const Box room{0, 0, width, std::max(1.0, height - kLine * static_cast<double>(below) - 3)};
+    // As large as the picture: dividers divide it, not what lies beside it.
+    const double most = std::max(1.0, height - kLine * static_cast<double>(below) - 3);
+    const double side = std::min(width, most / source.aspect);
+    const Box room{(width - side) / 2, 0, (width + side) / 2, side * source.aspect};
     layout.dividers = source.dividers;
     for (std::size_t n = 0; n < count; ++n) {
         Box clip = room;
@@ -181,8 +184,7 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
         layout.drawing.add({}, Role::Background, std::move(label), Emphasis::Strong);
         if (n == 0 || source.mode != CompareMode::Swipe) continue;
         const ItemId id{ItemKind::Layer, 0, static_cast<std::int64_t>(n), 0};
-        layout.drawing.add(id, Role::Highlight, Polyline{{{clip.x0, room.y0}, {clip.x0, room.y1}}, false},
-                           Emphasis::Strong);
+        layout.drawing.add(id, Role::Highlight, Polyline{{{clip.x0, room.y0}, {clip.x0, room.y1}}, false});
         layout.drawing.add(id, Role::Highlight, Marker{{clip.x0, room.center().y}, Shape::Diamond, 11},
                            Emphasis::Strong);
     }

@@ -96,6 +96,11 @@ std::string comparedName(std::size_t number, const relief::MethodChoice& method)
     return std::string(1, static_cast<char>('A' + number)) + " " + relief::shortMethodName(method);
 }
 
+bool ComparedView::isReference(const ComparedMethod& method) const {
+    return scenario.comparison.reference == relief::CompareReference::MethodA ? &method == &methods.front()
+                                                                              : method.method == exactMethod();
+}
+
 bool ComparedView::of(const Snapshot& snapshot) const {
     return frame == snapshot.frame && viewOf(scenario) == viewOf(snapshot.scenario) &&
            scenario.comparison.others == snapshot.scenario.comparison.others &&
@@ -226,7 +231,7 @@ CompareSource compareSource(const ComparedView& view, const relief::Comparison& 
         CompareTile tile;
         tile.name = method.name;
         tile.missing = method.problem;
-        tile.reference = view.reference == method.name;
+        tile.reference = view.isReference(method);
         tile.equal = method.equal;
         tile.traces = method.traces;
         if (method.error) {

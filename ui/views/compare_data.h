@@ -44,6 +44,7 @@ struct ComparedView {
     std::size_t rays = 0;  // that rates were measured on
     int rounds = 0;
 
+    bool isReference(const ComparedMethod& method) const;
     // Whether it shows what this snapshot wants compared.
     bool of(const Snapshot& snapshot) const;
 };

@@ -67,7 +67,7 @@ void paintCompare(QPainter& painter, const ComparedView& view, const relief::Com
         const QRectF target = place ? place(room) : fitted(room, size);
         painter.save();
         painter.setClipRect(rectangle(clip), Qt::IntersectClip);
-        drawReduced(painter, method.shown(how, view.reference == method.name), target, view.coarse);
+        drawReduced(painter, method.shown(how, view.isReference(method)), target, view.coarse);
         if (pixel) {
             const double scale = target.width() / size.width();
             const QPointF at(target.x() + (pixel->x + 0.5) * scale, target.y() + (pixel->y + 0.5) * scale);

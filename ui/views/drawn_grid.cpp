@@ -32,7 +32,7 @@ struct Parts {
 };
 
 Parts partsOf(const DrawnSource& source, const Box& page, const Style& style) {
-    constexpr double kMostLegend = 0.3;
+    constexpr double kMostLegend = 0.2;
     Parts parts;
     parts.legend = drawnLegend(source, page.width() / style.pixelsPerPoint() - 12, style.language);
     if (parts.legend.bounds.height() * style.pixelsPerPoint() > kMostLegend * page.height()) parts.legend = {};

@@ -44,11 +44,13 @@ DrawnView::DrawnView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("By hand"), QStringLiteral("drawn"), tr("Export the relief by hand"), parent),
       grid_(new DrawnGrid(workspace, this)) {
     setFace(grid_);
+    auto* const starts = new QHBoxLayout;
     auto* const bar = new QHBoxLayout;
-    makeBar(bar);
+    makeBar(starts, bar);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addLayout(starts);
     column->addLayout(bar);
     column->addWidget(grid_, 1);
     connect(grid_, &DrawnGrid::hovered, this, &DrawnView::setReadout);
@@ -63,8 +65,8 @@ DrawnView::DrawnView(Workspace* workspace, QWidget* parent)
     refresh();
 }
 
-void DrawnView::makeBar(QHBoxLayout* bar) {
-    bar->setContentsMargins(4, 2, 6, 2);
+void DrawnView::makeBar(QHBoxLayout* starts, QHBoxLayout* bar) {
+    for (QHBoxLayout* const row : {starts, bar}) row->setContentsMargins(4, 2, 6, 2);
     start_ = new QComboBox(this);
     start_->setObjectName(QStringLiteral("drawn-start"));
     start_->setToolTip(tr("What to start from; the colours of the picture are left out"));
@@ -99,8 +101,11 @@ void DrawnView::makeBar(QHBoxLayout* bar) {
     height_->setToolTip(tr("Height of the chosen texel, 0 to 1 (Enter or double click there)"));
     for (QWidget* const control : std::initializer_list<QWidget*>{start_, side_, profile_, height_}) {
         control->setAccessibleName(control->toolTip());
-        bar->addWidget(control);
+        (control == start_ || control == side_ ? starts : bar)->addWidget(control);
     }
+    // The pane may be as narrow as the scene's.
+    start_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    start_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     bar->addStretch(1);
     connect(start_, qOverload<int>(&QComboBox::activated), this, [this](int item) {
         if (item == kPicture) startFromPicture();

@@ -94,7 +94,7 @@ class DrawnView : public FigureView {
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    void makeBar(QHBoxLayout* bar);
+    void makeBar(QHBoxLayout* starts, QHBoxLayout* bar);
     void showControls();
     void refresh();
     void set(relief::DrawnRelief drawn, const QString& what);

@@ -254,9 +254,17 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::LeftDockWidgetArea, scene);
     splitDockWidget(trace, pyramid, Qt::Vertical);
     tabifyDockWidget(pyramid, panes_[5].dock);
-    for (std::size_t i = 6; i < panes_.size(); ++i) tabifyDockWidget(panes_[i - 1].dock, panes_[i].dock);
+    QDockWidget* last = panes_[5].dock;
+    for (std::size_t i = 6; i < panes_.size(); ++i) {
+        QDockWidget* const dock = panes_[i].dock;
+        // Pictures want height; who draws by hand looks at all that follows.
+        const bool high = dock->objectName() == QStringLiteral("compare-pane");
+        const bool beside = dock->objectName() == QStringLiteral("drawn-pane");
+        tabifyDockWidget(high ? trace : (beside ? scene : last), dock);
+        if (!high && !beside) last = dock;
+    }
     for (const Pane& pane : panes_) pane.whole->show();
-    pyramid->raise();
+    for (QDockWidget* const front : {trace, scene, pyramid}) front->raise();
     shareRoom();
     // Again when the window has its size: before that, docks are as small as they can be.
     QTimer::singleShot(0, this, &MainWindow::shareRoom);
@@ -313,7 +321,9 @@ void MainWindow::setProjector(bool on) {
     if (on) {
         beforeProjector_ = saveState();
         // Nobody reads controls from the last row; the panes need the room.
+        const bool byHand = !drawn_->visibleRegion().isEmpty();
         panes_[4].whole->hide();
+        if (!byHand) drawn_->parentWidget()->hide();
         showFullScreen();
         // The large type of the panes at the right wants half of the window.
         QTimer::singleShot(0, this, [this] {
