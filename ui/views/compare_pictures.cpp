@@ -141,6 +141,8 @@ void ComparePictures::mouseMoveEvent(QMouseEvent* event) {
         setCursor(over ? Qt::SplitHCursor : Qt::ArrowCursor);
         return PictureView::mouseMoveEvent(event);
     }
+    // Undone, or another way of comparing, while the button was down.
+    if (layout_.dividers.size() != dividers_.size()) return dragged_.reset();
     const QRectF room = onScreen(layout_.rooms.front());
     const std::size_t n = *dragged_;
     const double low = n == 0 ? 0 : dividers_[n - 1];
@@ -154,8 +156,10 @@ void ComparePictures::mouseMoveEvent(QMouseEvent* event) {
 void ComparePictures::mouseReleaseEvent(QMouseEvent* event) {
     if (!dragged_) return PictureView::mouseReleaseEvent(event);
     relief::Scenario scenario = workspace()->scenario();
-    scenario.comparison.dividers = dividers_;
+    const bool fits = layout_.dividers.size() == dividers_.size();
     dragged_.reset();
+    if (!fits) return;
+    scenario.comparison.dividers = dividers_;
     workspace()->settle();
     workspace()->change(scenario, tr("Move the divider"));
     relayout();

@@ -25,6 +25,11 @@ double rounded(double height) {
     return std::clamp(std::round(height / kHeightUnit) / std::round(1 / kHeightUnit), 0.0, 1.0);
 }
 
+// The relief may have become another one since the texel was chosen.
+bool holds(const relief::DrawnRelief& drawn, std::pair<int, int> texel) {
+    return !drawn.empty() && texel.first < drawn.width && texel.second < (drawn.profile() ? 1 : drawn.height);
+}
+
 struct Parts {
     DrawnPicture picture;
     Drawing legend;
@@ -85,8 +90,7 @@ void DrawnGrid::refresh() {
     source_.relief = drawn();
     source_.surface = workspace_->scenario().surface;
     source_.address = workspace_->scenario().address;
-    const int rows = drawn().profile() ? 1 : drawn().height;
-    if (chosen_ && (chosen_->first >= drawn().width || chosen_->second >= rows)) {
+    if (chosen_ && !holds(drawn(), *chosen_)) {
         chosen_.reset();
         Q_EMIT chosenChanged();
     }
@@ -136,6 +140,7 @@ void DrawnGrid::resizeEvent(QResizeEvent* event) {
 void DrawnGrid::setHeights(int first, int last, int row, double height) {
     relief::Scenario scenario = workspace_->scenario();
     relief::DrawnRelief& drawn = scenario.pictures.drawn;
+    if (!holds(drawn, {std::max(first, last), row})) return;
     for (int i = std::min(first, last); i <= std::max(first, last); ++i) {
         drawn.heights[static_cast<std::size_t>(drawn.profile() ? i : row * drawn.width + i)] = rounded(height);
     }
@@ -169,9 +174,7 @@ void DrawnGrid::drag(QPointF at) {
 }
 
 void DrawnGrid::mouseMoveEvent(QMouseEvent* event) {
-    if (dragging_ && chosen_) {
-        drag(event->localPos());
-    }
+    if (dragging_ && chosen_ && holds(drawn(), *chosen_)) drag(event->localPos());
     tell(event->localPos());
 }
 
@@ -188,7 +191,7 @@ void DrawnGrid::mouseDoubleClickEvent(QMouseEvent* event) {
 
 // Arrows choose the next texel; + and − raise and lower it (Shift: by more).
 bool DrawnGrid::step(int key, bool large) {
-    if (!chosen_) return false;
+    if (!chosen_ || !holds(drawn(), *chosen_)) return false;
     auto [i, j] = *chosen_;
     const int rows = drawn().profile() ? 1 : drawn().height;
     const double by = large ? kLargeStep : kStep;

@@ -212,8 +212,9 @@ void DrawnView::setHeight(double height) {
     if (!chosen || drawn().empty()) return;
     relief::DrawnRelief next = drawn();
     const int row = next.profile() ? 0 : chosen->second;
-    next.heights[static_cast<std::size_t>(row * next.width + chosen->first)] =
-        std::round(height * kThousand) / kThousand;
+    const auto place = static_cast<std::size_t>(row * next.width + chosen->first);
+    if (place >= next.heights.size()) return;
+    next.heights[place] = std::round(height * kThousand) / kThousand;
     set(std::move(next), tr("Height of a texel"));
 }
 
