@@ -178,6 +178,7 @@ TEST_F(DrawnPane, AHeightIsTypedAndKeysWork) {
     QTest::keyClick(grid(), Qt::Key_PageUp, Qt::ShiftModifier);
     waitForFull();
     EXPECT_EQ(drawn().at(5, 5), 0.35);
+    grid()->choose(std::nullopt);  // its outline
     // The cells are printed, and as bright as they are high: probed in a corner, beside the number.
     const QPointF corner = grid()->placeOf(1, 0) - grid()->placeOf(0, 0);
     const auto brightness = [&](int i, int j) {

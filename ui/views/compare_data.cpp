@@ -14,8 +14,6 @@ namespace reliefui {
 
 namespace {
 
-// Enough for a median that differs by less than its spread, few enough for a second.
-constexpr std::size_t kRays = 8192;
 constexpr int kRounds = 7;
 
 class CompareText {
@@ -198,7 +196,7 @@ std::shared_ptr<const ComparedView> withRates(const ComparedView& view, const Sn
     for (const ComparedMethod& method : view.methods) {
         if (method.traces && !method.problem) methods.push_back(method.method);
     }
-    const relief::RayBlock rays = relief::sampledRays(*snapshot.frame, kRays);
+    const relief::RayBlock rays = relief::sampledRays(*snapshot.frame, kComparedRays);
     if (methods.empty() || rays.size() == 0) return timed;
     const std::vector<relief::BenchRow> rows =
         relief::benchRaysOfView(snapshot.request->field, rays, methods, kRounds, *snapshot.maps, work);

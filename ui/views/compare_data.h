@@ -15,6 +15,10 @@
 
 namespace reliefui {
 
+// Rays of a view that rates are measured on, at most: enough for a median that differs by less than its spread, few
+// enough for a second.
+inline constexpr std::size_t kComparedRays = 8192;
+
 struct ComparedMethod {
     relief::MethodChoice method;
     std::string name;                            // "A max-pyramid"
