@@ -861,24 +861,153 @@
         <translation>від %1 до %2 текселів за нею: променів %3</translation>
     </message>
     <message>
-        <source>Copy value</source>
-        <translation>Копіювати значення</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Копіювати картинку</translation>
-    </message>
-    <message>
-        <source>Export figure…</source>
-        <translation>Експортувати рисунок…</translation>
-    </message>
-    <message>
         <source>Export the charts</source>
         <translation>Експорт діаграм</translation>
     </message>
+</context>
+<context>
+    <name>reliefui::ComparePictures</name>
     <message>
-        <source>Figures</source>
-        <translation>Рисунки</translation>
+        <source>Compare: pictures of the methods</source>
+        <translation>Порівняння: картинки методів</translation>
+    </message>
+    <message>
+        <source>Move the divider</source>
+        <translation>Пересунути межу</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>піксель (%1, %2)</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::CompareText</name>
+    <message>
+        <source>does not know this surface</source>
+        <translation>не знає такої поверхні</translation>
+    </message>
+    <message>
+        <source>(%1, %2) λ %3</source>
+        <translation>(%1, %2) λ %3</translation>
+    </message>
+    <message>
+        <source>, steps: %1</source>
+        <translation>, кроків: %1</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::CompareView</name>
+    <message>
+        <source>Compare</source>
+        <translation>Порівняння</translation>
+    </message>
+    <message>
+        <source>Export the comparison</source>
+        <translation>Експорт порівняння</translation>
+    </message>
+    <message>
+        <source>Method %1</source>
+        <translation>Метод %1</translation>
+    </message>
+    <message>
+        <source>Set another method beside these</source>
+        <translation>Поставити поруч ще один метод</translation>
+    </message>
+    <message>
+        <source>Leave out the last method</source>
+        <translation>Прибрати останній метод</translation>
+    </message>
+    <message>
+        <source>How the methods are set against each other</source>
+        <translation>Як методи порівнюються між собою</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>поруч</translation>
+    </message>
+    <message>
+        <source>swipe</source>
+        <translation>шторка</translation>
+    </message>
+    <message>
+        <source>flicker</source>
+        <translation>мерехтіння</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>різниця</translation>
+    </message>
+    <message>
+        <source>Which difference of the colours is shown</source>
+        <translation>Яку різницю кольорів показано</translation>
+    </message>
+    <message>
+        <source> a second</source>
+        <translation> за секунду</translation>
+    </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Картинок за секунду</translation>
+    </message>
+    <message>
+        <source>One after the other; A, B, C, D show one alone</source>
+        <translation>Одна за одною; A, B, C, D показують одну</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>проти</translation>
+    </message>
+    <message>
+        <source>What the methods are measured against</source>
+        <translation>З чим порівнюються методи</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точного</translation>
+    </message>
+    <message>
+        <source>method A</source>
+        <translation>методу A</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>усе</translation>
+    </message>
+    <message>
+        <source>The whole pictures (R); Ctrl+wheel zooms, Ctrl+drag moves</source>
+        <translation>Картинки цілком (R); Ctrl+коліщатко збільшує, Ctrl+тягнути пересуває</translation>
+    </message>
+    <message>
+        <source>Speed of flicker</source>
+        <translation>Швидкість мерехтіння</translation>
+    </message>
+    <message>
+        <source>Compare with another method</source>
+        <translation>Порівняти ще з одним методом</translation>
+    </message>
+    <message>
+        <source>Compare with one method less</source>
+        <translation>Порівнювати на один метод менше</translation>
+    </message>
+    <message>
+        <source>Swap methods</source>
+        <translation>Поміняти методи місцями</translation>
+    </message>
+    <message>
+        <source>Way of comparing</source>
+        <translation>Спосіб порівняння</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Різниця</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Еталон</translation>
+    </message>
+    <message>
+        <source>Make %1 the method A</source>
+        <translation>Зробити %1 методом A</translation>
     </message>
 </context>
 <context>
@@ -1020,24 +1149,8 @@
         <translation> · крок %1</translation>
     </message>
     <message>
-        <source>Copy value</source>
-        <translation>Копіювати значення</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Копіювати картинку</translation>
-    </message>
-    <message>
-        <source>Export figure…</source>
-        <translation>Експортувати рисунок…</translation>
-    </message>
-    <message>
         <source>Export the distance map</source>
         <translation>Експорт карти відстаней</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Рисунки</translation>
     </message>
     <message>
         <source>The map was not built: it was cancelled.</source>
@@ -1054,6 +1167,119 @@
     <message>
         <source>sector %1</source>
         <translation>сектор %1</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::DrawnGrid</name>
+    <message>
+        <source>Relief by hand: its texels</source>
+        <translation>Рельєф вручну: його текселі</translation>
+    </message>
+    <message>
+        <source>Drag a height</source>
+        <translation>Змінити висоту мишею</translation>
+    </message>
+    <message>
+        <source>column %1: height %2</source>
+        <translation>стовпець %1: висота %2</translation>
+    </message>
+    <message>
+        <source>texel (%1, %2): height %3</source>
+        <translation>тексель (%1, %2): висота %3</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::DrawnView</name>
+    <message>
+        <source>By hand</source>
+        <translation>Вручну</translation>
+    </message>
+    <message>
+        <source>Export the relief by hand</source>
+        <translation>Експорт рельєфу, накресленого вручну</translation>
+    </message>
+    <message>
+        <source>What to start from; the colours of the picture are left out</source>
+        <translation>З чого почати; кольорів картинки не береться</translation>
+    </message>
+    <message>
+        <source>start from…</source>
+        <translation>почати з…</translation>
+    </message>
+    <message>
+        <source>the picture, around the hit</source>
+        <translation>картинки, навколо влучання</translation>
+    </message>
+    <message>
+        <source>a plain</source>
+        <translation>рівнини</translation>
+    </message>
+    <message>
+        <source>Texels a side</source>
+        <translation>Текселів на сторону</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>профіль</translation>
+    </message>
+    <message>
+        <source>One row that all others repeat, drawn from the side</source>
+        <translation>Один рядок, який повторюють усі інші, вигляд збоку</translation>
+    </message>
+    <message>
+        <source>height </source>
+        <translation>висота </translation>
+    </message>
+    <message>
+        <source>Height of the chosen texel, 0 to 1 (Enter or double click there)</source>
+        <translation>Висота вибраного текселя, від 0 до 1 (Enter або подвійне клацання на ньому)</translation>
+    </message>
+    <message>
+        <source>Start from the picture</source>
+        <translation>Почати з картинки</translation>
+    </message>
+    <message>
+        <source>Start from a plain</source>
+        <translation>Почати з рівнини</translation>
+    </message>
+    <message>
+        <source>Start from %1</source>
+        <translation>Почати з %1</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Профіль</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Сітка</translation>
+    </message>
+    <message>
+        <source>Height of a texel</source>
+        <translation>Висота текселя</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::FigureView</name>
+    <message>
+        <source>Copy value</source>
+        <translation>Копіювати значення</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Копіювати картинку</translation>
+    </message>
+    <message>
+        <source>Export figure…</source>
+        <translation>Експортувати рисунок…</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Рисунки</translation>
+    </message>
+    <message>
+        <source>Width, pixels:</source>
+        <translation>Ширина, пікселі:</translation>
     </message>
 </context>
 <context>
@@ -1126,24 +1352,8 @@
         <translation> · видно</translation>
     </message>
     <message>
-        <source>Copy value</source>
-        <translation>Копіювати значення</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Копіювати картинку</translation>
-    </message>
-    <message>
-        <source>Export figure…</source>
-        <translation>Експортувати рисунок…</translation>
-    </message>
-    <message>
         <source>Export the footprint</source>
         <translation>Експортувати слід пікселя</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Рисунки</translation>
     </message>
 </context>
 <context>
@@ -1799,6 +2009,18 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>Steps (*.csv *.json);;All files (*)</source>
         <translation>Кроки (*.csv *.json);;Усі файли (*)</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>Порівняння</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Вручну</translation>
+    </message>
+    <message>
+        <source>drawn by hand</source>
+        <translation>накреслений вручну</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -1892,6 +2114,17 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
 </context>
 <context>
+    <name>reliefui::PictureView</name>
+    <message>
+        <source>Turn the camera</source>
+        <translation>Повернути камеру</translation>
+    </message>
+    <message>
+        <source>Move the camera</source>
+        <translation>Пересунути камеру</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::PicturesBox</name>
     <message>
         <source>Pictures</source>
@@ -1972,6 +2205,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>none</source>
         <translation>немає</translation>
+    </message>
+    <message>
+        <source>relief drawn by hand</source>
+        <translation>рельєф, накреслений вручну</translation>
     </message>
 </context>
 <context>
@@ -2088,24 +2325,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation> · крок %1</translation>
     </message>
     <message>
-        <source>Copy value</source>
-        <translation>Копіювати значення</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Копіювати картинку</translation>
-    </message>
-    <message>
-        <source>Export figure…</source>
-        <translation>Експортувати рисунок…</translation>
-    </message>
-    <message>
         <source>Export the profile</source>
         <translation>Експорт профілю</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Рисунки</translation>
     </message>
     <message>
         <source>guess</source>
@@ -2177,6 +2398,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>The lowest point under each texel</source>
         <translation>Найнижча точка під кожним текселем</translation>
+    </message>
+    <message>
+        <source>Export the pyramid</source>
+        <translation>Експорт піраміди</translation>
     </message>
 </context>
 <context>
@@ -2367,14 +2592,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>No picture yet: open a height map, or drop one here.</source>
         <translation>Картинки ще немає: відкрийте карту висот або перетягніть її сюди.</translation>
     </message>
-    <message>
-        <source>Turn the camera</source>
-        <translation>Повернути камеру</translation>
-    </message>
-    <message>
-        <source>Move the camera</source>
-        <translation>Пересунути камеру</translation>
-    </message>
 </context>
 <context>
     <name>reliefui::RowsView</name>
@@ -2483,24 +2700,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation> · тут обчислено наново</translation>
     </message>
     <message>
-        <source>Copy value</source>
-        <translation>Копіювати значення</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Копіювати картинку</translation>
-    </message>
-    <message>
-        <source>Export figure…</source>
-        <translation>Експортувати рисунок…</translation>
-    </message>
-    <message>
         <source>Export the rows</source>
         <translation>Експорт рядків</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Рисунки</translation>
     </message>
 </context>
 <context>
