@@ -1260,6 +1260,80 @@
     </message>
 </context>
 <context>
+    <name>reliefui::DuelModel</name>
+    <message>
+        <source>number of the step, decision, λ after it</source>
+        <translation>номер кроку, рішення, λ після нього</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::DuelView</name>
+    <message>
+        <source>Duel</source>
+        <translation>Двобій</translation>
+    </message>
+    <message>
+        <source>Steps of the methods in lock step</source>
+        <translation>Кроки методів пліч-о-пліч</translation>
+    </message>
+    <message>
+        <source>What each method did</source>
+        <translation>Що зробив кожен метод</translation>
+    </message>
+    <message>
+        <source>No duel: it was cancelled, or failed.</source>
+        <translation>Двобою немає: його скасовано або він не вдався.</translation>
+    </message>
+    <message>
+        <source>Preparing: %1, %2 %</source>
+        <translation>Підготовка: %1, %2 %</translation>
+    </message>
+    <message>
+        <source>Method against it, number %1</source>
+        <translation>Метод проти нього, номер %1</translation>
+    </message>
+    <message>
+        <source>A method that is set against it; those of the comparison are the same</source>
+        <translation>Метод, що змагається з ним; у порівнянні методи ті самі</translation>
+    </message>
+    <message>
+        <source>All at their first step</source>
+        <translation>Усі на першому кроці</translation>
+    </message>
+    <message>
+        <source>Back in lock step</source>
+        <translation>Назад пліч-о-пліч</translation>
+    </message>
+    <message>
+        <source>On in lock step: those furthest behind take their next step</source>
+        <translation>Уперед пліч-о-пліч: крок роблять ті, хто найдалі позаду</translation>
+    </message>
+    <message>
+        <source>All at their answers</source>
+        <translation>Усі біля своїх відповідей</translation>
+    </message>
+    <message>
+        <source>first divergence</source>
+        <translation>перша розбіжність</translation>
+    </message>
+    <message>
+        <source>To the first step that the exact answer contradicts (Ctrl+D)</source>
+        <translation>До першого кроку, якому суперечить точна відповідь (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>%1  against</source>
+        <translation>%1  проти</translation>
+    </message>
+    <message>
+        <source>Methods of the duel</source>
+        <translation>Методи двобою</translation>
+    </message>
+    <message>
+        <source>%1: %2, step %3</source>
+        <translation>%1: %2, крок %3</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::FigureView</name>
     <message>
         <source>Copy value</source>
@@ -2020,6 +2094,22 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>drawn by hand</source>
         <translation>накреслений вручну</translation>
+    </message>
+    <message>
+        <source>Duel</source>
+        <translation>Двобій</translation>
+    </message>
+    <message>
+        <source>first divergence of the duel</source>
+        <translation>перша розбіжність двобою</translation>
+    </message>
+    <message>
+        <source>First di&amp;vergence of the duel</source>
+        <translation>Перша роз&amp;біжність двобою</translation>
+    </message>
+    <message>
+        <source>To the first step that the exact answer contradicts</source>
+        <translation>До першого кроку, якому суперечить точна відповідь</translation>
     </message>
 </context>
 <context>

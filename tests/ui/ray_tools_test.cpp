@@ -27,6 +27,7 @@ namespace {
 relief::Scenario coarseLayers() {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "6"}}};
+    scenario.comparison.others.clear();
     return scenario;
 }
 

@@ -19,6 +19,7 @@
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
 #include "views/drawn_view.h"
+#include "views/duel_view.h"
 #include "views/footprint_view.h"
 #include "views/profile_view.h"
 #include "views/pyramid_view.h"
@@ -181,6 +182,8 @@ void MainWindow::makePanes() {
     drawn_ = new DrawnView(workspace_, this);
     addPane(tr("By hand"), QStringLiteral("drawn-pane"), drawn_, drawn_->grid(), Qt::RightDockWidgetArea);
     linkFigure(drawn_);
+    duel_ = new DuelView(workspace_, this);
+    addPane(tr("Duel"), QStringLiteral("duel-pane"), duel_, duel_->canvas(), Qt::RightDockWidgetArea);
 }
 
 // Of the pane that was added last: its readout stands in the title, what it saved in the last line.

@@ -18,6 +18,7 @@ class CompareView;
 class DistanceView;
 class DrawnView;
 class FigureView;
+class DuelView;
 class FootprintView;
 class BookmarkMenu;
 class MessageBar;
@@ -48,6 +49,7 @@ class MainWindow : public QMainWindow {
     RowsView* rows() { return rows_; }
     FootprintView* footprint() { return footprint_; }
     ChartsView* charts() { return charts_; }
+    DuelView* duel() { return duel_; }
     CompareView* compare() { return compare_; }
     DrawnView* drawn() { return drawn_; }
     Trace3dView* trace() { return trace_; }
@@ -103,6 +105,7 @@ class MainWindow : public QMainWindow {
     void makeViewMenu();
     void makeRayMenu();
     void makeWorthMenu(QMenu* menu);
+    void makeDuelMenu(QMenu* menu);
     void makeBookmarkMenu(QMenu* menu);
     void showBookmarks();
     void askOtherTracer();
@@ -130,6 +133,7 @@ class MainWindow : public QMainWindow {
     RowsView* rows_ = nullptr;
     FootprintView* footprint_ = nullptr;
     ChartsView* charts_ = nullptr;
+    DuelView* duel_ = nullptr;
     CompareView* compare_ = nullptr;
     DrawnView* drawn_ = nullptr;
     Trace3dView* trace_ = nullptr;

@@ -17,6 +17,7 @@
 #include "views/charts_view.h"
 #include "views/compare_view.h"
 #include "views/distance_view.h"
+#include "views/duel_view.h"
 #include "views/result_painting.h"
 #include "views/result_view.h"
 #include "windows/breakpoint_bar.h"
@@ -99,6 +100,7 @@ void MainWindow::makeEditMenu() {
     connect(cancel, &QAction::triggered, workspace_, &Workspace::cancel);
     connect(cancel, &QAction::triggered, distance_, &DistanceView::cancel);
     connect(cancel, &QAction::triggered, charts_, &ChartsView::cancel);
+    connect(cancel, &QAction::triggered, duel_, &DuelView::cancel);
     connect(cancel, &QAction::triggered, compare_, &CompareView::cancel);
 }
 
@@ -152,6 +154,7 @@ void MainWindow::makeRayMenu() {
             &QAction::triggered, breakpoints_, &BreakpointBar::toggleHere);
     menu->addSeparator();
     makeWorthMenu(menu);
+    makeDuelMenu(menu);
     makeBookmarkMenu(menu);
     auto* const guess = addAction(menu, tr("G&uess the hit"), QKeySequence(Qt::Key_G),
                                   tr("Hide the answer; a click in the profile guesses where the ray hits"));
@@ -258,6 +261,7 @@ void MainWindow::showShortcuts() {
         {QStringLiteral("F9"), tr("set a breakpoint at this texel")},
         {QStringLiteral("Shift+E   Shift+S   Shift+O   Shift+D"),
          tr("next pixel: largest error, most steps, overshoot, disagreement")},
+        {QStringLiteral("Ctrl+D"), tr("first divergence of the duel")},
         {QStringLiteral("Ctrl+B   Ctrl+Shift+B"), tr("add a bookmark, go to the next one")},
         {QStringLiteral("G"), tr("guess where the ray hits, by a click in the profile")},
         {QStringLiteral("1 – 9, 0, Alt+1, Alt+2"), tr("go to a pane")},

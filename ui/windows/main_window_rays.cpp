@@ -3,6 +3,8 @@
 #include <QMenu>
 #include <QStatusBar>
 
+#include "views/drawing_canvas.h"
+#include "views/duel_view.h"
 #include "windows/bookmarks.h"
 #include "windows/main_window.h"
 #include "windows/other_bar.h"
@@ -27,7 +29,8 @@ void MainWindow::makeWorthMenu(QMenu* menu) {
         auto* const action = addAction(worth, text, QKeySequence(QLatin1String(keys)), help);
         connect(action, &QAction::triggered, this, [this, kind] {
             // Against the first method that is compared; alone, against the exact one.
-            finder_->next(kind, {kExactTracer, {}});
+            const auto& others = workspace_->scenario().comparison.others;
+            finder_->next(kind, others.empty() ? relief::MethodChoice{kExactTracer, {}} : others.front());
         });
     };
     add(tr("Largest &error"), "Shift+E", tr("The pixel whose hit is farthest from the exact one; again: the next"),
@@ -38,6 +41,18 @@ void MainWindow::makeWorthMenu(QMenu* menu) {
         relief::Worth::Overshoot);
     add(tr("&Disagreement"), "Shift+D", tr("The pixel where the compared methods are farthest apart; again: the next"),
         relief::Worth::Disagreement);
+}
+
+void MainWindow::makeDuelMenu(QMenu* menu) {
+    auto* const action = addAction(menu, tr("First di&vergence of the duel"), QKeySequence(QStringLiteral("Ctrl+D")),
+                                   tr("To the first step that the exact answer contradicts"));
+    connect(action, &QAction::triggered, this, [this] {
+        // The pane is looked at, wherever it was.
+        for (std::size_t i = 0; i < panes_.size(); ++i) {
+            if (panes_[i].focus == duel_->canvas()) focusPane(i);
+        }
+        duel_->toDivergence();
+    });
 }
 
 void MainWindow::makeBookmarkMenu(QMenu* menu) {

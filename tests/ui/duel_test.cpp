@@ -1,0 +1,107 @@
+// The duel: methods on one ray in lock step, the first divergence and its kind, linked with the other panes.
+#include <cmath>
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QTableView>
+#include <QToolButton>
+
+#include "views/drawing_canvas.h"
+#include "views/duel_view.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+class DuelTest : public WindowTest {
+  protected:
+    // Against nobody at first.
+    void openDuel(relief::Scenario scenario) {
+        scenario.comparison.others.clear();
+        openWindow(scenario);
+        window_->duel()->window()->activateWindow();
+        for (QDockWidget* const dock : window_->findChildren<QDockWidget*>()) {
+            if (dock->widget() == window_->duel()) dock->raise();
+        }
+        waitForDuel();
+    }
+    void waitForDuel() {
+        waitForFull();
+        const auto ready = [&] {
+            return window_->duel()->settled() && window_->duel()->duel() != nullptr &&
+                   window_->duel()->duel()->snapshot == snapshot();
+        };
+        ASSERT_TRUE(QTest::qWaitFor(ready, 20000));
+    }
+    void choose(int place, const QString& method) {
+        auto* const box = window_->duel()->findChild<QComboBox*>(QStringLiteral("duel-method-%1").arg(place));
+        const int row = box->findData(method);
+        ASSERT_GE(row, 0);
+        box->setCurrentIndex(row);
+        Q_EMIT box->activated(row);
+        waitForDuel();
+    }
+};
+
+TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"layers", {{"layers", "4"}}};
+    openDuel(scenario);
+    EXPECT_EQ(window_->duel()->duel()->runs.size(), 1U);
+    choose(0, QStringLiteral("max-pyramid"));
+    choose(1, QStringLiteral("offset"));
+    const Duel* duel = window_->duel()->duel();
+    ASSERT_EQ(duel->runs.size(), 3U);
+    EXPECT_EQ(duel->runs[0].steps, snapshot()->trace.steps);
+    EXPECT_EQ(duel->runs[1].hit.lambda, duel->exact.lambda) << "max-pyramid is exact";
+    EXPECT_EQ(duel->judgements[1].kind, relief::Departure::None);
+    // Every method is told of.
+    for (const relief::DuelRun& run : duel->runs) {
+        EXPECT_TRUE(window_->duel()->verdict().contains(QString::fromStdString(run.name))) << run.name;
+    }
+    EXPECT_GT(colorsIn(grab(window_->duel()->canvas())), 20);
+    // One less.
+    choose(0, QString());
+    EXPECT_EQ(window_->duel()->duel()->runs.size(), 2U);
+}
+
+TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"layers", {{"layers", "4"}}};
+    openDuel(scenario);
+    choose(0, QStringLiteral("max-pyramid"));
+    DuelView* const view = window_->duel();
+    const Duel* const duel = view->duel();
+    ASSERT_TRUE(duel->firstMoment()) << "four layers and yet exact: nothing is tested";
+    view->first();
+    EXPECT_EQ(this->scenario().step, 0);
+    QTest::keyClick(window_.get(), Qt::Key_D, Qt::ControlModifier);
+    EXPECT_EQ(view->moment(), *duel->firstMoment());
+    const std::size_t wrong = duel->judgements[*duel->first].step;
+    EXPECT_EQ(duel->steps.moments[view->moment()][*duel->first], wrong);
+    ASSERT_EQ(*duel->first, 0U) << "the other is exact";
+    EXPECT_EQ(this->scenario().step, static_cast<int>(wrong)) << "all panes stand at the step";
+    const QString kind = QString::fromStdString(
+        relief::sentence(relief::departureTitle(duel->judgements[0].kind), workspace_->style().language));
+    EXPECT_TRUE(view->verdict().contains(kind)) << view->verdict().toStdString();
+    // The window's step leads as well.
+    workspace_->chooseStep(1);
+    EXPECT_EQ(duel->steps.moments[view->moment()][0], 1U);
+    auto* const table = view->findChild<QTableView*>();
+    EXPECT_EQ(table->currentIndex().row(), static_cast<int>(view->moment()));
+    // A click on the last row: all at their answers.
+    const QModelIndex last = table->model()->index(table->model()->rowCount() - 1, 0);
+    table->setCurrentIndex(last);
+    EXPECT_EQ(this->scenario().step, static_cast<int>(duel->runs[0].steps.size()) - 1);
+    // Another pixel, another duel.
+    const Duel* const before = duel;
+    workspace_->choosePixel(30, 100);
+    waitForDuel();
+    EXPECT_NE(view->duel(), before);
+    EXPECT_EQ(view->duel()->runs[0].steps, snapshot()->trace.steps);
+}
+
+}  // namespace
+
+}  // namespace reliefui

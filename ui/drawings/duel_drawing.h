@@ -1,0 +1,35 @@
+// A duel in the profile: above the slice along the ray a track for each method, on which its steps lie where they are
+// along the ray; in the slice where each stands now, and where each answers. What goes wrong first is marked.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "drawings/profile_drawing.h"
+#include "measuring/duel.h"
+
+namespace reliefui {
+
+// What is drawn; referred to, not copied.
+struct DuelSource {
+    ProfileSource profile;  // without steps; its hit is the farthest of all answers
+    const std::vector<relief::DuelRun>* runs = nullptr;
+    const std::vector<relief::Judgement>* judgements = nullptr;
+    relief::Hit exact;
+    std::optional<std::size_t> first;  // the run that departs first
+
+    std::size_t count() const { return runs == nullptr ? 0 : runs->size(); }
+};
+
+// The profile's frame with room for the tracks above it.
+ProfileFrame duelFrame(const DuelSource& source, double width, double height);
+
+// moment: the step at which each run stands. Steps have ids of ItemKind::Step, their run as level.
+Drawing duelMarks(const DuelSource& source, const ProfileFrame& frame, const std::vector<std::size_t>& moment);
+Drawing duelLegend(const DuelSource& source, double width, relief::Language language);
+
+// The sign of a run, beside its colour.
+Shape runShape(std::size_t run);
+
+}  // namespace reliefui
