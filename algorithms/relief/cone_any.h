@@ -27,9 +27,10 @@ class ConeAnyHit {
     }
     using Options = ConeTracer::Options;
     static ConeAnyHit make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
-        return ConeAnyHit(ConeTracer::make(field, options, cache, work));
+        return {field, ConeTracer::makeMap(field, options, cache, work)};
     }
-    explicit ConeAnyHit(const ConeTracer& tracer) : field_(tracer.field()), map_(tracer.coneMap()), grid_(field_) {}
+    ConeAnyHit(HeightField field, std::shared_ptr<const ConeMap> map)
+        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
 
     template <class Sink>
     Sight look(const AnyRay& ray, Sink& sink) const {
