@@ -200,6 +200,12 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
     return layout;
 }
 
+void addScale(LegendRows& rows, const CompareSource& source) {
+    const bool flip = source.measure == relief::CompareMeasure::Flip;
+    rows.ramp(ColorMap::Count,
+              Message(flip ? MessageId::DrawCompareFlip : MessageId::DrawCompareL1, {{"high", figures(source.high)}}));
+}
+
 }  // namespace
 
 std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Language language) {
@@ -233,13 +239,15 @@ CompareLayout compareLayout(const CompareSource& source, double width, double he
     return layout;
 }
 
+Drawing compareScale(const CompareSource& source, relief::Language language) {
+    LegendRows rows(1, language);
+    addScale(rows, source);
+    return rows.take();
+}
+
 Drawing compareLegend(const CompareSource& source, double width, relief::Language language) {
     LegendRows rows(width, language);
-    if (source.mode == CompareMode::Difference) {
-        const bool flip = source.measure == relief::CompareMeasure::Flip;
-        rows.ramp(ColorMap::Count, Message(flip ? MessageId::DrawCompareFlip : MessageId::DrawCompareL1,
-                                           {{"high", figures(source.high)}}));
-    }
+    if (source.mode == CompareMode::Difference) addScale(rows, source);
     const Message note =
         source.rays > 0 ? Message(MessageId::DrawCompareAgainst,
                                   {{"reference", source.reference}, {"rays", source.rays}, {"rounds", source.rounds}})

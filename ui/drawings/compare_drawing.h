@@ -47,6 +47,8 @@ struct CompareLayout {
 };
 // width, height: points.
 CompareLayout compareLayout(const CompareSource& source, double width, double height, relief::Language language);
+// The scale of differences alone.
+Drawing compareScale(const CompareSource& source, relief::Language language);
 Drawing compareLegend(const CompareSource& source, double width, relief::Language language);
 
 // Its numbers as they stand below a tile, each by itself: "RMSE 0.0123", "PSNR 38.2 dB", ...

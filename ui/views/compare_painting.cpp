@@ -11,7 +11,7 @@ namespace reliefui {
 namespace {
 
 // Of the page's height: what explains must leave room for what is explained.
-constexpr double kMostLegend = 0.3;
+constexpr double kMostLegend = 0.14;
 
 QRectF fitted(const QRectF& room, const QSize& size) {
     const double scale = std::min(room.width() / size.width(), room.height() / size.height());
@@ -40,7 +40,11 @@ ComparePage comparePage(const CompareSource& source, const Box& page, const Styl
     ComparePage parts;
     const double unit = style.pixelsPerPoint();
     parts.legend = compareLegend(source, page.width() / unit - 12, style.language);
-    if (parts.legend.bounds.height() * unit > kMostLegend * page.height()) parts.legend = {};
+    if (parts.legend.bounds.height() * unit > kMostLegend * page.height()) {
+        // What the numbers are they say themselves; what the colours are only the scale.
+        parts.legend =
+            source.mode == relief::CompareMode::Difference ? compareScale(source, style.language) : Drawing();
+    }
     parts.room = figureRoom(parts.legend, page, style);
     parts.layout = compareLayout(source, std::max(10.0, parts.room.width() / unit),
                                  std::max(10.0, parts.room.height() / unit), style.language);
