@@ -60,8 +60,9 @@ class ConeTracer {
     }
     static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
         ConeTracer tracer(field, makeMap(field, options, cache, work));
-        // Another form of the map is chosen to see that map at work, so nothing else is built for it.
+        // Another form of the map, or one from a file, is chosen to see that map at work: nothing else is built for it.
         if (options.sectors != 1 || parsePrecision(options.precision) != Precision::Float) return tracer;
+        if (tracer.map_->fromFile) return tracer;
         tracer.packed_ = packedCones(field, cache, work);
         tracer.scene_ = LaneScene(field, tracer.packed_->highest, std::max(tracer.grid_.x.cells, tracer.grid_.y.cells));
         return tracer;
@@ -87,7 +88,7 @@ class ConeTracer {
 
     const HeightField& field() const { return field_; }
     const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }
-    std::size_t bytes() const { return map_->bytes(); }
+    std::size_t bytes() const { return map_->bytes() + (packed_ ? packed_->bytes() : 0); }
     double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 6; }
     double segmentRecords() const { return 3; }
 

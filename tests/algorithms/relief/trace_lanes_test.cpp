@@ -4,6 +4,7 @@
 #include "fields.h"
 #include "mapping/rows/row_lanes.h"
 #include "relief/distance_conservative.h"
+#include "relief/maps/cone_map.h"
 
 namespace relief::test {
 namespace {
@@ -186,6 +187,36 @@ TEST(Lanes, haveTheBitsOfTheScalarTextThroughVoxels) {
     for (const float value : {0.0F, 1.0F}) {
         expectTwinsEverywhere(voxelWalks(), {0.3}, constantHeights(9, 9, value), kSeed);
     }
+}
+
+// A cone map from a file is what a user wants to see walked: wrong answers included, with a log and without.
+TEST(Lanes, coneMapsFromFilesAreWalkedAsTheyStand) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    const HeightField field(share(makeRelief("spikes", 50, 50, kSeed)), Surface::Bilinear, Address::Repeat, 0.5);
+    Work work(2);
+    MapCache cache;
+    ConeMap map = buildConeMap(ConeKind::Conservative, {}, field, work);
+    const std::vector<float> nothing(map.slopes.codes().index() == 0 ? std::get<0>(map.slopes.codes()).size() : 0,
+                                     0.0F);
+    // Cones that are all of the space above the cell: most of the relief is missed.
+    map.slopes = StoredValues(map.nx(), map.ny(), 1, nothing, Precision::Float, Rounding::Up);
+    map.fromFile = true;
+    cache.put(coneMapKey(ConeKind::Conservative, {}, field), std::make_shared<const ConeMap>(std::move(map)));
+    const auto tracer = makeTracer({"cone", {}}, field, cache, work);
+    const auto exact = makeTracer({"exact", {}}, field, cache, work);
+    const RayBlock rays = awkwardRays(field, kSeed, 4 * rayCount());
+    HitBlock logged, plain, right;
+    BlockCounts counts;
+    NullSink sink;
+    tracer->trace(rays, logged, counts, work);
+    tracer->trace(rays, plain, sink, work);
+    exact->trace(rays, right, sink, work);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_TRUE(sameBits(logged[i], plain[i])) << i << ": " << describe(rays[i]);
+        wrong += sameBits(plain[i], right[i]) ? 0 : 1;
+    }
+    EXPECT_GT(wrong, rays.size() / 50) << "the map is not wrong enough to tell";
 }
 
 // What an unsafe map makes of a ray is the same, too: the walk itself is, not only where it ends.
