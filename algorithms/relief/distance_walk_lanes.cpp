@@ -169,7 +169,8 @@ bool VoxelWalk::fill(std::size_t lane) {
             continue;
         }
         const GridRay ray(grid_, viewRay);
-        if (!ray.inDomain()) {
+        // A slab of no thickness looked at from above has no length to share out.
+        if (!ray.inDomain() || !(walk_.perLambda(ray) > 0)) {
             queue_.left.push_back(i);
             continue;
         }

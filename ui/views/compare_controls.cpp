@@ -9,8 +9,16 @@
 #include <QVBoxLayout>
 
 #include "views/compare_view.h"
+#include "views/narrow_bar.h"
 
 namespace reliefui {
+
+namespace {
+
+// Two rows of controls stand above: the window is to fit on 800 lines.
+constexpr int kLeastPicture = 80;
+
+}  // namespace
 
 CompareView::CompareView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Compare"), QStringLiteral("compare"), tr("Export the comparison"), parent),
@@ -27,12 +35,13 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     for (const bool first : {true, false}) {
-        bar_ = new QHBoxLayout;
-        bar_->setContentsMargins(4, 2, 6, 2);
-        column->addLayout(bar_);
+        auto* const bar = new NarrowBar(this);
+        bar_ = bar->row();
+        column->addWidget(bar);
         first ? makeMethodBar() : makeModeBar();
     }
     column->addWidget(pictures_, 1);
+    pictures_->setMinimumHeight(kLeastPicture);
     connect(pictures_, &ComparePictures::hovered, this, &CompareView::setReadout);
     connect(pictures_, &ComparePictures::flickerStopped, this, [this] { play_->setChecked(false); });
     connect(&flicker_, &QTimer::timeout, this, &CompareView::tick);

@@ -14,6 +14,7 @@
 
 #include "views/drawing_canvas.h"
 #include "views/duel_model.h"
+#include "views/narrow_bar.h"
 
 namespace reliefui {
 
@@ -52,8 +53,8 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     verdict_->setObjectName(QStringLiteral("duel-verdict"));
     verdict_->setAccessibleName(tr("What each method did"));
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* const bar = new QHBoxLayout;
-    makeBar(bar);
+    auto* const bar = new NarrowBar(this);
+    makeBar(bar->row());
     auto* const split = new QSplitter(Qt::Horizontal, this);
     split->addWidget(canvas_);
     split->addWidget(table_);
@@ -62,7 +63,7 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(bar);
+    column->addWidget(bar);
     column->addWidget(split, 1);
     column->addWidget(verdict_);
     LatestJob::Listener listener;
@@ -98,7 +99,6 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
 DuelView::~DuelView() = default;
 
 void DuelView::makeBar(QHBoxLayout* bar) {
-    bar->setContentsMargins(6, 2, 6, 2);
     own_ = new QLabel(this);
     bar->addWidget(own_);
     for (int place = 0; place < kPlaces; ++place) {

@@ -182,7 +182,7 @@ TEST(Lanes, haveTheBitsOfTheScalarTextThroughVoxels) {
         expectTwinsEverywhere(voxelWalks(), {0.02, 0.3}, share(makeRelief(name, 64, 64, kSeed)), kSeed);
     }
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {33, 14}, {60, 3}}) {
-        expectTwinsEverywhere(voxelWalks(), {0.9}, randomHeights(width, height, kSeed), kSeed);
+        expectTwinsEverywhere(voxelWalks(), {0.0, 0.9}, randomHeights(width, height, kSeed), kSeed);
     }
     for (const float value : {0.0F, 1.0F}) {
         expectTwinsEverywhere(voxelWalks(), {0.3}, constantHeights(9, 9, value), kSeed);
