@@ -69,7 +69,7 @@ std::string filterPeersTable(const Table& table) {
                 const std::string& method = table.text(*row, "method");
                 ratios[method].add(table.number(*row, "ratio"));
                 errors.add(share);
-                if (method.find("SSE") != std::string::npos) continue;
+                if (method.find("SSE") != std::string::npos || method.ends_with(" SCALAR")) continue;
                 out += line({picture, view, method, three(table.number(*row, "rate") / 1e6),
                              readable(100 * table.number(*row, "spread"), 2), three(table.number(*row, "ratio")),
                              readable(100 * table.number(*row, "ratio_spread"), 2),
