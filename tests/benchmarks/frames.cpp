@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
         const auto color = std::make_shared<const ColorImage>(readColor(folder + pictures.color, work));
         const auto maps = std::make_shared<MapCache>();
         for (const double elevation : {60.0, 45.0, 25.0}) {
-            for (const char* filter : {"elliptical", "elliptical-visible:form=grid", "elliptical-visible"}) {
+            for (const char* filter : {"elliptical", "elliptical-visible:form=grid"}) {
                 for (const bool shadows : {false, true}) {
                     FrameRequest request{HeightField(heights)};
                     request.color = color;
