@@ -36,8 +36,7 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
     // Until what pays only after some frames has been made.
     const double pixels = static_cast<double>(request.width) * request.height;
     const double enough = static_cast<double>(ConeTwin::kRaysPerTexel * request.field.heights().size()) / pixels;
-    const bool slow = request.filter.name == "elliptical-visible" && request.filter.options.empty();
-    for (int n = 0; n <= (slow ? 1 : enough); ++n) {
+    for (int n = 0; n <= enough; ++n) {
         renderer.render(request, work);
         request.camera.azimuth += kTurn;
     }
