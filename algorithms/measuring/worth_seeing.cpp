@@ -5,40 +5,19 @@
 #include <limits>
 #include <numeric>
 
+#include "rendering/frame_batches.h"
+
 namespace relief {
 
 namespace {
 
-// Rays are traced so many at a time: it can be stopped in between.
-constexpr std::size_t kBatch = 1 << 16;
+constexpr const char* kTold = "looking for pixels";
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 float distance(const Hit& a, const Hit& b, const ViewRay& ray) {
     if (a.outcome != b.outcome) return std::numeric_limits<float>::infinity();
     if (a.outcome != Outcome::Hit) return 0;
     return static_cast<float>(std::abs(a.lambda - b.lambda) * std::max(1.0, std::hypot(ray.a, ray.b)));
-}
-
-// Calls see(pixel, n-th ray of the batch) after each batch of the frame's rays was traced.
-template <class Sink, class See>
-void traceFrame(const Frame& frame, const Tracer& tracer, HitBlock& hits, Sink& sink, Work& work, const See& see) {
-    const std::size_t pixels = frame.rays->polygon.size();
-    std::vector<std::size_t> places;
-    RayBlock rays;
-    work.progress().begin("looking for pixels", static_cast<std::int64_t>(pixels));
-    for (std::size_t begin = 0; begin < pixels; begin += kBatch) {
-        work.throwIfStopped();
-        const std::size_t end = std::min(pixels, begin + kBatch);
-        places.clear();
-        for (std::size_t i = begin; i < end; ++i) {
-            if (frame.rays->polygon[i] != kNoPolygon) places.push_back(i);
-        }
-        rays.resize(places.size());
-        for (std::size_t k = 0; k < places.size(); ++k) rays.set(k, frame.rays->rays[places[k]]);
-        tracer.trace(rays, hits, sink, work);
-        for (std::size_t k = 0; k < places.size(); ++k) see(places[k], k);
-        work.progress().advance(static_cast<std::int64_t>(end - begin));
-    }
 }
 
 }  // namespace
@@ -80,7 +59,7 @@ std::vector<float> stepWorth(const Frame& frame, const Tracer& tracer, Work& wor
     std::vector<float> out(frame.rays->polygon.size(), kNothing);
     HitBlock hits;
     BlockCounts counts;
-    traceFrame(frame, tracer, hits, counts, work,
+    traceFrame(frame, tracer, kTold, hits, counts, work,
                [&](std::size_t pixel, std::size_t k) { out[pixel] = static_cast<float>(hits.steps[k]); });
     return out;
 }
@@ -89,7 +68,7 @@ std::vector<float> disagreement(const Frame& frame, const Tracer& other, Work& w
     std::vector<float> out(frame.rays->polygon.size(), kNothing);
     HitBlock hits;
     NullSink sink;
-    traceFrame(frame, other, hits, sink, work, [&](std::size_t pixel, std::size_t k) {
+    traceFrame(frame, other, kTold, hits, sink, work, [&](std::size_t pixel, std::size_t k) {
         out[pixel] = distance(frame.hits->hits[pixel], hits[k], frame.rays->rays[pixel]);
     });
     return out;

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "rendering/frame_batches.h"
+
 namespace relief {
 
 namespace {
 
 // The same bits as `exact`, sooner.
 constexpr const char* kExactTracer = "max-pyramid";
-// Rays are traced so many at a time: progress can be told in between.
-constexpr std::size_t kBatch = 1 << 16;
 
 void compare(const Hit& hit, const Hit& exact, const ViewRay& ray, std::size_t pixel, ErrorLayer& out) {
     ErrorKind kind = ErrorKind::Right;
@@ -37,26 +37,11 @@ ErrorLayer errorAgainstExact(const Frame& frame, const FrameRequest& request, Ma
     ErrorLayer out;
     out.texels.assign(pixels, std::numeric_limits<float>::quiet_NaN());
     out.kinds.assign(pixels, ErrorKind::None);
-    work.progress().begin("error against exact", static_cast<std::int64_t>(pixels));
-    std::vector<std::size_t> places;
-    RayBlock rays;
     HitBlock exact;
     NullSink sink;
-    for (std::size_t begin = 0; begin < pixels; begin += kBatch) {
-        work.throwIfStopped();
-        const std::size_t end = std::min(pixels, begin + kBatch);
-        places.clear();
-        for (std::size_t i = begin; i < end; ++i) {
-            if (frame.rays->polygon[i] != kNoPolygon) places.push_back(i);
-        }
-        rays.resize(places.size());
-        for (std::size_t k = 0; k < places.size(); ++k) rays.set(k, frame.rays->rays[places[k]]);
-        tracer->trace(rays, exact, sink, work);
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            compare(frame.hits->hits[places[k]], exact[k], rays[k], places[k], out);
-        }
-        work.progress().advance(static_cast<std::int64_t>(end - begin));
-    }
+    traceFrame(frame, *tracer, "error against exact", exact, sink, work, [&](std::size_t pixel, std::size_t k) {
+        compare(frame.hits->hits[pixel], exact[k], frame.rays->rays[pixel], pixel, out);
+    });
     out.counts[0] = std::count(out.kinds.begin(), out.kinds.end(), ErrorKind::None);
     return out;
 }
