@@ -1440,6 +1440,18 @@
 <context>
     <name>reliefui::MainWindow</name>
     <message>
+        <source>&amp;Longest pauses…</source>
+        <translation>Найдовші &amp;паузи…</translation>
+    </message>
+    <message>
+        <source>What held the window&apos;s thread longest</source>
+        <translation>Що найдовше затримувало потік вікна</translation>
+    </message>
+    <message>
+        <source>Longest pauses</source>
+        <translation>Найдовші паузи</translation>
+    </message>
+    <message>
         <source>Layer of the result</source>
         <translation>Шар результату</translation>
     </message>
@@ -3291,6 +3303,17 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Go to %1</source>
         <translation>Перейти до: %1</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::PauseLog</name>
+    <message>
+        <source>%1 ms, of them %2 ms drawn by OpenGL: %3</source>
+        <translation>%1 мс, з них %2 мс малював OpenGL: %3</translation>
+    </message>
+    <message>
+        <source>longest pause of the window: </source>
+        <translation>найдовша пауза вікна: </translation>
     </message>
 </context>
 </TS>

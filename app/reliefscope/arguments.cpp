@@ -61,6 +61,8 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.version = true;
         } else if (argument == "--check-display") {
             parsed.checkDisplay = true;
+        } else if (argument == "--log") {
+            parsed.log = true;
         } else if (argument == "--screenshot") {
             parsed.screenshot = value();
         } else if (argument == "--export") {
@@ -151,6 +153,7 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --dpi N               pixels an inch of a PNG (300)
   --dark                light on dark, as in the window
   --check-display       only say whether a window can be opened: exit status 0, or 2
+  --log                 when the window is closed, say on stderr what held its thread longest
   --version, --help
 
 Exit status: 0 done, 1 the work failed, 2 bad usage or input, or no display.

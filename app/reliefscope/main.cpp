@@ -13,10 +13,12 @@
 #include "views/charts_data.h"
 #include "views/compare_data.h"
 #include "views/figure.h"
+#include "windows/application.h"
 #include "windows/display_check.h"
 #include "windows/main_window.h"
 #include "windows/program.h"
 #include "workspace/language.h"
+#include "workspace/pause_log.h"
 #include "workspace/snapshot_maker.h"
 #include "workspace/start_scenario.h"
 
@@ -161,7 +163,7 @@ int run(int count, char** values, const Arguments& arguments) {
     Start start = chosenStart(arguments.file, datasets);
 
     reliefui::prepareWindows();
-    QApplication application(count, values);
+    reliefui::Application application(count, values);
     reliefui::dressApplication(application);
     QApplication::setApplicationVersion(QStringLiteral(RELIEF_VERSION));
     reliefui::Workspace workspace;
@@ -173,7 +175,10 @@ int run(int count, char** values, const Arguments& arguments) {
         reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
     }
     window.show();
-    return QApplication::exec();
+    const int status = QApplication::exec();
+    constexpr std::size_t kPauses = 20;
+    if (arguments.log) std::fprintf(stderr, "%s\n", reliefui::PauseLog::instance().text(kPauses).toUtf8().constData());
+    return status;
 }
 
 }  // namespace

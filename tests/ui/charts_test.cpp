@@ -359,7 +359,7 @@ TEST_F(ChartsPane, ItIsExportedAsItIsShown) {
     const QTemporaryDir folder;
     for (const char* const ending : {"svg", "pdf", "png"}) {
         const QString file = folder.filePath(QStringLiteral("charts.") + QString::fromLatin1(ending));
-        view()->saveFigure(file);
+        saveFigure(view(), file);
         EXPECT_TRUE(validFigure(file)) << ending;
     }
     EXPECT_GT(colorsIn(view()->image(800)), 20);

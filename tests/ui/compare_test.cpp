@@ -366,13 +366,13 @@ TEST_F(ComparePane, ItIsExportedAsItIsShown) {
     openPane();
     const QTemporaryDir folder;
     const QString png = folder.filePath(QStringLiteral("compare.png"));
-    pane()->saveFigure(png, 1234);
+    saveFigure(pane(), png, 1234);
     const QImage image(png);
     EXPECT_NEAR(image.width(), 1234, 1);
     EXPECT_GT(colorsIn(image), 100);
     for (const char* const ending : {"svg", "pdf"}) {
         const QString file = folder.filePath(QStringLiteral("compare.") + QString::fromLatin1(ending));
-        pane()->saveFigure(file);
+        saveFigure(pane(), file);
         EXPECT_GT(QFileInfo(file).size(), 5000);
     }
     EXPECT_EQ(pane()->image(600).width(), 600);

@@ -449,7 +449,7 @@ TEST_F(DistanceTest, ItIsExportedAsItIsShown) {
     show(options);
     for (const char* const ending : {"svg", "pdf", "png"}) {
         const QString file = folder.filePath(QStringLiteral("map.") + QString::fromLatin1(ending));
-        view()->saveFigure(file);
+        saveFigure(view(), file);
         EXPECT_GT(QFileInfo(file).size(), 3000) << ending;
     }
     EXPECT_GT(colorsIn(QImage(folder.filePath(QStringLiteral("map.png")))), 50);

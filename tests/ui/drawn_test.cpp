@@ -226,7 +226,7 @@ TEST_F(DrawnPane, ItIsSavedReopenedAndExported) {
     EXPECT_EQ(scenario(), before);
     EXPECT_EQ(snapshot()->picture, picture);
     const QString png = folder.filePath(QStringLiteral("drawn.png"));
-    view()->saveFigure(png, 800);
+    saveFigure(view(), png, 800);
     EXPECT_EQ(QImage(png).width(), 800);
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();

@@ -299,7 +299,7 @@ TEST_F(FootprintTest, TheFigureIsThePane) {
     const QTemporaryDir folder;
     for (const char* name : {"f.png", "f.svg", "f.pdf"}) {
         const QString path = folder.filePath(QString::fromLatin1(name));
-        view()->saveFigure(path);
+        saveFigure(view(), path);
         EXPECT_GT(QFileInfo(path).size(), 1000) << name;
     }
     const QImage picture = view()->image(900);

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 
 #include "window_fixture.h"
+#include "windows/application.h"
 #include "windows/display_check.h"
 #include "windows/program.h"
 
@@ -24,7 +25,7 @@ int main(int count, char** values) {
     const QTemporaryDir settings;
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     reliefui::prepareWindows();
-    QApplication application(count, values);
+    reliefui::Application application(count, values);
     reliefui::dressApplication(application);
     reliefui::haveDisplay() = true;
     const int failed = RUN_ALL_TESTS();

@@ -367,7 +367,7 @@ TEST_F(RowsPane, ItIsExportedAsItIsShown) {
     const QTemporaryDir folder;
     for (const char* const ending : {"svg", "pdf", "png"}) {
         const QString file = folder.filePath(QStringLiteral("rows.") + QString::fromLatin1(ending));
-        view()->saveFigure(file);
+        saveFigure(view(), file);
         EXPECT_GT(QFileInfo(file).size(), 3000) << ending;
     }
     EXPECT_GT(colorsIn(view()->image(800)), 50);

@@ -62,6 +62,11 @@ QImage WindowTest::grab(QWidget* widget) {
     return widget->grab().toImage().convertToFormat(QImage::Format_RGB32);
 }
 
+void WindowTest::saveFigure(FigureView* view, const QString& path, int pixels) {
+    view->saveFigure(path, pixels);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !view->saving(); }, kPatienceMs)) << path.toStdString();
+}
+
 int colorsIn(const QImage& image) {
     std::set<QRgb> colors;
     for (int y = 0; y < image.height(); ++y) {

@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QTest>
 
+#include "views/figure_view.h"
 #include "views/result_view.h"
 #include "windows/main_window.h"
 #include "workspace/workspace.h"
@@ -30,6 +31,8 @@ class WindowTest : public ::testing::Test {
     void waitForFull();
     // Lets the panes draw, then takes a picture of one.
     static QImage grab(QWidget* widget);
+    // Saves the pane as a figure and waits for it.
+    static void saveFigure(FigureView* view, const QString& path, int pixels = 0);
 
     relief::Scenario scenario() const { return workspace_->scenario(); }
     std::shared_ptr<const Snapshot> snapshot() const { return workspace_->snapshot(); }

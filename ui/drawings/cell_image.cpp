@@ -8,6 +8,13 @@
 namespace reliefui {
 
 CellImage cellImage(const Cells& cells, const Style& style, int longest) {
+    const CellRange all{0, 0, cells.values->width(), cells.values->height()};
+    int step = 1;
+    while (std::max(all.i1, all.j1) > longest * step) ++step;
+    return cellImage(cells, style, all, step);
+}
+
+CellImage cellImage(const Cells& cells, const Style& style, const CellRange& part, int step) {
     constexpr std::size_t kCodes = 1024;
     std::array<Rgba, kCodes> codes;
     for (std::size_t c = 0; c < kCodes; ++c) {
@@ -15,9 +22,11 @@ CellImage cellImage(const Cells& cells, const Style& style, int longest) {
     }
     const relief::FloatImage& values = *cells.values;
     CellImage image;
-    while (std::max(values.width(), values.height()) > longest * image.step) ++image.step;
-    image.width = (values.width() + image.step - 1) / image.step;
-    image.height = (values.height() + image.step - 1) / image.step;
+    image.i0 = part.i0;
+    image.j0 = part.j0;
+    image.step = step;
+    image.width = (part.i1 - part.i0 + step - 1) / step;
+    image.height = (part.j1 - part.j0 + step - 1) / step;
     image.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
     const bool marks = cells.map == ColorMap::Distance || cells.map == ColorMap::Difference;
     const bool flat = !(cells.high > cells.low);
@@ -26,9 +35,9 @@ CellImage cellImage(const Cells& cells, const Style& style, int longest) {
     const auto low = static_cast<float>(cells.low);
     std::uint8_t* out = image.rgb.data();
     for (int y = 0; y < image.height; ++y) {
-        const auto row = values.row(y * image.step);
+        const auto row = values.row(image.j0 + y * image.step);
         for (int x = 0; x < image.width; ++x) {
-            const float value = row[static_cast<std::size_t>(x * image.step)];
+            const float value = row[static_cast<std::size_t>(image.i0 + x * image.step)];
             const float code = (value - low) * factor + 0.5F;
             const bool special = cells.map == ColorMap::Picture || (marks && (flat || !(code >= 0.0F)));
             const Rgba color = special ? style.cell(cells.map, static_cast<double>(value), cells.low, cells.high)

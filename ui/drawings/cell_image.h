@@ -1,4 +1,4 @@
-// A grid of values as a picture of colours, for painters; big grids are thinned out first.
+// A grid of values, or a part of one, as a picture of colours, for painters; big ones are thinned out first.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,11 @@
 
 namespace reliefui {
 
-// Rows top-down, three bytes a pixel. A pixel stands for `step` x `step` cells and shows the first of them.
+// Rows top-down, three bytes a pixel. A pixel stands for `step` x `step` cells and shows the first of them; the first
+// pixel for those from (i0, j0) on.
 struct CellImage {
+    int i0 = 0;
+    int j0 = 0;
     int width = 0;
     int height = 0;
     int step = 1;
@@ -20,6 +23,8 @@ struct CellImage {
 
 // No side of the picture is longer than `longest` pixels.
 CellImage cellImage(const Cells& cells, const Style& style, int longest = 2048);
+// Of these cells only, thinned out `step` times.
+CellImage cellImage(const Cells& cells, const Style& style, const CellRange& range, int step);
 
 // Size (pixels) and decimals with which values are written into cells of this size; pixels = 0: no room.
 struct CellText {

@@ -1,4 +1,5 @@
-// A big grid of values on the graphics card: uploaded once, drawn at any zoom.
+// A big grid of values on the graphics card: of what is seen of it as much as the screen can show, made anew where
+// something else is seen.
 #pragma once
 
 #include <vtkNew.h>
@@ -28,18 +29,22 @@ class VtkCellTexture {
     // Made from these very values in these colours?
     bool serves(const Cells& cells, const Style& style) const;
     // Draws the part of the cells that lies in `screen` (pixels, y downwards, of a window `height` pixels high).
-    void draw(const Cells& cells, const ViewMap& map, const Box& screen, int height, vtkViewport* viewport);
+    void draw(const Cells& cells, const ViewMap& map, const Style& style, const Box& screen, int height,
+              vtkViewport* viewport);
     void release(vtkWindow* window);
 
     bool used = false;  // since the painter last looked
 
   private:
+    void make(const Cells& cells, const Style& style, const CellRange& seen, int step);
+
     std::shared_ptr<const relief::FloatImage> values_;
     ColorMap map_;
     HeightColors heights_;
     Theme theme_;
     double low_;
     double high_;
+    CellRange range_;  // of the cells that the texture shows; empty: it was not made yet
     int step_ = 1;
     int width_ = 0;
     int height_ = 0;

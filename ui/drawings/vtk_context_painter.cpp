@@ -174,7 +174,7 @@ void VtkContextPainter::Pass::operator()(const Cells& cells) {
     if (side >= 8 * style.pixelsPerPoint() && range.count() <= kMostSmallCells) {
         smallCells(cells, range);
     } else {
-        texture->draw(cells, map, screen, owner.height_, owner.viewport_);
+        texture->draw(cells, map, style, screen, owner.height_, owner.viewport_);
     }
 }
 

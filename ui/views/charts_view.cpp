@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "views/drawing_canvas.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -27,6 +28,7 @@ void ChartsView::paintEvent(QPaintEvent* event) {
 }
 
 void ChartsView::refresh() {
+    const PauseLog::Part part("charts");
     // Out of sight nothing is computed or drawn.
     stale_ = !inSight();
     if (stale_) return;
@@ -127,6 +129,7 @@ ChartsSource ChartsView::source() const {
 }
 
 void ChartsView::draw() {
+    const PauseLog::Part part("charts: drawing");
     if (!snapshot_ || !snapshot_->request) return;
     if (!inSight()) {
         stale_ = true;

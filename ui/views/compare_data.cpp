@@ -9,6 +9,7 @@
 #include "measuring/view_bench.h"
 #include "scenario/step_sentence.h"
 #include "views/result_painting.h"
+#include "workspace/discard.h"
 
 namespace reliefui {
 
@@ -123,7 +124,7 @@ Comparer::Rendered& Comparer::rendered(const Snapshot& snapshot, const relief::M
 
 std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, relief::Work& work) {
     ++calls_;
-    auto view = std::make_shared<ComparedView>();
+    auto view = makeFreedAside<ComparedView>();
     view->scenario = snapshot.scenario;
     view->coarse = snapshot.coarse;
     view->frame = snapshot.frame;
@@ -191,7 +192,7 @@ void Comparer::measure(ComparedView& view, const relief::Frame& reference, relie
 }
 
 std::shared_ptr<const ComparedView> withRates(const ComparedView& view, const Snapshot& snapshot, relief::Work& work) {
-    auto timed = std::make_shared<ComparedView>(view);
+    auto timed = makeFreedAside<ComparedView>(view);
     std::vector<relief::MethodChoice> methods;
     for (const ComparedMethod& method : view.methods) {
         if (method.traces && !method.problem) methods.push_back(method.method);

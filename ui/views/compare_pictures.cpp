@@ -13,6 +13,7 @@
 #include "views/compare_painting.h"
 #include "views/compare_view.h"
 #include "views/result_painting.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -103,6 +104,7 @@ std::optional<std::size_t> ComparePictures::dividerAt(QPointF widget) const {
 }
 
 void ComparePictures::paintEvent(QPaintEvent*) {
+    const PauseLog::Part part("compare: pictures");
     QPainter painter(this);
     const Style& style = workspace()->style();
     painter.fillRect(rect(), toColor(style.background()));

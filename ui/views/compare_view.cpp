@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "measuring/pareto.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -28,6 +29,7 @@ void CompareView::paintEvent(QPaintEvent* event) {
 }
 
 void CompareView::refresh() {
+    const PauseLog::Part part("compare");
     // Out of sight nothing is computed or drawn.
     stale_ = !inSight();
     if (stale_) {

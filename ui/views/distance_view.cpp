@@ -13,6 +13,8 @@
 #include "relief/maps/map_choice.h"
 #include "views/drawing_canvas.h"
 #include "windows/core_texts.h"
+#include "workspace/discard.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -57,6 +59,7 @@ DistanceView::MapNames DistanceView::namesNow() const {
 }
 
 void DistanceView::refresh() {
+    const PauseLog::Part part("distance");
     // Out of sight nothing is built or drawn.
     stale_ = !inSight();
     if (stale_) return;
@@ -99,7 +102,7 @@ void DistanceView::build(const MapNames& names) {
         *maps = distanceMaps(*snapshot, options, before, w);
     };
     const auto done = [this, maps, names] {
-        maps_ = std::move(*maps);
+        discard(std::exchange(maps_, std::move(*maps)));
         built_ = names;
         building_ = {};
         refresh();
@@ -118,7 +121,7 @@ void DistanceView::draw() {
     const int step = workspace_->scenario().step;
     const relief::Language language = workspace_->style().language;
     problem_.clear();
-    auto result = std::make_shared<Result>();
+    auto result = makeFreedAside<Result>();
     result->snapshot = snapshot_;
     result->maps = maps_;
     const auto work = [result, options = options_, room, step, language](relief::Work&) {
@@ -149,6 +152,7 @@ void DistanceView::take(std::shared_ptr<const Result> result) {
 }
 
 void DistanceView::showMarks() {
+    const PauseLog::Part part("distance: marks");
     if (!result_) return;
     const DistanceSource source = distanceSource(*result_->snapshot, result_->maps);
     auto marks =

@@ -15,6 +15,7 @@
 #include <QWheelEvent>
 
 #include "drawings/vtk_context_painter.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -212,7 +213,9 @@ void DrawingCanvas::paint() {
     const double unit = item.style.pixelsPerPoint();
     item.legendMap = {unit, kMargin * unit, item.height - legendHeight() - kMargin * unit / 2};
     scene_->actor->GetScene()->SetDirty(true);
-    if (isValid()) scene_->window->Render();
+    if (!isValid()) return;
+    const DrawingTime time("pane");
+    scene_->window->Render();
 }
 
 void DrawingCanvas::resizeEvent(QResizeEvent* event) {

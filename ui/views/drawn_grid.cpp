@@ -10,6 +10,7 @@
 #include "scenario/step_sentence.h"
 #include "views/drawn_view.h"
 #include "views/result_painting.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -83,6 +84,7 @@ void DrawnGrid::choose(std::optional<std::pair<int, int>> texel) {
 
 // What is drawn is the scenario's, at once; the ray comes with its snapshot.
 void DrawnGrid::refresh() {
+    const PauseLog::Part part("by hand: grid");
     const auto snapshot = workspace_->snapshot();
     source_ = snapshot ? drawnSource(*snapshot) : DrawnSource{};
     source_.hasRay = source_.hasRay && source_.relief.width == drawn().width &&

@@ -15,6 +15,7 @@
 #include "images/addressing.h"
 #include "images/reliefs.h"
 #include "windows/core_texts.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -128,6 +129,7 @@ void DrawnView::paintEvent(QPaintEvent* event) {
 }
 
 void DrawnView::refresh() {
+    const PauseLog::Part part("by hand");
     // Out of sight nothing is drawn.
     stale_ = !inSight();
     if (stale_) return;

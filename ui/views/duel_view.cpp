@@ -15,6 +15,7 @@
 #include "views/drawing_canvas.h"
 #include "views/duel_model.h"
 #include "views/narrow_bar.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -180,6 +181,7 @@ void DuelView::paintEvent(QPaintEvent* event) {
 }
 
 void DuelView::refresh() {
+    const PauseLog::Part part("duel");
     // Out of sight nothing is computed or drawn.
     stale_ = !inSight();
     if (stale_) return;
@@ -253,6 +255,7 @@ void DuelView::showVerdict() {
 }
 
 void DuelView::redraw() {
+    const PauseLog::Part part("duel: drawing");
     if (!duel_ || !inSight()) return;
     const bool home = canvas_->atHome();
     if (home) {

@@ -8,6 +8,8 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
+#include <QPointer>
+#include <QThreadPool>
 
 namespace reliefui {
 
@@ -64,8 +66,7 @@ void FigureView::openMenu(const QPoint& at) {
     QAction* const copy =
         menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
     copy->setEnabled(!value.isEmpty());
-    QAction* const picture =
-        menu.addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(image(kCopiedWidth)); });
+    QAction* const picture = menu.addAction(tr("Copy picture"), this, &FigureView::copyPicture);
     QAction* const save = menu.addAction(tr("Export figure…"), this, &FigureView::askFigure);
     picture->setEnabled(figureSnapshot() != nullptr);
     save->setEnabled(figureSnapshot() != nullptr);
@@ -94,12 +95,47 @@ void FigureView::saveFigure(const QString& path, int pixels) {
     request.style.theme = Theme::Light;
     // So many pixels of the same page: text grows with the picture.
     if (pixels > 0) request.dpi = pixels / request.widthMm * kMmPerInch;
-    try {
-        writeFigure(figureState(), request, path.toStdString());
-        Q_EMIT saved(path);
-    } catch (const relief::InputError& error) {
-        Q_EMIT workspace_->problem(QString::fromStdString(error.text(request.style.language)));
-    }
+    drawAside([this, state = figureState(), request, path]() -> std::function<void()> {
+        try {
+            writeFigure(state, request, path.toStdString());
+            return [this, path] { Q_EMIT saved(path); };
+        } catch (const relief::InputError& error) {
+            const QString problem = QString::fromStdString(error.text(request.style.language));
+            return [this, problem] { Q_EMIT workspace_->problem(problem); };
+        } catch (const std::exception& error) {
+            return [this, problem = QString::fromUtf8(error.what())] { Q_EMIT workspace_->problem(problem); };
+        }
+    });
+}
+
+void FigureView::copyPicture() {
+    if (!figureSnapshot()) return;
+    drawAside([state = figureState(), request = figure()]() -> std::function<void()> {
+        QImage picture;
+        try {
+            picture = figureImage(state, request, kCopiedWidth);
+        } catch (const std::exception&) {
+            return [] {};  // a map that there is none of
+        }
+        return [picture] { QApplication::clipboard()->setImage(picture); };
+    });
+}
+
+// draw: on another thread; what it returns is called on the window's, if the pane is still there.
+void FigureView::drawAside(std::function<std::function<void()>()> draw) {
+    ++saving_;
+    QThreadPool::globalInstance()->start([draw = std::move(draw), view = QPointer(this)] {
+        const std::function<void()> told = draw();
+        if (QCoreApplication::instance() == nullptr) return;  // the program ends
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [view, told] {
+                if (!view) return;
+                --view->saving_;
+                told();
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 }  // namespace reliefui

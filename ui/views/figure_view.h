@@ -2,6 +2,7 @@
 // the readout of what is under the pointer, and that nothing is drawn out of sight.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QImage>
@@ -21,10 +22,15 @@ class FigureView : public QWidget {
     QString readout() const { return readout_; }
     // The pane as a picture, as it is exported, with the options of the screen; null where there is nothing.
     QImage image(int width) const;
+    // Figures that are being drawn.
+    bool saving() const { return saving_ > 0; }
 
   public slots:
-    // SVG, PDF or PNG, by the ending; says when it is done, or why not. pixels: the width of a PNG; 0: the standard.
+    // SVG, PDF or PNG, by the ending; drawn aside, and said when it is done, or why not. pixels: the width of a PNG; 0:
+    // the standard.
     void saveFigure(const QString& path, int pixels = 0);
+    // Drawn aside as well.
+    void copyPicture();
 
   signals:
     void saved(const QString& path);
@@ -54,6 +60,7 @@ class FigureView : public QWidget {
   private:
     FigureRequest figure() const;
     Snapshot figureState() const;
+    void drawAside(std::function<std::function<void()>()> draw);
     void openMenu(const QPoint& at);
     void askFigure();
 
@@ -61,6 +68,7 @@ class FigureView : public QWidget {
     QString dialog_;
     QWidget* face_ = nullptr;
     QString readout_;
+    int saving_ = 0;
 };
 
 }  // namespace reliefui

@@ -8,6 +8,7 @@
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -91,6 +92,7 @@ void FootprintView::resetZoom() {
 }
 
 void FootprintView::refresh() {
+    const PauseLog::Part part("footprint");
     stale_ = !inSight();
     if (stale_) return;
     canvas_->setStyle(workspace_->style());
@@ -129,6 +131,7 @@ void FootprintView::refresh() {
 }
 
 void FootprintView::redraw() {
+    const PauseLog::Part part("footprint: marks");
     if (!footprint_ || !texture_ || !inSight()) return;
     FootprintMarks marks = footprintMarks(*footprint_, options_, canvas_->visible(), canvas_->zoom(), chosen_);
     marks_ = std::make_shared<const Drawing>(std::move(marks.drawing));

@@ -7,6 +7,7 @@
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -111,6 +112,7 @@ void ProfileView::paintEvent(QPaintEvent* event) {
 }
 
 void ProfileView::refresh() {
+    const PauseLog::Part part("profile");
     // Out of sight nothing is drawn.
     stale_ = !inSight();
     if (stale_) return;
@@ -141,6 +143,7 @@ void ProfileView::refresh() {
 }
 
 void ProfileView::redraw() {
+    const PauseLog::Part part("profile: relief");
     if (!ready() || !inSight()) return;
     frame_.visible = canvas_->atHome() ? frame_.whole : canvas_->visible();
     frame_.zoom = canvas_->atHome() ? 1 : canvas_->zoom();
@@ -151,6 +154,7 @@ void ProfileView::redraw() {
 }
 
 void ProfileView::refreshStep() {
+    const PauseLog::Part part("profile: marks");
     if (!inSight()) {
         stale_ = true;
         return;

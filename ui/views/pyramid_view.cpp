@@ -8,6 +8,7 @@
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -124,6 +125,7 @@ void PyramidView::tell(const QPointF& widget) {
 }
 
 void PyramidView::refresh() {
+    const PauseLog::Part part("pyramid");
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
     const bool ready = shown_ && shown_->request && shown_->has(levels());
@@ -151,6 +153,7 @@ void PyramidView::refresh() {
 }
 
 void PyramidView::refreshStep() {
+    const PauseLog::Part part("pyramid: marks");
     if (!shown_ || !levels_) return;
     // A step of a newer ray than the one shown: its snapshot is on the way.
     auto marks = std::make_shared<const Drawing>(pyramidMarks(source(), picture_, workspace_->scenario().step));

@@ -6,6 +6,7 @@
 #include <QToolTip>
 
 #include "views/result_painting.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -17,6 +18,7 @@ ResultView::ResultView(Workspace* workspace, QWidget* parent) : PictureView(work
 }
 
 void ResultView::paintEvent(QPaintEvent*) {
+    const PauseLog::Part part("result");
     QPainter painter(this);
     painter.fillRect(rect(), toColor(workspace()->style().background()));
     if (!workspace()->snapshot()) {

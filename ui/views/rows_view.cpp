@@ -9,6 +9,7 @@
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -51,6 +52,7 @@ void RowsView::paintEvent(QPaintEvent* event) {
 }
 
 void RowsView::refresh() {
+    const PauseLog::Part part("rows");
     // Out of sight nothing is computed or drawn.
     stale_ = !inSight();
     if (stale_) return;
@@ -78,6 +80,7 @@ void RowsView::refresh() {
 }
 
 void RowsView::draw() {
+    const PauseLog::Part part("rows: drawing");
     if (!data_) return;
     if (!inSight()) {
         stale_ = true;

@@ -16,6 +16,7 @@
 #include "scenario/ray_files.h"
 #include "scenario/step_sentence.h"
 #include "workspace/language.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -235,6 +236,7 @@ void StepTable::applyStyle() {
 }
 
 void StepTable::refresh() {
+    const PauseLog::Part part("steps");
     following_ = true;
     applyStyle();
     model_->show(workspace_->snapshot(), workspace_->style());

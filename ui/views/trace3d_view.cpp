@@ -25,6 +25,7 @@
 #include "views/trace3d_bodies.h"
 #include "views/trace3d_marks.h"
 #include "views/trace3d_samples.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -204,6 +205,7 @@ void Trace3dView::addWords(const QString& words) {
 }
 
 void Trace3dView::refresh() {
+    const PauseLog::Part part("trace 3-D: scene");
     const auto snapshot = workspace_->snapshot();
     const Rgba ground = workspace_->style().background();
     renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
@@ -262,6 +264,7 @@ void Trace3dView::addStep(const relief::Step& step, std::size_t number) {
 }
 
 void Trace3dView::showStep(int step) {
+    const PauseLog::Part part("trace 3-D: step");
     for (const auto& prop : stepProps_) renderer_->RemoveViewProp(prop);
     stepProps_.clear();
     if (scene_ && !shown_->trace.steps.empty()) {
@@ -359,7 +362,9 @@ bool Trace3dView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void Trace3dView::renderNow() {
-    if (widget_->isVisible() && widget_->isValid()) window_->Render();
+    if (!widget_->isVisible() || !widget_->isValid()) return;
+    const DrawingTime time("trace 3-D");
+    window_->Render();
 }
 
 void Trace3dView::render() {

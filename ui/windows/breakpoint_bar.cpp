@@ -1,4 +1,5 @@
 #include "windows/breakpoint_bar.h"
+#include "workspace/pause_log.h"
 
 #include <algorithm>
 
@@ -141,6 +142,7 @@ void BreakpointBar::setOn(std::size_t number, bool on) {
 }
 
 void BreakpointBar::refresh() {
+    const PauseLog::Part part("breakpoints");
     const std::vector<relief::Breakpoint>& now = workspace_->scenario().breakpoints;
     if (now == shown_ && chips_->layout() != nullptr) return;
     shown_ = now;

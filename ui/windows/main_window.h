@@ -122,6 +122,7 @@ class MainWindow : public QMainWindow {
     void askSavePicture(bool legend = false);
     void askPixel();
     void showShortcuts();
+    void showPauses();
     void showAbout();
 
     Workspace* workspace_;

@@ -1,3 +1,4 @@
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
@@ -25,6 +26,7 @@
 #include "windows/scene_panel.h"
 #include "windows/status_line.h"
 #include "windows/step_bar.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -171,6 +173,8 @@ void MainWindow::makeHelpMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&Help"));
     auto* const keys = addAction(menu, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), tr("What mouse and keys do"));
     connect(keys, &QAction::triggered, this, &MainWindow::showShortcuts);
+    auto* const pauses = addAction(menu, tr("&Longest pauses…"), {}, tr("What held the window's thread longest"));
+    connect(pauses, &QAction::triggered, this, &MainWindow::showPauses);
     auto* const about = addAction(menu, tr("&About Reliefscope"), {}, tr("What this is"));
     connect(about, &QAction::triggered, this, &MainWindow::showAbout);
 }
@@ -285,6 +289,20 @@ void MainWindow::showShortcuts() {
     connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     column->addWidget(buttons);
     dialog->show();
+}
+
+void MainWindow::showPauses() {
+    constexpr std::size_t kShown = 20;
+    auto* const box = new QMessageBox(this);
+    box->setObjectName(QStringLiteral("pauses"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(tr("Longest pauses"));
+    box->setTextFormat(Qt::PlainText);
+    box->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    box->setText(PauseLog::instance().text(kShown));
+    box->setStandardButtons(QMessageBox::Reset | QMessageBox::Close);
+    connect(box->button(QMessageBox::Reset), &QAbstractButton::clicked, [] { PauseLog::instance().clear(); });
+    box->show();
 }
 
 void MainWindow::showAbout() {

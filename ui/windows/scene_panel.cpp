@@ -14,6 +14,7 @@
 #include "windows/number_control.h"
 #include "windows/options_form.h"
 #include "windows/pictures_box.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -172,6 +173,7 @@ void ScenePanel::addMethod(QFormLayout* form) {
 }
 
 void ScenePanel::refresh() {
+    const PauseLog::Part part("scene");
     const relief::Scenario& scenario = workspace_->scenario();
     const auto choose = [](QComboBox* box, std::string_view name) {
         box->setCurrentIndex(box->findData(QString::fromUtf8(name.data(), static_cast<int>(name.size()))));

@@ -6,6 +6,7 @@
 
 #include "rendering/skip_ledger.h"
 #include "workspace/language.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -50,6 +51,7 @@ SkippedPanel::SkippedPanel(Workspace* workspace, QWidget* parent) : QTreeWidget(
 }
 
 void SkippedPanel::refresh() {
+    const PauseLog::Part part("skipped");
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
     clear();

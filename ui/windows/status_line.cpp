@@ -10,6 +10,7 @@
 #include "messages.h"
 #include "views/result_painting.h"
 #include "windows/core_texts.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -106,6 +107,8 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     if (watched == frame_ && event->type() == QEvent::MouseButtonRelease) Q_EMIT ledgerWanted();
+    // As it is when it is asked for.
+    if (watched == frame_ && event->type() == QEvent::ToolTip) showLedger();
     return QStatusBar::eventFilter(watched, event);
 }
 
@@ -123,10 +126,16 @@ void StatusLine::showProgress(const QString& what, double fraction) {
 }
 
 void StatusLine::refresh() {
+    const PauseLog::Part part("bottom line");
     pixel_->setText(pixelText());
     frame_->setText(frameText());
+}
+
+void StatusLine::showLedger() {
     const auto snapshot = workspace_->snapshot();
-    if (snapshot) frame_->setToolTip(ledger(*snapshot->frame));
+    if (!snapshot) return;
+    constexpr std::size_t kPauses = 3;
+    frame_->setToolTip(ledger(*snapshot->frame) + QLatin1Char('\n') + PauseLog::instance().text(kPauses));
 }
 
 QString StatusLine::pixelText() const {

@@ -28,6 +28,7 @@ class StatusLine : public QStatusBar {
 
   private:
     void refresh();
+    void showLedger();
     void showProgress(const QString& what, double fraction);
     void showBusy(bool busy);
 

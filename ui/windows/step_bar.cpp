@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "windows/breakpoint_bar.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -150,6 +151,7 @@ void StepBar::advance() {
 }
 
 void StepBar::refresh() {
+    const PauseLog::Part part("step bar");
     const QSignalBlocker quiet(slider_);
     slider_->setEnabled(count() > 1);
     slider_->setRange(0, std::max(0, count() - 1));

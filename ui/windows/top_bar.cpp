@@ -7,6 +7,7 @@
 #include "windows/core_texts.h"
 #include "windows/number_control.h"
 #include "windows/scene_panel.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
@@ -98,6 +99,7 @@ void TopBar::makeFilter() {
 }
 
 void TopBar::refresh() {
+    const PauseLog::Part part("top bar");
     const relief::Scenario& scenario = workspace_->scenario();
     method_->setCurrentIndex(method_->findData(QString::fromStdString(scenario.method.name)));
     filter_->setCurrentIndex(filter_->findData(QString::fromStdString(scenario.filter.name)));

@@ -1,4 +1,5 @@
 #include "workspace/snapshot_maker.h"
+#include "workspace/discard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +103,7 @@ const OtherFiles* SnapshotMaker::otherFiles(const relief::Scenario& scenario) {
 
 std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, relief::Work& work) {
     const relief::Scenario& scenario = order.scenario;
-    auto snapshot = std::make_shared<Snapshot>();
+    auto snapshot = makeFreedAside<Snapshot>();
     snapshot->version = order.version;
     snapshot->scenario = scenario;
     snapshot->assets = store_.load(scenario.pictures, work);

@@ -4,6 +4,7 @@
 
 #include <QFileInfo>
 
+#include "workspace/discard.h"
 #include "workspace/language.h"
 #include "workspace/render_worker.h"
 
@@ -175,7 +176,7 @@ void Workspace::setGuessing(bool on) {
 void Workspace::hideAnswer() {
     hidden_.reset();
     if (!guessing_ || !snapshot_) return;
-    auto hidden = std::make_shared<Snapshot>(*snapshot_);
+    auto hidden = makeFreedAside<Snapshot>(*snapshot_);
     hidden->trace.steps.clear();
     hidden->trace.hit = relief::Hit::none(relief::Outcome::Unset);
     hidden->trace.judgement = {};

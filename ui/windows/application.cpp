@@ -1,0 +1,31 @@
+#include "windows/application.h"
+
+#include <QAbstractEventDispatcher>
+#include <QEvent>
+#include <QThread>
+
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+Application::Application(int& count, char** values) : QApplication(count, values) {
+    const auto* const dispatcher = QAbstractEventDispatcher::instance();
+    const auto looked = [] { PauseLog::instance().looked(); };
+    connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, looked);
+    connect(dispatcher, &QAbstractEventDispatcher::awake, this, looked);
+}
+
+bool Application::notify(QObject* receiver, QEvent* event) {
+    // Other threads have loops of their own.
+    if (receiver == nullptr || QThread::currentThread() != thread()) return QApplication::notify(receiver, event);
+    struct Held {
+        Held(const QObject* receiver, QEvent::Type type) {
+            PauseLog::instance().enter(receiver, type, QThread::currentThread()->loopLevel());
+        }
+        ~Held() { PauseLog::instance().leave(); }
+    };
+    const Held held(receiver, event->type());
+    return QApplication::notify(receiver, event);
+}
+
+}  // namespace reliefui

@@ -1,0 +1,184 @@
+#include "workspace/pause_log.h"
+
+#include <algorithm>
+
+#include <QMetaEnum>
+#include <QObject>
+#include <QOpenGLWidget>
+
+#include "scenario/step_sentence.h"
+
+namespace reliefui {
+
+namespace {
+
+// What takes so much of an event gives it its name.
+constexpr double kMostOfIt = 0.5;
+
+double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
+    return std::chrono::duration<double, std::milli>(to - from).count();
+}
+
+QString number(double ms) {
+    return QString::fromStdString(relief::fixedText(ms, 1));
+}
+
+}  // namespace
+
+PauseLog& PauseLog::instance() {
+    static PauseLog log;
+    return log;
+}
+
+// Events that have begun go on.
+void PauseLog::clear() {
+    gap_ = longestGap_ = {};
+    gapLongest_ = 0;
+    worst_.clear();
+    drawing_ = 0;
+    started_ = Clock::now();
+}
+
+PauseLog::Pause PauseLog::longestOurs() const {
+    Pause longest;
+    for (const auto& [what, pause] : worst_) {
+        if (pause.ours() > longest.ours()) longest = pause;
+    }
+    return longest;
+}
+
+std::vector<PauseLog::Pause> PauseLog::worst(std::size_t most) const {
+    std::vector<Pause> all;
+    for (const auto& [what, pause] : worst_) all.push_back(pause);
+    std::sort(all.begin(), all.end(), [](const Pause& a, const Pause& b) { return a.ours() > b.ours(); });
+    if (all.size() > most) all.resize(most);
+    return all;
+}
+
+QString PauseLog::text(std::size_t most) const {
+    const auto line = [](const Pause& pause) {
+        return tr("%1 ms, of them %2 ms drawn by OpenGL: %3").arg(number(pause.ms), number(pause.drawing), pause.what);
+    };
+    QString text = tr("longest pause of the window: ") + line(longestGap());
+    for (const Pause& pause : worst(most)) {
+        text += QStringLiteral("\n  ") + line(pause) + QStringLiteral(" × ") + QString::number(pause.times);
+    }
+    return text;
+}
+
+QString PauseLog::nameOf(const Frame& frame) {
+    QString text = QString::fromLatin1(frame.name);
+    text.remove(QStringLiteral("reliefui::"));
+    if (!frame.object.isEmpty()) text += QLatin1Char(' ') + frame.object;
+    if (frame.type == 0) return text;
+    const char* const type = QMetaEnum::fromType<QEvent::Type>().valueToKey(frame.type);
+    return text + QLatin1Char(' ') + (type != nullptr ? QString::fromLatin1(type) : QString::number(frame.type));
+}
+
+QString PauseLog::told(const Frame& frame, double ms) {
+    const QString name = nameOf(frame);
+    const bool more = frame.longest > kMostOfIt * ms && !frame.longestName.isEmpty();
+    return more ? name + QStringLiteral(" › ") + frame.longestName : name;
+}
+
+void PauseLog::open() {
+    running_ = true;
+    drawing_ = 0;
+    started_ = Clock::now();
+}
+
+// The stretch without a look at the queue ends; it is that of the innermost loop's event.
+void PauseLog::close(Clock::time_point now) {
+    if (!running_) return;
+    running_ = false;
+    const double ms = msBetween(started_, now);
+    gap_.ms += ms;
+    gap_.drawing += drawing_;
+    if (ms < kWorthTelling) return;
+    const auto frame = std::find_if(stack_.rbegin(), stack_.rend(), [](const Frame& f) { return f.outermost; });
+    if (frame == stack_.rend()) return;
+    const QString what = told(*frame, ms);
+    if (ms > gapLongest_) {
+        gapLongest_ = ms;
+        gap_.what = what;
+    }
+    Pause& pause = worst_[what];
+    const int times = pause.times + 1;
+    if (times == 1 || ms - drawing_ > pause.ours()) pause = {what, ms, drawing_, 0};
+    pause.times = times;
+}
+
+void PauseLog::looked() {
+    close(Clock::now());
+    if (gap_.ms > longestGap_.ms) longestGap_ = gap_;
+    gap_ = {};
+    gapLongest_ = 0;
+}
+
+void PauseLog::push(Frame frame) {
+    frame.start = Clock::now();
+    stack_.push_back(std::move(frame));
+}
+
+void PauseLog::pop() {
+    const auto now = Clock::now();
+    const Frame& frame = stack_.back();
+    const double ms = msBetween(frame.start, now);
+    if (frame.drawing) drawing_ += std::max(0.0, ms - frame.inside);
+    if (frame.outermost) {
+        close(now);
+        stack_.pop_back();
+        if (!stack_.empty()) open();  // what ran a loop of its own goes on
+        return;
+    }
+    if (stack_.size() > 1) {
+        Frame& outer = stack_[stack_.size() - 2];
+        // What was drawn inside is not drawn twice.
+        outer.inside += ms;
+        if (ms >= kWorthTelling && ms > outer.longest) {
+            outer.longest = ms;
+            outer.longestName = told(frame, ms);
+            // A part of a part says more than an event that was only handed on.
+            if (frame.type != 0 && frame.longest > kMostOfIt * ms) outer.longestName = frame.longestName;
+        }
+    }
+    stack_.pop_back();
+}
+
+void PauseLog::enter(const QObject* receiver, QEvent::Type type, int loop) {
+    thread_ = std::this_thread::get_id();
+    Frame frame;
+    frame.name = receiver->metaObject()->className();
+    frame.object = receiver->objectName();
+    frame.type = type;
+    frame.loop = loop;
+    frame.outermost = stack_.empty() || loop > stack_.back().loop;
+    // The window is composed of its panes' pictures, and these are drawn; at first its surface is made.
+    frame.drawing = type == QEvent::UpdateRequest || type == QEvent::Expose ||
+                    (type == QEvent::Paint && qobject_cast<const QOpenGLWidget*>(receiver) != nullptr);
+    if (frame.outermost) {
+        close(Clock::now());
+        open();
+    }
+    push(std::move(frame));
+}
+
+void PauseLog::leave() {
+    if (!stack_.empty()) pop();
+}
+
+PauseLog::Part::Part(const char* name, bool drawing) : told_(instance().thread_ == std::this_thread::get_id()) {
+    if (!told_) return;
+    PauseLog& log = instance();
+    Frame frame;
+    frame.name = name;
+    frame.drawing = drawing;
+    frame.loop = log.stack_.empty() ? 0 : log.stack_.back().loop;
+    log.push(std::move(frame));
+}
+
+PauseLog::Part::~Part() {
+    if (told_ && !instance().stack_.empty()) instance().pop();
+}
+
+}  // namespace reliefui
