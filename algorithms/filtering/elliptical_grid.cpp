@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #include "filtering/grid_tile.h"
 #include "relief/block_work.h"
@@ -13,59 +15,27 @@ namespace relief {
 
 namespace {
 
-// Second difference of the hits over the first, on a plane; and the same in texels of the picture, which is not seen.
-constexpr double kMostBend = 0.1;
-constexpr double kUnseenBend = 0.05;
-// Hits at one height, but for rounding: level ground, which keeps the pixel's own bits.
-constexpr double kLevel = 1e-9;
-// Least 1 + r . g of a point's tangent plane: as in elliptical_rays.cpp.
-constexpr double kLeastFacing = 1;
 // Pixels of a tile along each side, powers of two: as a frame asks them.
 constexpr int kTileAcross = 6, kTileDown = 4;
-
-double square(glm::dvec2 v) {
-    return v.x * v.x + v.y * v.y;
-}
-
-// Derivatives of s and t along the picture, as jacobianAt, with what all points share made once.
-struct ViewDerivatives {
-    double uxY, ux1, vxY, vx1, uyX, uy1, vyX, vy1;
-
-    explicit ViewDerivatives(const Homography& m)
-        : uxY(m.sx * m.qy - m.sy * m.qx),
-          ux1(m.sx * m.q1 - m.s1 * m.qx),
-          vxY(m.tx * m.qy - m.ty * m.qx),
-          vx1(m.tx * m.q1 - m.t1 * m.qx),
-          uyX(m.sy * m.qx - m.sx * m.qy),
-          uy1(m.sy * m.q1 - m.s1 * m.qy),
-          vyX(m.ty * m.qx - m.tx * m.qy),
-          vy1(m.ty * m.q1 - m.t1 * m.qy) {}
-    // times factor / q^2.
-    Jacobian at(double x, double y, double factor) const {
-        return {factor * (uxY * y + ux1), factor * (vxY * y + vx1), factor * (uyX * x + uy1), factor * (vyX * x + vy1)};
-    }
-};
-
-Jacobian onSlope(const Jacobian& j, double a, double b, double slopeS, double slopeT) {
-    const double facing = std::max(kLeastFacing, 1 + a * slopeS + b * slopeT);
-    const double alongX = (slopeS * j.ux + slopeT * j.vx) / facing;
-    const double alongY = (slopeS * j.uy + slopeT * j.vy) / facing;
-    return {j.ux - a * alongX, j.vx - b * alongX, j.uy - a * alongY, j.vy - b * alongY};
-}
-
-// Through any place of the picture, the polygon going on beyond its edges; for pixels' centres the picture's own ray,
-// which never lies outside by more than rounding.
-ViewRay rayThrough(const PixelView& view, double x, double y) {
-    constexpr double kRounding = 1e-6;  // texels
-    const TexelPoint at = view.texelFromScreen.at(x, y);
-    const auto off = [](double v, double size) { return std::abs(v - std::clamp(v, 0.0, size)) > kRounding; };
-    return off(at.s, view.width) || off(at.t, view.height) ? view.rayAt(at.s, at.t) : view.ray(at);
-}
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 // At least as long as asked for; what was there stays.
 template <class T>
 void reserve(std::vector<T>& column, std::size_t count) {
     if (column.size() < count) column.resize(count);
+}
+
+std::span<const double> part(const std::vector<double>& column, std::size_t begin, std::size_t count) {
+    return std::span(column).subspan(begin, count);
+}
+
+// Whether all points that the pixels of a rectangle and their neighbours ask for lie before the horizon. Each side is
+// monotone in x and in y, in floating point too: a rectangle is asked as its pixels would be.
+bool beforeHorizon(const Homography& map, int x0, int y0, int x1, int y1) {
+    constexpr double kPartOfQ = 0.75;
+    const double least = (kTileHalo + 1) * (std::abs(map.qx) + std::abs(map.qy));
+    const auto holds = [&](int x, int y) { return kPartOfQ * map.denominator(x + 0.5, y + 0.5) > least; };
+    return holds(x0, y0) && holds(x1, y0) && holds(x0, y1) && holds(x1, y1);
 }
 
 }  // namespace
@@ -79,223 +49,112 @@ GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel al
       twin_(std::move(twin)),
       lattice_(PointLattice::of(points)) {}
 
-bool GridKernel::serves(const FilterQuery& query) const {
-    if (query.view == nullptr || !query.exact) return false;
-    const Homography& map = query.view->texelFromScreen;
-    const double q = map.denominator(query.x + 0.5, query.y + 0.5);
-    // All points that the pixel and its neighbours ask for lie before the horizon.
-    constexpr double kLeastOfQ = 0.25;
-    if (!(q - (kLatticeHalo + 1) * (std::abs(map.qx) + std::abs(map.qy)) > kLeastOfQ * q)) return false;
-    const Jacobian& j = query.jacobian;
-    const double largest = 4.0 * std::max(tracer_->field().width(), tracer_->field().height());
-    return std::abs(j.ux) + std::abs(j.uy) + std::abs(j.vx) + std::abs(j.vy) < largest;
-}
-
+// The cells around the tile's pixels, these known.
 void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
-    int x0 = block.x[tile.pixels[0]], x1 = x0, y0 = block.y[tile.pixels[0]], y1 = y0;
-    for (const std::size_t i : tile.pixels) {
-        x0 = std::min(x0, block.x[i]), x1 = std::max(x1, block.x[i]);
-        y0 = std::min(y0, block.y[i]), y1 = std::max(y1, block.y[i]);
-    }
-    tile.x0 = x0 - kLatticeHalo, tile.y0 = y0 - kLatticeHalo;
-    tile.width = x1 - x0 + 1 + 2 * kLatticeHalo, tile.height = y1 - y0 + 1 + 2 * kLatticeHalo;
-    const auto cells = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
-    tile.centre.assign(cells, kUnknown);
-    reserve(tile.place, cells);
+    const std::size_t cells = tile.cells();
+    tile.s.assign(cells, kNothing);
+    reserve(tile.t, cells);
     reserve(tile.lambda, cells);
-    reserve(tile.ray, cells);
+    reserve(tile.around, cells);
     reserve(tile.color, cells * lattice_.places.size());
+    tile.known.assign(cells, 0);
+    tile.wanted.assign(cells, 0);
     for (const std::size_t i : tile.pixels) {
         const std::size_t cell = tile.cell(block.x[i], block.y[i]);
-        tile.centre[cell] = kHit;
-        tile.place[cell] = {block.s[i], block.t[i]};
+        tile.known[cell] = 1;
+        tile.s[cell] = block.s[i], tile.t[cell] = block.t[i];
         tile.lambda[cell] = block.lambda[i];
-        tile.ray[cell] = block.rays[i];
-    }
-    for (const std::size_t i : tile.pixels) {
-        const std::size_t cell = tile.cell(block.x[i], block.y[i]);
-        const auto row = static_cast<std::size_t>(tile.width);
-        for (const std::size_t from : {cell - row - 1, cell - 1, cell + row - 1}) {
-            for (std::size_t n = from; n < from + 3; ++n) {
-                if (tile.centre[n] == kUnknown) tile.centre[n] = kWanted;
-            }
-        }
     }
 }
 
-// tile.hits of the tile.traced of tile.rays; a thread's share at once.
+// Hits of tile.rays, a thread's share at once.
 void GridKernel::trace(Tile& tile, Work& work) const {
-    for (std::size_t begin = 0; begin < tile.traced.size(); begin += kRayGrain) {
-        const std::size_t count = std::min(kRayGrain, tile.traced.size() - begin);
-        tile.block.resize(count);
-        for (std::size_t n = 0; n < count; ++n) tile.block.set(n, tile.rays[tile.traced[begin + n]]);
-        if (twin_) {
-            twin_->trace(tile.block, tile.found, *tracer_, work);
-        } else {
-            NullSink sink;
-            tracer_->trace(tile.block, tile.found, sink, work);
-        }
-        for (std::size_t n = 0; n < count; ++n) tile.hits[tile.traced[begin + n]] = tile.found[n];
-    }
-}
-
-// Neighbours that are not in the block.
-void GridKernel::traceCentres(Tile& tile, Work& work) const {
-    tile.traced.clear();
-    tile.slots.clear();
-    tile.rays.clear();
-    tile.overCells([&](std::size_t cell, int x, int y) {
-        if (tile.centre[cell] != kWanted) return;
-        tile.ray[cell] = rayThrough(*tile.view, x + 0.5, y + 0.5);
-        tile.traced.push_back(static_cast<std::uint32_t>(tile.rays.size()));
-        tile.slots.push_back(static_cast<std::uint32_t>(cell));
-        tile.rays.push_back(tile.ray[cell]);
-    });
-    reserve(tile.hits, tile.rays.size());
-    trace(tile, work);
-    for (std::size_t n = 0; n < tile.slots.size(); ++n) {
-        const std::size_t cell = tile.slots[n];
-        const Hit& hit = tile.hits[n];
-        tile.centre[cell] = hit.outcome == Outcome::Hit ? kHit : kMissed;
-        if (hit.outcome != Outcome::Hit) continue;
-        tile.lambda[cell] = hit.lambda;
-        tile.place[cell] = lookUpPoint(tracer_->field(), tile.ray[cell], hit);
-    }
-}
-
-// Texels of the picture.
-bool GridKernel::planeThrough(const FilterQuery& query, const Tile& tile, Jacobian& found) const {
-    const std::size_t own = tile.cell(query.x, query.y);
-    const auto row = static_cast<std::size_t>(tile.width);
-    const std::array<std::size_t, 4> ways{1, row, row + 1, row - 1};
-    std::array<glm::dvec2, 4> step;
-    bool level = true;
-    const glm::dvec2 twice = 2.0 * tile.place[own];
-    for (std::size_t n = 0; n < ways.size(); ++n) {
-        const std::size_t a = own + ways[n], b = own - ways[n];
-        if (tile.centre[a] != kHit || tile.centre[b] != kHit) return false;
-        level = level && std::abs(tile.lambda[a] - query.lambda) <= kLevel &&
-                std::abs(tile.lambda[b] - query.lambda) <= kLevel;
-        step[n] = 0.5 * (tile.place[a] - tile.place[b]) * tile.scale;
-        const double bend = 0.25 * square((tile.place[a] + tile.place[b] - twice) * tile.scale);
-        if (!(bend <= kMostBend * kMostBend * square(step[n]) + kUnseenBend * kUnseenBend)) return false;
-    }
-    if (level) {
-        found = scaled(query.jacobian, tile.scale);
+    assert(tile.rays.size() <= kRayGrain);
+    if (twin_) {
+        twin_->trace(tile.rays, tile.hits, *tracer_, work);
     } else {
-        found = {step[0].x, step[0].y, step[1].x, step[1].y};
-    }
-    return true;
-}
-
-// Points of the pixels that are no plane.
-void GridKernel::wantPoints(const FilterBlock& block, Tile& tile) const {
-    const std::size_t points = lattice_.places.size();
-    tile.state.assign(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height) * points, kUnknown);
-    for (const std::size_t i : tile.edges) {
-        for (const PointLattice::Term& term : lattice_.terms) {
-            const std::size_t cell = tile.cell(block.x[i] + term.dx, block.y[i] + term.dy);
-            tile.state[cell * points + static_cast<std::size_t>(term.point)] = kWanted;
-        }
+        NullSink sink;
+        tracer_->trace(tile.rays, tile.hits, sink, work);
     }
 }
 
-void GridKernel::tracePoints(Tile& tile, Work& work) const {
-    const std::size_t points = lattice_.places.size();
-    tile.traced.clear();
-    tile.slots.clear();
-    tile.rays.clear();
-    tile.at.clear();
-    tile.hits.clear();
-    tile.overCells([&](std::size_t cell, int x, int y) {
-        for (std::size_t k = 0; k < points; ++k) {
-            const std::size_t slot = cell * points + k;
-            if (tile.state[slot] != kWanted) continue;
-            const glm::dvec2 at{x + 0.5 + lattice_.places[k].x, y + 0.5 + lattice_.places[k].y};
-            const bool known = k == 0 && tile.centre[cell] != kUnknown;
-            if (!known) tile.traced.push_back(static_cast<std::uint32_t>(tile.slots.size()));
-            tile.slots.push_back(static_cast<std::uint32_t>(slot));
-            tile.at.push_back(at);
-            if (known) {
-                tile.rays.push_back(tile.ray[cell]);
-                const glm::dvec2 place = tile.place[cell];
-                tile.hits.push_back(tile.centre[cell] == kHit ? Hit{Outcome::Hit, tile.lambda[cell], place.x, place.y}
-                                                              : Hit::none(Outcome::Miss));
-            } else {
-                tile.rays.push_back(rayThrough(*tile.view, at.x, at.y));
-                tile.hits.push_back({});
+// Centres up to `reach` cells from these pixels: the picture's hits where it has them, or by rays of their own. False:
+// all were known. counts.tested: rays.
+bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile,
+                             FootprintCounts& counts, Work& work) const {
+    const auto row = static_cast<std::size_t>(tile.width);
+    for (const std::size_t i : pixels) {
+        std::uint8_t* at = tile.wanted.data() + tile.cell(block.x[i] - reach, block.y[i] - reach);
+        for (int dy = -reach; dy <= reach; ++dy, at += row) std::memset(at, 1, static_cast<std::size_t>(2 * reach + 1));
+    }
+    const HeightField& field = tracer_->field();
+    const auto set = [&](std::size_t cell, const ViewRay& ray, const Hit& hit) {
+        if (hit.outcome != Outcome::Hit) return;
+        const glm::dvec2 place = lookUpPoint(field, ray, hit);
+        tile.s[cell] = place.x, tile.t[cell] = place.y;
+        tile.lambda[cell] = hit.lambda;
+    };
+    bool any = false;
+    tile.others.clear();
+    for (std::size_t cell = 0; cell < tile.cells(); ++cell) {
+        if (tile.wanted[cell] == 0 || tile.known[cell] != 0) continue;
+        tile.known[cell] = 1;
+        any = true;
+        const int x = tile.x0 + static_cast<int>(cell % row), y = tile.y0 + static_cast<int>(cell / row);
+        const PictureHits* picture = tile.picture;
+        if (picture != nullptr && x >= 0 && y >= 0 && x < picture->width && y < picture->height) {
+            const auto i =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(picture->width) + static_cast<std::size_t>(x);
+            if (picture->polygon[i] == tile.view->number) {
+                set(cell, (*picture->rays)[i], (*picture->hits)[i]);
+                continue;
             }
         }
-    });
-    trace(tile, work);
-}
-
-void GridKernel::colorPoints(Tile& tile, FootprintCounts& counts) const {
-    const HeightField& field = tracer_->field();
-    const bool bilinear = field.surface() == Surface::Bilinear;
-    const Homography& map = tile.view->texelFromScreen;
-    const ViewDerivatives derivatives(map);
-    tile.points.resize(tile.slots.size());
-    tile.colorOf.clear();
-    for (std::size_t n = 0; n < tile.slots.size(); ++n) {
-        const Hit& hit = tile.hits[n];
-        std::uint8_t& state = tile.state[tile.slots[n]];
-        state = hit.outcome == Outcome::Hit ? kHit : kMissed;
-        if (state != kHit) continue;
-        const double x = tile.at[n].x, y = tile.at[n].y, q = map.denominator(x, y);
-        Jacobian j = derivatives.at(x, y, lattice_.blur * (1 + hit.lambda * tile.view->runPerTexel) / (q * q));
-        glm::dvec2 place{hit.s, hit.t};
-        if (bilinear) {
-            const auto [slopeS, slopeT] = field.slope(place.x, place.y);
-            j = onSlope(j, tile.rays[n].a, tile.rays[n].b, slopeS, slopeT);
-        } else {
-            place = lookUpPoint(field, tile.rays[n], hit);
-        }
-        tile.points.set(tile.colorOf.size(), place * tile.scale, scaled(j, tile.scale));
-        tile.colorOf.push_back(tile.slots[n]);
+        tile.others.push(static_cast<std::uint32_t>(cell), {x + 0.5, y + 0.5});
     }
-    tile.points.resize(tile.colorOf.size());
-    reserve(tile.colors, tile.colorOf.size());
-    reader_.read(tile.points, {tile.colors.data(), tile.colorOf.size()}, counts);
-    for (std::size_t n = 0; n < tile.colorOf.size(); ++n) tile.color[tile.colorOf[n]] = tile.colors[n];
-}
-
-Color GridKernel::summed(const FilterQuery& query, const Tile& tile, FootprintCounts& counts) const {
-    const std::size_t points = lattice_.places.size();
-    Color sum(0);
-    float total = 0;
-    for (const PointLattice::Term& term : lattice_.terms) {
-        const std::size_t slot =
-            tile.cell(query.x + term.dx, query.y + term.dy) * points + static_cast<std::size_t>(term.point);
-        if (tile.state[slot] != kHit) continue;
-        sum += term.weight * tile.color[slot];
-        total += term.weight;
+    const GridPoints& traced = tile.others;
+    for (std::size_t begin = 0; begin < traced.size(); begin += kRayGrain) {
+        const std::size_t count = std::min(kRayGrain, traced.size() - begin);
+        tile.rays.resize(count);
+        raysThrough(*tile.view, part(traced.x, begin, count), part(traced.y, begin, count), tile.rays, 0);
+        trace(tile, work);
+        for (std::size_t n = 0; n < count; ++n) set(traced.slots[begin + n], tile.rays[n], tile.hits[n]);
     }
-    if (total > 0) return sum / total;
-    // The pixel's own ray met something all the same.
-    ++counts.allHidden;
-    return reader_.levels().bilinear(0, query.place * tile.scale, reader_.address());
+    counts.tested += static_cast<std::int64_t>(traced.size());
+    return any;
 }
 
-void GridKernel::filterTile(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts,
-                            Work& work, FootprintLog* log) const {
-    lay(block, tile);
-    traceCentres(tile, work);
-    counts.tested += static_cast<std::int64_t>(tile.traced.size());
+void GridKernel::findAround(Tile& tile) const {
+    findSurroundings({tile.width, tile.height, tile.s.data(), tile.t.data(), tile.lambda.data(), tile.scale},
+                     tile.around.data());
+}
+
+// The pixels that lie on planes, with the planes' Jacobians; the others are edges.
+void GridKernel::parted(const FilterBlock& block, Tile& tile) const {
+    const auto row = static_cast<std::size_t>(tile.width);
     tile.edges.clear();
     tile.plainOf.clear();
     tile.plain.resize(tile.pixels.size());
     for (const std::size_t i : tile.pixels) {
-        const FilterQuery query = block[i];
-        Jacobian j;
-        if (planeThrough(query, tile, j)) {
-            tile.plain.place(tile.plainOf.size(), query.place * tile.scale, j);
-            tile.plainOf.push_back(i);
-        } else {
+        const std::size_t own = tile.cell(block.x[i], block.y[i]);
+        if ((tile.around[own] & kOnPlane) == 0) {
             tile.edges.push_back(i);
+            continue;
         }
+        Jacobian j{block.ux[i], block.vx[i], block.uy[i], block.vy[i]};
+        if ((tile.around[own] & kOnLevel) == 0) {
+            const auto half = [&](const std::vector<double>& column, std::size_t way) {
+                return 0.5 * (column[own + way] - column[own - way]);
+            };
+            j = {half(tile.s, 1), half(tile.t, 1), half(tile.s, row), half(tile.t, row)};
+        }
+        tile.plain.place(tile.plainOf.size(), glm::dvec2(block.s[i], block.t[i]) * tile.scale, scaled(j, tile.scale));
+        tile.plainOf.push_back(i);
     }
     tile.plain.resize(tile.plainOf.size());
+}
+
+void GridKernel::filterPlain(Tile& tile, std::span<Color> colors, FootprintCounts& counts, FootprintLog* log) const {
     reserve(tile.colors, tile.plainOf.size());
     const FootprintCounts before = counts;
     if (log != nullptr && !tile.plainOf.empty()) {
@@ -308,46 +167,214 @@ void GridKernel::filterTile(const FilterBlock& block, Tile& tile, std::span<Colo
     counts.skipped += counts.texels - before.texels;
     counts.flat += counts.footprints - before.footprints;
     for (std::size_t n = 0; n < tile.plainOf.size(); ++n) colors[tile.plainOf[n]] = tile.colors[n];
-    if (tile.edges.empty()) return;
-    wantPoints(block, tile);
-    tracePoints(tile, work);
-    counts.tested += static_cast<std::int64_t>(tile.traced.size());
-    colorPoints(tile, counts);
+}
+
+// Between the four centres round the place `off` of a cell, if none of the six lines between them crosses an edge: both
+// ends lie on it smoothly, or one end goes straight on to the other.
+bool GridKernel::between(Tile& tile, std::size_t cell, glm::dvec2 off) const {
+    const auto row = static_cast<std::size_t>(tile.width);
+    const std::size_t c00 = cell - (off.x < 0 ? 1 : 0) - (off.y < 0 ? row : 0);
+    const unsigned a00 = tile.around[c00], a10 = tile.around[c00 + 1];
+    const unsigned a01 = tile.around[c00 + row], a11 = tile.around[c00 + row + 1];
+    const auto joined = [](unsigned a, unsigned b, Line line) {
+        return ((((a & b) / kSmooth) | ((a | b) / kStraight)) >> line & 1U) != 0;
+    };
+    if (!joined(a00, a10, kAcross) || !joined(a01, a11, kAcross) || !joined(a00, a01, kDown) ||
+        !joined(a10, a11, kDown) || !joined(a00, a11, kFalling) || !joined(a01, a10, kRising)) {
+        return false;
+    }
+    const double u = off.x < 0 ? off.x + 1 : off.x, v = off.y < 0 ? off.y + 1 : off.y;
+    const auto mean = [&](const std::vector<double>& column) {
+        const double top = (1 - u) * column[c00] + u * column[c00 + 1];
+        const double bottom = (1 - u) * column[c00 + row] + u * column[c00 + row + 1];
+        return (1 - v) * top + v * bottom;
+    };
+    tile.others.lambda.push_back(mean(tile.lambda));
+    tile.others.s.push_back(mean(tile.s));
+    tile.others.t.push_back(mean(tile.t));
+    return true;
+}
+
+// The points that the edges sum: tile.points, whose hits are not known, and tile.others.
+void GridKernel::wantPoints(const FilterBlock& block, Tile& tile) const {
+    const std::size_t points = lattice_.places.size();
+    tile.asked.assign(tile.cells() * points, 0);
+    tile.offset.clear();
+    for (const PointLattice::Term& term : lattice_.terms) {
+        tile.offset.push_back((term.dy * tile.width + term.dx) * static_cast<int>(points) + term.point);
+    }
+    tile.base.clear();
+    for (const std::size_t i : tile.edges) {
+        const auto base = static_cast<std::int32_t>(tile.cell(block.x[i], block.y[i]) * points);
+        tile.base.push_back(base);
+        for (const std::int32_t offset : tile.offset) tile.asked[static_cast<std::size_t>(base + offset)] = 1;
+    }
+    tile.points.clear();
+    tile.others.clear();
+    tile.overCells([&](std::size_t cell, int x, int y) {
+        for (std::size_t k = 0; k < points; ++k) {
+            const std::size_t slot = cell * points + k;
+            if (tile.asked[slot] == 0) continue;
+            const glm::dvec2 off = lattice_.places[k], at{x + 0.5 + off.x, y + 0.5 + off.y};
+            if (k == 0) {
+                // Its own centre.
+                tile.color[slot] = {};
+                if (std::isnan(tile.s[cell])) continue;
+                tile.others.lambda.push_back(tile.lambda[cell]);
+                tile.others.s.push_back(tile.s[cell]);
+                tile.others.t.push_back(tile.t[cell]);
+            } else if (!between(tile, cell, off)) {
+                tile.points.push(static_cast<std::uint32_t>(slot), at);
+                continue;
+            }
+            tile.others.push(static_cast<std::uint32_t>(slot), at);
+        }
+    });
+}
+
+// tile.points: traced, and the others behind them; those that meet nothing are left out.
+void GridKernel::tracePoints(Tile& tile, FootprintCounts& counts, Work& work) const {
+    GridPoints& points = tile.points;
+    GridPoints& others = tile.others;
+    for (auto* of : {&points, &others}) {
+        of->a.resize(of->size());
+        of->b.resize(of->size());
+    }
+    for (auto* column : {&points.lambda, &points.s, &points.t}) column->resize(points.size());
+    const auto copy = [](const std::vector<double>& from, std::vector<double>& to, std::size_t begin) {
+        std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(begin));
+    };
+    const auto inParts = [&](GridPoints& of, const auto& body) {
+        for (std::size_t begin = 0; begin < of.size(); begin += kRayGrain) {
+            const std::size_t count = std::min(kRayGrain, of.size() - begin);
+            tile.rays.resize(count);
+            raysThrough(*tile.view, part(of.x, begin, count), part(of.y, begin, count), tile.rays, 0);
+            copy(tile.rays.a, of.a, begin);
+            copy(tile.rays.b, of.b, begin);
+            body(begin, count);
+        }
+    };
+    const HeightField& field = tracer_->field();
+    bool missed = false;
+    inParts(points, [&](std::size_t begin, std::size_t count) {
+        trace(tile, work);
+        if (field.surface() == Surface::Columns) {
+            for (std::size_t n = 0; n < count; ++n) {
+                const glm::dvec2 place = lookUpPoint(field, tile.rays[n], tile.hits[n]);
+                tile.hits.s[n] = place.x, tile.hits.t[n] = place.y;
+            }
+        }
+        copy(tile.hits.lambda, points.lambda, begin);
+        copy(tile.hits.s, points.s, begin);
+        copy(tile.hits.t, points.t, begin);
+        for (std::size_t n = 0; n < count; ++n) {
+            if (tile.hits.outcome[n] == Outcome::Hit) continue;
+            missed = true;
+            points.s[begin + n] = kNothing;
+            tile.color[points.slots[begin + n]] = {};
+        }
+    });
+    counts.tested += static_cast<std::int64_t>(points.size());
+    if (missed) points.filter([&](std::size_t n) { return !std::isnan(points.s[n]); });
+    inParts(others, [](std::size_t, std::size_t) {});
+    points.append(others);
+}
+
+void GridKernel::colorPoints(Tile& tile, FootprintCounts& counts) const {
+    const GridPoints& points = tile.points;
+    tile.footprints.resize(points.size());
+    layFootprints(*tile.view, tracer_->field(), lattice_.blur, tile.scale,
+                  {points.x, points.y, points.a, points.b, points.lambda, points.s, points.t}, tile.footprints);
+    reserve(tile.colors, points.size());
+    reader_.read(tile.footprints, {tile.colors.data(), points.size()}, counts);
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        const Color& color = tile.colors[n];
+        tile.color[points.slots[n]] = {{color.r, color.g, color.b, 1}};
+    }
+}
+
+void GridKernel::sumEdges(const FilterBlock& block, Tile& tile, std::span<Color> colors,
+                          FootprintCounts& counts) const {
+    reserve(tile.sums, tile.edges.size());
+    sumPoints(tile.color.data(), tile.base, tile.offset, lattice_.weights, tile.sums);
+    for (std::size_t n = 0; n < tile.edges.size(); ++n) {
+        const std::size_t i = tile.edges[n];
+        const auto& [red, green, blue, total] = tile.sums[n].channel;
+        if (total > 0) {
+            colors[i] = Color(red, green, blue) / total;
+        } else {
+            // The pixel's own ray met something all the same.
+            ++counts.allHidden;
+            colors[i] =
+                reader_.levels().bilinear(0, glm::dvec2(block.s[i], block.t[i]) * tile.scale, reader_.address());
+        }
+    }
     counts.footprints += static_cast<std::int64_t>(tile.edges.size());
-    for (const std::size_t i : tile.edges) colors[i] = summed(block[i], tile, counts);
+}
+
+void GridKernel::filterTile(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts,
+                            Work& work, FootprintLog* log) const {
+    lay(block, tile);
+    wantCentres(block, tile.pixels, 1, tile, counts, work);
+    findAround(tile);
+    parted(block, tile);
+    filterPlain(tile, colors, counts, log);
+    if (tile.edges.empty()) return;
+    if (wantCentres(block, tile.edges, kTileHalo, tile, counts, work)) findAround(tile);
+    wantPoints(block, tile);
+    tracePoints(tile, counts, work);
+    colorPoints(tile, counts);
+    sumEdges(block, tile, colors, counts);
     if (log == nullptr) return;
     log->footprint = plain_.footprint(scaled(block[0].jacobian, tile.scale), block[0].place * tile.scale);
     log->color = colors[0];
     logPoints(block[0], tile, *log);
 }
 
+// The pixels [first, last) of one view and tile that the grid serves, and the cells around them.
+void GridKernel::gather(const FilterBlock& block, std::size_t first, std::size_t last, Tile& tile,
+                        std::vector<std::size_t>& alone) const {
+    tile.pixels.clear();
+    int x0 = block.x[first], x1 = x0, y0 = block.y[first], y1 = y0;
+    for (std::size_t i = first; i < last; ++i) {
+        x0 = std::min(x0, block.x[i]), x1 = std::max(x1, block.x[i]);
+        y0 = std::min(y0, block.y[i]), y1 = std::max(y1, block.y[i]);
+    }
+    tile.x0 = x0 - kTileHalo, tile.y0 = y0 - kTileHalo;
+    tile.width = x1 - x0 + 1 + 2 * kTileHalo, tile.height = y1 - y0 + 1 + 2 * kTileHalo;
+    const double largest = 4.0 * std::max(tracer_->field().width(), tracer_->field().height());
+    const bool all = tile.view != nullptr && beforeHorizon(tile.view->texelFromScreen, x0, y0, x1, y1);
+    for (std::size_t i = first; i < last; ++i) {
+        const bool before = all || (tile.view != nullptr && beforeHorizon(tile.view->texelFromScreen, block.x[i],
+                                                                          block.y[i], block.x[i], block.y[i]));
+        const double sides =
+            std::abs(block.ux[i]) + std::abs(block.uy[i]) + std::abs(block.vx[i]) + std::abs(block.vy[i]);
+        // NaN fails.
+        (before && block.exact[i] != 0 && sides < largest ? tile.pixels : alone).push_back(i);
+    }
+}
+
 void GridKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,
                         Work& work, FootprintLog* log) const {
     static thread_local Tile tile;
     tile.scale = scale;
-    FilterBlock alone;
+    tile.picture = block.picture;
     std::vector<std::size_t> aloneOf;
     for (std::size_t first = 0; first < block.size() && !work.stopped();) {
         tile.view = block.view[first];
-        tile.pixels.clear();
-        std::size_t i = first;
-        const auto same = [&] {
+        std::size_t last = first;
+        const auto same = [&](std::size_t i) {
             return block.view[i] == tile.view && block.x[i] >> kTileAcross == block.x[first] >> kTileAcross &&
                    block.y[i] >> kTileDown == block.y[first] >> kTileDown;
         };
-        for (; i < block.size() && same(); ++i) {
-            const FilterQuery query = block[i];
-            if (serves(query)) {
-                tile.pixels.push_back(i);
-            } else {
-                alone.push(query);
-                aloneOf.push_back(i);
-            }
-        }
+        while (last < block.size() && same(last)) ++last;
+        gather(block, first, last, tile, aloneOf);
         if (!tile.pixels.empty()) filterTile(block, tile, colors, counts, work, log);
-        first = i;
+        first = last;
     }
     if (aloneOf.empty()) return;
+    FilterBlock alone;
+    for (const std::size_t i : aloneOf) alone.push(block[i]);
     std::vector<Color> found(aloneOf.size());
     alone_.filter(alone, scale, found, counts, work, log);
     for (std::size_t n = 0; n < aloneOf.size(); ++n) colors[aloneOf[n]] = found[n];

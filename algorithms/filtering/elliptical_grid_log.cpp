@@ -14,14 +14,14 @@ void GridKernel::logPoints(const FilterQuery& query, const Tile& tile, Footprint
     for (const PointLattice::Term& term : lattice_.terms) {
         const std::size_t cell = tile.cell(query.x + term.dx, query.y + term.dy);
         const auto slot = static_cast<std::uint32_t>(cell * points + static_cast<std::size_t>(term.point));
-        if (tile.state[slot] != kHit) continue;
+        if (!(tile.color[slot].channel[3] > 0)) continue;
         total += term.weight;
-        const auto n =
-            static_cast<std::size_t>(std::find(tile.colorOf.begin(), tile.colorOf.end(), slot) - tile.colorOf.begin());
-        const PointTaps taps = reader_.taps(tile.points.jacobian(n));
+        const std::vector<std::uint32_t>& slots = tile.points.slots;
+        const auto n = static_cast<std::size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
+        const PointTaps taps = reader_.taps(tile.footprints.jacobian(n));
         const double size = std::ldexp(1.0, taps.level);
         for (int k = 0; k < taps.count; ++k) {
-            const glm::dvec2 place = glm::dvec2(tile.points.s[n], tile.points.t[n]) + taps.offset(k);
+            const glm::dvec2 place = glm::dvec2(tile.footprints.s[n], tile.footprints.t[n]) + taps.offset(k);
             const BilinearSupport x = plain_.across(taps.level).support(place.x / size);
             const BilinearSupport y = plain_.down(taps.level).support(place.y / size);
             for (int c = 0; c < 4; ++c) {

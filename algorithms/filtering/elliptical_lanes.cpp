@@ -264,7 +264,7 @@ template <class Weight, bool kLog>
 void filterChunks(const LaneJob& job, FootprintCounts& counts) {
     LaneChunk chunk;
     for (std::size_t begin = 0; begin < job.count; begin += kLanePixels) {
-        chunk.fill(job, begin);
+        fillChunk(job, begin, chunk);
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
             std::uint8_t left[kLanes];
             filterVector<Weight, kLog>(job, chunk, k, left, job.colors + begin + k, counts);

@@ -31,6 +31,15 @@ inline Jacobian scaled(const Jacobian& j, glm::dvec2 scale) {
     return {j.ux * scale.x, j.vx * scale.y, j.uy * scale.x, j.vy * scale.y};
 }
 
+// What all rays of a picture met, for filters that ask about a pixel's neighbours: pixel (x, y) at y * width + x, by an
+// exact method. Columns are not owned.
+struct PictureHits {
+    int width = 0, height = 0;
+    const std::uint8_t* polygon = nullptr;  // whose view the pixel's ray is of: PixelView::number
+    const RayBlock* rays = nullptr;
+    const HitBlock* hits = nullptr;
+};
+
 // Queries as a structure of arrays, all of one length. Neighbouring pixels should be neighbours here.
 struct FilterBlock {
     std::vector<double> s, t;
@@ -40,6 +49,8 @@ struct FilterBlock {
     std::vector<const PixelView*> view;
     std::vector<int> x, y;
     std::vector<std::uint8_t> exact;
+    // Of the picture whose pixels ask, once it is there whole; null: what they need of it is traced again.
+    const PictureHits* picture = nullptr;
 
     std::size_t size() const { return s.size(); }
     void resize(std::size_t count) {

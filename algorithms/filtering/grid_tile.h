@@ -5,44 +5,82 @@
 #include <cstdint>
 
 #include "filtering/elliptical_grid.h"
+#include "filtering/grid_lanes.h"
 
 namespace relief {
 
 // Cells of the squares in which points are traced and read one after the other.
 inline constexpr int kSquare = 4;
-// Of a point.
-enum PointState : std::uint8_t { kUnknown, kWanted, kHit, kMissed };
+// Cells round a pixel whose centres decide how its points are seen: the points, the centres round these, and the
+// neighbours of those.
+inline constexpr int kTileHalo = kLatticeHalo + 2;
+
+// Points of pixels that are no plane, one after the other; all columns of one length.
+struct GridPoints {
+    std::vector<std::uint32_t> slots;
+    std::vector<double> x, y;  // places in the picture
+    std::vector<double> a, b;  // of their rays
+    std::vector<double> lambda, s, t;
+
+    std::size_t size() const { return slots.size(); }
+    void clear() {
+        slots.clear();
+        for (auto* column : {&x, &y, &a, &b, &lambda, &s, &t}) column->clear();
+    }
+    void push(std::uint32_t slot, glm::dvec2 at) {
+        slots.push_back(slot);
+        x.push_back(at.x), y.push_back(at.y);
+    }
+    void append(const GridPoints& others) {
+        slots.insert(slots.end(), others.slots.begin(), others.slots.end());
+        const auto join = [](std::vector<double>& to, const std::vector<double>& from) {
+            to.insert(to.end(), from.begin(), from.end());
+        };
+        join(x, others.x), join(y, others.y), join(a, others.a), join(b, others.b);
+        join(lambda, others.lambda), join(s, others.s), join(t, others.t);
+    }
+    // Only those for which keep(n).
+    template <class Keep>
+    void filter(const Keep& keep) {
+        std::size_t kept = 0;
+        for (std::size_t n = 0; n < size(); ++n) {
+            if (!keep(n)) continue;
+            slots[kept] = slots[n];
+            for (auto* column : {&x, &y, &a, &b, &lambda, &s, &t}) (*column)[kept] = (*column)[n];
+            ++kept;
+        }
+        slots.resize(kept);
+        for (auto* column : {&x, &y, &a, &b, &lambda, &s, &t}) column->resize(kept);
+    }
+};
 
 // Pixels of one view within one tile, the cells around them, and their points. Kept from tile to tile of a thread.
 struct GridKernel::Tile {
     const PixelView* view = nullptr;
+    const PictureHits* picture = nullptr;
     glm::dvec2 scale{1};
     std::vector<std::size_t> pixels;            // of the block
     int x0 = 0, y0 = 0, width = 0, height = 0;  // of the cells
-    // A cell's centre.
-    std::vector<std::uint8_t> centre;
-    std::vector<glm::dvec2> place;
-    std::vector<double> lambda;
-    std::vector<ViewRay> ray;
-    // A cell's points, one after the other.
-    std::vector<std::uint8_t> state;
-    std::vector<Color> color;
-    // Points to be read, square after square: where, and what is met.
-    std::vector<std::uint32_t> slots;
-    std::vector<glm::dvec2> at;
-    std::vector<ViewRay> rays;
-    std::vector<Hit> hits;
-    // The rays that are traced, and whose they are.
-    std::vector<std::uint32_t> traced;
-    RayBlock block;
-    HitBlock found;
+    // A cell's centre; s is NaN where nothing is met, or not yet known.
+    std::vector<double> s, t, lambda;
+    std::vector<std::uint8_t> known, wanted;
+    std::vector<std::uint16_t> around;  // Surroundings
+    // A cell's points, one after the other: whether some pixel sums it, and what it sees.
+    std::vector<std::uint8_t> asked;
+    std::vector<PointColor> color;
+    // Those that are asked for, square after square: the traced ones, then those whose hits follow from centres'.
+    GridPoints points, others;
+    RayBlock rays;
+    HitBlock hits;
+    PointBlock footprints;
     // Pixels that are plain, and with what; the others.
     FilterBlock plain;
     std::vector<std::size_t> plainOf, edges;
-    PointBlock points;
+    std::vector<std::int32_t> base, offset;
+    std::vector<PointColor> sums;
     std::vector<Color> colors;
-    std::vector<std::uint32_t> colorOf;
 
+    std::size_t cells() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
     std::size_t cell(int x, int y) const {
         return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x - x0);
     }

@@ -28,7 +28,7 @@ bool placed(double x, double size, bool repeat, std::int32_t& whole, float& rest
 
 }  // namespace
 
-void LaneChunk::fill(const LaneJob& job, std::size_t begin) {
+void LaneChunk::fill(const LaneJob& job, std::size_t begin, std::size_t from) {
     const bool repeat = job.levels->address == Address::Repeat;
     count = std::min(kLanePixels, job.count - begin);
     const auto none = [&](std::size_t k) {
@@ -36,7 +36,7 @@ void LaneChunk::fill(const LaneJob& job, std::size_t begin) {
         wholeS[k] = wholeT[k] = 0;
         restS[k] = restT[k] = 0;
     };
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = from; k < count; ++k) {
         const std::size_t i = begin + k;
         valid[k] = 1;
         if (!placed(job.s[i] * job.perS, job.width, repeat, wholeS[k], restS[k]) ||

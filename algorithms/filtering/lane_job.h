@@ -34,8 +34,9 @@ struct LaneChunk {
     alignas(64) float restS[kLanePixels], restT[kLanePixels];                              // in it
     alignas(64) float valid[kLanePixels];
 
-    // The job's pixels from begin on.
-    void fill(const LaneJob& job, std::size_t begin);
+    // The job's pixels from begin on, those before the from-th left as they are, and what follows the last. The twin to
+    // read of fillChunk.
+    void fill(const LaneJob& job, std::size_t begin, std::size_t from = 0);
 };
 
 // The settings, and a block's arrays.

@@ -82,6 +82,59 @@ HWY_INLINE Pair loadPair(const std::uint64_t* HWY_RESTRICT texels, const std::in
 }
 #endif
 
+// Half as many doubles as floats are in a vector.
+using DH = hn::CappedTag<double, kMostLanes / 2>;
+using VH = hn::Vec<DH>;
+constexpr std::size_t kHalf = hn::MaxLanes(DH());
+
+// As placed() of lane_job.cpp, of pixels [i, i + kHalf).
+HWY_INLINE hn::Mask<DH> placeLanes(const double* HWY_RESTRICT at, double per, double size, bool repeat,
+                                   std::int32_t* HWY_RESTRICT whole, float* HWY_RESTRICT rest) {
+    const DH d;
+    const VH most = hn::Set(d, size), zero = hn::Zero(d);
+    VH x = hn::Mul(hn::LoadU(d, at), hn::Set(d, per));
+    const auto valid = hn::Le(hn::Abs(x), hn::Set(d, kFarthest));
+    if (repeat) {
+        const auto inside = [&](VH v) HWY_ATTR { return hn::And(hn::Ge(v, zero), hn::Lt(v, most)); };
+        if (!hn::AllTrue(d, inside(x))) {
+            const VH reduced = hn::Sub(x, hn::Mul(hn::Floor(hn::Div(x, most)), most));
+            x = hn::IfThenElse(inside(x), x, hn::IfThenElseZero(inside(reduced), reduced));
+        }
+    } else {
+        const VH beyond = hn::Set(d, kBeyond * size);
+        x = hn::Min(hn::Max(x, hn::Neg(beyond)), beyond);
+    }
+    x = hn::IfThenElseZero(valid, x);
+    const VH floor = hn::Floor(x);
+    hn::StoreU(hn::DemoteTo(hn::Rebind<std::int32_t, DH>(), floor), hn::Rebind<std::int32_t, DH>(), whole);
+    hn::StoreU(hn::DemoteTo(hn::Rebind<float, DH>(), hn::Sub(x, floor)), hn::Rebind<float, DH>(), rest);
+    return valid;
+}
+
+// LaneChunk::fill, same bits.
+inline void fillChunk(const LaneJob& job, std::size_t begin, LaneChunk& chunk) {
+    const DH d;
+    const hn::Rebind<float, DH> df;
+    const bool repeat = job.levels->address == Address::Repeat;
+    chunk.count = std::min(kLanePixels, job.count - begin);
+    std::size_t k = 0;
+    for (; k + kHalf <= chunk.count; k += kHalf) {
+        const std::size_t i = begin + k;
+        const auto s = placeLanes(job.s + i, job.perS, job.width, repeat, chunk.wholeS + k, chunk.restS + k);
+        const auto t = placeLanes(job.t + i, job.perT, job.height, repeat, chunk.wholeT + k, chunk.restT + k);
+        const VH valid = hn::IfThenElseZero(hn::And(s, t), hn::Set(d, 1.0));
+        hn::StoreU(hn::DemoteTo(df, valid), df, chunk.valid + k);
+        const auto narrow = [&](const double* from, double per, float* to) HWY_ATTR {
+            hn::StoreU(hn::DemoteTo(df, hn::Mul(hn::LoadU(d, from + i), hn::Set(d, per))), df, to + k);
+        };
+        narrow(job.ux, job.perS, chunk.ux);
+        narrow(job.vx, job.perT, chunk.vx);
+        narrow(job.uy, job.perS, chunk.uy);
+        narrow(job.vy, job.perT, chunk.vy);
+    }
+    chunk.fill(job, begin, k);
+}
+
 HWY_INLINE VI perLevel(const LaneLevels::PerLevel<std::int32_t>& table, VI level) {
     return hn::GatherIndex(DI(), table.data(), level);
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "mapping/homography.h"
 #include "relief/ray.h"
@@ -20,6 +21,7 @@ struct PixelView {
     double runPerTexel = 0;  // thickness / height of the eye above the plane
     int width = 1;           // of the polygon's picture, texels
     int height = 1;
+    std::uint8_t number = 0;  // of the polygon in the scene
 
     ViewRay rayAt(double s0, double t0) const { return {s0, t0, (s0 - sEye) * runPerTexel, (t0 - tEye) * runPerTexel}; }
     // A point on the very edge may be rounded out of the picture, where under border nothing is; beyond it, the edge is

@@ -8,7 +8,8 @@ namespace relief {
 
 namespace {
 
-// Of the pixel's weights: their sigma at the points, and how far out points count, pixels.
+// Of the pixel's weights: their sigma at the points, and how far out points count, pixels (less than a cell and a
+// half: kLatticeHalo).
 constexpr double kPointSigma = 0.52;
 constexpr double kPointReach = 1.1;
 // Of a point's footprint, over the points' spacing.
@@ -52,6 +53,7 @@ PointLattice PointLattice::of(int points) {
                 if (r2 > kPointReach * kPointReach) continue;
                 const double weight = std::exp(-r2 / (2 * kPointSigma * kPointSigma));
                 lattice.terms.push_back({dx, dy, k, static_cast<float>(weight)});
+                lattice.weights.push_back(lattice.terms.back().weight);
             }
         }
     }

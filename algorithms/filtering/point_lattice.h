@@ -8,7 +8,7 @@
 namespace relief {
 
 // Cells round a pixel within which its points lie.
-inline constexpr int kLatticeHalo = 2;
+inline constexpr int kLatticeHalo = 1;
 
 // Points of a lattice in a pixel, and those that a pixel sums, of the cells around. Variances in pixels^2.
 struct PointLattice {
@@ -19,7 +19,8 @@ struct PointLattice {
     };
     std::vector<glm::dvec2> places;  // from the cell's centre, (-1/2, 1/2] both; the first is the centre
     std::vector<Term> terms;
-    double blur = 0;  // of each point's footprint, pixels
+    std::vector<float> weights;  // the terms' own
+    double blur = 0;             // of each point's footprint, pixels
 
     // points: at least 2. The lattice of so many points a pixel whose nearest points are farthest apart.
     static PointLattice of(int points);

@@ -20,12 +20,13 @@ namespace relief {
 
 // Longest footprints, over their width: longer ones are widened.
 inline constexpr float kPointAnisotropy = 8;
-// Of the minor axis' variance, in texels of the level chosen, at least: half of what a bilinear tap itself blurs by.
-inline constexpr float kLeastOfLevel = 0.125F;
+// Of the minor axis' variance, in texels of the level chosen, at least: two fifths of what a bilinear tap itself blurs
+// by.
+inline constexpr float kLeastOfLevel = 0.1F;
 // Variance of a bilinear tap between means of texels: 1/6 + 1/12.
 inline constexpr float kTapVariance = 0.25F;
 // Texels of the level between taps, at most, unless there would be more than kMostTaps.
-inline constexpr float kTapSpacing = 1.5F;
+inline constexpr float kTapSpacing = 2.0F;
 
 }  // namespace relief
 #endif
@@ -183,7 +184,7 @@ void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, s
 void readPoints(const LaneJob& job, FootprintCounts& counts) {
     LaneChunk chunk;
     for (std::size_t begin = 0; begin < job.count; begin += kLanePixels) {
-        chunk.fill(job, begin);
+        fillChunk(job, begin, chunk);
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
             std::uint8_t left[kLanes];
             readVector(job, chunk, k, left, job.colors + begin + k, counts);

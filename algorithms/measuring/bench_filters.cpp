@@ -124,8 +124,10 @@ class FilterBench {
         const VisiblePolygons visible = frame->visible(request);
         const std::vector<glm::ivec2> pixels = countedPixels(*frame);
         Queries queries{{}, pixels.size()};
+        const PictureHits picture{frame->width, frame->height, frame->rays->polygon.data(), &frame->rays->rays,
+                                  &frame->hits->hits};
         for (std::size_t i = 0; i < pixels.size(); ++i) {
-            if (i % kQueryGrain == 0) queries.blocks.emplace_back();
+            if (i % kQueryGrain == 0) queries.blocks.emplace_back().picture = &picture;
             queries.blocks.back().push(*filterQuery(*frame, request, visible, pixels[i].x, pixels[i].y));
         }
         const auto levels = std::make_shared<const ColorLevels>(scene.color, work_);

@@ -58,7 +58,8 @@ std::optional<HeightBounds> FlatGround::reach(const RayBlock& rays, std::span<co
         Box box;
         for (const std::size_t i : which) {
             const ViewRay ray = rays[i];
-            if (!(std::hypot(ray.a, ray.b) <= kMaxRun)) return std::nullopt;
+            // Well within the run up to which tracers are exact, and NaN fails.
+            if (!(ray.a * ray.a + ray.b * ray.b <= 0.99 * kMaxRun * kMaxRun)) return std::nullopt;
             box.add(ray.s0 + first * ray.a, ray.t0 + first * ray.b);
             box.add(ray.s0 + last * ray.a, ray.t0 + last * ray.b);
         }

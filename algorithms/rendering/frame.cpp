@@ -9,6 +9,7 @@
 #include "filtering/sampler.h"
 #include "relief/look_up_point.h"
 #include "rendering/error_layer.h"
+#include "rendering/pixel_query.h"
 #include "rendering/visible_polygons.h"
 
 namespace relief {
@@ -152,19 +153,8 @@ std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& r
         if (candidate.number == frame.rays->polygon[i]) polygon = &candidate;
     }
     assert(polygon != nullptr);
-    FilterQuery query;
-    query.ray = frame.rays->rays[i];
-    query.lambda = hit.lambda;
-    query.spread = polygon->runPerTexel;
-    query.view = polygon;
-    query.x = x, query.y = y;
-    query.exact = frame.exactHits && frame.hits->by[i] != HitBy::LittleParallax;
-    query.place = lookUpPoint(request.field, query.ray, hit);
-    // Of the plane at the hit's height: s = s0 + lambda (s0 - sEye) r, and t alike.
-    const double scale = 1 + hit.lambda * polygon->runPerTexel;
-    const Jacobian top = jacobianAt(polygon->texelFromScreen, x + 0.5, y + 0.5);
-    query.jacobian = {top.ux * scale, top.vx * scale, top.uy * scale, top.vy * scale};
-    return query;
+    const bool exact = frame.exactHits && frame.hits->by[i] != HitBy::LittleParallax;
+    return pixelQuery(*polygon, request.field, frame.rays->rays[i], hit, exact, x, y);
 }
 
 bool tinyFootprint(const FilterQuery& query, const Frame& frame, const FrameRequest& request) {

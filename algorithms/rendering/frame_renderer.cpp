@@ -43,6 +43,11 @@ std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
     return changed;
 }
 
+// What a filter is made of; the camera is not.
+constexpr std::uint32_t kFilterInputs = bit(Input::HeightSize) | bit(Input::Heights) | bit(Input::Surface) |
+                                        bit(Input::Address) | bit(Input::Depth) | bit(Input::ColorPicture) |
+                                        bit(Input::Filter) | bit(Input::Skip) | bit(Input::Bounded);
+
 std::uint32_t staleStages(std::uint32_t changed) {
     std::uint32_t stale = 0;
     for (std::size_t s = 0; s < kStages; ++s) {
@@ -305,7 +310,8 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     const bool first = !frame_ || !last_;
     // Without skipping nothing is kept, either.
     const bool all = first || !request.skip;
-    const std::uint32_t stale = staleStages(all ? (1U << kInputs) - 1 : changedInputs(request, *last_));
+    const std::uint32_t changed = all ? (1U << kInputs) - 1 : changedInputs(request, *last_);
+    const std::uint32_t stale = staleStages(changed);
     const std::shared_ptr<Frame> frame = describedFrame(request);
     const VisiblePolygons visible =
         visiblePolygons(frame->polygons, frame->camera, request.width, request.height, request.field.reliefDepth());
@@ -326,7 +332,7 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
         query = makeAnyHit(sightChoice(request.field), request.field, *maps_, work);
     }
 
-    const bool newFilter = first || has(stale, Stage::Color);
+    const bool newFilter = all || (changed & kFilterInputs) != 0;
     frame->filter = newFilter ? madeFilter(request, work) : frame_->filter;
     frame->plainFilter = newFilter ? madePlainFilter(request, work) : frame_->plainFilter;
     const std::unique_ptr<const FlatGround> ground =
@@ -340,7 +346,14 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     FrameTotals totals;
     const FrameTools tools{visible, *tracer, mesh.get(), query.get(), ground.get(), twin.get()};
     const TileWorker worker(request, *frame, tools, buffers, stale, totals);
-    if (stale != 0) overTiles(*frame, !partOfMore_, work, [&](const PixelArea& tile) { worker.run(tile, work); });
+    if (stale != 0) {
+        const bool twice = worker.hitsFirst();
+        if (twice) overTiles(*frame, false, work, [&](const PixelArea& tile) { worker.meet(tile, work); });
+        overTiles(*frame, !partOfMore_, work, [&](const PixelArea& tile) {
+            if (!twice) worker.meet(tile, work);
+            worker.paint(tile, work);
+        });
+    }
     report(*frame, visible, totals, stale, request.bounded > 0);
     if (request.filter.name == kSupersample && buffers.light) {
         buffers.light->color = supersampled(request, maps_, work, snapshot, frame->counters);

@@ -1,5 +1,6 @@
 #include "rendering/lighting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,10 +31,13 @@ glm::dvec3 mappedNormal(const TexturedQuad& quad, glm::vec3 tangent) {
                           n.z * quad.normal);
 }
 
-Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light, bool shadowed) {
-    const double facing = shadowed ? 0.0 : std::max(0.0, glm::dot(normal, toLight));
-    const double amount = light.intensity * (light.ambient + (1 - light.ambient) * facing);
+Color lit(Color albedo, double facing, const Light& light) {
+    const double amount = light.intensity * (light.ambient + (1 - light.ambient) * std::max(0.0, facing));
     return albedo * static_cast<float>(amount);
+}
+
+Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light, bool shadowed) {
+    return lit(albedo, shadowed ? 0.0 : glm::dot(normal, toLight), light);
 }
 
 }  // namespace relief

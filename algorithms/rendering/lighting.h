@@ -41,6 +41,9 @@ inline Color heightGrey(double height) {
     return Color(static_cast<float>(0.2 + 0.6 * height));
 }
 
+// As lambert of a surface that is turned to the light by this cosine; not positive: turned away.
+Color lit(Color albedo, double facing, const Light& light);
+
 // albedo * intensity * (ambient + (1 - ambient) * max(0, n . l)); in shadow only the ambient part.
 Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light, bool shadowed = false);
 

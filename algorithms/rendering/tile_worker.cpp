@@ -8,7 +8,9 @@
 
 #include "relief/lanes/cone_twin.h"
 #include "relief/look_up_point.h"
-#include "rendering/block_order.h"
+#include "rendering/light_lanes.h"
+#include "rendering/pixel_query.h"
+#include "rendering/tile_work.h"
 
 namespace relief {
 
@@ -21,24 +23,25 @@ constexpr double kShadowStart = 1e-6;
 // Pixels along a side of the squares whose rays are looked at together before they are traced.
 constexpr int kSkipSide = 16;
 
-// Indices of the tile's pixels that see a polygon.
-std::vector<std::size_t> coveredPixels(const PixelArea& tile, const Frame& frame) {
-    std::vector<std::size_t> pixels;
-    pixels.reserve(static_cast<std::size_t>(kTileWidth) * kTileHeight);
-    inBlockOrder(tile, [&](int x, int y) {
-        const std::size_t i = frame.index(x, y);
-        if (frame.rays->polygon[i] != kNoPolygon) pixels.push_back(i);
-    });
-    return pixels;
-}
-
-RayBlock raysOf(const std::vector<std::size_t>& pixels, const RayStage& rays) {
-    RayBlock block(pixels.size());
-    for (std::size_t n = 0; n < pixels.size(); ++n) block.set(n, rays.rays[pixels[n]]);
-    return block;
-}
-
 }  // namespace
+
+TileWorker::TileWorker(const FrameRequest& request, const Frame& frame, const FrameTools& tools,
+                       const FrameBuffers& buffers, std::uint32_t stale, FrameTotals& totals)
+    : request_(request),
+      frame_(frame),
+      tools_(tools),
+      buffers_(buffers),
+      stale_(stale),
+      totals_(totals),
+      toLight_(lightDirection(request.light)),
+      picture_{frame.width, frame.height, frame.rays->polygon.data(), &frame.rays->rays, &frame.hits->hits} {
+    for (const TexturedQuad& quad : frame.polygons) axes_.emplace_back(quad);
+    polygons_.resize(frame.polygons.size(), nullptr);
+    for (const VisiblePolygon& polygon : tools.visible.polygons) polygons_[polygon.number] = &polygon;
+    if (frame.shadedByRelief(request) && request.field.surface() == Surface::Bilinear) {
+        slopes_ = SlopeScene(request.field);
+    }
+}
 
 // What an older frame left in the buffers; the light stage sets every pixel itself.
 void TileWorker::clear(const PixelArea& tile) const {
@@ -91,11 +94,13 @@ void TileWorker::makeRays(const PixelArea& tile) const {
 void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
     HitBlock& out = buffers_.hits->hits;
     if (tools_.ground != nullptr) skipRays(tile);
-    std::vector<std::size_t> pixels = coveredPixels(tile, frame_);
+    Borrowed<RayWork> kept;
+    auto& [pixels, block, hits] = *kept;
+    coveredPixels(tile, frame_, pixels);
     const std::vector<HitBy>& by = buffers_.hits->by;
     std::erase_if(pixels, [&](std::size_t i) { return by[i] != HitBy::Traced; });
-    const RayBlock block = raysOf(pixels, *frame_.rays);
-    HitBlock hits;
+    raysOf(pixels, *frame_.rays, block);
+    hits.resize(0);
     NullSink sink;
     if (tools_.twin != nullptr) {
         tools_.twin->trace(block, hits, tools_.tracer, work);
@@ -123,7 +128,15 @@ void TileWorker::skipRays(const PixelArea& tile) const {
 
 // True: nothing is left to do in the block.
 bool TileWorker::skipBlock(const PixelArea& block) const {
-    const std::vector<std::size_t> pixels = coveredPixels(block, frame_);
+    // What one ray reaches, all of them do.
+    const std::array<std::size_t, 1> middle{frame_.index((block.x0 + block.x1) / 2, (block.y0 + block.y1) / 2)};
+    if (frame_.rays->polygon[middle[0]] != kNoPolygon) {
+        const auto reached = tools_.ground->reach(frame_.rays->rays, middle);
+        if (!reached || tools_.ground->ground(frame_.rays->rays, middle, *reached) == Ground::Search) return false;
+    }
+    Borrowed<RayWork> kept;
+    auto& pixels = kept->pixels;
+    coveredPixels(block, frame_, pixels);
     if (pixels.empty()) return true;
     const RayBlock& rays = frame_.rays->rays;
     const auto reached = tools_.ground->reach(rays, pixels);
@@ -163,30 +176,29 @@ void TileWorker::countOutcomes(const PixelArea& tile) const {
 void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts,
                              Work& work) const {
     const HitBlock& hits = frame_.hits->hits;
-    std::vector<std::size_t> pixels;
-    pixels.reserve(static_cast<std::size_t>(kTileWidth) * kTileHeight);
-    overPixels(tile, [&](int, int, std::size_t i) {
-        if (hits.outcome[i] == Outcome::Hit) pixels.push_back(i);
-    });
-    FilterBlock block;
-    block.resize(pixels.size());
-    const auto width = static_cast<std::size_t>(frame_.width);
-    std::size_t kept = 0;
-    for (const std::size_t pixel : pixels) {
-        const auto x = static_cast<int>(pixel % width), y = static_cast<int>(pixel / width);
-        const FilterQuery query = *filterQuery(frame_, request_, tools_.visible, x, y);
+    Borrowed<FilterWork> kept;
+    auto& [pixels, block, colors] = *kept;
+    pixels.clear();
+    block.resize(static_cast<std::size_t>(kTileWidth) * kTileHeight);
+    std::int64_t tiny = 0;
+    overPixels(tile, [&](int x, int y, std::size_t i) {
+        if (hits.outcome[i] != Outcome::Hit) return;
+        const bool exact = frame_.exactHits && frame_.hits->by[i] != HitBy::LittleParallax;
+        const FilterQuery query =
+            pixelQuery(*polygons_[frame_.rays->polygon[i]], request_.field, frame_.rays->rays[i], hits[i], exact, x, y);
         if (frame_.plainFilter && tinyFootprint(query, frame_, request_)) {
             FootprintCounts plain;
-            buffers_.color->color.pixels()[pixel] = frame_.plainFilter->color(query, plain, work);
-            continue;
+            buffers_.color->color.pixels()[i] = frame_.plainFilter->color(query, plain, work);
+            ++tiny;
+            return;
         }
-        pixels[kept] = pixel;
-        block.set(kept++, query);
-    }
-    totals_.tinyFootprints += static_cast<std::int64_t>(pixels.size() - kept);
-    pixels.resize(kept);
-    block.resize(kept);
-    std::vector<Color> colors(pixels.size());
+        block.set(pixels.size(), query);
+        pixels.push_back(i);
+    });
+    totals_.tinyFootprints += tiny;
+    block.resize(pixels.size());
+    block.picture = hitsFirst() ? &picture_ : nullptr;
+    colors.resize(pixels.size());
     filter.colors(block, colors, counts, work);
     for (std::size_t n = 0; n < pixels.size(); ++n) buffers_.color->color.pixels()[pixels[n]] = colors[n];
 }
@@ -243,37 +255,38 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
     if (tools_.query == nullptr) return;
     const HitBlock& hits = frame_.hits->hits;
     std::vector<std::uint8_t>& shadowed = buffers_.shadows->shadowed;
-    std::vector<std::size_t> pixels;
-    AnyRayBlock rays;
-    std::int64_t lit = 0;
+    Borrowed<ShadowWork> kept;
+    auto& [pixels, rays] = *kept;
+    pixels.clear();
+    rays.resize(static_cast<std::size_t>(kTileWidth) * kTileHeight);
+    std::int64_t hit = 0;
     std::int64_t away = 0;
     std::int64_t top = 0;
+    std::array<double, kTileWidth> facing;
     overPixels(tile, [&](int x, int y, std::size_t i) {
+        if (x == tile.x0) faceLight(tile, y, facing);
         if (hits.outcome[i] != Outcome::Hit) return;
-        ++lit;
+        ++hit;
         const TexturedQuad& quad = frame_.polygons[frame_.rays->polygon[i]];
         if (glm::dot(quad.normal, toLight_) <= 0) {
             // The light is behind the whole polygon.
             shadowed[i] = 1;
             ++away;
-        } else if (glm::dot(glm::dvec3(frame_.normal(x, y, request_)), toLight_) <= 0) {
-            ++away;
-            // The answer cannot matter; without skipping it is asked for, and the light takes it.
-            const AnyRay ray = shadowRay(quad, frame_.rays->rays[i], hits.lambda[i]);
-            if (!request_.skip && ray.dz > 0) {
-                rays.push(ray);
-                pixels.push_back(i);
-            }
+            return;
+        }
+        const bool turned = facing[static_cast<std::size_t>(x - tile.x0)] <= 0;
+        away += turned ? 1 : 0;
+        // Then the answer cannot matter; without skipping it is asked for, and the light takes it.
+        if (turned && request_.skip) return;
+        const AnyRay ray = shadowRay(quad, frame_.rays->rays[i], hits.lambda[i]);
+        if (ray.dz > 0) {
+            rays.set(pixels.size(), ray);
+            pixels.push_back(i);
         } else {
-            const AnyRay ray = shadowRay(quad, frame_.rays->rays[i], hits.lambda[i]);
-            if (ray.dz <= 0) {
-                ++top;
-            } else {
-                rays.push(ray);
-                pixels.push_back(i);
-            }
+            top += turned ? 0 : 1;
         }
     });
+    rays.resize(pixels.size());
     SightBlock sights;
     BlockCounts counts;
     if (request_.counts) {
@@ -292,10 +305,32 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
     totals_.shadowRays += static_cast<std::int64_t>(pixels.size());
     totals_.shadowBlocked += blocked;
     totals_.shadowLimits += limits;
-    totals_.shadowHits += lit;
+    totals_.shadowHits += hit;
     totals_.shadowAway += request_.skip ? away : 0;
     totals_.shadowTop += top;
     totals_.shadowSteps += static_cast<std::int64_t>(counts.steps);
+}
+
+// Of the tile's pixels in row y: how far their surface is turned to the light; of those without a hit anything.
+void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facing) const {
+    const HitBlock& hits = frame_.hits->hits;
+    const std::vector<std::uint8_t>& polygon = frame_.rays->polygon;
+    if (!slopes_) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            facing[static_cast<std::size_t>(x - tile.x0)] =
+                glm::dot(glm::dvec3(frame_.normal(x, y, request_)), toLight_);
+        }
+        return;
+    }
+    const std::size_t row = frame_.index(tile.x0, y);
+    const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
+    for (std::size_t begin = 0, end = 0; begin < width; begin = end) {
+        while (end < width && polygon[row + end] == polygon[row + begin]) ++end;
+        if (polygon[row + begin] == kNoPolygon) continue;
+        facingLight(*slopes_, axes_[polygon[row + begin]], frame_.slabTexels, toLight_,
+                    std::span(hits.s).subspan(row + begin, end - begin),
+                    std::span(hits.t).subspan(row + begin, end - begin), facing.subspan(begin, end - begin));
+    }
 }
 
 void TileWorker::lightHits(const PixelArea& tile) const {
@@ -303,20 +338,13 @@ void TileWorker::lightHits(const PixelArea& tile) const {
     const auto colors = frame_.color->color.pixels();
     const std::vector<std::uint8_t>& shadowed = frame_.shadows->shadowed;
     const auto out = buffers_.light->color.pixels();
-    const bool ofRelief = frame_.shadedByRelief(request_);
-    std::vector<ReliefAxes> axes;
-    for (const TexturedQuad& quad : frame_.polygons) axes.emplace_back(quad);
-    const auto normal = [&](int x, int y, std::size_t i) {
-        if (!ofRelief) return frame_.normal(x, y, request_);
-        const glm::dvec2 place = lookUpPoint(request_.field, frame_.rays->rays[i], hits[i]);
-        return glm::vec3(
-            axes[frame_.rays->polygon[i]].normalOf(request_.field.slope(place.x, place.y), frame_.slabTexels));
-    };
+    std::array<double, kTileWidth> facing;
     overPixels(tile, [&](int x, int y, std::size_t i) {
+        if (x == tile.x0) faceLight(tile, y, facing);
+        const bool dark = !shadowed.empty() && shadowed[i] != 0;
         switch (hits.outcome[i]) {
             case Outcome::Hit:
-                out[i] = lambert(colors[i], normal(x, y, i), toLight_, request_.light,
-                                 !shadowed.empty() && shadowed[i] != 0);
+                out[i] = lit(colors[i], dark ? 0.0 : facing[static_cast<std::size_t>(x - tile.x0)], request_.light);
                 break;
             case Outcome::Limit:
                 out[i] = Color(0);
@@ -329,11 +357,12 @@ void TileWorker::lightHits(const PixelArea& tile) const {
 
 void countTile(const PixelArea& tile, const Tracer& tracer, const Frame& frame, HitStage& hits, FrameTotals& totals,
                Work& work) {
-    const std::vector<std::size_t> pixels = coveredPixels(tile, frame);
-    const RayBlock block = raysOf(pixels, *frame.rays);
+    std::vector<std::size_t> pixels;
+    coveredPixels(tile, frame, pixels);
+    RayBlock block;
     HitBlock again;
     BlockCounts counts;
-    tracer.trace(block, again, counts, work);
+    tracer.trace(raysOf(pixels, *frame.rays, block), again, counts, work);
     for (std::size_t n = 0; n < pixels.size(); ++n) {
         hits.hits.steps[pixels[n]] = again.steps[n];
         hits.hits.reads[pixels[n]] = again.reads[n];

@@ -6,8 +6,12 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "relief/any_hit.h"
+#include "relief/slope_scene.h"
 #include "rendering/flat_ground.h"
 #include "rendering/frame.h"
 #include "rendering/mesh_raster.h"
@@ -56,19 +60,19 @@ struct FrameTools {
 class TileWorker {
   public:
     TileWorker(const FrameRequest& request, const Frame& frame, const FrameTools& tools, const FrameBuffers& buffers,
-               std::uint32_t stale, FrameTotals& totals)
-        : request_(request),
-          frame_(frame),
-          tools_(tools),
-          buffers_(buffers),
-          stale_(stale),
-          totals_(totals),
-          toLight_(lightDirection(request.light)) {}
+               std::uint32_t stale, FrameTotals& totals);
 
-    void run(const PixelArea& tile, Work& work) const {
+    // Whether all hits are made before any colour: then the filter need not trace what neighbouring tiles have.
+    bool hitsFirst() const {
+        return has(stale_, Stage::Color) && frame_.filter && frame_.filter->asksNeighbours() && frame_.exactHits &&
+               !(request_.bounded > 0);
+    }
+    void meet(const PixelArea& tile, Work& work) const {
         clear(tile);
         timed(Stage::Rays, [&] { makeRays(tile); });
         timed(Stage::Hits, [&] { tools_.mesh != nullptr ? drawMesh(tile) : traceRays(tile, work); });
+    }
+    void paint(const PixelArea& tile, Work& work) const {
         timed(Stage::Color, [&] { colorHits(tile, work); });
         timed(Stage::Shadows, [&] { castShadows(tile, work); });
         timed(Stage::Light, [&] { lightHits(tile); });
@@ -101,6 +105,7 @@ class TileWorker {
     void filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts, Work& work) const;
     void castShadows(const PixelArea& tile, Work& work) const;
     AnyRay shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const;
+    void faceLight(const PixelArea& tile, int y, std::span<double> facing) const;
     void lightHits(const PixelArea& tile) const;
 
     const FrameRequest& request_;
@@ -110,6 +115,10 @@ class TileWorker {
     std::uint32_t stale_;
     FrameTotals& totals_;
     glm::dvec3 toLight_;
+    PictureHits picture_;
+    std::vector<const VisiblePolygon*> polygons_;  // by their numbers; null: not visible
+    std::vector<ReliefAxes> axes_;                 // by the same
+    std::optional<SlopeScene> slopes_;             // of bilinear relief that shades by itself
 };
 
 // Steps and reads of the tile's rays: traced once more by the tracer that made the hits.

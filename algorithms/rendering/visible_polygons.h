@@ -14,7 +14,6 @@ namespace relief {
 
 struct VisiblePolygon : PixelView {
     TexturedQuad quad;
-    std::uint8_t number = 0;         // in the scene
     std::vector<glm::dvec2> screen;  // its visible part
     double inverseDepthPerQ = 0;     // 1 / camera depth = q * this
 

@@ -1,7 +1,7 @@
-// relief_frames [SECONDS] [-o FILE.csv|json]: frames a second of the shipped pictures at 800 x 600 while the camera
-// turns: traced exactly, filtered anisotropically with regard to the relief, lit, with shadows and without. Each view
-// for SECONDS (default 2); a row a view: the median frame and the tenth slowest, and each stage's share, of all threads
-// together.
+// relief_frames [SECONDS] [PICTURE [ELEVATION [FILTER]]] [-o FILE.csv|json]: frames a second of the shipped pictures at
+// 800 x 600 while the camera turns: traced exactly, filtered anisotropically with regard to the relief, lit, with
+// shadows and without. Each view for SECONDS (default 2); a row a view: the median frame and the tenth slowest, and
+// each stage's milliseconds, of all threads together. PICTURE: the beginning of its folder's name; that one alone.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -49,13 +49,12 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
         taken.push_back(frame->seconds);
         for (std::size_t s = 0; s < kStages; ++s) stages[s] += frame->stages[s].seconds;
     }
-    double sum = 0;
-    for (const double s : stages) sum += s;
     std::printf("%-26s %2.0f %-28s %-7s %6.1f frames/s %7.1f ms %7.1f ms ", name, request.camera.elevation,
                 filterText(request.filter).c_str(), request.shadows ? "shadows" : "", 1 / quantile(taken, 0.5),
                 1000 * quantile(taken, 0.5), 1000 * quantile(taken, 0.9));
     for (std::size_t s = 0; s < kStages; ++s) {
-        std::printf(" %s %.0f%%", std::string(kStageNames[s]).c_str(), 100 * stages[s] / sum);
+        std::printf(" %s %.1f", std::string(kStageNames[s]).c_str(),
+                    1000 * stages[s] / static_cast<double>(taken.size()));
     }
     std::printf("\n");
     std::fflush(stdout);
@@ -71,17 +70,29 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
 }  // namespace
 
 int main(int argc, char** argv) {
-    const double seconds = argc > 1 && argv[1][0] != '-' ? std::atof(argv[1]) : 2;
-    const std::string output = argc > 2 && std::string(argv[argc - 2]) == "-o" ? argv[argc - 1] : "";
+    std::vector<std::string> given(argv + 1, argv + argc);
+    std::string output;
+    if (given.size() > 1 && given[given.size() - 2] == "-o") {
+        output = given.back();
+        given.resize(given.size() - 2);
+    }
+    given.resize(std::max<std::size_t>(given.size(), 4));
+    const double seconds = given[0].empty() ? 2 : std::atof(given[0].c_str());
+    const std::vector<double> elevations =
+        given[2].empty() ? std::vector<double>{60, 45, 25} : std::vector<double>{std::atof(given[2].c_str())};
+    const std::vector<std::string> filters =
+        given[3].empty() ? std::vector<std::string>{"elliptical", "elliptical-visible:form=grid"}
+                         : std::vector<std::string>{given[3]};
     std::vector<peers::PeerRow> rows;
     for (const Pictures& pictures : kPictures) {
+        if (!std::string(pictures.folder).starts_with(given[1])) continue;
         const std::string folder = std::string(RELIEF_DATASETS) + "/" + pictures.folder + "/";
         Work work;
         const auto heights = std::make_shared<const FloatImage>(readHeight(folder + pictures.height, {}, work).heights);
         const auto color = std::make_shared<const ColorImage>(readColor(folder + pictures.color, work));
         const auto maps = std::make_shared<MapCache>();
-        for (const double elevation : {60.0, 45.0, 25.0}) {
-            for (const char* filter : {"elliptical", "elliptical-visible:form=grid"}) {
+        for (const double elevation : elevations) {
+            for (const std::string& filter : filters) {
                 for (const bool shadows : {false, true}) {
                     FrameRequest request{HeightField(heights)};
                     request.color = color;

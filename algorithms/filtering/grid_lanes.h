@@ -1,0 +1,67 @@
+// The grid's arithmetic in lanes of double, inside elliptical_grid.cpp, not for others: which pixels lie on a plane,
+// the rays of points, and their footprints. Same bits on every instruction set, for any number of values at once.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <glm/vec2.hpp>
+
+#include "filtering/pixel_view.h"
+#include "filtering/point_reader.h"
+#include "relief/height_field.h"
+
+namespace relief {
+
+// How the hit of a pixel's centre lies among those of its eight neighbours, bits: which of the four lines through it
+// are smooth (bent so little that hits between can be taken from the hits around), which are straight (so little that
+// it goes on to the next hit), whether all lie on a plane, and at one height. Lines: across, down, to the right and
+// down, to the right and up.
+enum Surroundings : std::uint16_t { kSmooth = 1, kStraight = 16, kOnPlane = 256, kOnLevel = 512 };
+enum Line : std::uint8_t { kAcross, kDown, kFalling, kRising };
+
+// Second differences of neighbouring hits over the first, at most: on planes, smooth lines, straight lines; and the
+// same in texels of the picture, which is not seen.
+inline constexpr double kMostBend = 0.1;
+inline constexpr double kMostSmoothBend = 0.25;
+inline constexpr double kMostStraightBend = 0.07;
+inline constexpr double kUnseenBend = 0.05;
+// Hits at one height, but for rounding: level ground, which keeps the pixel's own bits.
+inline constexpr double kLevelHeight = 1e-9;
+
+// A rectangle of pixels, rows one after the other: hits in texels of the height map, s NaN where there is none.
+struct CellHits {
+    int width = 0, height = 0;
+    const double *s = nullptr, *t = nullptr, *lambda = nullptr;
+    glm::dvec2 scale{1};  // texels of the picture per texel of the height map
+};
+
+// Of all cells but the outermost, which are set to 0.
+void findSurroundings(const CellHits& cells, std::uint16_t* out);
+
+// The view's rays through the places (x, y) of the picture into rays[first ...], the polygon going on beyond its edges;
+// for pixels' centres the picture's own rays, which never lie outside by more than rounding.
+void raysThrough(const PixelView& view, std::span<const double> x, std::span<const double> y, RayBlock& rays,
+                 std::size_t first);
+
+// Hits between pixels' centres, and what is asked of them. All columns of one length.
+struct PointHits {
+    std::span<const double> x, y;  // places in the picture
+    std::span<const double> a, b;  // of their rays
+    std::span<const double> lambda, s, t;
+};
+
+// Footprints of blur pixels on the surface's tangent plane (bilinear) or on level ground (columns) at each hit, into
+// `points`, texels of the picture.
+void layFootprints(const PixelView& view, const HeightField& field, double blur, glm::dvec2 scale,
+                   const PointHits& hits, PointBlock& points);
+
+// Red, green, blue, and 1 where something was met; else all 0.
+struct alignas(16) PointColor {
+    float channel[4] = {0, 0, 0, 0};
+};
+// sums[n] = sum over k, in their order, of weight[k] * colors[base[n] + offset[k]].
+void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,
+               std::span<const float> weight, std::span<PointColor> sums);
+
+}  // namespace relief

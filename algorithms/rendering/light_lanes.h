@@ -1,0 +1,17 @@
+// How far bilinear relief is turned to the light, in lanes of double: the bits of HeightField::slope,
+// ReliefAxes::normalOf and glm::dot on every instruction set.
+#pragma once
+
+#include <span>
+
+#include "relief/slope_scene.h"
+#include "rendering/lighting.h"
+
+namespace relief {
+
+// out[n]: the normal at (s[n], t[n]), texels, rounded to float, times the direction to the light. slabTexels: thickness
+// of the slab. All spans of one length; places that are NaN give NaN.
+void facingLight(const SlopeScene& scene, const ReliefAxes& axes, double slabTexels, glm::dvec3 toLight,
+                 std::span<const double> s, std::span<const double> t, std::span<double> out);
+
+}  // namespace relief

@@ -1,0 +1,43 @@
+// Inside tile_worker.cpp, not for others: what a tile's work on a stage needs, kept for the next tile.
+#pragma once
+
+#include <vector>
+
+#include "borrowed.h"
+#include "relief/any_ray.h"
+#include "rendering/block_order.h"
+#include "rendering/frame.h"
+
+namespace relief {
+
+struct RayWork {
+    std::vector<std::size_t> pixels;
+    RayBlock rays;
+    HitBlock hits;
+};
+struct FilterWork {
+    std::vector<std::size_t> pixels;
+    FilterBlock block;
+    std::vector<Color> colors;
+};
+struct ShadowWork {
+    std::vector<std::size_t> pixels;
+    AnyRayBlock rays;
+};
+
+// Indices of the tile's pixels that see a polygon.
+inline void coveredPixels(const PixelArea& tile, const Frame& frame, std::vector<std::size_t>& pixels) {
+    pixels.clear();
+    inBlockOrder(tile, [&](int x, int y) {
+        const std::size_t i = frame.index(x, y);
+        if (frame.rays->polygon[i] != kNoPolygon) pixels.push_back(i);
+    });
+}
+
+inline RayBlock& raysOf(const std::vector<std::size_t>& pixels, const RayStage& rays, RayBlock& block) {
+    block.resize(pixels.size());
+    for (std::size_t n = 0; n < pixels.size(); ++n) block.set(n, rays.rays[pixels[n]]);
+    return block;
+}
+
+}  // namespace relief
