@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QThread>
 
+#include "workspace/discard.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -13,6 +14,12 @@ Application::Application(int& count, char** values) : QApplication(count, values
     const auto looked = [] { PauseLog::instance().looked(); };
     connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, looked);
     connect(dispatcher, &QAbstractEventDispatcher::awake, this, looked);
+    freesAside() = true;
+}
+
+// Qt's destructor waits for the threads that free.
+Application::~Application() {
+    freesAside() = false;
 }
 
 bool Application::notify(QObject* receiver, QEvent* event) {

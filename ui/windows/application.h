@@ -9,6 +9,7 @@ class Application : public QApplication {
     Q_OBJECT
   public:
     Application(int& count, char** values);
+    ~Application() override;
 
     bool notify(QObject* receiver, QEvent* event) override;
 };

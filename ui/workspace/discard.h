@@ -2,6 +2,7 @@
 // thread has no time for it.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <utility>
 
@@ -9,11 +10,21 @@
 
 namespace reliefui {
 
+// While the application of the window lives, which waits for what is freed; without one there is nobody to hold.
+inline std::atomic<bool>& freesAside() {
+    static std::atomic<bool> on{false};
+    return on;
+}
+
 // Deleter of shared pointers, whichever thread lets go last.
 struct FreeAside {
     template <class T>
     void operator()(T* value) const {
-        QThreadPool::globalInstance()->start([value] { delete value; });
+        if (freesAside()) {
+            QThreadPool::globalInstance()->start([value] { delete value; });
+        } else {
+            delete value;
+        }
     }
 };
 
