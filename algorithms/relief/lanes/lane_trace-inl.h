@@ -260,9 +260,9 @@ HWY_INLINE void gatherPairs(const float* from, VI index, VF& first, VF& second) 
 }
 
 // Whether the bilinear surface is surely below the ray all along its stay in cell (realX, realY), which lasts from
-// before `in` to after `out`; nx, ny are the cell's distances n.
+// before `in` to after `out`; nx, ny are the cell's distances n. Of the lanes of `who`; the others' cells are of the map.
 template <Address kAddress>
-HWY_INLINE MF patchBelow(const LaneScene& scene, const LaneAxisState& x, const LaneAxisState& y, VI realX, VI realY,
+HWY_INLINE MF patchBelow(const LaneScene& scene, MI who, const LaneAxisState& x, const LaneAxisState& y, VI realX, VI realY,
                          VF nx, VF ny, VF in, VF out, VF tie) {
     const DF d;
     const DI di;
@@ -274,7 +274,7 @@ HWY_INLINE MF patchBelow(const LaneScene& scene, const LaneAxisState& x, const L
     const VI row1 = hn::Mul(j1, stride);
     VF h00, h10, h01, h11;
     const VI next = hn::Add(i0, hn::Set(di, 1));
-    if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(i1, next)))) {
+    if (HWY_LIKELY(hn::AllTrue(di, hn::Or(hn::Not(who), hn::Eq(i1, next))))) {
         gatherPairs(scene.heights, hn::Add(row0, i0), h00, h10);
         gatherPairs(scene.heights, hn::Add(row1, i0), h01, h11);
     } else {

@@ -1,0 +1,439 @@
+// The cone walk of many rays: all take a step, one vector after the other; those that wait for the leaf wait in place
+// until half of them do. The steps of a pass know nothing of each other, so the processor has several vectors' reads
+// in flight, and branches are taken for whole passes. Compiled for each target.
+
+#if defined(RELIEF_CONE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RELIEF_CONE_WALK_INL_H
+#undef RELIEF_CONE_WALK_INL_H
+#else
+#define RELIEF_CONE_WALK_INL_H
+#endif
+
+#include "relief/lanes/lane_trace-inl.h"
+#include "relief/maps/packed_cones.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+// Rays in flight.
+inline constexpr std::size_t kWalkSlots = 256;
+// Jumps end this part of a cell early, and by the rounding of places: the cell that is found is not too far on.
+inline constexpr float kShorterJump = 1e-3F;
+// No crossing: beyond all.
+inline constexpr float kNever = 1e30F;
+
+// A column; vectors are stored from any place on.
+template <class T>
+using WalkColumn = std::array<T, kWalkSlots + 2 * kLanes>;
+struct WalkAxis {
+    alignas(64) WalkColumn<std::int32_t> n;     // cells from the start
+    alignas(64) WalkColumn<std::int32_t> last;  // n of the map's last cell (of this period, where it repeats)
+    alignas(64) WalkColumn<float> inverse, base, run;
+    alignas(64) WalkColumn<float> place;  // n at lambda is lambda * run - place, less half a cell and a little
+};
+struct WalkColumns {
+    WalkAxis x, y;
+    alignas(64) WalkColumn<std::int32_t> index;  // of the word, were n 0
+    alignas(64) WalkColumn<float> rim;           // lambda at which the ray has left the map or is at the bottom
+    alignas(64) WalkColumn<float> tie;
+    alignas(64) WalkColumn<std::int32_t> slot;   // in LaneRays
+    alignas(64) WalkColumn<std::int32_t> state;  // of those below
+
+    template <class Body>
+    HWY_INLINE void all(const Body& body) {
+        for (WalkAxis* axis : {&x, &y}) {
+            body(axis->n), body(axis->last);
+            body(axis->inverse), body(axis->base), body(axis->run), body(axis->place);
+        }
+        body(index), body(rim), body(tie), body(slot), body(state);
+    }
+};
+inline constexpr std::int32_t kWalking = 0, kAtLeaf = 1, kEnded = 2;
+
+template <Address kAddress, Surface kSurface>
+class ConeKernel {
+  public:
+    ConeKernel(const LaneScene& scene, const PackedCones& cones, std::uint32_t quadrant, LaneRays& rays,
+               std::size_t begin, std::size_t end, WalkColumns& columns)
+        : scene_(scene), rays_(rays), columns_(columns), next_(begin), end_(end) {
+        map_.words = reinterpret_cast<const std::int32_t*>(cones.words[quadrant].data());
+        map_.x = grid(scene.grid.x, (quadrant & 1U) != 0, 1);
+        map_.y = grid(scene.grid.y, (quadrant & 2U) != 0, cones.nx);
+        map_.unit = static_cast<float>(cones.unit);
+        // Rounded up in the product and sum by less than the margin.
+        constexpr double kRounding = 0x1p-20;
+        map_.top = static_cast<float>(1 - cones.highest - kRounding);
+    }
+
+    void run() {
+        fill();
+        while (walking_ + waiting_ > 0 || next_ < end_) {
+            if (waiting_ >= walking_) {
+                leavesOfAll();
+            } else {
+                stepOfAll();
+            }
+            const std::size_t idle = used_ - walking_ - waiting_;
+            if (idle >= kLanes && 4 * idle >= used_) {
+                compact();
+                fill();
+            }
+        }
+    }
+
+  private:
+    // One axis, the same for all rays of the quadrant; mirrored where they run backwards.
+    struct Grid {
+        bool mirrored = false;
+        std::int32_t low = 0;     // first cell, mirrored
+        std::int32_t last = 0;    // last cell
+        std::int32_t stride = 0;  // words a cell, mirrored
+    };
+    // What is the same for all rays.
+    struct Map {
+        const std::int32_t* words = nullptr;
+        Grid x, y;
+        float unit = 0, top = 0;
+    };
+    struct Axis : LaneAxisState {
+        VI n, next, last;
+        VF cross;  // lambda at which the cell is left
+    };
+    struct Stay {
+        Axis x, y;
+        VF tie, rim, first, out;
+    };
+
+    Grid grid(const GridAxis& axis, bool mirrored, std::int32_t stride) const {
+        const std::int32_t low = mirrored ? scene_.mirror - axis.cells : 0;
+        return {mirrored, low, low + axis.cells - 1, mirrored ? -stride : stride};
+    }
+
+    // New rays behind those in flight, whole vectors as far as there is room.
+    HWY_INLINE void fill() {
+        const std::size_t room = (kWalkSlots - used_) / kLanes * kLanes;
+        const std::size_t taken = std::min(room, end_ - next_);
+        for (std::size_t k = 0; k < taken; k += kLanes) take(next_ + k, used_ + k, std::min(kLanes, taken - k));
+        next_ += taken;
+        used_ += taken;
+        hn::StoreU(hn::Set(di_, kEnded), di_, columns_.state.data() + used_);
+    }
+
+    HWY_INLINE void take(std::size_t from, std::size_t to, std::size_t count) {
+        const VI ends = hn::LoadU(di_, rays_.end.data() + from);
+        const MI starting = hn::And(hn::FirstN(di_, count), hn::Eq(ends, hn::Zero(di_)));
+        const VI cellX = takeAxis(map_.x, rays_.x, columns_.x, starting, from, to);
+        const VI cellY = takeAxis(map_.y, rays_.y, columns_.y, starting, from, to);
+        const VI index = hn::Add(hn::Mul(realCell(map_.y, cellY), hn::Set(di_, std::abs(map_.y.stride))), realCell(map_.x, cellX));
+        hn::StoreU(index, di_, columns_.index.data() + to);
+        VF rim = hn::Set(df_, 1.0F);
+        if constexpr (kAddress == Address::Border) {
+            for (const LaneAxisRays* axis : {&rays_.x, &rays_.y}) {
+                const VF margin = hn::Set(df_, kCrossingMargin);
+                const VF left = hn::Add(hn::LoadU(df_, axis->rim.data() + from), margin);
+                rim = hn::Min(rim, hn::MulAdd(hn::LoadU(df_, axis->inverse.data() + from), margin, left));
+            }
+        }
+        hn::StoreU(rim, df_, columns_.rim.data() + to);
+        hn::StoreU(hn::LoadU(df_, rays_.tie.data() + from), df_, columns_.tie.data() + to);
+        hn::StoreU(hn::Iota(di_, static_cast<std::int32_t>(from)), di_, columns_.slot.data() + to);
+        hn::StoreU(hn::IfThenElse(starting, hn::Set(di_, kWalking), hn::Set(di_, kEnded)), di_,
+                   columns_.state.data() + to);
+        walking_ += hn::CountTrue(di_, starting);
+    }
+
+    // Returns the cell at n = 0, mirrored.
+    HWY_INLINE VI takeAxis(const Grid& grid, const LaneAxisRays& rays, WalkAxis& out, MI starting,
+                           std::size_t from, std::size_t to) const {
+        // Rays that are not walked: in a cell of the map, for words are read with those of their vector.
+        const VI low = hn::Set(di_, grid.low);
+        const VI cell = hn::IfThenElse(starting, hn::LoadU(di_, rays.cell.data() + from), low);
+        VI start = cell;
+        if constexpr (kAddress != Address::Repeat) {
+            start = hn::IfThenElse(starting, hn::LoadU(di_, rays.first.data() + from), low);
+        }
+        hn::StoreU(hn::Sub(cell, start), di_, out.n.data() + to);
+        hn::StoreU(hn::Sub(hn::Set(di_, grid.last), start), di_, out.last.data() + to);
+        const VF base = hn::LoadU(df_, rays.base.data() + from);
+        const VF run = hn::Abs(hn::LoadU(df_, rays.run.data() + from));
+        hn::StoreU(hn::LoadU(df_, rays.inverse.data() + from), df_, out.inverse.data() + to);
+        hn::StoreU(base, df_, out.base.data() + to);
+        hn::StoreU(run, df_, out.run.data() + to);
+        const VF shorter = hn::MulAdd(run, hn::Set(df_, 8 * kCrossingMargin), hn::Set(df_, kShorterJump + 0.5F));
+        hn::StoreU(hn::MulAdd(base, run, shorter), df_, out.place.data() + to);
+        return start;
+    }
+
+    // The rays in flight to the front, ended ones behind them.
+    HWY_INLINE void compact() {
+        std::size_t to = 0;
+        for (std::size_t i = 0; i < used_; i += kLanes) {
+            const MI kept = hn::Ne(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kEnded));
+            columns_.all([&](auto& column) {
+                using T = typename std::remove_reference_t<decltype(column)>::value_type;
+                const hn::ScalableTag<T> d;
+                const auto v = hn::Load(d, column.data() + i);
+                hn::StoreU(hn::Compress(v, hn::RebindMask(d, kept)), d, column.data() + to);
+            });
+            to += hn::CountTrue(di_, kept);
+        }
+        used_ = to;
+    }
+
+    HWY_INLINE static Axis load(const Grid& grid, const WalkAxis& from, std::size_t i) {
+        const DF df;
+        const DI di;
+        Axis out;
+        out.n = hn::Load(di, from.n.data() + i);
+        out.next = hn::Add(out.n, hn::Set(di, 1));
+        out.last = hn::Load(di, from.last.data() + i);
+        out.inverse = hn::Load(df, from.inverse.data() + i);
+        out.base = hn::Load(df, from.base.data() + i);
+        out.run = hn::Load(df, from.run.data() + i);
+        out.mirrored = hn::FirstN(df, grid.mirrored ? kLanes : 0);
+        out.cross = hn::MulAdd(hn::ConvertTo(df, out.next), out.inverse, out.base);
+        if constexpr (kAddress == Address::Clamp) {
+            out.cross = hn::IfThenElse(asFloat(hn::Eq(out.n, out.last)), hn::Set(df, kNever), out.cross);
+        }
+        return out;
+    }
+    HWY_INLINE static Stay stay(const Map& map, const WalkColumns& columns, std::size_t i) {
+        const DF df;
+        Stay out;
+        out.x = load(map.x, columns.x, i);
+        out.y = load(map.y, columns.y, i);
+        out.tie = hn::Load(df, columns.tie.data() + i);
+        out.rim = hn::Set(df, 1.0F);
+        if constexpr (kAddress == Address::Border) out.rim = hn::Load(df, columns.rim.data() + i);
+        out.first = hn::Min(out.x.cross, out.y.cross);
+        out.out = hn::Min(out.first, out.rim);
+        return out;
+    }
+
+    HWY_INLINE static VI wordAt(const Map& map, VI base, VI nx, VI ny) {
+        const DI di;
+        const VI along = map.x.mirrored ? hn::Sub(base, nx) : hn::Add(base, nx);
+        return hn::GatherIndex(di, map.words, hn::Add(along, hn::Mul(ny, hn::Set(di, map.y.stride))));
+    }
+    HWY_INLINE static VF depthOf(const Map& map, VI bits) {
+        const DF df;
+        const DI di;
+        return hn::MulAdd(hn::ConvertTo(df, hn::And(bits, hn::Set(di, static_cast<std::int32_t>(kConeDepths)))),
+                          hn::Set(df, map.unit), hn::Set(df, map.top));
+    }
+
+    // A cone step of all that walk.
+    void stepOfAll() {
+        // Copies, for vectors that are stored might be those members.
+        const Map map = map_;
+        WalkColumns& columns = columns_;
+        std::size_t waiting = 0;
+        for (std::size_t i = 0, end = used_; i < end; i += kLanes) waiting += step(map, columns, i);
+        waiting_ += waiting;
+        walking_ -= waiting;
+    }
+
+    // Returns how many came to a leaf.
+    HWY_INLINE std::size_t step(const Map& map, WalkColumns& columns, std::size_t i) {
+        const DF df;
+        const DI di;
+        const VI state = hn::Load(di, columns.state.data() + i);
+        const MF walking = asFloat(hn::Eq(state, hn::Set(di, kWalking)));
+        const Stay at = stay(map, columns, i);
+        // Ended rays are within the map still: their words may be read.
+        const VI word = wordAt(map, hn::Load(di, columns.index.data() + i), at.x.n, at.y.n);
+        const MF above = hn::Lt(at.out, depthOf(map, word));
+        const MF leaf = hn::AndNot(above, walking);
+        const MF on = hn::And(above, walking);
+        hn::Store(hn::IfThenElse(asInt(leaf), hn::Set(di, kAtLeaf), state), di, columns.state.data() + i);
+        // The ray meets the cone; the approximate reciprocal's error and all rounding is in the factor.
+        const VF apex = depthOf(map, hn::ShiftRight<10>(word));
+        const VF steepness = hn::MulAdd(hn::BitCast(df, word), hn::Max(at.x.run, at.y.run), hn::Set(df, 1.0F));
+        const VF share = hn::Mul(hn::ApproximateReciprocal(steepness), hn::Set(df, 1 - 0x1p-10F));
+        const VF jump = hn::MulAdd(hn::Max(hn::Sub(apex, at.out), hn::Zero(df)), share, at.out);
+        moveOn(columns, i, at, on, jump);
+        return hn::CountTrue(df, leaf);
+    }
+
+    HWY_INLINE static VI nextCell(const Axis& axis, const WalkAxis& column, std::size_t i, MF move, VF jump) {
+        const DF df;
+        const DI di;
+        // Down to a whole number (place is half a cell less), for numbers below 2^22: no overflow to mend.
+        constexpr float kWhole = 0x1.8p23F;
+        const VF place = hn::MulSub(jump, axis.run, hn::Load(df, column.place.data() + i));
+        const VI whole = hn::Sub(hn::BitCast(di, hn::Add(place, hn::Set(df, kWhole))),
+                                 hn::Set(di, std::bit_cast<std::int32_t>(kWhole)));
+        return hn::Max(hn::IfThenElse(asInt(move), axis.next, axis.n), whole);
+    }
+
+    // To the cell where the jump ends, the next one at least.
+    HWY_INLINE void moveOn(WalkColumns& columns, std::size_t i, const Stay& at, MF who, VF jump) {
+        const DF df;
+        const DI di;
+        const VI nextX = nextCell(at.x, columns.x, i, hn::Le(at.x.cross, at.y.cross), jump);
+        const VI nextY = nextCell(at.y, columns.y, i, hn::Le(at.y.cross, at.x.cross), jump);
+        const MF near = hn::Lt(hn::Abs(hn::Sub(at.x.cross, at.y.cross)), at.tie);
+        const MF atRim = hn::Ge(hn::Add(at.first, at.tie), at.rim);
+        const MF beyond = asFloat(hn::Or(hn::Gt(nextX, at.x.last), hn::Gt(nextY, at.y.last)));
+        const MF rare = hn::And(who, hn::Or(hn::Or(near, atRim), beyond));
+        if (HWY_UNLIKELY(!hn::AllFalse(df, rare))) return moveWithCare(i, who, jump);
+        hn::Store(hn::IfThenElse(asInt(who), nextX, at.x.n), di, columns.x.n.data() + i);
+        hn::Store(hn::IfThenElse(asInt(who), nextY, at.y.n), di, columns.y.n.data() + i);
+    }
+    HWY_INLINE void store(WalkColumn<std::int32_t>& column, std::size_t i, MF who, VI value) const {
+        hn::BlendedStore(value, asInt(who), di_, column.data() + i);
+    }
+
+    // The same where a ray is near a corner or the rim, or leaves the map.
+    HWY_NOINLINE void moveWithCare(std::size_t i, MF who, VF jump) {
+        const Stay at = stay(map_, columns_, i);
+        const MF near = hn::And(hn::Lt(hn::Abs(hn::Sub(at.x.cross, at.y.cross)), at.tie),
+                                hn::Lt(jump, hn::Add(hn::Max(at.x.cross, at.y.cross), at.tie)));
+        const MF atRim = hn::Ge(hn::Add(at.first, at.tie), at.rim);
+        const MF down = hn::Ge(at.rim, hn::Set(df_, 1.0F));
+        MF bad = hn::And(hn::And(who, down), hn::Ge(at.out, hn::Set(df_, 1.0F)));
+        if constexpr (kAddress == Address::Border) {
+            // Beyond the rim for sure; or which comes first, rim or line, cannot be told.
+            const MF leaving = hn::And(who, hn::AndNot(down, atRim));
+            const MF gone = hn::And(leaving, hn::Gt(hn::Max(at.first, jump), hn::Add(at.rim, at.tie)));
+            end(i, gone, LaneEnd::Miss);
+            bad = hn::Or(bad, hn::AndNot(gone, leaving));
+            who = hn::AndNot(gone, who);
+        }
+        // Too near a corner to tell which neighbour comes first, and the jump does not pass it: both must be skipped.
+        const MF both = hn::And(who, near);
+        const MF clear = hn::And(sideClear(i, at, true), sideClear(i, at, false));
+        bad = hn::And(who, hn::Or(bad, hn::AndNot(clear, both)));
+        end(i, bad, LaneEnd::Scalar);
+        who = hn::AndNot(bad, who);
+        const MF moveX = hn::Or(both, hn::Le(at.x.cross, at.y.cross));
+        const MF moveY = hn::Or(both, hn::Le(at.y.cross, at.x.cross));
+        arrive(i, who, columns_.x, map_.x, nextCell(at.x, columns_.x, i, moveX, jump));
+        // An end on the other axis.
+        const VI state = hn::Load(di_, columns_.state.data() + i);
+        who = hn::And(who, asFloat(hn::Eq(state, hn::Set(di_, kWalking))));
+        arrive(i, who, columns_.y, map_.y, nextCell(at.y, columns_.y, i, moveY, jump));
+    }
+
+    HWY_INLINE void arrive(std::size_t i, MF who, WalkAxis& axis, const Grid& grid, VI next) {
+        VI last = hn::Load(di_, axis.last.data() + i);
+        MI beyond = hn::And(asInt(who), hn::Gt(next, last));
+        if (hn::AllFalse(di_, beyond)) return store(axis.n, i, who, next);
+        if constexpr (kAddress == Address::Repeat) {
+            const VI period = hn::Set(di_, grid.last + 1 - grid.low);
+            VI index = hn::Load(di_, columns_.index.data() + i);
+            const VI back = hn::Set(di_, grid.stride * (grid.last + 1 - grid.low));
+            while (!hn::AllFalse(di_, beyond)) {
+                last = hn::IfThenElse(beyond, hn::Add(last, period), last);
+                index = hn::IfThenElse(beyond, hn::Sub(index, back), index);
+                beyond = hn::And(asInt(who), hn::Gt(next, last));
+            }
+            hn::Store(index, di_, columns_.index.data() + i);
+            hn::Store(last, di_, axis.last.data() + i);
+        } else {
+            if constexpr (kAddress == Address::Border) end(i, asFloat(beyond), LaneEnd::Miss);
+            next = hn::IfThenElse(beyond, last, next);
+        }
+        store(axis.n, i, who, next);
+    }
+
+    // Whether the neighbour along one axis alone is surely above the surface until the corner is passed.
+    HWY_INLINE MF sideClear(std::size_t i, const Stay& at, bool alongX) const {
+        const Grid& grid = alongX ? map_.x : map_.y;
+        const Axis& axis = alongX ? at.x : at.y;
+        VI base = hn::Load(di_, columns_.index.data() + i);
+        const VI one = hn::Set(di_, 1);
+        VI n = hn::Add(axis.n, one);
+        const MI beyond = hn::Gt(n, axis.last);
+        if constexpr (kAddress == Address::Repeat) {
+            const VI back = hn::Set(di_, grid.stride * (grid.last + 1 - grid.low));
+            base = hn::IfThenElse(beyond, hn::Sub(base, back), base);
+        } else {
+            n = hn::IfThenElse(beyond, axis.n, n);
+        }
+        const VF own = depthOf(map_, alongX ? wordAt(map_, base, n, at.y.n) : wordAt(map_, base, at.x.n, n));
+        const MF clear = hn::Lt(hn::Add(at.out, hn::Add(at.tie, at.tie)), own);
+        if constexpr (kAddress == Address::Clamp) return hn::Or(clear, asFloat(beyond));
+        if constexpr (kAddress == Address::Border) return hn::AndNot(asFloat(beyond), clear);
+        return clear;
+    }
+
+    HWY_INLINE VI realCell(const Grid& grid, VI cell) const {
+        return grid.mirrored ? hn::Sub(hn::Set(di_, scene_.mirror - 1), cell) : cell;
+    }
+    HWY_INLINE VI realCell(const Grid& grid, const Axis& axis) const {
+        return realCell(grid, hn::Add(axis.n, hn::Sub(hn::Set(di_, grid.last), axis.last)));
+    }
+
+    // Cells whose highest point the ray goes below: is the surface itself below it? Of all that wait for it.
+    void leavesOfAll() {
+        const Map map = map_;
+        WalkColumns& columns = columns_;
+        std::size_t on = 0;
+        waiting_ = 0;
+        for (std::size_t i = 0, end = used_; i < end; i += kLanes) on += leaves(map, columns, i);
+        walking_ += on;
+    }
+
+    // Returns how many walk on.
+    HWY_INLINE std::size_t leaves(const Map& map, WalkColumns& columns, std::size_t i) {
+        const DF df;
+        const DI di;
+        const VI state = hn::Load(di, columns.state.data() + i);
+        const MI whoI = hn::Eq(state, hn::Set(di, kAtLeaf));
+        const MF who = asFloat(whoI);
+        const Stay at = stay(map, columns, i);
+        const VI realX = realCell(map.x, at.x), realY = realCell(map.y, at.y);
+        MF below;
+        if constexpr (kSurface == Surface::Columns) {
+            below = columnBelow(scene_, realX, realY, at.out, at.tie);
+        } else {
+            const VF nx = hn::ConvertTo(df, at.x.n), ny = hn::ConvertTo(df, at.y.n);
+            VF in = hn::Max(hn::MulAdd(nx, at.x.inverse, at.x.base), hn::MulAdd(ny, at.y.inverse, at.y.base));
+            in = hn::Min(hn::Max(hn::Sub(in, at.tie), hn::Zero(df)), at.out);
+            below = patchBelow<kAddress>(scene_, whoI, at.x, at.y, realX, realY, nx, ny, in, at.out, at.tie);
+        }
+        const MF on = hn::And(below, who);
+        const VI after = hn::IfThenElse(asInt(on), hn::Set(di, kWalking), hn::Set(di, kEnded));
+        hn::Store(hn::IfThenElse(whoI, after, state), di, columns.state.data() + i);
+        noteMet(i, asInt(hn::AndNot(below, who)), realX, realY, at.x.n, at.y.n);
+        moveOn(columns, i, at, on, at.out);
+        return hn::CountTrue(df, on);
+    }
+
+    HWY_INLINE void noteMet(std::size_t i, MI met, VI realX, VI realY, VI nx, VI ny) {
+        const VI slots = hn::Load(di_, columns_.slot.data() + i);
+        const auto first = static_cast<std::size_t>(columns_.slot[i]);
+        if (hn::AllTrue(di_, hn::Eq(slots, hn::Iota(di_, columns_.slot[i])))) {
+            // As they were taken.
+            hn::BlendedStore(realX, met, di_, rays_.x.hitCell.data() + first);
+            hn::BlendedStore(realY, met, di_, rays_.y.hitCell.data() + first);
+            hn::BlendedStore(nx, met, di_, rays_.x.hitPlace.data() + first);
+            hn::BlendedStore(ny, met, di_, rays_.y.hitPlace.data() + first);
+        } else if (!hn::AllFalse(di_, met)) {
+            noteCandidates(rays_, met, slots, realX, realY, nx, ny);
+        }
+    }
+
+    HWY_INLINE void end(std::size_t i, MF who, LaneEnd how) {
+        if (hn::AllFalse(df_, who)) return;
+        walking_ -= hn::CountTrue(df_, who);
+        store(columns_.state, i, who, hn::Set(di_, kEnded));
+        noteEnd(rays_, asInt(who), hn::Load(di_, columns_.slot.data() + i), how);
+    }
+
+    const DF df_{};
+    const DI di_{};
+    const LaneScene& scene_;
+    LaneRays& rays_;
+    WalkColumns& columns_;
+    Map map_;
+    std::size_t next_, end_;
+    std::size_t used_ = 0;                  // slots, ended rays included
+    std::size_t walking_ = 0, waiting_ = 0;  // rays
+};
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
