@@ -64,7 +64,7 @@ class ConeTracer {
         if (options.sectors != 1 || parsePrecision(options.precision) != Precision::Float) return tracer;
         if (tracer.map_->fromFile) return tracer;
         tracer.packed_ = packedCones(field, cache, work);
-        tracer.scene_ = LaneScene(field, tracer.packed_->highest, std::max(tracer.grid_.x.cells, tracer.grid_.y.cells));
+        tracer.scene_ = LaneScene(field, *tracer.packed_);
         return tracer;
     }
     void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {

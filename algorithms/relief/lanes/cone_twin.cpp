@@ -9,7 +9,7 @@
 namespace relief {
 
 ConeTwin::ConeTwin(const HeightField& field, std::shared_ptr<const PackedCones> cones)
-    : cones_(std::move(cones)), scene_(field, cones_->highest, std::max(cones_->nx, cones_->ny)) {}
+    : cones_(std::move(cones)), scene_(field, *cones_) {}
 
 void ConeTwin::trace(const RayBlock& rays, HitBlock& hits, const Tracer& method, Work& work) const {
     assert(method.guarantee() == Guarantee::Exact && method.baseLevel() == 0);

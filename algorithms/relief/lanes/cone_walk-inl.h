@@ -124,7 +124,8 @@ class ConeKernel {
         const MI starting = hn::And(hn::FirstN(di_, count), hn::Eq(ends, hn::Zero(di_)));
         const VI cellX = takeAxis(map_.x, rays_.x, columns_.x, starting, from, to);
         const VI cellY = takeAxis(map_.y, rays_.y, columns_.y, starting, from, to);
-        const VI index = hn::Add(hn::Mul(realCell(map_.y, cellY), hn::Set(di_, std::abs(map_.y.stride))), realCell(map_.x, cellX));
+        const VI index =
+            hn::Add(hn::Mul(realCell(map_.y, cellY), hn::Set(di_, std::abs(map_.y.stride))), realCell(map_.x, cellX));
         hn::StoreU(index, di_, columns_.index.data() + to);
         VF rim = hn::Set(df_, 1.0F);
         if constexpr (kAddress == Address::Border) {
@@ -143,8 +144,8 @@ class ConeKernel {
     }
 
     // Returns the cell at n = 0, mirrored.
-    HWY_INLINE VI takeAxis(const Grid& grid, const LaneAxisRays& rays, WalkAxis& out, MI starting,
-                           std::size_t from, std::size_t to) const {
+    HWY_INLINE VI takeAxis(const Grid& grid, const LaneAxisRays& rays, WalkAxis& out, MI starting, std::size_t from,
+                           std::size_t to) const {
         // Rays that are not walked: in a cell of the map, for words are read with those of their vector.
         const VI low = hn::Set(di_, grid.low);
         const VI cell = hn::IfThenElse(starting, hn::LoadU(di_, rays.cell.data() + from), low);
@@ -391,7 +392,7 @@ class ConeKernel {
             const VF nx = hn::ConvertTo(df, at.x.n), ny = hn::ConvertTo(df, at.y.n);
             VF in = hn::Max(hn::MulAdd(nx, at.x.inverse, at.x.base), hn::MulAdd(ny, at.y.inverse, at.y.base));
             in = hn::Min(hn::Max(hn::Sub(in, at.tie), hn::Zero(df)), at.out);
-            below = patchBelow<kAddress>(scene_, whoI, at.x, at.y, realX, realY, nx, ny, in, at.out, at.tie);
+            below = patchBelow(patchAt<kAddress>(scene_, whoI, realX, realY), at.x, at.y, nx, ny, in, at.out, at.tie);
         }
         const MF on = hn::And(below, who);
         const VI after = hn::IfThenElse(asInt(on), hn::Set(di, kWalking), hn::Set(di, kEnded));
@@ -429,7 +430,7 @@ class ConeKernel {
     WalkColumns& columns_;
     Map map_;
     std::size_t next_, end_;
-    std::size_t used_ = 0;                  // slots, ended rays included
+    std::size_t used_ = 0;                   // slots, ended rays included
     std::size_t walking_ = 0, waiting_ = 0;  // rays
 };
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "relief/cell_grid.h"
+#include "relief/maps/packed_cones.h"
 #include "relief/step_log.h"
 
 namespace relief {
@@ -56,6 +57,9 @@ struct LaneRays {
 struct LaneScene {
     const float* heights = nullptr;
     std::int32_t stride = 0;
+    const float* nodes =
+        nullptr;  // the four of a cell in one place (PackedCones); null: they are read from the heights
+    std::int32_t nodeStride = 0;
     CellGrid grid;
     Surface surface{};
     Address address{};
@@ -73,6 +77,12 @@ struct LaneScene {
         // Above the rounding of places (2^-30 of a cell) over the least run that lanes take when they begin lower down.
         constexpr double kStartSlack = 0x1p-12;
         start = std::max(0.0, 1 - highest - kStartSlack);
+    }
+    LaneScene(const HeightField& field, const PackedCones& cones)
+        : LaneScene(field, cones.highest, std::max(cones.nx, cones.ny)) {
+        if (cones.nodes.empty()) return;
+        nodes = cones.nodes.data();
+        nodeStride = cones.nx + 1;
     }
 };
 

@@ -259,30 +259,90 @@ HWY_INLINE void gatherPairs(const float* from, VI index, VF& first, VF& second) 
 #endif
 }
 
-// Whether the bilinear surface is surely below the ray all along its stay in cell (realX, realY), which lasts from
-// before `in` to after `out`; nx, ny are the cell's distances n. Of the lanes of `who`; the others' cells are of the map.
+// Heights of a cell's nodes, (i0, j0), (i1, j0), (i0, j1), (i1, j1).
+struct Patch {
+    VF h00, h10, h01, h11;
+};
+
+#if HWY_TARGET != HWY_SCALAR
+// Four floats for each of N lanes from the k-th on, four apart: a quarter of the vector each.
+template <std::size_t N>
+HWY_INLINE auto quarters(const float* HWY_RESTRICT from, const std::int32_t* HWY_RESTRICT pair, std::size_t k) {
+    const hn::CappedTag<float, N> d;
+    if constexpr (N > 4) {
+        const auto low = quarters<N / 2>(from, pair, k);
+        const auto high = quarters<N / 2>(from, pair, k + N / 2);
+        return hn::Combine(d, high, low);
+    } else {
+        return hn::LoadU(d, from + 2 * static_cast<std::ptrdiff_t>(pair[k]));
+    }
+}
+#endif
+
+// The four from nodes[2 pair] on, of as many lanes as d has: h00, h01, h10, h11.
+template <class D4>
+HWY_INLINE auto nodesAt(D4 d, const float* HWY_RESTRICT nodes, const std::int32_t* HWY_RESTRICT pair) {
+    using V = hn::Vec<D4>;
+    constexpr std::size_t kCount = hn::MaxLanes(D4());
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (kCount >= 4) {
+        // A transposition within quarters puts lane k's in lane k.
+        const V r0 = quarters<kCount>(nodes, pair, 0), r1 = quarters<kCount>(nodes, pair, 1);
+        const V r2 = quarters<kCount>(nodes, pair, 2), r3 = quarters<kCount>(nodes, pair, 3);
+        const V even0 = hn::InterleaveLower(d, r0, r2), odd0 = hn::InterleaveLower(d, r1, r3);
+        const V even1 = hn::InterleaveUpper(d, r0, r2), odd1 = hn::InterleaveUpper(d, r1, r3);
+        return std::array<V, 4>{hn::InterleaveLower(d, even0, odd0), hn::InterleaveUpper(d, even0, odd0),
+                                hn::InterleaveLower(d, even1, odd1), hn::InterleaveUpper(d, even1, odd1)};
+    }
+#endif
+    if constexpr (kCount < 4) {
+        HWY_ALIGN float columns[4][kCount];
+        for (std::size_t k = 0; k < kCount; ++k) {
+            for (std::size_t c = 0; c < 4; ++c)
+                columns[c][k] = nodes[2 * static_cast<std::ptrdiff_t>(pair[k]) + static_cast<std::ptrdiff_t>(c)];
+        }
+        return std::array<V, 4>{hn::LoadU(d, columns[0]), hn::LoadU(d, columns[1]), hn::LoadU(d, columns[2]),
+                                hn::LoadU(d, columns[3])};
+    }
+}
+
+// Of the lanes of `who`; the others' cells are of the map.
 template <Address kAddress>
-HWY_INLINE MF patchBelow(const LaneScene& scene, MI who, const LaneAxisState& x, const LaneAxisState& y, VI realX, VI realY,
-                         VF nx, VF ny, VF in, VF out, VF tie) {
+HWY_INLINE Patch patchAt(const LaneScene& scene, MI who, VI realX, VI realY) {
     const DF d;
     const DI di;
+    if (scene.nodes != nullptr) {
+        HWY_ALIGN std::int32_t pair[kLanes];
+        hn::Store(hn::Add(hn::Mul(realY, hn::Set(di, scene.nodeStride)), realX), di, pair);
+        const auto h = nodesAt(d, scene.nodes, pair);
+        return {h[0], h[2], h[1], h[3]};
+    }
     VI i0, i1, j0, j1;
     cellNodes<kAddress>(scene.grid.x, realX, i0, i1);
     cellNodes<kAddress>(scene.grid.y, realY, j0, j1);
     const VI stride = hn::Set(di, scene.stride);
     const VI row0 = hn::Mul(j0, stride);
     const VI row1 = hn::Mul(j1, stride);
-    VF h00, h10, h01, h11;
+    Patch out;
     const VI next = hn::Add(i0, hn::Set(di, 1));
     if (HWY_LIKELY(hn::AllTrue(di, hn::Or(hn::Not(who), hn::Eq(i1, next))))) {
-        gatherPairs(scene.heights, hn::Add(row0, i0), h00, h10);
-        gatherPairs(scene.heights, hn::Add(row1, i0), h01, h11);
+        gatherPairs(scene.heights, hn::Add(row0, i0), out.h00, out.h10);
+        gatherPairs(scene.heights, hn::Add(row1, i0), out.h01, out.h11);
     } else {
-        h00 = hn::GatherIndex(d, scene.heights, hn::Add(row0, i0));
-        h10 = hn::GatherIndex(d, scene.heights, hn::Add(row0, i1));
-        h01 = hn::GatherIndex(d, scene.heights, hn::Add(row1, i0));
-        h11 = hn::GatherIndex(d, scene.heights, hn::Add(row1, i1));
+        out.h00 = hn::GatherIndex(d, scene.heights, hn::Add(row0, i0));
+        out.h10 = hn::GatherIndex(d, scene.heights, hn::Add(row0, i1));
+        out.h01 = hn::GatherIndex(d, scene.heights, hn::Add(row1, i0));
+        out.h11 = hn::GatherIndex(d, scene.heights, hn::Add(row1, i1));
     }
+    return out;
+}
+
+// Whether the bilinear surface is surely below the ray all along its stay in the patch's cell, which lasts from
+// before `in` to after `out`; nx, ny are the cell's distances n.
+HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneAxisState& y, VF nx, VF ny, VF in,
+                         VF out, VF tie) {
+    const DF d;
+    const auto [h00, h10, h01, h11] = patch;
     const VF zero = hn::Zero(d), one = hn::Set(d, 1.0F);
     const auto within = [&](const LaneAxisState& axis, VF n, VF lambda) {
         const VF along = hn::MulSub(hn::Sub(lambda, axis.base), axis.run, n);
@@ -299,8 +359,9 @@ HWY_INLINE MF patchBelow(const LaneScene& scene, MI who, const LaneAxisState& x,
     const VF slope = hn::Sub(hn::Sub(fOut, fIn), c);
     const MF arched =
         hn::And(hn::Lt(c, zero), hn::And(hn::Gt(slope, zero), hn::Lt(slope, hn::Mul(hn::Set(d, -2.0F), c))));
-    const VF vertex =
-        hn::Sub(fIn, hn::Div(hn::Mul(slope, slope), hn::Mul(hn::Set(d, 4.0F), hn::IfThenElse(arched, c, one))));
+    // A little too high: the reciprocal is approximate.
+    const VF share = hn::Mul(slope, hn::ApproximateReciprocal(hn::IfThenElse(arched, c, one)));
+    const VF vertex = hn::NegMulAdd(hn::Mul(slope, hn::Set(d, 0.25F * (1 + 0x1p-10F))), share, fIn);
     const VF highest = hn::Max(hn::Max(fIn, fOut), hn::IfThenElse(arched, vertex, fIn));
     // Places are off by twice the crossing margin times the run at most, heights by as much of the cell's slopes.
     const VF slopeX = hn::Max(hn::Abs(alongTop), hn::Abs(alongBottom));
@@ -442,15 +503,23 @@ HWY_INLINE MD exactLeaf(const LaneScene& scene, const ExactAxis& x, const ExactA
                 after = hn::Min(cell, hn::Set(d, axis.texels - 1.0));
             }
         };
-        VD i0, i1, j0, j1;
-        nodes(scene.grid.x, x.index, i0, i1);
-        nodes(scene.grid.y, y.index, j0, j1);
         VD h00, h10, h01, h11;
-        if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(i1, hn::Add(i0, one))))) {
-            heightPairs(scene, i0, j0, h00, h10);
-            heightPairs(scene, i0, j1, h01, h11);
+        if (scene.nodes != nullptr) {
+            HWY_ALIGN std::int32_t pair[kHalfLanes];
+            hn::Store(hn::DemoteTo(di, hn::Add(hn::Mul(y.index, hn::Set(d, scene.nodeStride)), x.index)), di, pair);
+            const auto h = nodesAt(df, scene.nodes, pair);
+            h00 = hn::PromoteTo(d, h[0]), h01 = hn::PromoteTo(d, h[1]);
+            h10 = hn::PromoteTo(d, h[2]), h11 = hn::PromoteTo(d, h[3]);
         } else {
-            h00 = height(i0, j0), h10 = height(i1, j0), h01 = height(i0, j1), h11 = height(i1, j1);
+            VD i0, i1, j0, j1;
+            nodes(scene.grid.x, x.index, i0, i1);
+            nodes(scene.grid.y, y.index, j0, j1);
+            if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(i1, hn::Add(i0, one))))) {
+                heightPairs(scene, i0, j0, h00, h10);
+                heightPairs(scene, i0, j1, h01, h11);
+            } else {
+                h00 = height(i0, j0), h10 = height(i1, j0), h01 = height(i0, j1), h11 = height(i1, j1);
+            }
         }
         const auto within = [&](const ExactAxis& axis, VD at) {
             const VD place = hn::Add(axis.start, hn::Mul(at, axis.run));

@@ -314,7 +314,8 @@ class PyramidKernel {
         const VF ny = hn::ConvertTo(df_, hn::Add(state.y.k, state.y.offset));
         VF in = hn::Max(hn::MulAdd(nx, state.x.inverse, state.x.base), hn::MulAdd(ny, state.y.inverse, state.y.base));
         in = hn::Min(hn::Max(hn::Sub(in, state.tie), hn::Zero(df_)), out);
-        const MF below = patchBelow<kAddress>(scene_, whoI, state.x, state.y, cellX, cellY, nx, ny, in, out, state.tie);
+        const MF below =
+            patchBelow(patchAt<kAddress>(scene_, whoI, cellX, cellY), state.x, state.y, nx, ny, in, out, state.tie);
         const MF candidates = hn::AndNot(below, who);
         finishCandidates(state, candidates);
         const MF on = hn::And(below, who);

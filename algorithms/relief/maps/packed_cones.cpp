@@ -291,6 +291,26 @@ DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work)
     return depths;
 }
 
+// Row after row of cells: pairs of nodes, the one before the row's cells and the one after.
+std::vector<float> nodesOf(const HeightField& field, const PackedCones& map, Work& work) {
+    const CellGrid grid(field);
+    const FloatImage& heights = *field.sharedHeights();
+    const std::size_t pairs = place(map.nx) + 1;
+    std::vector<float> nodes(2 * pairs * place(map.ny));
+    work.arena().execute([&] {
+        tbb::parallel_for(0, map.ny, [&](int cy) {
+            const auto before = heights.row(grid.y.nodeBefore(cy)), after = heights.row(grid.y.nodeAfter(cy));
+            float* to = nodes.data() + 2 * pairs * place(cy);
+            for (int cx = 0; cx <= map.nx; ++cx) {
+                const int i = cx < map.nx ? grid.x.nodeBefore(cx) : grid.x.nodeAfter(map.nx - 1);
+                *to++ = before[place(i)];
+                *to++ = after[place(i)];
+            }
+        });
+    });
+    return nodes;
+}
+
 }  // namespace
 
 PackedCones buildPackedCones(const HeightField& field, Work& work) {
@@ -309,6 +329,7 @@ PackedCones buildPackedCones(const HeightField& field, Work& work) {
         QuadrantCones cones(cells, depths, map, field.address() == Address::Repeat, static_cast<int>(quadrant));
         cones.build(map.words[quadrant], work);
     }
+    if (field.surface() == Surface::Bilinear) map.nodes = nodesOf(field, map, work);
     return map;
 }
 
@@ -318,7 +339,7 @@ std::shared_ptr<const PackedCones> packedCones(const HeightField& field, MapCach
     kind += field.address() == Address::Repeat ? "/repeat" : "/clamped";
     const CellGrid grid(field);
     const std::size_t cells = static_cast<std::size_t>(grid.x.cells) * static_cast<std::size_t>(grid.y.cells);
-    checkMapMemory("packed-cones", 4 * cells * sizeof(std::uint32_t), cache);
+    checkMapMemory("packed-cones", 4 * cells * sizeof(std::uint32_t) + 2 * cells * sizeof(float), cache);
     return cache.get<PackedCones>({kind, field.sharedHeights()}, work,
                                   [&](Work& w) { return buildPackedCones(field, w); });
 }

@@ -45,12 +45,15 @@ struct PackedCones {
     double unit = 0;  // height = highest - depth * unit: at or above the true one; 0 if the relief is flat
     // By quadrant: bit 0 the run in x is negative, bit 1 that in y (a run of 0 is not); row by row.
     std::array<std::vector<std::uint32_t>, 4> words;
+    // Bilinear surfaces: the heights of a cell's nodes in one place, (i0, j0), (i0, j1), (i1, j0), (i1, j1) from
+    // 2 (cy (nx + 1) + cx) on; the nodes that it shares with the next cell of its row are stored once.
+    std::vector<float> nodes;
 
     std::size_t index(int cx, int cy) const {
         return static_cast<std::size_t>(cy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(cx);
     }
     double heightAt(std::uint32_t depth) const { return highest - depth * unit; }
-    std::size_t bytes() const { return 4 * words[0].size() * sizeof(std::uint32_t); }
+    std::size_t bytes() const { return 4 * words[0].size() * sizeof(std::uint32_t) + nodes.size() * sizeof(float); }
 };
 
 // From the cache, or built in parallel, with progress; throws Cancelled, InputError beyond the cache's memory.
