@@ -67,38 +67,51 @@ class BeamWalk {
           mirroredX_((quadrant & 1U) != 0),
           mirroredY_((quadrant & 2U) != 0) {}
 
-    // Lambda up to which none of the rays of each beam meets anything; begins at `lambda`.
-    VD lead(const BeamAxis& x, const BeamAxis& y, std::size_t g, VD lambda) const {
+    // lambda, for each of `groups` beams (filled up to whole vectors): up to there none of its rays meets anything. All
+    // beams take a step, one vector after the other: their reads do not wait for each other.
+    void lead(const BeamAxis& x, const BeamAxis& y, std::size_t groups, double* lambda) const {
+        std::array<bool, kChunkGroups> on{};
+        std::fill_n(on.begin(), groups, true);
+        bool any = true;
+        for (int n = 0; n < kMostLeads && any; ++n) {
+            any = false;
+            for (std::size_t g = 0; g < groups; g += kHalfLanes) {
+                if (on[g]) any |= on[g] = leadOn(x, y, g, lambda + g);
+            }
+        }
+    }
+
+  private:
+    // A step of a vector of beams; whether one of them gained anything. One that did not never will.
+    HWY_INLINE bool leadOn(const BeamAxis& x, const BeamAxis& y, std::size_t g, double* to) const {
         const DD d;
         const auto load = [&](const std::array<double, kChunkGroups>& from) { return hn::Load(d, from.data() + g); };
+        const VD lambda = hn::Load(d, to);
         const VD lowX = load(x.low), highX = load(x.high), slowX = load(x.slowest), fastX = load(x.fastest);
         const VD lowY = load(y.low), highY = load(y.high), slowY = load(y.slowest), fastY = load(y.fastest);
         const VD fastest = hn::Max(fastX, fastY);
         const VD one = hn::Set(d, 1.0);
         const VD widest = hn::Set(d, kWidestBeam), far = hn::Set(d, kLaneRun);
-        MD walking = hn::And(
+        const MD fit = hn::And(
             hn::And(hn::Lt(hn::Sub(highX, lowX), widest), hn::Lt(hn::Sub(highY, lowY), widest)),
             hn::And(hn::Lt(fastest, far), hn::Lt(hn::Max(hn::Abs(lowX), hn::Abs(lowY)), hn::Set(d, kLanePlaces))));
-        for (int n = 0; n < kMostLeads && !hn::AllFalse(d, walking); ++n) {
-            const VD cellX = hn::Floor(hn::Add(lowX, hn::Mul(lambda, slowX)));
-            const VD cellY = hn::Floor(hn::Add(lowY, hn::Mul(lambda, slowY)));
-            const auto word = wordAt(walking, cellX, cellY);
-            const VD kappa = hn::PromoteTo(d, hn::BitCast(DHF(), word));
-            const auto bits = hn::And(hn::ShiftRight<10>(word), hn::Set(DHI(), static_cast<std::int32_t>(kConeDepths)));
-            const VD apex = hn::Add(hn::Set(d, top_), hn::Mul(hn::PromoteTo(d, bits), hn::Set(d, unit_)));
-            const auto beyond = [&](VD high, VD fast, VD cell) {
-                return hn::Sub(hn::Add(high, hn::Mul(lambda, fast)), hn::Add(cell, one));
-            };
-            const VD gap = hn::Max(hn::Max(beyond(highX, fastX, cellX), beyond(highY, fastY, cellY)), hn::Zero(d));
-            const VD gain =
-                hn::Div(hn::Sub(hn::Sub(apex, lambda), hn::Mul(kappa, gap)), hn::Add(one, hn::Mul(kappa, fastest)));
-            walking = hn::And(walking, hn::Gt(hn::Mul(gain, fastest), hn::Set(d, kLeastLead)));
-            lambda = hn::IfThenElse(walking, hn::Add(lambda, gain), lambda);
-        }
-        return lambda;
+        const VD cellX = hn::Floor(hn::Add(lowX, hn::Mul(lambda, slowX)));
+        const VD cellY = hn::Floor(hn::Add(lowY, hn::Mul(lambda, slowY)));
+        const auto word = wordAt(fit, cellX, cellY);
+        const VD kappa = hn::PromoteTo(d, hn::BitCast(DHF(), word));
+        const auto bits = hn::And(hn::ShiftRight<10>(word), hn::Set(DHI(), static_cast<std::int32_t>(kConeDepths)));
+        const VD apex = hn::Add(hn::Set(d, top_), hn::Mul(hn::PromoteTo(d, bits), hn::Set(d, unit_)));
+        const auto beyond = [&](VD high, VD fast, VD cell) {
+            return hn::Sub(hn::Add(high, hn::Mul(lambda, fast)), hn::Add(cell, one));
+        };
+        const VD gap = hn::Max(hn::Max(beyond(highX, fastX, cellX), beyond(highY, fastY, cellY)), hn::Zero(d));
+        const VD gain =
+            hn::Div(hn::Sub(hn::Sub(apex, lambda), hn::Mul(kappa, gap)), hn::Add(one, hn::Mul(kappa, fastest)));
+        const MD on = hn::And(fit, hn::Gt(hn::Mul(gain, fastest), hn::Set(d, kLeastLead)));
+        hn::Store(hn::IfThenElse(on, hn::Add(lambda, gain), lambda), d, to);
+        return !hn::AllFalse(d, on);
     }
 
-  private:
     hn::Vec<DHI> wordAt(MD who, VD cellX, VD cellY) const {
         const DD d;
         const VD x = addressed(scene_.grid.x, mirroredX_, cellX), y = addressed(scene_.grid.y, mirroredY_, cellY);
@@ -138,7 +151,6 @@ inline void uniteBeams(const BeamAxis& groups, std::size_t begin, std::size_t en
 template <Address kAddress>
 void leadBeams(const LaneScene& scene, const PackedCones& cones, std::uint32_t quadrant, const double* const* columns,
                LaneRays& rays) {
-    const DD d;
     BeamAxis x, y;
     const std::size_t groups = rays.count / kLaneGroup;
     measureBeams(scene.grid.x, columns[0], columns[2], groups, (quadrant & 1U) != 0, x);
@@ -151,24 +163,20 @@ void leadBeams(const LaneScene& scene, const PackedCones& cones, std::uint32_t q
     // Squares, all in one vector.
     BeamAxis squaresX, squaresY;
     const std::size_t squares = (groups + kBeamGroups - 1) / kBeamGroups;
-    for (std::size_t s = 0; s < hwy::RoundUpTo(squares, kHalfLanes); ++s) {
-        const std::size_t begin = std::min(s, squares - 1) * kBeamGroups;
-        const std::size_t end = std::min(begin + kBeamGroups, groups);
+    for (std::size_t s = 0; s < squares; ++s) {
+        const std::size_t begin = s * kBeamGroups, end = std::min(begin + kBeamGroups, groups);
         uniteBeams(x, begin, end, s, squaresX), uniteBeams(y, begin, end, s, squaresY);
     }
-    for (std::size_t s = 0; s < squares; s += kHalfLanes) {
-        alignas(64) std::array<double, kHalfLanes> led;
-        hn::Store(walk.lead(squaresX, squaresY, s, hn::Set(d, scene.start)), d, led.data());
-        for (std::size_t n = 0; n < kHalfLanes && s + n < squares; ++n) {
-            const auto first = starts.begin() + static_cast<std::ptrdiff_t>((s + n) * kBeamGroups);
-            std::fill_n(first, std::min(kBeamGroups, kChunkGroups - (s + n) * kBeamGroups), led[n]);
-        }
+    for (std::size_t s = squares; s < hwy::RoundUpTo(squares, kHalfLanes); ++s) {
+        uniteBeams(squaresX, 0, 1, s, squaresX), uniteBeams(squaresY, 0, 1, s, squaresY);
     }
-    for (std::size_t g = 0; g < groups; g += kHalfLanes) {
-        const VD led = walk.lead(x, y, g, hn::Load(d, starts.data() + g));
-        const VD start = hn::Max(hn::Sub(led, hn::Set(d, kLeadSlack)), hn::Set(d, scene.start));
-        hn::Store(start, d, starts.data() + g);
+    walk.lead(squaresX, squaresY, squares, starts.data());
+    for (std::size_t s = squares; s-- > 0;) {
+        const auto first = starts.begin() + static_cast<std::ptrdiff_t>(s * kBeamGroups);
+        std::fill_n(first, std::min(kBeamGroups, kChunkGroups - s * kBeamGroups), starts[s]);
     }
+    walk.lead(x, y, groups, starts.data());
+    for (double& start : starts) start = std::max(start - kLeadSlack, scene.start);
     for (std::size_t g = 0; g < groups; ++g) rays.start[g] = starts[g];
 }
 

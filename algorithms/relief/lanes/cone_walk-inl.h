@@ -9,6 +9,8 @@
 #define RELIEF_CONE_WALK_INL_H
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "relief/lanes/lane_trace-inl.h"
 #include "relief/maps/packed_cones.h"
 
@@ -19,6 +21,8 @@ namespace relief::HWY_NAMESPACE {
 inline constexpr std::size_t kWalkSlots = 256;
 // Jumps end this part of a cell early, and by the rounding of places: the cell that is found is not too far on.
 inline constexpr float kShorterJump = 1e-3F;
+// Words of a quadrant that are more than the second cache holds.
+inline constexpr std::size_t kLargeMap = 1U << 18U;
 // No crossing: beyond all.
 inline constexpr float kNever = 1e30F;
 
@@ -33,7 +37,7 @@ struct WalkAxis {
 };
 struct WalkColumns {
     WalkAxis x, y;
-    alignas(64) WalkColumn<std::int32_t> index;  // of the word, were n 0
+    alignas(64) WalkColumn<std::int32_t> index;  // of the cell's word
     alignas(64) WalkColumn<float> rim;           // lambda at which the ray has left the map or is at the bottom
     alignas(64) WalkColumn<float> tie;
     alignas(64) WalkColumn<std::int32_t> slot;   // in LaneRays
@@ -57,6 +61,7 @@ class ConeKernel {
                std::size_t begin, std::size_t end, WalkColumns& columns)
         : scene_(scene), rays_(rays), columns_(columns), next_(begin), end_(end) {
         map_.words = reinterpret_cast<const std::int32_t*>(cones.words[quadrant].data());
+        map_.large = cones.words[quadrant].size() >= kLargeMap;
         map_.x = grid(scene.grid.x, (quadrant & 1U) != 0, 1);
         map_.y = grid(scene.grid.y, (quadrant & 2U) != 0, cones.nx);
         map_.unit = static_cast<float>(cones.unit);
@@ -94,6 +99,7 @@ class ConeKernel {
         const std::int32_t* words = nullptr;
         Grid x, y;
         float unit = 0, top = 0;
+        bool large = false;  // words are fetched before they are needed
     };
     struct Axis : LaneAxisState {
         VI n, next, last;
@@ -143,7 +149,7 @@ class ConeKernel {
         walking_ += hn::CountTrue(di_, starting);
     }
 
-    // Returns the cell at n = 0, mirrored.
+    // Returns the cell, mirrored.
     HWY_INLINE VI takeAxis(const Grid& grid, const LaneAxisRays& rays, WalkAxis& out, MI starting, std::size_t from,
                            std::size_t to) const {
         // Rays that are not walked: in a cell of the map, for words are read with those of their vector.
@@ -162,7 +168,7 @@ class ConeKernel {
         hn::StoreU(run, df_, out.run.data() + to);
         const VF shorter = hn::MulAdd(run, hn::Set(df_, 8 * kCrossingMargin), hn::Set(df_, kShorterJump + 0.5F));
         hn::StoreU(hn::MulAdd(base, run, shorter), df_, out.place.data() + to);
-        return start;
+        return cell;
     }
 
     // The rays in flight to the front, ended ones behind them.
@@ -211,11 +217,6 @@ class ConeKernel {
         return out;
     }
 
-    HWY_INLINE static VI wordAt(const Map& map, VI base, VI nx, VI ny) {
-        const DI di;
-        const VI along = map.x.mirrored ? hn::Sub(base, nx) : hn::Add(base, nx);
-        return hn::GatherIndex(di, map.words, hn::Add(along, hn::Mul(ny, hn::Set(di, map.y.stride))));
-    }
     HWY_INLINE static VF depthOf(const Map& map, VI bits) {
         const DF df;
         const DI di;
@@ -242,7 +243,7 @@ class ConeKernel {
         const MF walking = asFloat(hn::Eq(state, hn::Set(di, kWalking)));
         const Stay at = stay(map, columns, i);
         // Ended rays are within the map still: their words may be read.
-        const VI word = wordAt(map, hn::Load(di, columns.index.data() + i), at.x.n, at.y.n);
+        const VI word = hn::GatherIndex(di, map.words, hn::Load(di, columns.index.data() + i));
         const MF above = hn::Lt(at.out, depthOf(map, word));
         const MF leaf = hn::AndNot(above, walking);
         const MF on = hn::And(above, walking);
@@ -252,7 +253,8 @@ class ConeKernel {
         const VF steepness = hn::MulAdd(hn::BitCast(df, word), hn::Max(at.x.run, at.y.run), hn::Set(df, 1.0F));
         const VF share = hn::Mul(hn::ApproximateReciprocal(steepness), hn::Set(df, 1 - 0x1p-10F));
         const VF jump = hn::MulAdd(hn::Max(hn::Sub(apex, at.out), hn::Zero(df)), share, at.out);
-        moveOn(columns, i, at, on, jump);
+        moveOn(map, columns, i, at, on, jump);
+        if (map.large) prefetch(map, columns.index.data() + i);
         return hn::CountTrue(df, leaf);
     }
 
@@ -267,8 +269,12 @@ class ConeKernel {
         return hn::Max(hn::IfThenElse(asInt(move), axis.next, axis.n), whole);
     }
 
+    HWY_INLINE static void prefetch(const Map& map, const std::int32_t* index) {
+        for (std::size_t k = 0; k < kLanes; ++k) hwy::Prefetch(map.words + index[k]);
+    }
+
     // To the cell where the jump ends, the next one at least.
-    HWY_INLINE void moveOn(WalkColumns& columns, std::size_t i, const Stay& at, MF who, VF jump) {
+    HWY_INLINE void moveOn(const Map& map, WalkColumns& columns, std::size_t i, const Stay& at, MF who, VF jump) {
         const DF df;
         const DI di;
         const VI nextX = nextCell(at.x, columns.x, i, hn::Le(at.x.cross, at.y.cross), jump);
@@ -278,8 +284,15 @@ class ConeKernel {
         const MF beyond = asFloat(hn::Or(hn::Gt(nextX, at.x.last), hn::Gt(nextY, at.y.last)));
         const MF rare = hn::And(who, hn::Or(hn::Or(near, atRim), beyond));
         if (HWY_UNLIKELY(!hn::AllFalse(df, rare))) return moveWithCare(i, who, jump);
-        hn::Store(hn::IfThenElse(asInt(who), nextX, at.x.n), di, columns.x.n.data() + i);
-        hn::Store(hn::IfThenElse(asInt(who), nextY, at.y.n), di, columns.y.n.data() + i);
+        const MI whoI = asInt(who);
+        const VI along = hn::IfThenElseZero(whoI, hn::Sub(nextX, at.x.n));
+        const VI across = hn::IfThenElseZero(whoI, hn::Sub(nextY, at.y.n));
+        hn::Store(hn::Add(at.x.n, along), di, columns.x.n.data() + i);
+        hn::Store(hn::Add(at.y.n, across), di, columns.y.n.data() + i);
+        VI index = hn::Load(di, columns.index.data() + i);
+        index = map.x.mirrored ? hn::Sub(index, along) : hn::Add(index, along);
+        index = hn::Add(index, hn::Mul(across, hn::Set(di, map.y.stride)));
+        hn::Store(index, di, columns.index.data() + i);
     }
     HWY_INLINE void store(WalkColumn<std::int32_t>& column, std::size_t i, MF who, VI value) const {
         hn::BlendedStore(value, asInt(who), di_, column.data() + i);
@@ -303,56 +316,56 @@ class ConeKernel {
         }
         // Too near a corner to tell which neighbour comes first, and the jump does not pass it: both must be skipped.
         const MF both = hn::And(who, near);
-        const MF clear = hn::And(sideClear(i, at, true), sideClear(i, at, false));
+        const MF clear = hn::And(sideClear(i, at, both, true), sideClear(i, at, both, false));
         bad = hn::And(who, hn::Or(bad, hn::AndNot(clear, both)));
         end(i, bad, LaneEnd::Scalar);
         who = hn::AndNot(bad, who);
         const MF moveX = hn::Or(both, hn::Le(at.x.cross, at.y.cross));
         const MF moveY = hn::Or(both, hn::Le(at.y.cross, at.x.cross));
-        arrive(i, who, columns_.x, map_.x, nextCell(at.x, columns_.x, i, moveX, jump));
-        // An end on the other axis.
+        arrive(i, who, at.x, columns_.x, map_.x, nextCell(at.x, columns_.x, i, moveX, jump));
+        // Without those that have ended on the other axis.
         const VI state = hn::Load(di_, columns_.state.data() + i);
         who = hn::And(who, asFloat(hn::Eq(state, hn::Set(di_, kWalking))));
-        arrive(i, who, columns_.y, map_.y, nextCell(at.y, columns_.y, i, moveY, jump));
+        arrive(i, who, at.y, columns_.y, map_.y, nextCell(at.y, columns_.y, i, moveY, jump));
     }
 
-    HWY_INLINE void arrive(std::size_t i, MF who, WalkAxis& axis, const Grid& grid, VI next) {
-        VI last = hn::Load(di_, axis.last.data() + i);
-        MI beyond = hn::And(asInt(who), hn::Gt(next, last));
-        if (hn::AllFalse(di_, beyond)) return store(axis.n, i, who, next);
+    HWY_INLINE void arrive(std::size_t i, MF who, const Axis& axis, WalkAxis& column, const Grid& grid, VI next) {
+        const MI whoI = asInt(who);
+        VI last = axis.last;
+        MI beyond = hn::And(whoI, hn::Gt(next, last));
+        VI moved = hn::IfThenElseZero(whoI, hn::Sub(next, axis.n));
         if constexpr (kAddress == Address::Repeat) {
             const VI period = hn::Set(di_, grid.last + 1 - grid.low);
-            VI index = hn::Load(di_, columns_.index.data() + i);
-            const VI back = hn::Set(di_, grid.stride * (grid.last + 1 - grid.low));
+            VI back = hn::Zero(di_);
             while (!hn::AllFalse(di_, beyond)) {
                 last = hn::IfThenElse(beyond, hn::Add(last, period), last);
-                index = hn::IfThenElse(beyond, hn::Sub(index, back), index);
-                beyond = hn::And(asInt(who), hn::Gt(next, last));
+                back = hn::IfThenElse(beyond, hn::Add(back, period), back);
+                beyond = hn::And(whoI, hn::Gt(next, last));
             }
-            hn::Store(index, di_, columns_.index.data() + i);
-            hn::Store(last, di_, axis.last.data() + i);
+            hn::Store(last, di_, column.last.data() + i);
+            moveIndex(i, grid, hn::Sub(moved, back));
         } else {
             if constexpr (kAddress == Address::Border) end(i, asFloat(beyond), LaneEnd::Miss);
-            next = hn::IfThenElse(beyond, last, next);
+            moved = hn::IfThenElse(beyond, hn::Sub(last, axis.n), moved);
+            moveIndex(i, grid, moved);
         }
-        store(axis.n, i, who, next);
+        hn::Store(hn::Add(axis.n, moved), di_, column.n.data() + i);
+    }
+    HWY_INLINE void moveIndex(std::size_t i, const Grid& grid, VI cells) {
+        const VI index = hn::Load(di_, columns_.index.data() + i);
+        hn::Store(hn::Add(index, hn::Mul(cells, hn::Set(di_, grid.stride))), di_, columns_.index.data() + i);
     }
 
     // Whether the neighbour along one axis alone is surely above the surface until the corner is passed.
-    HWY_INLINE MF sideClear(std::size_t i, const Stay& at, bool alongX) const {
+    HWY_INLINE MF sideClear(std::size_t i, const Stay& at, MF who, bool alongX) const {
         const Grid& grid = alongX ? map_.x : map_.y;
         const Axis& axis = alongX ? at.x : at.y;
-        VI base = hn::Load(di_, columns_.index.data() + i);
-        const VI one = hn::Set(di_, 1);
-        VI n = hn::Add(axis.n, one);
-        const MI beyond = hn::Gt(n, axis.last);
-        if constexpr (kAddress == Address::Repeat) {
-            const VI back = hn::Set(di_, grid.stride * (grid.last + 1 - grid.low));
-            base = hn::IfThenElse(beyond, hn::Sub(base, back), base);
-        } else {
-            n = hn::IfThenElse(beyond, axis.n, n);
-        }
-        const VF own = depthOf(map_, alongX ? wordAt(map_, base, n, at.y.n) : wordAt(map_, base, at.x.n, n));
+        const MI beyond = hn::Eq(axis.n, axis.last);
+        std::int32_t ahead = 0;  // cells from the last one
+        if constexpr (kAddress == Address::Repeat) ahead = grid.low - grid.last;
+        const VI step = hn::IfThenElse(beyond, hn::Set(di_, ahead * grid.stride), hn::Set(di_, grid.stride));
+        const VI index = hn::Add(hn::Load(di_, columns_.index.data() + i), step);
+        const VF own = depthOf(map_, hn::GatherIndex(di_, map_.words, hn::IfThenElseZero(asInt(who), index)));
         const MF clear = hn::Lt(hn::Add(at.out, hn::Add(at.tie, at.tie)), own);
         if constexpr (kAddress == Address::Clamp) return hn::Or(clear, asFloat(beyond));
         if constexpr (kAddress == Address::Border) return hn::AndNot(asFloat(beyond), clear);
@@ -398,7 +411,7 @@ class ConeKernel {
         const VI after = hn::IfThenElse(asInt(on), hn::Set(di, kWalking), hn::Set(di, kEnded));
         hn::Store(hn::IfThenElse(whoI, after, state), di, columns.state.data() + i);
         noteMet(i, asInt(hn::AndNot(below, who)), realX, realY, at.x.n, at.y.n);
-        moveOn(columns, i, at, on, at.out);
+        moveOn(map, columns, i, at, on, at.out);
         return hn::CountTrue(df, on);
     }
 
