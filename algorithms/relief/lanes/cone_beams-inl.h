@@ -1,5 +1,5 @@
-// Beams: rays that begin together are led by one cone walk of their bounding box, as long as one cone stands clear of
-// all of them; first squares of 256, from there each group of 16. Compiled for each target.
+// Beams: rays that begin together, squares of 64, are led by one cone walk of their bounding box, as long as one cone
+// stands clear of all of them. Compiled for each target.
 //
 // All runs have the signs of the quadrant. At lambda the rays are within [low + lambda slowest, high + lambda fastest]
 // on both axes, and from then on in the quadrant of the cell that holds the lower corner. A ray that is g beyond this
@@ -18,8 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-inline constexpr std::size_t kBeamGroups = 16;  // of a square
-inline constexpr std::size_t kChunkGroups = kLaneChunk / kLaneGroup;
+inline constexpr std::size_t kBeamRays = 64;
+inline constexpr std::size_t kChunkBeams = kLaneChunk / kBeamRays;  // as many as a vector holds, or a few vectors
 // Boxes wider than this many texels are not led, and steps that lead on by less than this part of a texel are left to
 // the rays.
 inline constexpr double kWidestBeam = 64;
@@ -28,30 +28,33 @@ inline constexpr int kMostLeads = 24;
 // Of the rounding here, and of the start in lanes (LaneScene).
 inline constexpr double kLeadSlack = 0x1p-12;
 
-// One axis of beams, mirrored; one value a group, filled up to whole vectors.
+// One axis of beams, mirrored; one value a beam, filled up to whole vectors.
 struct BeamAxis {
-    alignas(64) std::array<double, kChunkGroups> low, high, slowest, fastest;
+    alignas(64) std::array<double, kChunkBeams> low, high, slowest, fastest;
 };
 
-inline void measureBeams(const GridAxis& axis, const double* origins, const double* runs, std::size_t groups,
+inline void measureBeams(const GridAxis& axis, const double* origins, const double* runs, std::size_t beams,
                          bool mirrored, BeamAxis& out) {
     const DD d;
-    const VD shift = hn::Set(d, axis.shift);
-    for (std::size_t g = 0; g < groups; ++g) {
-        VD low = hn::LoadU(d, origins + g * kLaneGroup), high = low;
-        VD slowest = hn::LoadU(d, runs + g * kLaneGroup), fastest = slowest;
-        for (std::size_t i = kHalfLanes; i < kLaneGroup; i += kHalfLanes) {
-            const VD s = hn::LoadU(d, origins + g * kLaneGroup + i), run = hn::LoadU(d, runs + g * kLaneGroup + i);
-            low = hn::Min(low, s), high = hn::Max(high, s);
-            slowest = hn::Min(slowest, run), fastest = hn::Max(fastest, run);
+    for (std::size_t n = 0; n < beams; ++n) {
+        const double* s = origins + n * kBeamRays;
+        const double* run = runs + n * kBeamRays;
+        VD low = hn::LoadU(d, s), high = low, slowest = hn::LoadU(d, run), fastest = slowest;
+        for (std::size_t i = kHalfLanes; i < kBeamRays; i += kHalfLanes) {
+            const VD si = hn::LoadU(d, s + i), runI = hn::LoadU(d, run + i);
+            low = hn::Min(low, si), high = hn::Max(high, si);
+            slowest = hn::Min(slowest, runI), fastest = hn::Max(fastest, runI);
         }
-        const double least = hn::GetLane(hn::Add(hn::MinOfLanes(d, low), shift));
-        const double most = hn::GetLane(hn::Add(hn::MaxOfLanes(d, high), shift));
+        const double least = hn::GetLane(hn::MinOfLanes(d, low)) + axis.shift;
+        const double most = hn::GetLane(hn::MaxOfLanes(d, high)) + axis.shift;
         const double back = hn::GetLane(hn::MinOfLanes(d, slowest)), forth = hn::GetLane(hn::MaxOfLanes(d, fastest));
-        out.low[g] = mirrored ? -most : least;
-        out.high[g] = mirrored ? -least : most;
-        out.slowest[g] = mirrored ? -forth : back;
-        out.fastest[g] = mirrored ? -back : forth;
+        out.low[n] = mirrored ? -most : least;
+        out.high[n] = mirrored ? -least : most;
+        out.slowest[n] = mirrored ? -forth : back;
+        out.fastest[n] = mirrored ? -back : forth;
+    }
+    for (auto* values : {&out.low, &out.high, &out.slowest, &out.fastest}) {
+        std::fill(values->begin() + static_cast<std::ptrdiff_t>(beams), values->end(), values->front());
     }
 }
 
@@ -67,15 +70,15 @@ class BeamWalk {
           mirroredX_((quadrant & 1U) != 0),
           mirroredY_((quadrant & 2U) != 0) {}
 
-    // lambda, for each of `groups` beams (filled up to whole vectors): up to there none of its rays meets anything. All
+    // lambda, for each of the beams (filled up to whole vectors): up to there none of its rays meets anything. All
     // beams take a step, one vector after the other: their reads do not wait for each other.
-    void lead(const BeamAxis& x, const BeamAxis& y, std::size_t groups, double* lambda) const {
-        std::array<bool, kChunkGroups> on{};
-        std::fill_n(on.begin(), groups, true);
+    void lead(const BeamAxis& x, const BeamAxis& y, std::size_t beams, double* lambda) const {
+        std::array<bool, kChunkBeams> on{};
+        std::fill_n(on.begin(), beams, true);
         bool any = true;
         for (int n = 0; n < kMostLeads && any; ++n) {
             any = false;
-            for (std::size_t g = 0; g < groups; g += kHalfLanes) {
+            for (std::size_t g = 0; g < beams; g += kHalfLanes) {
                 if (on[g]) any |= on[g] = leadOn(x, y, g, lambda + g);
             }
         }
@@ -85,7 +88,7 @@ class BeamWalk {
     // A step of a vector of beams; whether one of them gained anything. One that did not never will.
     HWY_INLINE bool leadOn(const BeamAxis& x, const BeamAxis& y, std::size_t g, double* to) const {
         const DD d;
-        const auto load = [&](const std::array<double, kChunkGroups>& from) { return hn::Load(d, from.data() + g); };
+        const auto load = [&](const std::array<double, kChunkBeams>& from) { return hn::Load(d, from.data() + g); };
         const VD lambda = hn::Load(d, to);
         const VD lowX = load(x.low), highX = load(x.high), slowX = load(x.slowest), fastX = load(x.fastest);
         const VD lowY = load(y.low), highY = load(y.high), slowY = load(y.slowest), fastY = load(y.fastest);
@@ -133,51 +136,22 @@ class BeamWalk {
     bool mirroredX_, mirroredY_;
 };
 
-// The bounding box of a square's groups, in the place of its first group.
-inline void uniteBeams(const BeamAxis& groups, std::size_t begin, std::size_t end, std::size_t at, BeamAxis& out) {
-    const auto from = [&](const std::array<double, kChunkGroups>& a) {
-        return a.begin() + static_cast<std::ptrdiff_t>(begin);
-    };
-    const auto to = [&](const std::array<double, kChunkGroups>& a) {
-        return a.begin() + static_cast<std::ptrdiff_t>(end);
-    };
-    out.low[at] = *std::min_element(from(groups.low), to(groups.low));
-    out.high[at] = *std::max_element(from(groups.high), to(groups.high));
-    out.slowest[at] = *std::min_element(from(groups.slowest), to(groups.slowest));
-    out.fastest[at] = *std::max_element(from(groups.fastest), to(groups.fastest));
-}
-
-// Where the rays' groups begin; rays that are not a whole group begin at the scene's start.
+// Where the rays' groups begin; rays that are not a whole beam begin at the scene's start.
 template <Address kAddress>
 void leadBeams(const LaneScene& scene, const PackedCones& cones, std::uint32_t quadrant, const double* const* columns,
                LaneRays& rays) {
     BeamAxis x, y;
-    const std::size_t groups = rays.count / kLaneGroup;
-    measureBeams(scene.grid.x, columns[0], columns[2], groups, (quadrant & 1U) != 0, x);
-    measureBeams(scene.grid.y, columns[1], columns[3], groups, (quadrant & 2U) != 0, y);
-    const std::size_t filled = hwy::RoundUpTo(groups, kHalfLanes);
-    for (std::size_t g = groups; g < filled; ++g) uniteBeams(x, 0, 1, g, x), uniteBeams(y, 0, 1, g, y);
-    const BeamWalk<kAddress> walk(scene, cones, quadrant);
-    alignas(64) std::array<double, kChunkGroups> starts;
+    const std::size_t beams = rays.count / kBeamRays;
+    measureBeams(scene.grid.x, columns[0], columns[2], beams, (quadrant & 1U) != 0, x);
+    measureBeams(scene.grid.y, columns[1], columns[3], beams, (quadrant & 2U) != 0, y);
+    alignas(64) std::array<double, kChunkBeams> starts;
     starts.fill(scene.start);
-    // Squares, all in one vector.
-    BeamAxis squaresX, squaresY;
-    const std::size_t squares = (groups + kBeamGroups - 1) / kBeamGroups;
-    for (std::size_t s = 0; s < squares; ++s) {
-        const std::size_t begin = s * kBeamGroups, end = std::min(begin + kBeamGroups, groups);
-        uniteBeams(x, begin, end, s, squaresX), uniteBeams(y, begin, end, s, squaresY);
+    BeamWalk<kAddress>(scene, cones, quadrant).lead(x, y, beams, starts.data());
+    constexpr std::size_t kGroups = kBeamRays / kLaneGroup;
+    for (std::size_t n = 0; n < beams; ++n) {
+        const auto first = rays.start.begin() + static_cast<std::ptrdiff_t>(n * kGroups);
+        std::fill_n(first, kGroups, std::max(starts[n] - kLeadSlack, scene.start));
     }
-    for (std::size_t s = squares; s < hwy::RoundUpTo(squares, kHalfLanes); ++s) {
-        uniteBeams(squaresX, 0, 1, s, squaresX), uniteBeams(squaresY, 0, 1, s, squaresY);
-    }
-    walk.lead(squaresX, squaresY, squares, starts.data());
-    for (std::size_t s = squares; s-- > 0;) {
-        const auto first = starts.begin() + static_cast<std::ptrdiff_t>(s * kBeamGroups);
-        std::fill_n(first, std::min(kBeamGroups, kChunkGroups - s * kBeamGroups), starts[s]);
-    }
-    walk.lead(x, y, groups, starts.data());
-    for (double& start : starts) start = std::max(start - kLeadSlack, scene.start);
-    for (std::size_t g = 0; g < groups; ++g) rays.start[g] = starts[g];
 }
 
 }  // namespace relief::HWY_NAMESPACE

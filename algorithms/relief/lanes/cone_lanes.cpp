@@ -20,7 +20,7 @@ void traceConesIn(const LaneScene& scene, const PackedCones& cones, const double
                   const std::size_t* quadrants, HitBlock& hits, std::size_t firstHit, LaneRays& scratch) {
     static thread_local WalkColumns walk;
     scratch.start.fill(scene.start);
-    if (scratch.count >= kLaneGroup) {
+    if (scratch.count >= kBeamRays) {
         for (std::uint32_t q = 0; q < 4; ++q) {
             if (quadrants[q + 1] - quadrants[q] == scratch.count)
                 leadBeams<kAddress>(scene, cones, q, columns, scratch);
