@@ -176,11 +176,11 @@ class ConeKernel {
         std::size_t to = 0;
         for (std::size_t i = 0; i < used_; i += kLanes) {
             const MI kept = hn::Ne(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kEnded));
+            const Packing packing(kept);
             columns_.all([&](auto& column) {
                 using T = typename std::remove_reference_t<decltype(column)>::value_type;
                 const hn::ScalableTag<T> d;
-                const auto v = hn::Load(d, column.data() + i);
-                hn::StoreU(hn::Compress(v, hn::RebindMask(d, kept)), d, column.data() + to);
+                hn::StoreU(packing(hn::Load(d, column.data() + i)), d, column.data() + to);
             });
             to += hn::CountTrue(di_, kept);
         }

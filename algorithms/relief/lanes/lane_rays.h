@@ -26,6 +26,18 @@ inline constexpr double kLanePlaces = 4194304;
 // Of n * inverse + base: products and sums of floats of at most 1 + inverse, four roundings, twice.
 inline constexpr float kCrossingMargin = 0x1p-21F;
 
+// The numbers of the bits that are set, in front, for all bytes: to pack lanes where vectors are of eight at most.
+inline constexpr auto kPackedLanes = [] {
+    std::array<std::array<std::uint8_t, 8>, 256> all{};
+    for (std::size_t bits = 0; bits < all.size(); ++bits) {
+        std::size_t count = 0;
+        for (std::uint8_t k = 0; k < 8; ++k) {
+            if ((bits >> k & 1U) != 0) all[bits][count++] = k;
+        }
+    }
+    return all;
+}();
+
 // What becomes of a ray in lanes.
 enum class LaneEnd : std::int32_t { Candidate, Miss, Scalar };
 

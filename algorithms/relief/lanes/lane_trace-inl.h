@@ -41,21 +41,54 @@ HWY_INLINE MI asInt(MF m) {
     return hn::RebindMask(DI(), m);
 }
 
+// The chosen lanes to the front, for several vectors: made once.
+#if HWY_TARGET <= HWY_AVX3 || HWY_TARGET == HWY_SCALAR
+struct Packing {
+    explicit Packing(MI chosen) : chosen_(chosen) {}
+    template <class V>
+    HWY_INLINE V operator()(V v) const {
+        return hn::Compress(v, hn::RebindMask(hn::DFromV<V>(), chosen_));
+    }
+
+  private:
+    MI chosen_;
+};
+#else
+// Not Compress: with g++ 12 it copies its table to the stack each time it is called.
+struct Packing {
+    explicit Packing(MI chosen) {
+        std::uint8_t bits[8];
+        hn::StoreMaskBits(DI(), chosen, bits);
+        const hn::Rebind<std::uint8_t, DI> bytes;
+        indices_ = hn::PromoteTo(DI(), hn::LoadU(bytes, kPackedLanes[bits[0]].data()));
+    }
+    template <class V>
+    HWY_INLINE V operator()(V v) const {
+        const hn::DFromV<V> d;
+        return hn::TableLookupLanes(v, hn::IndicesFromVec(d, indices_));
+    }
+
+  private:
+    VI indices_;
+};
+#endif
+
 // The chosen lanes to the front of `to`, which holds a whole vector. Not CompressStore: that is microcode on some
 // processors (Zen 4 and 5: over a hundred cycles).
-HWY_INLINE std::size_t packLanes(VI v, MI chosen, std::int32_t* to) {
-    hn::Store(hn::Compress(v, chosen), DI(), to);
-    return hn::CountTrue(DI(), chosen);
+HWY_INLINE void packLanes(VI v, const Packing& packing, std::int32_t* to) {
+    hn::Store(packing(v), DI(), to);
 }
 
 // What became of the rays in the chosen lanes: the cell that the leaf is to decide, and its place n, or an end.
 HWY_INLINE void noteCandidates(LaneRays& rays, MI chosen, VI slots, VI cellX, VI cellY, VI placeX, VI placeY) {
     HWY_ALIGN std::int32_t slot[kLanes], cells[2][kLanes], places[2][kLanes];
-    const std::size_t count = packLanes(slots, chosen, slot);
-    packLanes(cellX, chosen, cells[0]);
-    packLanes(cellY, chosen, cells[1]);
-    packLanes(placeX, chosen, places[0]);
-    packLanes(placeY, chosen, places[1]);
+    const Packing packing(chosen);
+    const std::size_t count = hn::CountTrue(DI(), chosen);
+    packLanes(slots, packing, slot);
+    packLanes(cellX, packing, cells[0]);
+    packLanes(cellY, packing, cells[1]);
+    packLanes(placeX, packing, places[0]);
+    packLanes(placeY, packing, places[1]);
     for (std::size_t n = 0; n < count; ++n) {
         const auto i = static_cast<std::size_t>(slot[n]);
         rays.x.hitCell[i] = cells[0][n];
@@ -66,7 +99,8 @@ HWY_INLINE void noteCandidates(LaneRays& rays, MI chosen, VI slots, VI cellX, VI
 }
 HWY_INLINE void noteEnd(LaneRays& rays, MI chosen, VI slots, LaneEnd end) {
     HWY_ALIGN std::int32_t slot[kLanes];
-    const std::size_t count = packLanes(slots, chosen, slot);
+    const std::size_t count = hn::CountTrue(DI(), chosen);
+    packLanes(slots, Packing(chosen), slot);
     for (std::size_t n = 0; n < count; ++n)
         rays.end[static_cast<std::size_t>(slot[n])] = static_cast<std::int32_t>(end);
 }
@@ -142,9 +176,7 @@ HWY_INLINE Fitness setUpPlaces(const LaneScene& scene, const GridAxis& axis, con
         good = hn::And(good, hn::Or(gone, hn::And(inside(start), inside(place))));
         const VD rim =
             hn::IfThenElse(mirrored, hn::Sub(start, hn::Set(d, axis.low)), hn::Sub(hn::Set(d, axis.high), start));
-        const VD least = hn::Set(d, 1e-30);
-        hn::StoreU(hn::DemoteTo(df, hn::Min(hn::Div(rim, hn::Max(absRun, least)), hn::Set(d, 1e30))), df,
-                   out.rim.data() + i);
+        hn::StoreU(hn::DemoteTo(df, hn::IfThenElseZero(good, rim)), df, out.rim.data() + i);
     }
     const auto whole = [&](VD v) { return hn::DemoteTo(di, hn::IfThenElseZero(good, v)); };
     hn::StoreU(whole(first), di, out.first.data() + i);
@@ -157,6 +189,7 @@ HWY_INLINE Fitness setUpPlaces(const LaneScene& scene, const GridAxis& axis, con
 }
 
 // Inverses and margins, in float. Returns the margin of one axis.
+template <Address kAddress>
 HWY_INLINE VF setUpCrossings(VF start, std::size_t i, LaneAxisRays& out) {
     const DF d;
     const VF run = hn::Abs(hn::Load(d, out.run.data() + i));
@@ -164,6 +197,11 @@ HWY_INLINE VF setUpCrossings(VF start, std::size_t i, LaneAxisRays& out) {
     const VF margin = hn::Mul(hn::Set(d, kCrossingMargin), hn::Add(inverse, hn::Set(d, 1.0F)));
     const VF share = hn::Load(d, out.base.data() + i);
     hn::Store(inverse, d, out.inverse.data() + i);
+    // From texels to lambda: off by less than the margin up to lambda 1.
+    if constexpr (kAddress == Address::Border) {
+        const VF rim = hn::Mul(hn::Load(d, out.rim.data() + i), inverse);
+        hn::Store(hn::Min(rim, hn::Set(d, 1e30F)), d, out.rim.data() + i);
+    }
     hn::Store(hn::Add(hn::Sub(start, hn::Mul(share, inverse)), margin), d, out.base.data() + i);
     return margin;
 }
@@ -204,7 +242,8 @@ void setUpLanes(const LaneScene& scene, const double* s0, const double* t0, cons
     for (std::size_t i = 0; i < filled; i += kLanes) {
         const VF start = hn::Set(d, static_cast<float>(rays.start[i / kLaneGroup]));
         hn::Store(start, d, rays.begin.data() + i);
-        const VF margins = hn::Add(setUpCrossings(start, i, rays.x), setUpCrossings(start, i, rays.y));
+        const VF margins =
+            hn::Add(setUpCrossings<kAddress>(start, i, rays.x), setUpCrossings<kAddress>(start, i, rays.y));
         hn::Store(hn::Mul(hn::Set(d, 2.0F), margins), d, rays.tie.data() + i);
     }
 }
