@@ -143,11 +143,14 @@ class ConeKernel {
         }
         hn::StoreU(rim, df_, columns_.rim.data() + to);
         hn::StoreU(hn::LoadU(df_, rays_.tie.data() + from), df_, columns_.tie.data() + to);
-        hn::StoreU(hn::Iota(di_, static_cast<std::int32_t>(from)), di_, columns_.slot.data() + to);
+        hn::StoreU(countedFrom(static_cast<std::int32_t>(from)), di_, columns_.slot.data() + to);
         hn::StoreU(hn::IfThenElse(starting, hn::Set(di_, kWalking), hn::Set(di_, kEnded)), di_,
                    columns_.state.data() + to);
         walking_ += hn::CountTrue(di_, starting);
     }
+
+    // Not Iota of the number: that is written lane by lane.
+    HWY_INLINE VI countedFrom(std::int32_t first) const { return hn::Add(hn::Iota(di_, 0), hn::Set(di_, first)); }
 
     // Returns the cell, mirrored.
     HWY_INLINE VI takeAxis(const Grid& grid, const LaneAxisRays& rays, WalkAxis& out, MI starting, std::size_t from,
@@ -385,12 +388,23 @@ class ConeKernel {
         WalkColumns& columns = columns_;
         std::size_t on = 0;
         waiting_ = 0;
-        for (std::size_t i = 0, end = used_; i < end; i += kLanes) on += leaves(map, columns, i);
+        // Places of nodes first: written as vectors, read lane by lane.
+        HWY_ALIGN std::array<std::int32_t, kWalkSlots + 2 * kLanes> pairs;
+        const DI di;
+        for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
+            const auto cell = [&](const Grid& grid, const WalkAxis& axis) {
+                const VI first = hn::Sub(hn::Set(di, grid.last), hn::Load(di, axis.last.data() + i));
+                return realCell(grid, hn::Add(hn::Load(di, axis.n.data() + i), first));
+            };
+            const VI row = hn::Mul(cell(map.y, columns.y), hn::Set(di, scene_.nodeStride));
+            hn::Store(hn::Add(row, cell(map.x, columns.x)), di, pairs.data() + i);
+        }
+        for (std::size_t i = 0, end = used_; i < end; i += kLanes) on += leaves(map, columns, i, pairs.data() + i);
         walking_ += on;
     }
 
     // Returns how many walk on.
-    HWY_INLINE std::size_t leaves(const Map& map, WalkColumns& columns, std::size_t i) {
+    HWY_INLINE std::size_t leaves(const Map& map, WalkColumns& columns, std::size_t i, const std::int32_t* pair) {
         const DF df;
         const DI di;
         const VI state = hn::Load(di, columns.state.data() + i);
@@ -405,7 +419,8 @@ class ConeKernel {
             const VF nx = hn::ConvertTo(df, at.x.n), ny = hn::ConvertTo(df, at.y.n);
             VF in = hn::Max(hn::MulAdd(nx, at.x.inverse, at.x.base), hn::MulAdd(ny, at.y.inverse, at.y.base));
             in = hn::Min(hn::Max(hn::Sub(in, at.tie), hn::Zero(df)), at.out);
-            below = patchBelow(patchAt<kAddress>(scene_, whoI, realX, realY), at.x, at.y, nx, ny, in, at.out, at.tie);
+            const auto h = nodesAt(df, scene_.nodes, pair);
+            below = patchBelow({h[0], h[2], h[1], h[3]}, at.x, at.y, nx, ny, in, at.out, at.tie);
         }
         const MF on = hn::And(below, who);
         const VI after = hn::IfThenElse(asInt(on), hn::Set(di, kWalking), hn::Set(di, kEnded));
@@ -418,7 +433,7 @@ class ConeKernel {
     HWY_INLINE void noteMet(std::size_t i, MI met, VI realX, VI realY, VI nx, VI ny) {
         const VI slots = hn::Load(di_, columns_.slot.data() + i);
         const auto first = static_cast<std::size_t>(columns_.slot[i]);
-        if (hn::AllTrue(di_, hn::Eq(slots, hn::Iota(di_, columns_.slot[i])))) {
+        if (hn::AllTrue(di_, hn::Eq(slots, countedFrom(columns_.slot[i])))) {
             // As they were taken.
             hn::BlendedStore(realX, met, di_, rays_.x.hitCell.data() + first);
             hn::BlendedStore(realY, met, di_, rays_.y.hitCell.data() + first);

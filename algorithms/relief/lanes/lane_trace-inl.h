@@ -350,12 +350,6 @@ template <Address kAddress>
 HWY_INLINE Patch patchAt(const LaneScene& scene, MI who, VI realX, VI realY) {
     const DF d;
     const DI di;
-    if (scene.nodes != nullptr) {
-        HWY_ALIGN std::int32_t pair[kLanes];
-        hn::Store(hn::Add(hn::Mul(realY, hn::Set(di, scene.nodeStride)), realX), di, pair);
-        const auto h = nodesAt(d, scene.nodes, pair);
-        return {h[0], h[2], h[1], h[3]};
-    }
     VI i0, i1, j0, j1;
     cellNodes<kAddress>(scene.grid.x, realX, i0, i1);
     cellNodes<kAddress>(scene.grid.y, realY, j0, j1);
@@ -507,9 +501,11 @@ HWY_INLINE void heightPairs(const LaneScene& scene, VD i, VD j, VD& first, VD& s
 #endif
 }
 
-// leafHit() for the candidates of [i, i + kHalfLanes): lambda, and where there is a hit at all.
+// leafHit() for the candidates of [i, i + kHalfLanes): lambda, and where there is a hit at all. pair: of their nodes,
+// where these lie together.
 template <Address kAddress, Surface kSurface>
-HWY_INLINE MD exactLeaf(const LaneScene& scene, const ExactAxis& x, const ExactAxis& y, VD& lambda) {
+HWY_INLINE MD exactLeaf(const LaneScene& scene, const ExactAxis& x, const ExactAxis& y, const std::int32_t* pair,
+                        VD& lambda) {
     const DD d;
     const DHF df;
     const DHI di;
@@ -544,8 +540,6 @@ HWY_INLINE MD exactLeaf(const LaneScene& scene, const ExactAxis& x, const ExactA
         };
         VD h00, h10, h01, h11;
         if (scene.nodes != nullptr) {
-            HWY_ALIGN std::int32_t pair[kHalfLanes];
-            hn::Store(hn::DemoteTo(di, hn::Add(hn::Mul(y.index, hn::Set(d, scene.nodeStride)), x.index)), di, pair);
             const auto h = nodesAt(df, scene.nodes, pair);
             h00 = hn::PromoteTo(d, h[0]), h01 = hn::PromoteTo(d, h[1]);
             h10 = hn::PromoteTo(d, h[2]), h11 = hn::PromoteTo(d, h[3]);
@@ -605,6 +599,15 @@ void settleLanes(const LaneScene& scene, const double* s0, const double* t0, con
     const DHI di;
     HWY_ALIGN double found[3][kHalfLanes];
     VD worst = hn::Zero(d);
+    // First all of them: written as vectors, read lane by lane.
+    alignas(64) std::array<std::int32_t, kLaneSlots> pairs;
+    if (scene.nodes != nullptr) {
+        const DI dv;
+        for (std::size_t i = 0; i < rays.count; i += kLanes) {
+            const VI row = hn::Mul(hn::Load(dv, rays.y.hitCell.data() + i), hn::Set(dv, scene.nodeStride));
+            hn::Store(hn::Add(row, hn::Load(dv, rays.x.hitCell.data() + i)), dv, pairs.data() + i);
+        }
+    }
     for (std::size_t i = 0; i < rays.count; i += kHalfLanes) {
         const std::size_t here = std::min(kHalfLanes, rays.count - i);
         std::array<std::array<double, kHalfLanes>, 4> rest{};
@@ -618,7 +621,7 @@ void settleLanes(const LaneScene& scene, const double* s0, const double* t0, con
         const ExactAxis x = exactAxis<kAddress>(scene, scene.grid.x, columns[0], columns[2], rays.x, i);
         const ExactAxis y = exactAxis<kAddress>(scene, scene.grid.y, columns[1], columns[3], rays.y, i);
         VD lambda;
-        const MD hit = exactLeaf<kAddress, kSurface>(scene, x, y, lambda);
+        const MD hit = exactLeaf<kAddress, kSurface>(scene, x, y, pairs.data() + i, lambda);
         const VD end = hn::PromoteTo(d, hn::LoadU(di, rays.end.data() + i));
         const MD refused = hn::AndNot(hit, hn::Eq(end, hn::Zero(d)));
         const VD settled = hn::IfThenElse(refused, hn::Set(d, static_cast<double>(LaneEnd::Scalar)), end);
