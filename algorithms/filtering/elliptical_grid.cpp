@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "filtering/grid_tile.h"
 #include "relief/block_work.h"
@@ -16,17 +15,12 @@ namespace relief {
 namespace {
 
 // Pixels of a tile along each side, powers of two: as a frame asks them.
-constexpr int kTileAcross = 6, kTileDown = 4;
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr int kTileAcross = 6, kTileDown = 5;
 
 // At least as long as asked for; what was there stays.
 template <class T>
 void reserve(std::vector<T>& column, std::size_t count) {
     if (column.size() < count) column.resize(count);
-}
-
-std::span<const double> part(const std::vector<double>& column, std::size_t begin, std::size_t count) {
-    return std::span(column).subspan(begin, count);
 }
 
 // Whether all points that the pixels of a rectangle and their neighbours ask for lie before the horizon. Each side is
@@ -83,9 +77,14 @@ void GridKernel::trace(Tile& tile, Work& work) const {
 bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile,
                              FootprintCounts& counts, Work& work) const {
     const auto row = static_cast<std::size_t>(tile.width);
-    for (const std::size_t i : pixels) {
-        std::uint8_t* at = tile.wanted.data() + tile.cell(block.x[i] - reach, block.y[i] - reach);
-        for (int dy = -reach; dy <= reach; ++dy, at += row) std::memset(at, 1, static_cast<std::size_t>(2 * reach + 1));
+    if (reach == kTileHalo && tile.full(pixels.size())) {
+        std::fill(tile.wanted.begin(), tile.wanted.end(), std::uint8_t{1});
+    } else {
+        for (const std::size_t i : pixels) {
+            std::uint8_t* at = tile.wanted.data() + tile.cell(block.x[i] - reach, block.y[i] - reach);
+            const auto across = static_cast<std::size_t>(2 * reach + 1);
+            for (std::size_t n = 0; n < across; ++n, at += row) std::memset(at, 1, across);
+        }
     }
     const HeightField& field = tracer_->field();
     const auto set = [&](std::size_t cell, const ViewRay& ray, const Hit& hit) {
@@ -169,117 +168,6 @@ void GridKernel::filterPlain(Tile& tile, std::span<Color> colors, FootprintCount
     for (std::size_t n = 0; n < tile.plainOf.size(); ++n) colors[tile.plainOf[n]] = tile.colors[n];
 }
 
-// Between the four centres round the place `off` of a cell, if none of the six lines between them crosses an edge: both
-// ends lie on it smoothly, or one end goes straight on to the other.
-bool GridKernel::between(Tile& tile, std::size_t cell, glm::dvec2 off) const {
-    const auto row = static_cast<std::size_t>(tile.width);
-    const std::size_t c00 = cell - (off.x < 0 ? 1 : 0) - (off.y < 0 ? row : 0);
-    const unsigned a00 = tile.around[c00], a10 = tile.around[c00 + 1];
-    const unsigned a01 = tile.around[c00 + row], a11 = tile.around[c00 + row + 1];
-    const auto joined = [](unsigned a, unsigned b, Line line) {
-        return ((((a & b) / kSmooth) | ((a | b) / kStraight)) >> line & 1U) != 0;
-    };
-    if (!joined(a00, a10, kAcross) || !joined(a01, a11, kAcross) || !joined(a00, a01, kDown) ||
-        !joined(a10, a11, kDown) || !joined(a00, a11, kFalling) || !joined(a01, a10, kRising)) {
-        return false;
-    }
-    const double u = off.x < 0 ? off.x + 1 : off.x, v = off.y < 0 ? off.y + 1 : off.y;
-    const auto mean = [&](const std::vector<double>& column) {
-        const double top = (1 - u) * column[c00] + u * column[c00 + 1];
-        const double bottom = (1 - u) * column[c00 + row] + u * column[c00 + row + 1];
-        return (1 - v) * top + v * bottom;
-    };
-    tile.others.lambda.push_back(mean(tile.lambda));
-    tile.others.s.push_back(mean(tile.s));
-    tile.others.t.push_back(mean(tile.t));
-    return true;
-}
-
-// The points that the edges sum: tile.points, whose hits are not known, and tile.others.
-void GridKernel::wantPoints(const FilterBlock& block, Tile& tile) const {
-    const std::size_t points = lattice_.places.size();
-    tile.asked.assign(tile.cells() * points, 0);
-    tile.offset.clear();
-    for (const PointLattice::Term& term : lattice_.terms) {
-        tile.offset.push_back((term.dy * tile.width + term.dx) * static_cast<int>(points) + term.point);
-    }
-    tile.base.clear();
-    for (const std::size_t i : tile.edges) {
-        const auto base = static_cast<std::int32_t>(tile.cell(block.x[i], block.y[i]) * points);
-        tile.base.push_back(base);
-        for (const std::int32_t offset : tile.offset) tile.asked[static_cast<std::size_t>(base + offset)] = 1;
-    }
-    tile.points.clear();
-    tile.others.clear();
-    tile.overCells([&](std::size_t cell, int x, int y) {
-        for (std::size_t k = 0; k < points; ++k) {
-            const std::size_t slot = cell * points + k;
-            if (tile.asked[slot] == 0) continue;
-            const glm::dvec2 off = lattice_.places[k], at{x + 0.5 + off.x, y + 0.5 + off.y};
-            if (k == 0) {
-                // Its own centre.
-                tile.color[slot] = {};
-                if (std::isnan(tile.s[cell])) continue;
-                tile.others.lambda.push_back(tile.lambda[cell]);
-                tile.others.s.push_back(tile.s[cell]);
-                tile.others.t.push_back(tile.t[cell]);
-            } else if (!between(tile, cell, off)) {
-                tile.points.push(static_cast<std::uint32_t>(slot), at);
-                continue;
-            }
-            tile.others.push(static_cast<std::uint32_t>(slot), at);
-        }
-    });
-}
-
-// tile.points: traced, and the others behind them; those that meet nothing are left out.
-void GridKernel::tracePoints(Tile& tile, FootprintCounts& counts, Work& work) const {
-    GridPoints& points = tile.points;
-    GridPoints& others = tile.others;
-    for (auto* of : {&points, &others}) {
-        of->a.resize(of->size());
-        of->b.resize(of->size());
-    }
-    for (auto* column : {&points.lambda, &points.s, &points.t}) column->resize(points.size());
-    const auto copy = [](const std::vector<double>& from, std::vector<double>& to, std::size_t begin) {
-        std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(begin));
-    };
-    const auto inParts = [&](GridPoints& of, const auto& body) {
-        for (std::size_t begin = 0; begin < of.size(); begin += kRayGrain) {
-            const std::size_t count = std::min(kRayGrain, of.size() - begin);
-            tile.rays.resize(count);
-            raysThrough(*tile.view, part(of.x, begin, count), part(of.y, begin, count), tile.rays, 0);
-            copy(tile.rays.a, of.a, begin);
-            copy(tile.rays.b, of.b, begin);
-            body(begin, count);
-        }
-    };
-    const HeightField& field = tracer_->field();
-    bool missed = false;
-    inParts(points, [&](std::size_t begin, std::size_t count) {
-        trace(tile, work);
-        if (field.surface() == Surface::Columns) {
-            for (std::size_t n = 0; n < count; ++n) {
-                const glm::dvec2 place = lookUpPoint(field, tile.rays[n], tile.hits[n]);
-                tile.hits.s[n] = place.x, tile.hits.t[n] = place.y;
-            }
-        }
-        copy(tile.hits.lambda, points.lambda, begin);
-        copy(tile.hits.s, points.s, begin);
-        copy(tile.hits.t, points.t, begin);
-        for (std::size_t n = 0; n < count; ++n) {
-            if (tile.hits.outcome[n] == Outcome::Hit) continue;
-            missed = true;
-            points.s[begin + n] = kNothing;
-            tile.color[points.slots[begin + n]] = {};
-        }
-    });
-    counts.tested += static_cast<std::int64_t>(points.size());
-    if (missed) points.filter([&](std::size_t n) { return !std::isnan(points.s[n]); });
-    inParts(others, [](std::size_t, std::size_t) {});
-    points.append(others);
-}
-
 void GridKernel::colorPoints(Tile& tile, FootprintCounts& counts) const {
     const GridPoints& points = tile.points;
     tile.footprints.resize(points.size());
@@ -315,7 +203,8 @@ void GridKernel::sumEdges(const FilterBlock& block, Tile& tile, std::span<Color>
 void GridKernel::filterTile(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts,
                             Work& work, FootprintLog* log) const {
     lay(block, tile);
-    wantCentres(block, tile.pixels, 1, tile, counts, work);
+    // What the picture has costs nothing; rays only where they are needed.
+    wantCentres(block, tile.pixels, tile.picture != nullptr ? kTileHalo : 1, tile, counts, work);
     findAround(tile);
     parted(block, tile);
     filterPlain(tile, colors, counts, log);

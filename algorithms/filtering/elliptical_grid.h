@@ -50,7 +50,9 @@ class GridKernel {
     void findAround(Tile& tile) const;
     void parted(const FilterBlock& block, Tile& tile) const;
     void filterPlain(Tile& tile, std::span<Color> colors, FootprintCounts& counts, FootprintLog* log) const;
-    bool between(Tile& tile, std::size_t cell, glm::dvec2 off) const;
+    void findWhole(Tile& tile) const;
+    void askPoints(const FilterBlock& block, Tile& tile) const;
+    bool follow(Tile& tile, std::size_t cell, std::size_t k) const;
     void wantPoints(const FilterBlock& block, Tile& tile) const;
     void tracePoints(Tile& tile, FootprintCounts& counts, Work& work) const;
     void colorPoints(Tile& tile, FootprintCounts& counts) const;

@@ -19,6 +19,7 @@ namespace relief {
 // down, to the right and up.
 enum Surroundings : std::uint16_t { kSmooth = 1, kStraight = 16, kOnPlane = 256, kOnLevel = 512 };
 enum Line : std::uint8_t { kAcross, kDown, kFalling, kRising };
+inline constexpr unsigned kAllLines = 15;
 
 // Second differences of neighbouring hits over the first, at most: on planes, smooth lines, straight lines; and the
 // same in texels of the picture, which is not seen.

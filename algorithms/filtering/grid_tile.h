@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
 
 #include "filtering/elliptical_grid.h"
 #include "filtering/grid_lanes.h"
@@ -14,6 +17,13 @@ inline constexpr int kSquare = 4;
 // Cells round a pixel whose centres decide how its points are seen: the points, the centres round these, and the
 // neighbours of those.
 inline constexpr int kTileHalo = kLatticeHalo + 2;
+
+// Of a place: nothing is met there.
+inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+inline std::span<const double> part(const std::vector<double>& column, std::size_t begin, std::size_t count) {
+    return std::span(column).subspan(begin, count);
+}
 
 // Points of pixels that are no plane, one after the other; all columns of one length.
 struct GridPoints {
@@ -65,9 +75,10 @@ struct GridKernel::Tile {
     std::vector<double> s, t, lambda;
     std::vector<std::uint8_t> known, wanted;
     std::vector<std::uint16_t> around;  // Surroundings
-    // A cell's points, one after the other: whether some pixel sums it, and what it sees.
-    std::vector<std::uint8_t> asked;
-    std::vector<PointColor> color;
+    // Of cells, all bits or none: edges, and squares whose hits follow from their corners'. Then a bit a point: whether
+    // some edge sums it, and whether its hit follows from centres'.
+    std::vector<std::uint16_t> edge, whole, asked, follows;
+    std::vector<PointColor> color;  // of a cell's points, one after the other
     // Those that are asked for, square after square: the traced ones, then those whose hits follow from centres'.
     GridPoints points, others;
     RayBlock rays;
@@ -81,6 +92,11 @@ struct GridKernel::Tile {
     std::vector<Color> colors;
 
     std::size_t cells() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    // Whether so many pixels are all within the halo.
+    bool full(std::size_t count) const {
+        return count ==
+               static_cast<std::size_t>(width - 2 * kTileHalo) * static_cast<std::size_t>(height - 2 * kTileHalo);
+    }
     std::size_t cell(int x, int y) const {
         return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x - x0);
     }

@@ -32,7 +32,7 @@ double nearest(int points, int turn) {
 }  // namespace
 
 PointLattice PointLattice::of(int points) {
-    assert(points >= 2);
+    assert(points >= 2 && points <= kMostPoints);
     PointLattice lattice;
     int turn = 1;
     for (int n = 2; n < points; ++n) {

@@ -1,6 +1,7 @@
 // Points that the pixels of a picture share: a lattice, the same in every pixel, its centre among them.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -9,6 +10,7 @@ namespace relief {
 
 // Cells round a pixel within which its points lie.
 inline constexpr int kLatticeHalo = 1;
+inline constexpr int kMostPoints = 16;
 
 // Points of a lattice in a pixel, and those that a pixel sums, of the cells around. Variances in pixels^2.
 struct PointLattice {
@@ -22,7 +24,11 @@ struct PointLattice {
     std::vector<float> weights;  // the terms' own
     double blur = 0;             // of each point's footprint, pixels
 
-    // points: at least 2. The lattice of so many points a pixel whose nearest points are farthest apart.
+    // How many cells before a point's own, rows of so many, is the upper left of the four whose centres lie round it.
+    std::ptrdiff_t squareOf(std::size_t point, std::ptrdiff_t row) const {
+        return (places[point].x < 0 ? 1 : 0) + (places[point].y < 0 ? row : 0);
+    }
+    // points: 2 to kMostPoints. The lattice of so many points a pixel whose nearest points are farthest apart.
     static PointLattice of(int points);
 };
 

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kPatch = 6;                  // texels
 constexpr int kCheck = 8;                  // texels
 constexpr double kFilterSceneDepth = 0.1;  // texture widths
-constexpr std::size_t kQueryGrain = 1024;
+constexpr std::size_t kQueryGrain = static_cast<std::size_t>(kTileWidth) * kTileHeight;
 
 // References of one view, one for each pixel model, out of the same passes.
 std::vector<ColorImage> references(const FrameRequest& request, const FilterBenchOptions& options,

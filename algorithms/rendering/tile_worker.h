@@ -1,6 +1,7 @@
 // The work on one tile of a frame, stage by stage: inside the renderer, not for others.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "relief/any_hit.h"
+#include "relief/block_work.h"
 #include "relief/slope_scene.h"
 #include "rendering/flat_ground.h"
 #include "rendering/frame.h"
@@ -20,7 +22,7 @@
 namespace relief {
 
 inline constexpr int kTileWidth = 64;
-inline constexpr int kTileHeight = 16;
+inline constexpr int kTileHeight = 32;
 
 constexpr bool has(std::uint32_t stages, Stage stage) {
     return (stages & bit(stage)) != 0;
@@ -70,11 +72,14 @@ class TileWorker {
     void meet(const PixelArea& tile, Work& work) const {
         clear(tile);
         timed(Stage::Rays, [&] { makeRays(tile); });
-        timed(Stage::Hits, [&] { tools_.mesh != nullptr ? drawMesh(tile) : traceRays(tile, work); });
+        timed(Stage::Hits, [&] {
+            if (tools_.mesh != nullptr) return drawMesh(tile);
+            overRayBlocks(tile, [&](const PixelArea& part) { traceRays(part, work); });
+        });
     }
     void paint(const PixelArea& tile, Work& work) const {
         timed(Stage::Color, [&] { colorHits(tile, work); });
-        timed(Stage::Shadows, [&] { castShadows(tile, work); });
+        timed(Stage::Shadows, [&] { overRayBlocks(tile, [&](const PixelArea& part) { castShadows(part, work); }); });
         timed(Stage::Light, [&] { lightHits(tile); });
     }
 
@@ -85,6 +90,13 @@ class TileWorker {
         const auto begin = std::chrono::steady_clock::now();
         body();
         totals_.nanoseconds[static_cast<std::size_t>(stage)] += (std::chrono::steady_clock::now() - begin).count();
+    }
+
+    // Parts of a tile with no more rays than a thread traces at once: more would be shared out again.
+    template <class Body>
+    void overRayBlocks(const PixelArea& tile, const Body& body) const {
+        constexpr int kRows = static_cast<int>(kRayGrain) / kTileWidth;
+        for (int y = tile.y0; y < tile.y1; y += kRows) body({tile.x0, y, tile.x1, std::min(y + kRows, tile.y1)});
     }
 
     template <class Body>
