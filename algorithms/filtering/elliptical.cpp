@@ -1,6 +1,7 @@
 #include "filtering/elliptical.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace relief {
 
@@ -83,9 +84,10 @@ Color EllipticalKernel::filter(const Jacobian& j, glm::dvec2 centre, FootprintCo
 
 void EllipticalKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors,
                               FootprintCounts& counts) const {
-    std::vector<std::uint8_t> left(block.size(), 1);
+    assert(colors.size() <= block.size());
+    std::vector<std::uint8_t> left(colors.size(), 1);
     if (lanes_) lanes_->filter(block, scale, colors, left, counts);
-    for (std::size_t i = 0; i < block.size(); ++i) {
+    for (std::size_t i = 0; i < colors.size(); ++i) {
         if (left[i] == 0) continue;
         const FilterQuery query = block[i];
         colors[i] = filterScalar(scaled(query.jacobian, scale), query.place * scale, counts);

@@ -106,7 +106,8 @@ class EllipticalKernel {
     }
     // centre: texels of level 0. log: may be null; then nothing is written down.
     Color filter(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts, FootprintLog* log = nullptr) const;
-    // The same bits for a whole block; scale: texels of level 0 per texel of the block's.
+    // The same bits for the block's first pixels, as many as colours; scale: texels of level 0 per texel of the
+    // block's.
     void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts) const;
     // The text to read: one pixel in double, whatever its footprint and weights. elliptical_lanes.h is its twin.
     Color filterScalar(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts,

@@ -47,17 +47,19 @@ GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel al
 void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
     const std::size_t cells = tile.cells();
     tile.s.assign(cells, kNothing);
+    tile.rough.s.assign(cells + kCellSlack, std::numeric_limits<float>::quiet_NaN());
+    reserve(tile.rough.t, cells + kCellSlack);
+    reserve(tile.rough.lambda, cells + kCellSlack);
     reserve(tile.t, cells);
     reserve(tile.lambda, cells);
-    reserve(tile.around, cells);
+    reserve(tile.around, cells + kCellSlack);
     reserve(tile.color, cells * lattice_.places.size());
     tile.known.assign(cells, 0);
     tile.wanted.assign(cells, 0);
     for (const std::size_t i : tile.pixels) {
         const std::size_t cell = tile.cell(block.x[i], block.y[i]);
         tile.known[cell] = 1;
-        tile.s[cell] = block.s[i], tile.t[cell] = block.t[i];
-        tile.lambda[cell] = block.lambda[i];
+        tile.set(cell, block.s[i], block.t[i], block.lambda[i]);
     }
 }
 
@@ -77,12 +79,16 @@ void GridKernel::trace(Tile& tile, Work& work) const {
 bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile,
                              FootprintCounts& counts, Work& work) const {
     const auto row = static_cast<std::size_t>(tile.width);
-    if (reach == kTileHalo && tile.full(pixels.size())) {
-        std::fill(tile.wanted.begin(), tile.wanted.end(), std::uint8_t{1});
+    const auto across = static_cast<std::size_t>(2 * reach + 1);
+    if (tile.full(pixels.size())) {
+        // All within the halo are asked for, and their neighbours.
+        const std::size_t rim = static_cast<std::size_t>(kTileHalo - reach);
+        for (std::size_t y = rim; y < static_cast<std::size_t>(tile.height) - rim; ++y) {
+            std::memset(tile.wanted.data() + y * row + rim, 1, row - 2 * rim);
+        }
     } else {
         for (const std::size_t i : pixels) {
             std::uint8_t* at = tile.wanted.data() + tile.cell(block.x[i] - reach, block.y[i] - reach);
-            const auto across = static_cast<std::size_t>(2 * reach + 1);
             for (std::size_t n = 0; n < across; ++n, at += row) std::memset(at, 1, across);
         }
     }
@@ -90,26 +96,28 @@ bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size
     const auto set = [&](std::size_t cell, const ViewRay& ray, const Hit& hit) {
         if (hit.outcome != Outcome::Hit) return;
         const glm::dvec2 place = lookUpPoint(field, ray, hit);
-        tile.s[cell] = place.x, tile.t[cell] = place.y;
-        tile.lambda[cell] = hit.lambda;
+        tile.set(cell, place.x, place.y, hit.lambda);
     };
     bool any = false;
     tile.others.clear();
-    for (std::size_t cell = 0; cell < tile.cells(); ++cell) {
-        if (tile.wanted[cell] == 0 || tile.known[cell] != 0) continue;
-        tile.known[cell] = 1;
-        any = true;
-        const int x = tile.x0 + static_cast<int>(cell % row), y = tile.y0 + static_cast<int>(cell / row);
-        const PictureHits* picture = tile.picture;
-        if (picture != nullptr && x >= 0 && y >= 0 && x < picture->width && y < picture->height) {
-            const auto i =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(picture->width) + static_cast<std::size_t>(x);
-            if (picture->polygon[i] == tile.view->number) {
-                set(cell, (*picture->rays)[i], (*picture->hits)[i]);
-                continue;
+    const PictureHits* picture = tile.picture;
+    std::size_t cell = 0;
+    for (int y = tile.y0; y < tile.y0 + tile.height; ++y) {
+        const bool rowThere = picture != nullptr && y >= 0 && y < picture->height;
+        for (int x = tile.x0; x < tile.x0 + tile.width; ++x, ++cell) {
+            if (tile.wanted[cell] == 0 || tile.known[cell] != 0) continue;
+            tile.known[cell] = 1;
+            any = true;
+            if (rowThere && x >= 0 && x < picture->width) {
+                const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture->width) +
+                               static_cast<std::size_t>(x);
+                if (picture->polygon[i] == tile.view->number) {
+                    set(cell, (*picture->rays)[i], (*picture->hits)[i]);
+                    continue;
+                }
             }
+            tile.others.push(static_cast<std::uint32_t>(cell), {x + 0.5, y + 0.5});
         }
-        tile.others.push(static_cast<std::uint32_t>(cell), {x + 0.5, y + 0.5});
     }
     const GridPoints& traced = tile.others;
     for (std::size_t begin = 0; begin < traced.size(); begin += kRayGrain) {
@@ -124,7 +132,7 @@ bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size
 }
 
 void GridKernel::findAround(Tile& tile) const {
-    findSurroundings({tile.width, tile.height, tile.s.data(), tile.t.data(), tile.lambda.data(), tile.scale},
+    findSurroundings({tile.width, tile.height, tile.rough.s.data(), tile.rough.t.data(), tile.rough.lambda.data()},
                      tile.around.data());
 }
 
@@ -133,7 +141,7 @@ void GridKernel::parted(const FilterBlock& block, Tile& tile) const {
     const auto row = static_cast<std::size_t>(tile.width);
     tile.edges.clear();
     tile.plainOf.clear();
-    tile.plain.resize(tile.pixels.size());
+    if (tile.plain.size() < tile.pixels.size()) tile.plain.resize(tile.pixels.size());
     for (const std::size_t i : tile.pixels) {
         const std::size_t own = tile.cell(block.x[i], block.y[i]);
         if ((tile.around[own] & kOnPlane) == 0) {
@@ -150,7 +158,6 @@ void GridKernel::parted(const FilterBlock& block, Tile& tile) const {
         tile.plain.place(tile.plainOf.size(), glm::dvec2(block.s[i], block.t[i]) * tile.scale, scaled(j, tile.scale));
         tile.plainOf.push_back(i);
     }
-    tile.plain.resize(tile.plainOf.size());
 }
 
 void GridKernel::filterPlain(Tile& tile, std::span<Color> colors, FootprintCounts& counts, FootprintLog* log) const {
@@ -203,8 +210,7 @@ void GridKernel::sumEdges(const FilterBlock& block, Tile& tile, std::span<Color>
 void GridKernel::filterTile(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts,
                             Work& work, FootprintLog* log) const {
     lay(block, tile);
-    // What the picture has costs nothing; rays only where they are needed.
-    wantCentres(block, tile.pixels, tile.picture != nullptr ? kTileHalo : 1, tile, counts, work);
+    wantCentres(block, tile.pixels, 1, tile, counts, work);
     findAround(tile);
     parted(block, tile);
     filterPlain(tile, colors, counts, log);

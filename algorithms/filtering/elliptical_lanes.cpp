@@ -308,12 +308,12 @@ bool EllipticalLanes::serves(const EllipticalSettings& settings) {
 
 void EllipticalLanes::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors,
                              std::span<std::uint8_t> left, FootprintCounts& counts, FootprintLog* log) const {
-    assert(colors.size() == block.size() && left.size() == block.size() && (log == nullptr || block.size() == 1));
+    assert(colors.size() <= block.size() && left.size() == colors.size() && (log == nullptr || colors.size() == 1));
     LaneJob job = job_;
     job.s = block.s.data(), job.t = block.t.data();
     job.ux = block.ux.data(), job.vx = block.vx.data();
     job.uy = block.uy.data(), job.vy = block.vy.data();
-    job.count = block.size();
+    job.count = colors.size();
     job.perS = scale.x, job.perT = scale.y;
     job.colors = colors.data(), job.left = left.data();
     job.log = log;

@@ -13,7 +13,7 @@
 //   position-area  times the projected area of the surface there, max(0, 1 + a h_s + b h_t)
 // The last two sum over the surface itself: where the relief under a texel is steep, so that its parts lie far apart in
 // the pixel, it is taken in parts, first the finer levels' texels, then parts of texels.
-// Two more, rays and grid, are other texts: elliptical_rays.h, elliptical_grid.h.
+// Two more, rays and grid (the default), are other texts: elliptical_rays.h, elliptical_grid.h.
 // All equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at the hit's height.
 // None visible: the colour at the hit.
 //
@@ -39,7 +39,7 @@ namespace relief {
 enum class VisibleForm : std::uint8_t { Plane, Position, PositionArea };
 
 struct VisibleOptions : EllipticalOptions {
-    std::string form = "position-area";
+    std::string form = "grid";  // interactive; weights with a shape of their own: position-area
     int samples = 16;
     int points = 3;
 

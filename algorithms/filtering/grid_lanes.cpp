@@ -56,62 +56,58 @@ using M = hn::Mask<D>;
 struct Point {
     V s, t;
 };
-HWY_INLINE Point operator-(const Point& p, const Point& q) {
-    return {hn::Sub(p.s, q.s), hn::Sub(p.t, q.t)};
-}
-HWY_INLINE Point operator+(const Point& p, const Point& q) {
-    return {hn::Add(p.s, q.s), hn::Add(p.t, q.t)};
-}
-HWY_INLINE V square(const Point& p, V perS, V perT) {
-    return hn::Add(hn::Mul(hn::Mul(p.s, p.s), perS), hn::Mul(hn::Mul(p.t, p.t), perT));
-}
 
-// Of the cells [at, at + count), which lie in a row.
-HWY_INLINE void surroundingsOf(const CellHits& cells, std::size_t at, std::size_t count, std::uint16_t* out) {
-    const D d;
+// Of float, as many lanes as there are.
+using DF = hn::CappedTag<float, 16>;
+using VF = hn::Vec<DF>;
+constexpr std::size_t kFloats = hn::MaxLanes(DF());
+
+// Of the cells [at, at + kFloats).
+HWY_INLINE void surroundingsOf(const CellHits& cells, std::size_t at, std::uint16_t* out) {
+    const DF d;
     const auto row = static_cast<std::size_t>(cells.width);
-    const V perS = set(cells.scale.x * cells.scale.x), perT = set(cells.scale.y * cells.scale.y);
-    const V unseen = set(4 * kUnseenBend * kUnseenBend);
-    const V plane = set(kMostBend * kMostBend), smooth = set(kMostSmoothBend * kMostSmoothBend);
-    const V straight = set(kMostStraightBend * kMostStraightBend);
-    const auto place = [&](std::size_t i) HWY_ATTR {
-        return Point{load(cells.s + i, count), load(cells.t + i, count)};
-    };
-    const auto lambda = [&](std::size_t i) HWY_ATTR { return load(cells.lambda + i, count); };
-    const Point own = place(at), twice = own + own;
-    const V height = lambda(at), most = set(kLevelHeight);
-    M onPlane = hn::Eq(own.s, own.s), onLevel = onPlane;
-    V bits = hn::Zero(d);
-    double bit = kSmooth;
+    const auto shared = [&](double share) HWY_ATTR { return hn::Set(d, static_cast<float>(share * share)); };
+    const VF unseen = shared(2 * kUnseenBend), plane = shared(kMostBend);
+    const VF smooth = shared(kMostSmoothBend), straight = shared(kMostStraightBend);
+    const auto load = [&](const float* column, std::size_t i) HWY_ATTR { return hn::LoadU(d, column + i); };
+    const auto square = [&](VF x, VF y) HWY_ATTR { return hn::Add(hn::Mul(x, x), hn::Mul(y, y)); };
+    const VF s = load(cells.s, at), t = load(cells.t, at), height = load(cells.lambda, at);
+    const VF twiceS = hn::Add(s, s), twiceT = hn::Add(t, t), most = hn::Set(d, kLevelHeight);
+    auto onPlane = hn::Eq(s, s);
+    auto onLevel = onPlane;
+    VF bits = hn::Zero(d);
+    float bit = kSmooth;
     for (const std::size_t way : {std::size_t{1}, row, row + 1, row - 1}) {
         // The last way runs upwards.
-        const Point after = place(at + way), before = place(at - way);
+        const VF s1 = load(cells.s, at + way), s0 = load(cells.s, at - way);
+        const VF t1 = load(cells.t, at + way), t0 = load(cells.t, at - way);
         // Four times the squares of half the first, of half the second difference. NaN fails.
-        const V step = square(after - before, perS, perT), bend = square(after + before - twice, perS, perT);
-        const auto within = [&](V share) HWY_ATTR { return hn::Le(bend, hn::Add(hn::Mul(share, step), unseen)); };
+        const VF step = square(hn::Sub(s1, s0), hn::Sub(t1, t0));
+        const VF bend = square(hn::Sub(hn::Add(s1, s0), twiceS), hn::Sub(hn::Add(t1, t0), twiceT));
+        const auto within = [&](VF share) HWY_ATTR { return hn::Le(bend, hn::Add(hn::Mul(share, step), unseen)); };
         onPlane = hn::And(onPlane, within(plane));
-        bits = hn::Add(bits, hn::IfThenElseZero(within(smooth), set(bit)));
-        bits = hn::Add(bits, hn::IfThenElseZero(within(straight), set(double{kStraight} * bit)));
+        bits = hn::Add(bits, hn::IfThenElseZero(within(smooth), hn::Set(d, bit)));
+        bits = hn::Add(bits, hn::IfThenElseZero(within(straight), hn::Set(d, float{kStraight} * bit)));
         bit *= 2;
-        onLevel = hn::And(onLevel, hn::And(hn::Le(hn::Abs(hn::Sub(lambda(at + way), height)), most),
-                                           hn::Le(hn::Abs(hn::Sub(lambda(at - way), height)), most)));
+        const VF up = hn::Sub(load(cells.lambda, at + way), height),
+                 down = hn::Sub(load(cells.lambda, at - way), height);
+        onLevel = hn::And(onLevel, hn::Le(hn::Max(hn::Abs(up), hn::Abs(down)), most));
     }
-    bits = hn::Add(bits, hn::IfThenElseZero(onPlane, set(kOnPlane)));
-    bits = hn::Add(bits, hn::IfThenElseZero(hn::And(onPlane, onLevel), set(kOnLevel)));
-    const hn::Rebind<std::int32_t, D> di;
-    HWY_ALIGN std::int32_t whole[kLanes];
-    hn::Store(hn::DemoteTo(di, bits), di, whole);
-    for (std::size_t n = 0; n < count; ++n) out[at + n] = static_cast<std::uint16_t>(whole[n]);
+    bits = hn::Add(bits, hn::IfThenElseZero(onPlane, hn::Set(d, float{kOnPlane})));
+    bits = hn::Add(bits, hn::IfThenElseZero(hn::And(onPlane, onLevel), hn::Set(d, float{kOnLevel})));
+    const hn::Rebind<std::uint16_t, DF> du;
+    hn::StoreU(hn::DemoteTo(du, hn::ConvertTo(hn::RebindToSigned<DF>(), bits)), du, out + at);
 }
 
+// Row after row in one go; the ends of rows, which have no neighbours, are put right afterwards.
 void findSurroundings(const CellHits& cells, std::uint16_t* out) {
+    static_assert(kFloats <= kCellSlack);
     const auto width = static_cast<std::size_t>(cells.width), height = static_cast<std::size_t>(cells.height);
-    std::fill_n(out, width * height, std::uint16_t{0});
-    for (std::size_t y = 1; y + 1 < height; ++y) {
-        for (std::size_t x = 1; x + 1 < width; x += kLanes) {
-            surroundingsOf(cells, y * width + x, std::min(kLanes, width - 1 - x), out);
-        }
-    }
+    const std::size_t last = width * (height - 1);
+    for (std::size_t at = width + 1; at < last; at += kFloats) surroundingsOf(cells, at, out);
+    std::fill_n(out, width, std::uint16_t{0});
+    std::fill_n(out + last, width, std::uint16_t{0});
+    for (std::size_t at = width; at < last; at += width) out[at] = out[at + width - 1] = 0;
 }
 
 void raysThrough(const PixelView& view, const double* x, const double* y, std::size_t count, double* const* out) {

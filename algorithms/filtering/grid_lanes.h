@@ -1,4 +1,4 @@
-// The grid's arithmetic in lanes of double, inside elliptical_grid.cpp, not for others: which pixels lie on a plane,
+// The grid's arithmetic in lanes, inside elliptical_grid.cpp, not for others: which pixels lie on a plane,
 // the rays of points, and their footprints. Same bits on every instruction set, for any number of values at once.
 #pragma once
 
@@ -27,14 +27,16 @@ inline constexpr double kMostBend = 0.1;
 inline constexpr double kMostSmoothBend = 0.25;
 inline constexpr double kMostStraightBend = 0.07;
 inline constexpr double kUnseenBend = 0.05;
-// Hits at one height, but for rounding: level ground, which keeps the pixel's own bits.
-inline constexpr double kLevelHeight = 1e-9;
+// Hits at one height, but for rounding to float: level ground, which keeps the pixel's own bits.
+inline constexpr float kLevelHeight = 0x1p-23F;
 
-// A rectangle of pixels, rows one after the other: hits in texels of the height map, s NaN where there is none.
+// A rectangle of pixels, rows one after the other: hits in texels of the picture, NaN where there is none. In float:
+// off by 1e-4 texel at 1000, where bends of 0.05 are not seen. At least 3 x 3; kCellSlack more at the columns' ends, of
+// anything, and as many in what is found.
+inline constexpr std::size_t kCellSlack = 18;
 struct CellHits {
     int width = 0, height = 0;
-    const double *s = nullptr, *t = nullptr, *lambda = nullptr;
-    glm::dvec2 scale{1};  // texels of the picture per texel of the height map
+    const float *s = nullptr, *t = nullptr, *lambda = nullptr;
 };
 
 // Of all cells but the outermost, which are set to 0.

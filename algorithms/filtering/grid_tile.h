@@ -64,6 +64,11 @@ struct GridPoints {
     }
 };
 
+// Hits of cells in float, in texels of the picture: NaN where there is none.
+struct CellColumns {
+    std::vector<float> s, t, lambda;
+};
+
 // Pixels of one view within one tile, the cells around them, and their points. Kept from tile to tile of a thread.
 struct GridKernel::Tile {
     const PixelView* view = nullptr;
@@ -73,6 +78,7 @@ struct GridKernel::Tile {
     int x0 = 0, y0 = 0, width = 0, height = 0;  // of the cells
     // A cell's centre; s is NaN where nothing is met, or not yet known.
     std::vector<double> s, t, lambda;
+    CellColumns rough;
     std::vector<std::uint8_t> known, wanted;
     std::vector<std::uint16_t> around;  // Surroundings
     // Of cells, all bits or none: edges, and squares whose hits follow from their corners'. Then a bit a point: whether
@@ -99,6 +105,12 @@ struct GridKernel::Tile {
     }
     std::size_t cell(int x, int y) const {
         return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x - x0);
+    }
+    // What is met at a cell's centre.
+    void set(std::size_t cell, double atS, double atT, double atLambda) {
+        s[cell] = atS, t[cell] = atT, lambda[cell] = atLambda;
+        rough.s[cell] = static_cast<float>(atS * scale.x), rough.t[cell] = static_cast<float>(atT * scale.y);
+        rough.lambda[cell] = static_cast<float>(atLambda);
     }
     // body(cell, x, y): squares of cells one after the other.
     template <class Body>

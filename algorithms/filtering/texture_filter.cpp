@@ -108,6 +108,7 @@ class VisibleFilter final : public TextureFilter {
     void colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts, Work& work) const override {
         kernel_.filter(block, scale_, colors, counts, work);
     }
+    bool tracesBack() const override { return true; }
 
   private:
     const FilterDescription& description_;

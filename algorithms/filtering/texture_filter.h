@@ -25,6 +25,8 @@ class TextureFilter {
                         FootprintLog* log = nullptr) const = 0;
     // The same bits for a whole block; colors: of its length.
     virtual void colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts, Work& work) const;
+    // Whether it traces texels back, so that it can tell which are hidden.
+    virtual bool tracesBack() const { return false; }
     // Whether it asks what neighbours of a block's pixels met: FilterBlock::picture then saves it their rays.
     virtual bool asksNeighbours() const { return false; }
     // Beyond the picture itself.

@@ -274,7 +274,7 @@ std::vector<FilterChoice> defaultFilters() {
          {"nearest", "bilinear", "trilinear", "elliptical:weights=uniform", "elliptical:weights=texel-distance",
           "elliptical", "elliptical:source=table", "elliptical:source=map", "elliptical:weights=box",
           "elliptical:levels=exhaustive", "elliptical-visible:form=plane", "elliptical-visible:form=position",
-          "elliptical-visible"}) {
+          "elliptical-visible:form=position-area", "elliptical-visible"}) {
         all.push_back(parseFilter(text, "--filters"));
     }
     return all;

@@ -35,7 +35,8 @@ FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work&
     FilterBenchOptions bench;
     const auto color = options.color ? options.color : patchPicture(options.field.heights(), options.seed);
     bench.scenes = {{options.name, options.field, color}};
-    for (const char* text : {"nearest", "bilinear", "trilinear", "elliptical", "elliptical-visible"}) {
+    for (const char* text : {"nearest", "bilinear", "trilinear", "elliptical", "elliptical-visible",
+                             "elliptical-visible:form=position-area"}) {
         bench.filters.push_back(parseFilter(text, "--filters"));
     }
     bench.pixelModels = {PixelModel::Gaussian};

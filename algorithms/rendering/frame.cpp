@@ -41,7 +41,21 @@ struct LayerTools {
     ErrorLayer error;
     VisiblePolygons visible;
     Work& work;
+    // Tells which texels are hidden; null: the filter asks for none.
+    std::shared_ptr<const TextureFilter> sight = nullptr;
 };
+
+std::shared_ptr<const TextureFilter> sightOf(const Frame& frame, const FrameRequest& request, MapCache& maps,
+                                             Work& work) {
+    if (!frame.filter || !frame.filter->description().visible) return nullptr;
+    if (frame.filter->tracesBack()) return frame.filter;
+    FilterChoice choice = request.filter;
+    choice.options["form"] = "plane";
+    // Only its size matters.
+    std::shared_ptr<const ColorImage> picture = request.color;
+    if (!picture) picture = std::make_shared<ColorImage>(request.field.width(), request.field.height());
+    return makeFilter(choice, {picture, nullptr, request.field, request.skip}, maps, work);
+}
 
 // Semi-axes, and the share of hidden texels (NaN where the filter asks for none).
 std::array<float, 3> footprintValues(const std::string& name, const Frame& frame, const FrameRequest& request,
@@ -52,9 +66,9 @@ std::array<float, 3> footprintValues(const std::string& name, const Frame& frame
         const SemiAxes<double> axes = ellipseOf(query->jacobian).semiAxes();
         return {static_cast<float>(axes.major), static_cast<float>(axes.minor), 0};
     }
-    if (!frame.filter || !frame.filter->description().visible) return {kNaN, 0, 0};
+    if (!tools.sight) return {kNaN, 0, 0};
     FootprintCounts counts;
-    frame.filter->color(*query, counts, tools.work);
+    tools.sight->color(*query, counts, tools.work);
     return {counts.texels > 0
                 ? static_cast<float>(static_cast<double>(counts.hidden) / static_cast<double>(counts.texels))
                 : 0,
@@ -203,6 +217,7 @@ std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& requ
         if (name == "steps") assert(frame.hits->counted());
         if (name == "error") tools.error = errorAgainstExact(frame, request, maps, work);
         if (name == "footprint" || name == "hidden") tools.visible = frame.visible(request);
+        if (name == "hidden") tools.sight = sightOf(frame, request, maps, work);
         const std::size_t first = planes.size();
         for (const char* plane : layer->planes) planes.push_back({plane, FloatImage(frame.width, frame.height)});
         for (int y = 0; y < frame.height; ++y) {

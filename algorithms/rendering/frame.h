@@ -163,7 +163,8 @@ class FrameRenderer {
     std::shared_ptr<const TextureFilter> madeFilter(const FrameRequest& request, Work& work);
     std::shared_ptr<const TextureFilter> madePlainFilter(const FrameRequest& request, Work& work);
     std::unique_ptr<const FlatGround> madeGround(const FrameRequest& request, const Tracer& tracer, Work& work);
-    std::unique_ptr<const ConeTwin> madeTwin(const FrameRequest& request, const Tracer& tracer, Work& work);
+    std::unique_ptr<const ConeTwin> madeTwin(const FrameRequest& request, const Tracer& tracer, bool asksNeighbours,
+                                             Work& work);
     void reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work);
 
     std::optional<FrameRequest> last_;
@@ -196,9 +197,9 @@ std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y);
 
 // Planes of the named layers: color (R, G, B), depth, uv (u, v), normal (X, Y, Z), steps (of a counted frame), outcome
 // (0 none, 1 hit, 2 miss, 3 limit), error (texels and kind: error_layer.h), footprint (semi-axes of the circle of
-// radius 1 pixel in texels of the height map), hidden (share of the texels under the filter that the relief hides). The
-// last three are computed only when they are asked for. Throws InputError("--layers", ...) for unknown names,
-// Cancelled.
+// radius 1 pixel in texels of the height map), hidden (share of the texels under the filter that the relief hides; of
+// its forms that look at points instead, rays and grid, the texels of form=plane). The last three are computed only
+// when they are asked for. Throws InputError("--layers", ...) for unknown names, Cancelled.
 std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
                                     const std::vector<std::string>& layers, MapCache& maps, Work& work);
 const std::vector<std::string>& layerNames();

@@ -6,7 +6,6 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-#include "filtering/elliptical_grid.h"
 #include "relief/lanes/cone_twin.h"
 #include "rendering/flat_ground.h"
 #include "rendering/supersample.h"
@@ -277,15 +276,15 @@ std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& 
 }
 
 // The max pyramid's hits by cones, as soon as these pay or are there for shadows or the filter anyway.
-std::unique_ptr<const ConeTwin> FrameRenderer::madeTwin(const FrameRequest& request, const Tracer& tracer, Work& work) {
+std::unique_ptr<const ConeTwin> FrameRenderer::madeTwin(const FrameRequest& request, const Tracer& tracer,
+                                                        bool asksNeighbours, Work& work) {
     const std::shared_ptr<const FloatImage>& heights = request.field.sharedHeights();
     if (tracedOf_ != heights) traced_ = 0;
     tracedOf_ = heights;
     traced_ += static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
     const bool apt = request.skip && tracer.pyramid() != nullptr && tracer.baseLevel() == 0 &&
                      tracer.guarantee() == Guarantee::Exact && heights->size() <= ConeTwin::kMostTexels;
-    const auto form = request.filter.options.find("form");
-    const bool there = request.shadows || (form != request.filter.options.end() && form->second == kGridForm);
+    const bool there = request.shadows || asksNeighbours;
     const bool pays = there || traced_ > ConeTwin::kRaysPerTexel * heights->size();
     if (!apt || !pays) return nullptr;
     return std::make_unique<const ConeTwin>(request.field, packedCones(request.field, *maps_, work));
@@ -339,7 +338,9 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
         mesh || !has(stale, Stage::Hits) ? nullptr : madeGround(request, *tracer, work);
     reportMaps(*frame, request, *tracer, work);
     const std::unique_ptr<const ConeTwin> twin =
-        mesh || !has(stale, Stage::Hits) ? nullptr : madeTwin(request, *tracer, work);
+        mesh || !has(stale, Stage::Hits)
+            ? nullptr
+            : madeTwin(request, *tracer, frame->filter && frame->filter->asksNeighbours(), work);
 
     if (!spare_) spare_ = std::make_shared<FrameBuffers>();
     const FrameBuffers buffers = allocate(*frame, frame_.get(), *spare_, request.shadows, mesh != nullptr, stale);

@@ -32,7 +32,7 @@ printed() {
 sweep rows rows --threads 1 --rounds 9
 sweep filters_checker filters --scenes checker --size 160x120 --threads 1 --rounds 9 \
     --filters nearest,bilinear,trilinear,elliptical:weights=uniform,elliptical:weights=texel-distance,elliptical,elliptical:implementation=scalar,elliptical:source=table,elliptical:source=map,elliptical:weights=box,elliptical:levels=exhaustive
-visible=trilinear,elliptical,elliptical-visible:form=plane,elliptical-visible:form=position,elliptical-visible,elliptical-visible:form=rays,elliptical-visible:form=grid
+visible=trilinear,elliptical,elliptical-visible:form=plane,elliptical-visible:form=position,elliptical-visible:form=position-area,elliptical-visible:form=rays,elliptical-visible:form=grid
 sweep filters_procedural filters --scenes bricks,city,hills --size 160x120 --threads 1 --filters $visible \
     --pixel-models gaussian
 sweep filters_wall filters --height datasets/stone_wall_bricks102/height.jpg --relief-depth 0.05 --size 160x120 \

@@ -73,13 +73,14 @@ TEST_P(FilterPicture, isNearTheReference) {
     EXPECT_LE(worst, c.limit) << "share " << share;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, FilterPicture,
-                         testing::Values(Case{"checker", 0.1, 60, "elliptical", 0.02, 0, 0.027},
-                                         Case{"checker", 0.1, 25, "elliptical", 0.05, 0, 0.056},
-                                         Case{"checker", 0.1, 8, "elliptical", 0.05, 0, 0.05},
-                                         Case{"hills", 0.1, 25, "elliptical-visible", 0.02, 0, 0.027},
-                                         Case{"bricks", 0.05, 60, "elliptical-visible", 0.05, 0.004, 0.09},
-                                         Case{"bricks", 0.05, 25, "elliptical-visible", 0.05, 0.01, 0.1},
-                                         Case{"city", 0.05, 25, "elliptical-visible", 0.05, 0.007, 0.1}));
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, FilterPicture,
+    testing::Values(Case{"checker", 0.1, 60, "elliptical", 0.02, 0, 0.027},
+                    Case{"checker", 0.1, 25, "elliptical", 0.05, 0, 0.056},
+                    Case{"checker", 0.1, 8, "elliptical", 0.05, 0, 0.05},
+                    Case{"hills", 0.1, 25, "elliptical-visible:form=position-area", 0.02, 0, 0.027},
+                    Case{"bricks", 0.05, 60, "elliptical-visible:form=position-area", 0.05, 0.004, 0.09},
+                    Case{"bricks", 0.05, 25, "elliptical-visible:form=position-area", 0.05, 0.01, 0.1},
+                    Case{"city", 0.05, 25, "elliptical-visible:form=position-area", 0.05, 0.007, 0.1}));
 
 }  // namespace

@@ -150,7 +150,7 @@ TEST(Visible, nearerToTheTruthBehindRelief) {
         scene.field = HeightField(scene.field.sharedHeights(), Surface::Bilinear, Address::Repeat, 0.05);
         options.scenes.push_back(scene);
     }
-    options.filters = {parseFilter("elliptical", "test"), parseFilter("elliptical-visible", "test")};
+    options.filters = {parseFilter("elliptical", "test"), parseFilter("elliptical-visible:form=position-area", "test")};
     options.pixelModels = {PixelModel::Gaussian};
     options.elevations = {30};
     options.width = 64;

@@ -4,8 +4,11 @@
 #include <glm/geometric.hpp>
 
 #include "../relief/fields.h"
+#include "mapping/rows/row_lanes.h"
+#include "measuring/random_rays.h"
 #include "relief/look_up_point.h"
 #include "rendering/frame.h"
+#include "rendering/light_lanes.h"
 
 namespace relief::test {
 namespace {
@@ -49,6 +52,52 @@ void forEachHit(const Frame& frame, const Body& body) {
         }
     }
     EXPECT_GT(seen, 500);
+}
+
+// Relief that shades by itself is lit in lanes.
+TEST(Shading, lanesHaveTheBitsOfOneNormal) {
+    Random random(5);
+    for (const auto& [width, height] : std::vector<std::pair<int, int>>{{64, 48}, {37, 21}, {1, 3}}) {
+        for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+            const HeightField field(share(makeRelief("city", width, height, 1)), Surface::Bilinear, address, 0.15);
+            const TexturedQuad quad = makeScene(SceneKind::Cube, width, height)[1];
+            const ReliefAxes axes(quad);
+            const glm::dvec3 toLight = lightDirection({});
+            // Within the map, on nodes and rims, and periods away.
+            std::vector<double> s, t;
+            for (int n = 0; n < 501; ++n) {
+                const double far = n % 5 == 0 ? 3 : 1;
+                s.push_back(n % 7 == 0 ? random.below(width) + 0.5 : random.between(-far, far) * width);
+                t.push_back(n % 11 == 0 ? height : random.between(-far, far) * height);
+            }
+            for (const std::int64_t target : laneTargets()) {
+                forceLaneTarget(target);
+                std::vector<double> facing(s.size());
+                facingLight(SlopeScene(field), axes, field.slabTexels(), toLight, s, t, facing);
+                forceLaneTarget(0);
+                for (std::size_t n = 0; n < s.size(); ++n) {
+                    const glm::vec3 normal(reliefNormal(quad, field.slope(s[n], t[n]), field.slabTexels()));
+                    ASSERT_EQ(facing[n], glm::dot(glm::dvec3(normal), toLight))
+                        << s[n] << ' ' << t[n] << ' ' << laneTargetName(target);
+                }
+            }
+        }
+    }
+}
+
+TEST(Shading, aFrameIsLitByItsNormals) {
+    for (const SceneKind scene : {SceneKind::Floor, SceneKind::Cube}) {
+        FrameRequest request = hillsRequest("max-pyramid");
+        request.scene = scene;
+        request.shadows = true;
+        const auto frame = rendered(request);
+        forEachHit(*frame, [&](int x, int y, std::size_t i) {
+            const Color expected =
+                lambert(frame->color->color(x, y), frame->normal(x, y, request), lightDirection(request.light),
+                        request.light, frame->shadows->shadowed[i] != 0);
+            ASSERT_EQ(frame->light->color(x, y), expected) << x << ' ' << y;
+        });
+    }
 }
 
 TEST(Shading, thereAreThree) {

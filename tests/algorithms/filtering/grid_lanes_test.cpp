@@ -1,0 +1,99 @@
+// The grid's arithmetic in lanes: planes and edges among hits, rays and footprints of points.
+#include "filtering/grid_lanes.h"
+
+#include <gtest/gtest.h>
+
+#include "grid_cases.h"
+
+namespace relief::test {
+namespace {
+
+TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
+    constexpr int kWidth = 23, kHeight = 9, kEdge = 11;
+    const auto cells = static_cast<std::size_t>(kWidth * kHeight);
+    struct Case {
+        const char* name;
+        float s, lambda;  // beyond the edge: texels more, descent more
+        float fold;       // of the step across
+    };
+    for (const Case& c : {Case{"level", 0, 0, 1}, Case{"plane", 0, 0.01F, 1}, Case{"fold", 0, 0.01F, 1.4F},
+                          Case{"step", 5, 0.3F, 1}, Case{"hole", std::nanf(""), 0, 1}}) {
+        std::vector<float> s(cells + kCellSlack), t(s), lambda(s);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const auto i = static_cast<std::size_t>(y * kWidth + x);
+                const auto beyond = static_cast<float>(std::max(0, x - kEdge));
+                s[i] = 2 * static_cast<float>(x) + (c.fold - 1) * 2 * beyond + (x > kEdge ? c.s : 0);
+                t[i] = 3 * static_cast<float>(y);
+                lambda[i] = 0.2F + (x > kEdge ? c.lambda * static_cast<float>(x) : 0);
+            }
+        }
+        std::vector<std::uint16_t> first(cells + kCellSlack), again(first);
+        findSurroundings({kWidth, kHeight, s.data(), t.data(), lambda.data()}, first.data());
+        first.resize(cells);
+        const auto at = [&](int x, int y) { return unsigned{first[static_cast<std::size_t>(y * kWidth + x)]}; };
+        const unsigned across = (kSmooth | kStraight) << kAcross, down = (kSmooth | kStraight) << kDown;
+        const unsigned all = kAllLines * (kSmooth | kStraight) | kOnPlane;
+        EXPECT_EQ(at(0, 4), 0U) << c.name;
+        EXPECT_EQ(at(kWidth - 1, 4), 0U) << c.name;
+        EXPECT_EQ(at(4, 0), 0U) << c.name;
+        EXPECT_EQ(at(4, 4), all | kOnLevel) << c.name;
+        const std::string name = c.name;
+        if (name == "level") EXPECT_EQ(at(kEdge, 4), all | kOnLevel);
+        if (name == "plane") EXPECT_EQ(at(kEdge, 4), all);
+        // Bent by a sixth: smooth, and neither straight nor a plane.
+        if (name == "fold") {
+            EXPECT_EQ(at(kEdge, 4) & across, unsigned{kSmooth << kAcross});
+            EXPECT_EQ(at(kEdge, 4) & kOnPlane, 0U);
+        }
+        if (name == "step" || name == "hole") {
+            EXPECT_EQ(at(kEdge, 4), down) << c.name;
+            EXPECT_EQ(at(kEdge + 1, 4), name == "step" ? down : 0U) << c.name;
+        }
+        for (const std::int64_t target : laneTargets()) {
+            const ForcedTarget forced(target);
+            again.assign(cells + kCellSlack, 7);
+            findSurroundings({kWidth, kHeight, s.data(), t.data(), lambda.data()}, again.data());
+            again.resize(cells);
+            EXPECT_EQ(again, first) << c.name << ' ' << laneTargetName(target);
+        }
+    }
+}
+
+// Rays and footprints of points against the text of single pixels.
+TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
+    constexpr double kRelative = 1e-12;  // another order of the same products
+    for (const Address address : {Address::Repeat, Address::Border}) {
+        const HeightField field = reliefOf("city", address);
+        const Asked asked(requestOf(field, randomPicture(64, 48, kSeed), grid()));
+        const std::size_t count = asked.block.size();
+        const PixelView& view = *asked.block.view[0];
+        std::vector<double> x, y;
+        for (std::size_t i = 0; i < count; ++i) {
+            x.push_back(asked.block.x[i] + 0.5), y.push_back(asked.block.y[i] + 0.5);
+        }
+        for (const std::int64_t target : laneTargets()) {
+            const ForcedTarget forced(target);
+            RayBlock rays(count);
+            raysThrough(view, x, y, rays, 0);
+            PointBlock points;
+            points.resize(count);
+            layFootprints(view, field, 0.5, {2, 3},
+                          {x, y, rays.a, rays.b, asked.block.lambda, asked.block.s, asked.block.t}, points);
+            for (std::size_t i = 0; i < count; ++i) {
+                ASSERT_EQ(rays[i], asked.block.rays[i]) << i;
+                const Jacobian j = asked.block[i].jacobian;
+                const auto [slopeS, slopeT] = field.slope(asked.block.s[i], asked.block.t[i]);
+                const double facing = std::max(1.0, 1 + rays.a[i] * slopeS + rays.b[i] * slopeT);
+                const double alongX = (slopeS * j.ux + slopeT * j.vx) / facing;
+                const double size = std::abs(j.ux) + std::abs(j.vx) + std::abs(rays.a[i] * alongX);
+                ASSERT_NEAR(points.ux[i], 0.5 * 2 * (j.ux - rays.a[i] * alongX), kRelative * size) << i;
+                ASSERT_NEAR(points.vx[i], 0.5 * 3 * (j.vx - rays.b[i] * alongX), 2 * kRelative * size) << i;
+                ASSERT_EQ(points.t[i], 3 * asked.block.t[i]);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief::test
