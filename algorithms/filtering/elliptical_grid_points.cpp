@@ -19,7 +19,7 @@ void GridKernel::findWhole(Tile& tile) const {
     const std::uint16_t* a = tile.around.data();
     std::uint16_t* whole = tile.whole.data();
     const auto joined = [](unsigned p, unsigned q, unsigned line) {
-        return (p & q & kSmooth << line) | (((p | q) & kStraight << line) / kStraight);
+        return (p & q & (unsigned{kSmooth} << line)) | (((p | q) & (unsigned{kStraight} << line)) / kStraight);
     };
     for (std::size_t c = 0; c < last; ++c) {
         const unsigned p = a[c], q = a[c + 1], r = a[c + row], s = a[c + row + 1];
