@@ -757,6 +757,14 @@
 <context>
     <name>reliefui::ChartsView</name>
     <message>
+        <source>Charts: other view</source>
+        <translation>Діаграми: інший вигляд</translation>
+    </message>
+    <message>
+        <source>%1 · click: a pixel of them</source>
+        <translation>%1 · клацніть: один із цих пікселів</translation>
+    </message>
+    <message>
         <source>Charts</source>
         <translation>Діаграми</translation>
     </message>
@@ -898,6 +906,18 @@
 <context>
     <name>reliefui::CompareView</name>
     <message>
+        <source>options</source>
+        <translation>параметри</translation>
+    </message>
+    <message>
+        <source>The options of these methods</source>
+        <translation>Параметри цих методів</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
         <source>Compare</source>
         <translation>Порівняння</translation>
     </message>
@@ -1012,6 +1032,10 @@
 </context>
 <context>
     <name>reliefui::DistanceView</name>
+    <message>
+        <source>Distance map: other view</source>
+        <translation>Карта відстаней: інший вигляд</translation>
+    </message>
     <message>
         <source>Distance map</source>
         <translation>Карта відстаней</translation>
@@ -1365,6 +1389,10 @@
 </context>
 <context>
     <name>reliefui::FootprintView</name>
+    <message>
+        <source>Footprint: neighbours</source>
+        <translation>Відбиток: сусіди</translation>
+    </message>
     <message>
         <source>Footprint</source>
         <translation>Слід пікселя</translation>
@@ -2367,6 +2395,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 <context>
     <name>reliefui::ProfileView</name>
     <message>
+        <source>Profile: other view</source>
+        <translation>Профіль: інший вигляд</translation>
+    </message>
+    <message>
         <source>Profile</source>
         <translation>Профіль</translation>
     </message>
@@ -2441,6 +2473,30 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 </context>
 <context>
     <name>reliefui::PyramidView</name>
+    <message>
+        <source>Pyramid: other view</source>
+        <translation>Піраміда: інший вигляд</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>усі</translation>
+    </message>
+    <message>
+        <source>Maxima, means and minima beside each other</source>
+        <translation>Максимуми, середні й мінімуми поруч</translation>
+    </message>
+    <message>
+        <source>3-D</source>
+        <translation>3-D</translation>
+    </message>
+    <message>
+        <source>The levels as slabs one above the other, and the way of the ray</source>
+        <translation>Рівні як плити одна над одною та шлях променя</translation>
+    </message>
+    <message>
+        <source>step %1 · voxel (%2, %3, %4)</source>
+        <translation>крок %1 · воксель (%2, %3, %4)</translation>
+    </message>
     <message>
         <source>Pyramid</source>
         <translation>Піраміда</translation>
@@ -2697,6 +2753,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 </context>
 <context>
     <name>reliefui::RowsView</name>
+    <message>
+        <source>Rows: other variants</source>
+        <translation>Рядки: інші варіанти</translation>
+    </message>
     <message>
         <source>Rows</source>
         <translation>Рядки</translation>
@@ -3230,6 +3290,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 <context>
     <name>reliefui::Trace3dView</name>
     <message>
+        <source>Trace 3-D: other view</source>
+        <translation>Трасування 3-D: інший вигляд</translation>
+    </message>
+    <message>
         <source>Trace in 3-D</source>
         <translation>Шлях променя в 3-D</translation>
     </message>
@@ -3314,6 +3378,13 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>longest pause of the window: </source>
         <translation>найдовша пауза вікна: </translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::PyramidStack</name>
+    <message>
+        <source>Pyramid in 3-D</source>
+        <translation>Піраміда в 3-D</translation>
     </message>
 </context>
 </TS>

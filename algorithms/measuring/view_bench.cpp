@@ -129,8 +129,9 @@ void fillSteps(FrameHistograms& out, const std::vector<std::int64_t>& steps) {
     for (const std::int64_t s : steps) ++out.steps[static_cast<std::size_t>(s / out.stepWidth)];
 }
 
+constexpr double kLeast = 1e-9;  // texels: smaller ones lie in the first bin
+
 void fillErrors(FrameHistograms& out, const ErrorLayer& error) {
-    constexpr double kLeast = 1e-9;  // texels: smaller ones lie in the first bin
     double low = std::numeric_limits<double>::infinity();
     for (const float texels : error.texels) {
         if (texels > 0 && std::isfinite(texels)) low = std::min(low, static_cast<double>(texels));
@@ -140,18 +141,14 @@ void fillErrors(FrameHistograms& out, const ErrorLayer& error) {
     out.wrong = error.counts[static_cast<std::size_t>(ErrorKind::Wrong)];
     if (!std::isfinite(low)) return;
     out.lowDecade = static_cast<int>(std::floor(std::log10(std::max(low, kLeast))));
-    const auto bin = [&](double texels) {
-        const double place = (std::log10(std::max(texels, kLeast)) - out.lowDecade) * FrameHistograms::kErrorBins;
-        return static_cast<std::size_t>(std::max(place, 0.0));
-    };
     // Rounded as the errors are: the largest must have its bin.
-    const std::size_t bins = bin(static_cast<double>(static_cast<float>(error.largest))) + 1;
+    const std::size_t bins = out.errorBin(static_cast<double>(static_cast<float>(error.largest))) + 1;
     out.before.assign(bins, 0);
     out.behind.assign(bins, 0);
     for (std::size_t i = 0; i < error.texels.size(); ++i) {
         const bool past = error.kinds[i] == ErrorKind::Past;
         if (!past && error.kinds[i] != ErrorKind::Short) continue;
-        ++(past ? out.behind : out.before)[std::min(bin(static_cast<double>(error.texels[i])), bins - 1)];
+        ++(past ? out.behind : out.before)[std::min(out.errorBin(static_cast<double>(error.texels[i])), bins - 1)];
     }
 }
 
@@ -235,6 +232,68 @@ FrameHistograms frameHistograms(const Frame& frame, const FrameRequest& request,
     fillSteps(out, stepsOf(frame, tracer, work));
     fillErrors(out, errorAgainstExact(frame, request, maps, work));
     return out;
+}
+
+std::size_t FrameHistograms::errorBin(double texels) const {
+    const double place = (std::log10(std::max(texels, kLeast)) - lowDecade) * kErrorBins;
+    return static_cast<std::size_t>(std::max(place, 0.0));
+}
+
+namespace {
+
+struct RankedPixel {
+    double worse = 0;
+    double away = 0;  // from the centre
+    PixelPlace place;
+};
+
+ErrorKind kindOf(HistogramPart part) {
+    switch (part) {
+        case HistogramPart::Before:
+            return ErrorKind::Short;
+        case HistogramPart::Behind:
+            return ErrorKind::Past;
+        case HistogramPart::Wrong:
+            return ErrorKind::Wrong;
+        default:
+            return ErrorKind::Right;
+    }
+}
+
+}  // namespace
+
+std::vector<PixelPlace> pixelsOfBin(const Frame& frame, const FrameRequest& request, const Tracer& tracer,
+                                    const FrameHistograms& data, HistogramBin bin, MapCache& maps, Work& work) {
+    std::vector<RankedPixel> found;
+    const auto add = [&](int x, int y, double worse) {
+        found.push_back({worse, std::hypot(x + 0.5 - frame.width / 2.0, y + 0.5 - frame.height / 2.0), {x, y}});
+    };
+    const bool bySteps = bin.part == HistogramPart::Steps;
+    const std::vector<std::int64_t> steps = bySteps ? stepsOf(frame, tracer, work) : std::vector<std::int64_t>();
+    const ErrorLayer error = bySteps ? ErrorLayer() : errorAgainstExact(frame, request, maps, work);
+    const bool binned = bin.part == HistogramPart::Before || bin.part == HistogramPart::Behind;
+    std::size_t ray = 0;
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x) {
+            const std::size_t i = frame.index(x, y);
+            if (frame.rays->polygon[i] == kNoPolygon) continue;
+            if (bySteps) {
+                const std::int64_t count = steps[ray++];
+                if (static_cast<std::size_t>(count / data.stepWidth) == bin.bin) add(x, y, static_cast<double>(count));
+                continue;
+            }
+            if (error.kinds[i] != kindOf(bin.part)) continue;
+            const auto texels = static_cast<double>(error.texels[i]);
+            const std::size_t last = data.before.empty() ? 0 : data.before.size() - 1;
+            if (!binned || std::min(data.errorBin(texels), last) == bin.bin) add(x, y, binned ? texels : 0);
+        }
+    }
+    std::stable_sort(found.begin(), found.end(), [](const RankedPixel& a, const RankedPixel& b) {
+        return a.worse != b.worse ? a.worse > b.worse : a.away < b.away;
+    });
+    std::vector<PixelPlace> places;
+    for (const RankedPixel& pixel : found) places.push_back(pixel.place);
+    return places;
 }
 
 }  // namespace relief

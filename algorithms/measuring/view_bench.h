@@ -45,9 +45,23 @@ struct FrameHistograms {
     std::int64_t exact = 0;                    // rays
     std::int64_t wrong = 0;                    // of another outcome
     double largest = 0;                        // of the finite ones
+
+    // Of a ray that ends before or behind the exact hit.
+    std::size_t errorBin(double texels) const;
 };
 // tracer: the frame's; rays are traced again for their steps where the frame has not counted them. Throws Cancelled.
 FrameHistograms frameHistograms(const Frame& frame, const FrameRequest& request, const Tracer& tracer, MapCache& maps,
                                 Work& work);
+
+// A bin of such histograms; `bin` is of steps or errors, and means nothing for the others.
+enum class HistogramPart : std::uint8_t { Steps, Exact, Before, Behind, Wrong };
+struct HistogramBin {
+    HistogramPart part = HistogramPart::Steps;
+    std::size_t bin = 0;
+};
+// The pixels whose rays are in the bin, those first that take most steps or are farthest off, of equal ones those near
+// the picture's centre. data: of the very frame and tracer. Throws Cancelled.
+std::vector<PixelPlace> pixelsOfBin(const Frame& frame, const FrameRequest& request, const Tracer& tracer,
+                                    const FrameHistograms& data, HistogramBin bin, MapCache& maps, Work& work);
 
 }  // namespace relief

@@ -103,6 +103,7 @@ Scenario withNotesOf(const Scenario& a, const Scenario& b) {
     out.step = b.step;
     out.breakpoints = b.breakpoints;
     out.bookmarks = b.bookmarks;
+    out.panes = b.panes;
     return out;
 }
 
@@ -157,6 +158,7 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
     }
     checkMethod(scenario.method, subject);
     checkComparison(scenario.comparison, subject);
+    checkPanes(scenario.panes, subject);
     checkFilter(scenario.filter, subject.empty() ? "--filter" : subject);
     if (scenario.filter.samples < 1 || scenario.filter.samples > kMaxSamples) {
         throw InputError(subject, Message(MessageId::OutOfRange, {{"what", "supersample"},

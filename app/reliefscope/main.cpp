@@ -13,6 +13,7 @@
 #include "views/charts_data.h"
 #include "views/compare_data.h"
 #include "views/figure.h"
+#include "views/pane_options.h"
 #include "windows/application.h"
 #include "windows/display_check.h"
 #include "windows/main_window.h"
@@ -114,6 +115,16 @@ std::shared_ptr<const reliefui::ComparedView> measuredComparison(const reliefui:
     return reliefui::withRates(*comparer.view(snapshot, work), snapshot, work);
 }
 
+// What is asked for here stands before what the scenario says.
+void takeArguments(reliefui::FigureRequest& request, const Arguments& arguments) {
+    if (!arguments.map.empty()) request.distance.kind = arguments.map;
+    if (!arguments.minus.empty()) request.distance.minus = arguments.minus;
+    if (!arguments.axis.empty()) request.distance.axis = static_cast<reliefui::SliceAxis>(arguments.axis.front() - 'x');
+    if (arguments.slice >= 0) request.distance.slice = arguments.slice;
+    if (!arguments.variants.empty()) request.rows.methods = betweenCommas(arguments.variants);
+    if (arguments.rowWidth > 0) request.rows.pixels = arguments.rowWidth;
+}
+
 int exportFigure(int count, char** values, const Arguments& arguments) {
     reliefui::FigureRequest request;
     request.view = arguments.figure;
@@ -121,12 +132,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     request.dpi = arguments.dpi;
     request.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
     request.style.language = reliefui::uiLanguage();
-    request.distance.kind = arguments.map;
-    request.distance.minus = arguments.minus;
-    if (!arguments.axis.empty()) request.distance.axis = static_cast<reliefui::SliceAxis>(arguments.axis.front() - 'x');
-    if (!arguments.variants.empty()) request.rows.methods = betweenCommas(arguments.variants);
-    request.rows.pixels = arguments.rowWidth;
-    if (arguments.slice >= 0) request.distance.slice = arguments.slice;
+    takeArguments(request, arguments);
     reliefui::checkFigure(request, arguments.output);
     if (request.view == "pareto") {
         request.charts = paretoChart(arguments);
@@ -137,6 +143,8 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
         return 0;
     }
     Start start = chosenStart(arguments.file, shippedPictures());
+    reliefui::takePanes(request, start.scenario.panes);
+    takeArguments(request, arguments);
     reliefui::prepareFigures();
     QApplication application(count, values);
     reliefui::dressApplication(application);

@@ -97,7 +97,8 @@ HistogramPicture stepsHistogram(const FrameHistograms& data, std::int64_t chosen
                          {x + kGap * side, plot.y0, x + (1 - kGap) * side, plot.y1},
                          low,
                          low + data.stepWidth,
-                         data.steps[b]});
+                         data.steps[b],
+                         b});
     }
     constexpr double kApart = 32;
     const double range = static_cast<double>(data.steps.size()) * data.stepWidth;
@@ -130,9 +131,9 @@ HistogramPicture errorHistogram(const FrameHistograms& data, const Box& room) {
     constexpr double kGap = 10;
     const double inner0 = plot.x0 + 4 + kSingle + kGap;
     const double inner1 = plot.x1 - 4 - kSingle - kGap;
-    addBar(picture, {BarKind::Exact, {plot.x0 + 4, plot.y0, plot.x0 + 4 + kSingle, plot.y1}, 0, 0, data.exact});
+    addBar(picture, {BarKind::Exact, {plot.x0 + 4, plot.y0, plot.x0 + 4 + kSingle, plot.y1}, 0, 0, data.exact, 0});
     addTick(picture, plot.x0 + 4 + kSingle / 2, "0");
-    addBar(picture, {BarKind::Wrong, {plot.x1 - 4 - kSingle, plot.y0, plot.x1 - 4, plot.y1}, 0, 0, data.wrong});
+    addBar(picture, {BarKind::Wrong, {plot.x1 - 4 - kSingle, plot.y0, plot.x1 - 4, plot.y1}, 0, 0, data.wrong, 0});
     chart::text(picture.drawing, {plot.x1 - 4 - kSingle / 2, plot.y1}, Message(MessageId::DrawChartWrongBar),
                 Anchor::Top, {0, chart::kTick + 1});
     const std::size_t bins = data.before.size();
@@ -148,12 +149,14 @@ HistogramPicture errorHistogram(const FrameHistograms& data, const Box& room) {
                          {x + 0.06 * side, plot.y0, x + 0.5 * side, plot.y1},
                          edge(b),
                          edge(b + 1),
-                         data.before[b]});
+                         data.before[b],
+                         b});
         addBar(picture, {BarKind::Behind,
                          {x + 0.5 * side, plot.y0, x + 0.94 * side, plot.y1},
                          edge(b),
                          edge(b + 1),
-                         data.behind[b]});
+                         data.behind[b],
+                         b});
     }
     constexpr double kApart = 24;
     const double decade = side * FrameHistograms::kErrorBins;

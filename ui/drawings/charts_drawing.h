@@ -29,6 +29,7 @@ struct HistogramBar {
     double low = 0;  // steps or texels, from low to below high
     double high = 0;
     std::int64_t rays = 0;
+    std::size_t bin = 0;  // of steps or errors
 };
 struct HistogramPicture {
     Box plot;

@@ -105,7 +105,7 @@ struct Visit {
     Box box;
     std::vector<std::size_t> steps;
 };
-using Texel = std::tuple<int, std::int64_t, std::int64_t>;
+using Texel = std::tuple<bool, int, std::int64_t, std::int64_t>;  // a voxel, or a texel of the level
 
 class Marks {
   public:
@@ -134,7 +134,8 @@ class Marks {
     std::vector<Box> boxesOf(const relief::Step& s) const {
         if (s.level < 0 || s.level >= static_cast<int>(blocks_.size())) return {};
         const LevelBlock& block = blocks_[static_cast<std::size_t>(s.level)];
-        std::vector<Box> boxes = wrapped(stepBox(*source_.field, s, source_.baseLevel), block.domain, wraps_);
+        std::vector<Box> boxes =
+            wrapped(placeOf(source_.walk, *source_.field, s, source_.baseLevel), block.domain, wraps_);
         for (Box& box : boxes) box = block.toDrawing(box);
         return boxes;
     }
@@ -145,7 +146,7 @@ class Marks {
         std::map<Texel, Visit> visits;
         for (std::size_t k = first; k < last; ++k) {
             const relief::Step& s = step(k);
-            Visit& visit = visits[{s.level, s.i, s.j}];
+            Visit& visit = visits[{liesInVoxel(source_.walk, s), s.level, s.i, s.j}];
             visit.steps.push_back(k);
             for (const Box& box : boxesOf(s)) {
                 visit.box = box;
@@ -271,13 +272,16 @@ void addCells(Drawing& drawing, const PyramidSource& source, const LevelBlock& b
 
 }  // namespace
 
-PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height) {
+PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height, Point origin) {
     PyramidPicture picture;
     Arrangement arranged = arrange(source, width, height);
     picture.wraps = arranged.window.whole && source.field->address() == relief::Address::Repeat;
     picture.blocks = std::move(arranged.blocks);
     Drawing& drawing = picture.levels;
-    for (const LevelBlock& block : picture.blocks) {
+    for (LevelBlock& block : picture.blocks) {
+        block.box = {block.box.x0 + origin.x, block.box.y0 + origin.y, block.box.x1 + origin.x,
+                     block.box.y1 + origin.y};
+        block.title = {block.title.x + origin.x, block.title.y + origin.y};
         addCells(drawing, source, block);
         drawing.add({}, Role::Frame, Rectangle{block.box, false, -0.5, 0});
         Label title;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawings/pyramid_layout.h"
+#include "drawings/step_body.h"
 #include "images/pyramid.h"
 #include "relief/height_field.h"
 #include "relief/ray.h"
@@ -24,6 +25,7 @@ struct PyramidSource {
     relief::ViewRay ray;
     relief::Hit hit;
     const std::vector<relief::Step>* steps = nullptr;
+    MapWalk walk;          // whose voxels some of the steps are about
     bool nearRay = false;  // only the surroundings of the ray, on all levels, if it is not longer than the texture
 };
 
@@ -33,7 +35,8 @@ struct PyramidPicture {
     Drawing levels;
     bool wraps = false;  // the blocks show one period, into which the ray is wrapped
 };
-PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height);
+// origin: its upper left corner.
+PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height, Point origin = {});
 
 // The ray and its steps on the blocks. Steps after the chosen one are drawn faintly.
 Drawing pyramidMarks(const PyramidSource& source, const PyramidPicture& picture, int step);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawings/ray_geometry.h"
 #include "drawings/slice.h"
 #include "relief/cell_grid.h"
 #include "relief/maps/distance_map.h"
@@ -121,6 +122,16 @@ bool valueIsHeight(const MapWalk& walk, const relief::Step& step) {
 bool namesVoxel(const MapWalk& walk, const relief::Step& step) {
     const bool voxel = step.decision == Decision::Advance && step.phase == Phase::Search;
     return walk && !walk.cones && !walk.interpolated && step.primitive == relief::Primitive::Texel && voxel;
+}
+
+bool liesInVoxel(const MapWalk& walk, const relief::Step& step) {
+    const bool cell = step.decision == Decision::Test || step.decision == Decision::Hit ||
+                      step.decision == Decision::Refine || step.level > 0;
+    return walk && !walk.cones && !walk.interpolated && step.primitive == relief::Primitive::Texel && !cell;
+}
+
+Box placeOf(const MapWalk& walk, const relief::HeightField& field, const relief::Step& step, int baseLevel) {
+    return liesInVoxel(walk, step) ? voxelBox(walk, field, step).sides : stepBox(field, step, baseLevel);
 }
 
 VoxelBox voxelBox(const MapWalk& walk, const relief::HeightField& field, const relief::Step& step) {

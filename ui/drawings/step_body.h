@@ -56,7 +56,11 @@ struct VoxelBox {
     double high = 0;
 };
 VoxelBox voxelBox(const MapWalk& walk, const relief::HeightField& field, const relief::Step& step);
-// Whether the record names a voxel, not a cell or a point.
+// Whether the record's place is a voxel's, as of all records of such a walk but those that test a cell.
+bool liesInVoxel(const MapWalk& walk, const relief::Step& step);
+// Where a record's texel, cell or voxel lies in the texture's plane; unwrapped texels. baseLevel: see stepBox.
+Box placeOf(const MapWalk& walk, const relief::HeightField& field, const relief::Step& step, int baseLevel = 0);
+// Whether the record is about a voxel and its distance, not a cell or a point.
 bool namesVoxel(const MapWalk& walk, const relief::Step& step);
 
 }  // namespace reliefui

@@ -37,10 +37,16 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::resized, this, &ChartsView::draw);
     connect(canvas_, &DrawingCanvas::clicked, this, [this] {
         const ChartsReading at = chartsReading(picture_, canvas_->toDrawing(released_));
-        if (at.point) choose(*at.point);
+        if (at.point) {
+            choose(*at.point);
+        } else if (at.bar) {
+            chooseOf(*at.bar);
+        }
     });
     connect(workspace_, &Workspace::snapshotChanged, this, &ChartsView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &ChartsView::adopt);
     connect(workspace_, &Workspace::styleChanged, this, &ChartsView::draw);
+    adopt();
     refresh();
 }
 
@@ -97,7 +103,8 @@ void ChartsView::makeBar() {
     });
     connect(live_, &QToolButton::clicked, this, &ChartsView::setLive);
     connect(maps_, &QToolButton::clicked, this, &ChartsView::setWithMaps);
-    connect(error_, qOverload<int>(&QComboBox::activated), this, &ChartsView::draw);
+    connect(error_, qOverload<int>(&QComboBox::activated), this,
+            [this](int measure) { setMeasure(static_cast<relief::ErrorMeasure>(measure)); });
     connect(shown_, qOverload<int>(&QComboBox::activated), this,
             [this](int shown) { setShown(static_cast<ChartsShown>(shown)); });
 }

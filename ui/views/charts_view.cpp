@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 
 #include "views/drawing_canvas.h"
 #include "workspace/pause_log.h"
@@ -90,30 +91,53 @@ void ChartsView::measure() {
 
 void ChartsView::cancel() {
     if (!job_->busy()) return;
-    live_->setChecked(false);  // or it would begin again at once
+    setLive(false);  // or it would begin again at once
     job_->cancel();
 }
 
+void ChartsView::change(const relief::ChartsPane& pane) {
+    relief::PaneStates panes = workspace_->scenario().panes;
+    panes.charts = pane;
+    workspace_->setPanes(panes, tr("Charts: other view"));
+    adopt();
+}
+
+void ChartsView::adopt() {
+    const relief::ChartsPane before = std::exchange(pane_, workspace_->scenario().panes.charts);
+    const std::vector<std::string>& names = relief::chartsPaneShown();
+    const auto shown = std::find(names.begin(), names.end(), pane_.shown) - names.begin();
+    shown_->setCurrentIndex(static_cast<int>(shown));
+    error_->setCurrentIndex(static_cast<int>(relief::parseErrorMeasure(pane_.error, "error")));
+    live_->setChecked(pane_.live);
+    maps_->setChecked(pane_.maps);
+    if (pane_.shown != before.shown) canvas_->resetZoom();
+    if (pane_.shown != before.shown || pane_.error != before.error) draw();
+    if (pane_.maps != before.maps) measuring_ = false;  // what is underway is not what is wanted now
+    if (pane_.maps != before.maps || (pane_.live && !before.live)) refresh();
+}
+
 void ChartsView::setLive(bool on) {
-    live_->setChecked(on);
-    if (on) refresh();
+    relief::ChartsPane pane = pane_;
+    pane.live = on;
+    change(pane);
 }
 
 void ChartsView::setWithMaps(bool on) {
-    maps_->setChecked(on);
-    measuring_ = false;  // what is underway is not what is wanted now
-    refresh();
+    relief::ChartsPane pane = pane_;
+    pane.maps = on;
+    change(pane);
 }
 
 void ChartsView::setShown(ChartsShown shown) {
-    shown_->setCurrentIndex(static_cast<int>(shown));
-    canvas_->resetZoom();
-    draw();
+    relief::ChartsPane pane = pane_;
+    pane.shown = relief::chartsPaneShown()[static_cast<std::size_t>(shown)];
+    change(pane);
 }
 
 void ChartsView::setMeasure(relief::ErrorMeasure measure) {
-    error_->setCurrentIndex(static_cast<int>(measure));
-    draw();
+    relief::ChartsPane pane = pane_;
+    pane.error = std::string(relief::kErrorMeasureNames[static_cast<std::size_t>(measure)]);
+    change(pane);
 }
 
 ChartsSource ChartsView::source() const {
@@ -185,6 +209,31 @@ void ChartsView::choose(std::size_t point) {
     showBusy();
 }
 
+void ChartsView::chooseOf(const HistogramBar& bar) {
+    if (!snapshot_ || !snapshot_->frame || !histograms_ || counted_ != snapshot_->frame || bar.rays == 0) return;
+    auto pixels = std::make_shared<std::vector<relief::PixelPlace>>();
+    const relief::HistogramBin bin{static_cast<relief::HistogramPart>(bar.kind), bar.bin};
+    const auto work = [pixels, bin, data = histograms_, snapshot = snapshot_](relief::Work& w) {
+        *pixels = relief::pixelsOfBin(*snapshot->frame, *snapshot->request, *snapshot->tracer, *data, bin,
+                                      *snapshot->maps, w);
+    };
+    const auto done = [this, pixels] {
+        const std::optional<relief::PixelChoice> now = workspace_->scenario().pixel;
+        const auto at = std::find_if(pixels->begin(), pixels->end(),
+                                     [&](const auto& p) { return now && p.x == now->x && p.y == now->y; });
+        // Another one of the bar that is looked at already.
+        const auto next = at == pixels->end() || at + 1 == pixels->end() ? pixels->begin() : at + 1;
+        if (next != pixels->end()) {
+            workspace_->settle();  // each click is a step of undo by itself
+            workspace_->choosePixel(next->x, next->y);
+        }
+        refresh();  // what was stopped for this
+    };
+    measuring_ = false;
+    job_->start({work, done});
+    showBusy();
+}
+
 // Speed never without its error.
 QString ChartsView::textOf(const relief::ParetoPoint& point) const {
     QString text = tr("%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps")
@@ -194,7 +243,12 @@ QString ChartsView::textOf(const relief::ParetoPoint& point) const {
     return text;
 }
 
+// Its range and count, and that it can be clicked.
 QString ChartsView::textOf(const HistogramBar& bar) const {
+    return bar.rays > 0 ? tr("%1 · click: a pixel of them").arg(rangeOf(bar)) : rangeOf(bar);
+}
+
+QString ChartsView::rangeOf(const HistogramBar& bar) {
     switch (bar.kind) {
         case BarKind::Exact:
             return tr("exact: %1 rays").arg(bar.rays);

@@ -43,6 +43,8 @@ class ChartsView : public FigureView {
     void setMeasure(relief::ErrorMeasure measure);
     // The method of a mark, and its worst pixel.
     void choose(std::size_t point);
+    // A pixel of a bar: the one with most steps or farthest off; again: the next.
+    void chooseOf(const reliefui::HistogramBar& bar);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -53,6 +55,8 @@ class ChartsView : public FigureView {
 
   private:
     void makeBar();
+    void change(const relief::ChartsPane& pane);
+    void adopt();  // what the scenario says
     QToolButton* addButton(const char* name, const QString& text, const QString& help, bool checkable);
     QComboBox* addChooser(const char* name, const QString& help);
     void refresh();  // another frame
@@ -62,6 +66,7 @@ class ChartsView : public FigureView {
     void showBusy();
     QString textOf(const relief::ParetoPoint& point) const;
     QString textOf(const HistogramBar& bar) const;
+    static QString rangeOf(const HistogramBar& bar);
     ChartsSource source() const;
 
     DrawingCanvas* canvas_;
@@ -76,6 +81,7 @@ class ChartsView : public FigureView {
     std::shared_ptr<const relief::Frame> counted_;  // that the histograms are of
     std::shared_ptr<const relief::FrameHistograms> histograms_;
     std::shared_ptr<const MeasuredView> measured_;
+    relief::ChartsPane pane_;
     ChartsPicture picture_;
     QPointF released_;
     bool measuring_ = false;

@@ -40,6 +40,7 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
         column->addWidget(bar);
         first ? makeMethodBar() : makeModeBar();
     }
+    column->addWidget(makeOptions());
     column->addWidget(pictures_, 1);
     pictures_->setMinimumHeight(kLeastPicture);
     connect(pictures_, &ComparePictures::hovered, this, &CompareView::setReadout);
@@ -99,6 +100,9 @@ void CompareView::makeMethodBar() {
     }
     add_ = addButton("compare-add", QStringLiteral("+"), tr("Set another method beside these"));
     remove_ = addButton("compare-remove", QStringLiteral("−"), tr("Leave out the last method"));
+    showOptions_ = addButton("compare-options", tr("options"), tr("The options of these methods"));
+    showOptions_->setCheckable(true);
+    connect(showOptions_, &QToolButton::clicked, this, &CompareView::showOptions);
     bar_->addStretch(1);
     bar_->setStretch(bar_->count() - 1, 0);
     connect(add_, &QToolButton::clicked, this, &CompareView::addMethod);
@@ -161,6 +165,7 @@ void CompareView::showControls() {
         if (n >= methods.size()) continue;
         methods_[n]->setCurrentIndex(methods_[n]->findData(QString::fromStdString(methods[n].name)));
     }
+    refreshOptions();
     add_->setEnabled(methods.size() < relief::kMostCompared);
     remove_->setEnabled(methods.size() > 1);
     mode_->setCurrentIndex(static_cast<int>(how.mode));

@@ -26,6 +26,9 @@ relief::Scenario viewOf(relief::Scenario scenario) {
     scenario.pixel.reset();
     scenario.step = 0;
     scenario.comparison = {};
+    scenario.panes = {};
+    scenario.breakpoints.clear();
+    scenario.bookmarks.clear();
     return scenario;
 }
 

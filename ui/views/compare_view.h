@@ -18,6 +18,8 @@ class QToolButton;
 
 namespace reliefui {
 
+class OptionsForm;
+
 // The pictures, with the grammar of the result. Dividers are dragged.
 class ComparePictures : public PictureView {
     Q_OBJECT
@@ -88,6 +90,10 @@ class CompareView : public FigureView {
     void removeMethod();
     // Puts another method at this place, 0 being A.
     void setMethod(std::size_t number, const QString& name);
+    // An option of its method, as its description names it ("inner.layers").
+    void setOption(std::size_t number, const QString& name, const QString& text, bool live = false);
+    // The options of all methods, to be turned.
+    void showOptions(bool on);
     // The method becomes A, so that all panes answer for it; A takes its place.
     void swapWithA(std::size_t number);
     void setMode(relief::CompareMode mode);
@@ -107,6 +113,8 @@ class CompareView : public FigureView {
     QToolButton* addButton(const char* name, const QString& text, const QString& help);
     void makeMethodBar();
     void makeModeBar();
+    QWidget* makeOptions();
+    void refreshOptions();
     void showControls();
     void change(const relief::Comparison& comparison, const QString& what);
     void refresh();
@@ -117,6 +125,15 @@ class CompareView : public FigureView {
     QHBoxLayout* bar_ = nullptr;  // the row that is being filled
     ComparePictures* pictures_;
     std::vector<QComboBox*> methods_;
+    // Of a method: its name over its options.
+    struct OptionsOf {
+        QWidget* whole = nullptr;
+        QLabel* title = nullptr;
+        OptionsForm* form = nullptr;
+    };
+    std::vector<OptionsOf> options_;
+    QWidget* optionsArea_ = nullptr;
+    QToolButton* showOptions_ = nullptr;
     QToolButton* add_ = nullptr;
     QToolButton* remove_ = nullptr;
     QComboBox* mode_ = nullptr;

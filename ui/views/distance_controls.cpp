@@ -64,8 +64,10 @@ DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &DistanceView::refresh);
     connect(workspace_, &Workspace::snapshotChanged, this, &DistanceView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &DistanceView::adopt);
     connect(workspace_, &Workspace::stepChanged, this, &DistanceView::refreshStep);
     connect(workspace_, &Workspace::styleChanged, this, &DistanceView::refresh);
+    adopt();
     refresh();
 }
 
@@ -169,7 +171,7 @@ void DistanceView::makeSliceBar(QHBoxLayout* bar) {
         DistanceOptions next = options_;
         if (!next.axis && result_) next.axis = result_->picture.frame.axis;
         next.slice = slice;
-        change(next);
+        change(next, "distance-slice");
     });
     connect(follow_, &QToolButton::clicked, this, [this](bool on) {
         DistanceOptions next = options_;

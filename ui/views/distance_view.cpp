@@ -12,6 +12,7 @@
 
 #include "relief/maps/map_choice.h"
 #include "views/drawing_canvas.h"
+#include "views/pane_options.h"
 #include "windows/core_texts.h"
 #include "workspace/discard.h"
 #include "workspace/pause_log.h"
@@ -22,7 +23,17 @@ void DistanceView::setOptions(const DistanceOptions& options) {
     change(options);
 }
 
-void DistanceView::change(const DistanceOptions& options) {
+// drag: what is dragged, one step of undo.
+void DistanceView::change(const DistanceOptions& options, const char* drag) {
+    if (options == options_) return;
+    relief::PaneStates panes = workspace_->scenario().panes;
+    panes.distance = distancePane(options);
+    workspace_->setPanes(panes, tr("Distance map: other view"), QString::fromLatin1(drag));
+    showControls();  // where it was refused
+}
+
+void DistanceView::adopt() {
+    const DistanceOptions options = distanceOptions(workspace_->scenario().panes.distance);
     if (options == options_) return;
     const bool other = options.kind != options_.kind || options.minus != options_.minus ||
                        options.axis != options_.axis || options.nearRay != options_.nearRay;

@@ -80,7 +80,8 @@ class DistanceView : public FigureView {
     void showEmpty(relief::MessageId why);
     void fail(const QString& problem);
     void showWaiting();
-    void change(const DistanceOptions& options);
+    void change(const DistanceOptions& options, const char* drag = nullptr);
+    void adopt();  // what the scenario says
     void choose(const ItemId& id);
     bool ready() const;
     MapNames namesNow() const;

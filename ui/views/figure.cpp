@@ -14,6 +14,7 @@
 #include "views/compare_painting.h"
 #include "views/distance_maps.h"
 #include "views/drawn_view.h"
+#include "views/pyramid_parts.h"
 #include "views/result_painting.h"
 
 namespace reliefui {
@@ -98,9 +99,9 @@ void paintPyramid(QPainter& painter, const Snapshot& snapshot, const PyramidOpti
     const double unit = style.pixelsPerPoint();
     const Drawing legend = pyramidLegend(source, page.width() / unit - 12, style.language);
     const Box room = figureRoom(legend, page, style);
-    const PyramidPicture picture = pyramidPicture(source, room.width() / unit, room.height() / unit);
-    const Drawing marks = pyramidMarks(source, picture, snapshot.scenario.step);
-    paintFigure(painter, {&picture.levels, &marks}, legend, page, style);
+    const PyramidParts parts = pyramidParts(snapshot, options, room.width() / unit, room.height() / unit);
+    const Drawing marks = partsMarks(parts, snapshot.scenario.step);
+    paintFigure(painter, {&parts.levels, &marks}, legend, page, style);
 }
 
 void paintProfile(QPainter& painter, const Snapshot& snapshot, const ProfileOptions& options, const Box& page,
@@ -283,6 +284,7 @@ PyramidSource pyramidSource(const Snapshot& s, const PyramidOptions& options) {
     source.hit = s.trace.hit;
     source.steps = &s.trace.steps;
     source.baseLevel = s.trace.baseLevel;
+    source.walk = walkedMap(s.scenario.method);
     source.nearRay = options.nearRay;
     return source;
 }

@@ -23,6 +23,7 @@ namespace reliefui {
 struct PyramidOptions {
     relief::PyramidKind kind = relief::PyramidKind::Max;  // the maxima are over the cells, the others over the texels
     bool nearRay = true;
+    bool all = false;  // maxima, means and minima beside each other
 };
 PyramidSource pyramidSource(const Snapshot& snapshot, const PyramidOptions& options);
 ProfileSource profileSource(const Snapshot& snapshot);

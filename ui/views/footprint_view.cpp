@@ -46,7 +46,9 @@ FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::resized, this, &FootprintView::refresh);
     connect(canvas_, &DrawingCanvas::moved, this, &FootprintView::redraw);
     connect(workspace_, &Workspace::snapshotChanged, this, &FootprintView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &FootprintView::adopt);
     connect(workspace_, &Workspace::styleChanged, this, &FootprintView::refresh);
+    adopt();
     refresh();
 }
 
@@ -76,6 +78,14 @@ void FootprintView::makeBar(QHBoxLayout* bar) {
 }
 
 void FootprintView::setOptions(const FootprintOptions& options) {
+    if (options == options_) return;
+    relief::PaneStates panes = workspace_->scenario().panes;
+    panes.footprint.neighbours = options.neighbours;
+    workspace_->setPanes(panes, tr("Footprint: neighbours"));
+}
+
+void FootprintView::adopt() {
+    const FootprintOptions options{workspace_->scenario().panes.footprint.neighbours};
     if (options == options_) return;
     options_ = options;
     neighbours_->setCurrentIndex(neighbours_->findData(options.neighbours));

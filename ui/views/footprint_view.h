@@ -38,6 +38,7 @@ class FootprintView : public FigureView {
 
   private:
     void makeBar(QHBoxLayout* bar);
+    void adopt();    // what the scenario says
     void refresh();  // another footprint, room or option
     void redraw();   // another part is seen, or another texel is under the pointer
     void showEmpty(relief::MessageId why);

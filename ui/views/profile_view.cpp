@@ -7,6 +7,7 @@
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
+#include "views/pane_options.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -34,8 +35,10 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::resized, this, &ProfileView::refresh);
     connect(canvas_, &DrawingCanvas::moved, this, &ProfileView::redraw);
     connect(workspace_, &Workspace::snapshotChanged, this, &ProfileView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &ProfileView::adopt);
     connect(workspace_, &Workspace::stepChanged, this, &ProfileView::refreshStep);
     connect(workspace_, &Workspace::styleChanged, this, &ProfileView::refresh);
+    adopt();
     refresh();
 }
 
@@ -67,31 +70,46 @@ void ProfileView::makeBar() {
     column->addWidget(canvas_, 1);
 
     connect(guess_, &QToolButton::toggled, workspace_, &Workspace::setGuessing);
-    connect(allLevels_, &QToolButton::toggled, this, [this](bool on) {
-        options_.levels = on ? LevelsShown::All : LevelsShown::Visited;
-        refresh();
-    });
-    connect(near_, &QToolButton::toggled, this, [this](bool on) {
-        options_.nearRay = on;
-        refresh();
-    });
-    connect(aspect_, &QToolButton::toggled, this, [this](bool on) {
-        options_.trueAspect = on;
-        refresh();
-    });
+    connect(allLevels_, &QToolButton::clicked, this, &ProfileView::showAllLevels);
+    connect(near_, &QToolButton::clicked, this, &ProfileView::showNearRay);
+    connect(aspect_, &QToolButton::clicked, this, &ProfileView::setTrueAspect);
     connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
 }
 
+void ProfileView::change(const relief::ProfilePane& pane) {
+    relief::PaneStates panes = workspace_->scenario().panes;
+    panes.profile = pane;
+    workspace_->setPanes(panes, tr("Profile: other view"));
+    adopt();
+}
+
+void ProfileView::adopt() {
+    const relief::ProfilePane& pane = workspace_->scenario().panes.profile;
+    allLevels_->setChecked(pane.allLevels);
+    near_->setChecked(pane.nearRay);
+    aspect_->setChecked(pane.trueAspect);
+    if (pane == pane_) return;
+    pane_ = pane;
+    takeProfile(options_, pane);
+    refresh();
+}
+
 void ProfileView::showAllLevels(bool all) {
-    allLevels_->setChecked(all);
+    relief::ProfilePane pane = pane_;
+    pane.allLevels = all;
+    change(pane);
 }
 
 void ProfileView::showNearRay(bool on) {
-    near_->setChecked(on);
+    relief::ProfilePane pane = pane_;
+    pane.nearRay = on;
+    change(pane);
 }
 
 void ProfileView::setTrueAspect(bool on) {
-    aspect_->setChecked(on);
+    relief::ProfilePane pane = pane_;
+    pane.trueAspect = on;
+    change(pane);
 }
 
 void ProfileView::resetZoom() {

@@ -38,6 +38,8 @@ class ProfileView : public FigureView {
 
   private:
     void makeBar();
+    void change(const relief::ProfilePane& pane);
+    void adopt();        // what the scenario says
     void refresh();      // another map, ray, room or option
     void redraw();       // another part is seen
     void refreshStep();  // another step
@@ -54,6 +56,7 @@ class ProfileView : public FigureView {
     QToolButton* guess_ = nullptr;
     std::shared_ptr<const Snapshot> shown_;
     ProfileOptions options_;
+    relief::ProfilePane pane_;
     std::uint64_t guessed_ = 0;  // the version that the guess is about
     ProfileFrame frame_;
     std::shared_ptr<const Drawing> relief_;

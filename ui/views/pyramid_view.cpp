@@ -2,12 +2,14 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
-#include <QKeyEvent>
+#include <QStackedLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
+#include "views/pane_options.h"
+#include "views/pyramid_stack.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -28,137 +30,173 @@ QToolButton* switchButton(const QString& text, const QString& help, QWidget* par
 
 PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Pyramid"), QStringLiteral("pyramid"), tr("Export the pyramid"), parent),
-      canvas_(new DrawingCanvas(this)) {
+      canvas_(new DrawingCanvas(this)),
+      stack_(new PyramidStack(this)),
+      faces_(new QStackedLayout) {
     setFace(canvas_);
-    maxima_ = switchButton(tr("max"), tr("The highest point under each texel: what lets the ray skip"), this);
-    means_ = switchButton(tr("mean"), tr("The mean under each texel: what colours are filtered with"), this);
-    minima_ = switchButton(tr("min"), tr("The lowest point under each texel"), this);
-    near_ = switchButton(tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), this);
-    near_->setChecked(true);
-    follow_ = switchButton(tr("follow"), tr("Zoom to the level of the current step"), this);
-    auto* const all =
-        switchButton(tr("fit"), tr("Show all levels (R); wheel zooms, drag moves, click chooses a step"), this);
-    all->setCheckable(false);
-    auto* const kinds = new QButtonGroup(this);
-    kinds->addButton(maxima_);
-    kinds->addButton(means_);
-    kinds->addButton(minima_);
-    maxima_->setChecked(true);
-
-    auto* const bar = new QHBoxLayout;
-    bar->setContentsMargins(4, 2, 6, 2);
-    bar->addWidget(maxima_);
-    bar->addWidget(means_);
-    bar->addWidget(minima_);
-    bar->addWidget(near_);
-    bar->addWidget(follow_);
-    bar->addWidget(all);
-    bar->addStretch(1);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(bar);
-    column->addWidget(canvas_, 1);
+    column->addLayout(makeBar());
+    column->addLayout(faces_, 1);
+    faces_->addWidget(canvas_);
+    faces_->addWidget(stack_);
 
-    connect(kinds, qOverload<QAbstractButton*, bool>(&QButtonGroup::buttonToggled), this,
-            [this](QAbstractButton*, bool on) {
-                if (!on) return;
-                workspace_->setLevels(levels());
-                refresh();
-            });
-    connect(near_, &QToolButton::toggled, this, [this] {
-        canvas_->resetZoom();
-        refresh();
-    });
-    connect(follow_, &QToolButton::toggled, this, &PyramidView::setFollowing);
-    connect(all, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
     connect(canvas_, &DrawingCanvas::clicked, this, &PyramidView::choose);
-    connect(canvas_, &DrawingCanvas::hovered, this, &PyramidView::tellItem);
+    connect(canvas_, &DrawingCanvas::pointed, this, &PyramidView::tell);
+    connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &PyramidView::refresh);
+    connect(stack_, &PyramidStack::clickedAt, this, &PyramidView::chooseAt);
+    connect(stack_, &PyramidStack::hoveredAt, this, [this](const Point& at) { setReadout(reading(at)); });
     connect(workspace_, &Workspace::snapshotChanged, this, &PyramidView::refresh);
     connect(workspace_, &Workspace::stepChanged, this, &PyramidView::refreshStep);
     connect(workspace_, &Workspace::styleChanged, this, &PyramidView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &PyramidView::adopt);
+    adopt();
+    refresh();
+}
+
+QHBoxLayout* PyramidView::makeBar() {
+    maxima_ = switchButton(tr("max"), tr("The highest point under each texel: what lets the ray skip"), this);
+    means_ = switchButton(tr("mean"), tr("The mean under each texel: what colours are filtered with"), this);
+    minima_ = switchButton(tr("min"), tr("The lowest point under each texel"), this);
+    all_ = switchButton(tr("all"), tr("Maxima, means and minima beside each other"), this);
+    stacked_ = switchButton(tr("3-D"), tr("The levels as slabs one above the other, and the way of the ray"), this);
+    near_ = switchButton(tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), this);
+    follow_ = switchButton(tr("follow"), tr("Zoom to the level of the current step"), this);
+    auto* const fit =
+        switchButton(tr("fit"), tr("Show all levels (R); wheel zooms, drag moves, click chooses a step"), this);
+    fit->setCheckable(false);
+    auto* const bar = new QHBoxLayout;
+    bar->setContentsMargins(4, 2, 6, 2);
+    for (QToolButton* const button : {maxima_, means_, minima_, all_, stacked_, near_, follow_, fit}) {
+        bar->addWidget(button);
+    }
+    bar->addStretch(1);
+    connect(maxima_, &QToolButton::clicked, this, [this] { showMeans(false); });
+    connect(means_, &QToolButton::clicked, this, [this] { showMeans(true); });
+    connect(minima_, &QToolButton::clicked, this, &PyramidView::showMinima);
+    connect(all_, &QToolButton::clicked, this, &PyramidView::showAllKinds);
+    connect(stacked_, &QToolButton::clicked, this, &PyramidView::setStacked);
+    connect(near_, &QToolButton::clicked, this, &PyramidView::showNearRay);
+    connect(follow_, &QToolButton::clicked, this, &PyramidView::setFollowing);
+    connect(fit, &QToolButton::clicked, this, &PyramidView::resetZoom);
+    return bar;
+}
+
+void PyramidView::change(const relief::PyramidPane& pane) {
+    relief::PaneStates panes = workspace_->scenario().panes;
+    panes.pyramid = pane;
+    workspace_->setPanes(panes, tr("Pyramid: other view"));
+    adopt();
+}
+
+void PyramidView::adopt() {
+    const relief::PyramidPane before = std::exchange(pane_, workspace_->scenario().panes.pyramid);
+    maxima_->setChecked(pane_.levels == "max");
+    means_->setChecked(pane_.levels == "mean");
+    minima_->setChecked(pane_.levels == "min");
+    all_->setChecked(pane_.levels == "all");
+    stacked_->setChecked(pane_.stacked);
+    near_->setChecked(pane_.nearRay);
+    follow_->setChecked(pane_.follow);
+    if (pane_ == before) return;
+    faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
+    if (pane_.levels != before.levels) workspace_->setLevels(pyramidOptions(pane_).kind);
+    if (pane_.nearRay != before.nearRay || pane_.levels != before.levels) canvas_->resetZoom();
+    if (before.follow && !pane_.follow) canvas_->resetZoom();
     refresh();
 }
 
 void PyramidView::showMeans(bool means) {
-    (means ? means_ : maxima_)->setChecked(true);
+    relief::PyramidPane pane = pane_;
+    pane.levels = means ? "mean" : "max";
+    change(pane);
 }
 
 void PyramidView::showMinima() {
-    minima_->setChecked(true);
+    relief::PyramidPane pane = pane_;
+    pane.levels = "min";
+    change(pane);
+}
+
+void PyramidView::showAllKinds() {
+    relief::PyramidPane pane = pane_;
+    pane.levels = "all";
+    change(pane);
+}
+
+void PyramidView::setStacked(bool on) {
+    relief::PyramidPane pane = pane_;
+    pane.stacked = on;
+    change(pane);
 }
 
 void PyramidView::showNearRay(bool on) {
-    near_->setChecked(on);
+    relief::PyramidPane pane = pane_;
+    pane.nearRay = on;
+    change(pane);
 }
 
 void PyramidView::setFollowing(bool on) {
-    follow_->setChecked(on);
-    on ? follow() : canvas_->resetZoom();
+    relief::PyramidPane pane = pane_;
+    pane.follow = on;
+    change(pane);
 }
 
 void PyramidView::resetZoom() {
-    canvas_->resetZoom();
-}
-
-relief::PyramidKind PyramidView::levels() const {
-    return maxima_->isChecked()  ? relief::PyramidKind::Max
-           : means_->isChecked() ? relief::PyramidKind::Mean
-                                 : relief::PyramidKind::Min;
-}
-
-PyramidOptions PyramidView::options() const {
-    return {levels(), near_->isChecked()};
-}
-
-PyramidSource PyramidView::source() const {
-    return pyramidSource(*shown_, options());
+    pane_.stacked ? stack_->fit() : canvas_->resetZoom();
 }
 
 void PyramidView::fillFigure(FigureRequest& request) const {
-    request.pyramid = options();
+    request.pyramid = pyramidOptions(pane_);
 }
 
 void PyramidView::tell(const QPointF& widget) {
-    tellItem(canvas_->itemAt(widget));
+    setReadout(reading(canvas_->toDrawing(widget)));
 }
 
 void PyramidView::refresh() {
     const PauseLog::Part part("pyramid");
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
-    const bool ready = shown_ && shown_->request && shown_->has(levels());
+    const PyramidOptions options = pyramidOptions(pane_);
+    const bool ready = shown_ && shown_->request && (options.all || shown_->has(options.kind));
     if (!ready) {
         showEmpty(relief::MessageId::DrawNoPicture);
         return;
     }
-    const PyramidSource from = source();
     // The legend first: what it needs is not left to the levels. Where it would take too much it is left
     // out: the table of steps tells the decisions, too.
     constexpr double kMostLegend = 0.25;
     const double unit = workspace_->style().pixelsPerPoint();
-    Drawing legend = pyramidLegend(from, canvas_->width() / unit - 12, workspace_->style().language);
+    Drawing legend =
+        pyramidLegend(pyramidSource(*shown_, options), canvas_->width() / unit - 12, workspace_->style().language);
     if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
     legend_ = std::make_shared<const Drawing>(std::move(legend));
     canvas_->setLayers({}, legend_);
     const QSizeF room = canvas_->room();
-    picture_ = pyramidPicture(from, room.width(), room.height());
+    parts_ = pyramidParts(*shown_, options, room.width(), room.height());
+    if (parts_.parts.empty()) return showEmpty(relief::MessageId::DrawNoPicture);
     // Where there is no room for all levels, the one of the current step is shown.
     constexpr double kSmallest = 20;  // points
-    cramped_ = picture_.blocks.size() > 1 && picture_.blocks.back().box.height() < kSmallest;
-    if (cramped_) picture_ = pyramidPicture(from, 3 * room.width() + 300, 3 * room.height() + 200);
-    levels_ = std::make_shared<const Drawing>(std::move(picture_.levels));
+    const std::vector<LevelBlock>& blocks = parts_.parts.front().picture.blocks;
+    cramped_ = parts_.parts.size() == 1 && blocks.size() > 1 && blocks.back().box.height() < kSmallest;
+    if (cramped_) parts_ = pyramidParts(*shown_, options, 3 * room.width() + 300, 3 * room.height() + 200);
+    levels_ = std::make_shared<const Drawing>(parts_.levels);
+    faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
+    if (pane_.stacked) stack_->show(parts_, workspace_->style());
     refreshStep();
 }
 
 void PyramidView::refreshStep() {
     const PauseLog::Part part("pyramid: marks");
     if (!shown_ || !levels_) return;
+    if (pane_.stacked) return stack_->showStep(parts_, workspace_->scenario().step);
     // A step of a newer ray than the one shown: its snapshot is on the way.
-    auto marks = std::make_shared<const Drawing>(pyramidMarks(source(), picture_, workspace_->scenario().step));
+    auto marks = std::make_shared<const Drawing>(partsMarks(parts_, workspace_->scenario().step));
     canvas_->setLayers({levels_, std::move(marks)}, legend_);
-    if (follow_->isChecked() || cramped_) {
+    if (pane_.follow || cramped_) {
         follow();
     } else if (wasCramped_) {
         canvas_->resetZoom();
@@ -168,55 +206,77 @@ void PyramidView::refreshStep() {
 
 void PyramidView::showEmpty(relief::MessageId why) {
     levels_.reset();
-    picture_ = {};
+    parts_ = {};
     canvas_->showText(why);
+    faces_->setCurrentWidget(canvas_);
 }
 
 void PyramidView::follow() {
-    if (!shown_ || shown_->trace.steps.empty()) return;
+    if (!shown_ || shown_->trace.steps.empty() || parts_.parts.empty()) return;
     const auto& steps = shown_->trace.steps;
     const int last = static_cast<int>(steps.size()) - 1;
     const relief::Step& step = steps[static_cast<std::size_t>(std::clamp(workspace_->scenario().step, 0, last))];
-    if (step.level < 0 || step.level >= static_cast<int>(picture_.blocks.size())) return;
-    const Box box = picture_.blocks[static_cast<std::size_t>(step.level)].box;
+    if (step.level < 0 || step.level >= static_cast<int>(blocks().size())) return;
+    const Box box = blocks()[static_cast<std::size_t>(step.level)].box;
     canvas_->zoomTo({box.x0, box.y0 - kTitleHeight, box.x1, box.y1});
 }
 
+const relief::Step* PyramidView::stepOf(const ItemId& id) const {
+    const bool step = shown_ && id.kind == ItemKind::Step;
+    if (!step || id.i < 0 || id.i >= static_cast<std::int64_t>(shown_->trace.steps.size())) return nullptr;
+    return &shown_->trace.steps[static_cast<std::size_t>(id.i)];
+}
+
 void PyramidView::choose(const ItemId& id) {
-    if (!shown_ || id.kind != ItemKind::Step) return;
+    const relief::Step* const at = stepOf(id);
+    if (at == nullptr) return;
     const auto& steps = shown_->trace.steps;
     const auto count = static_cast<std::int64_t>(steps.size());
-    if (id.i >= count) return;
-    const relief::Step& at = steps[static_cast<std::size_t>(id.i)];
+    const MapWalk walk = walkedMap(shown_->scenario.method);
     // Of all steps on this texel, the next one after the current, round and round.
     const std::int64_t current = std::clamp<std::int64_t>(workspace_->scenario().step, 0, count - 1);
     for (std::int64_t n = 1; n <= count; ++n) {
         const std::int64_t k = (current + n) % count;
         const relief::Step& step = steps[static_cast<std::size_t>(k)];
-        if (step.level == at.level && step.i == at.i && step.j == at.j) {
+        if (step.level == at->level && step.i == at->i && step.j == at->j &&
+            liesInVoxel(walk, step) == liesInVoxel(walk, *at)) {
             workspace_->chooseStep(static_cast<int>(k));
             return;
         }
     }
 }
 
-void PyramidView::tellItem(const ItemId& id) {
+// Of the slabs: what the flat drawing would answer there.
+void PyramidView::chooseAt(Point drawing) {
+    if (!levels_) return;
+    choose(pick(partsMarks(parts_, workspace_->scenario().step), ViewMap{}, drawing, 1, 0));
+}
+
+QString PyramidView::reading(Point drawing) const {
+    const PyramidPart* const part = levels_ ? parts_.at(drawing) : nullptr;
+    if (part == nullptr) return {};
+    ItemId id = pick(pyramidMarks(part->source, part->picture, workspace_->scenario().step), ViewMap{}, drawing, 1, 0);
+    if (stepOf(id) == nullptr) id = pick(part->picture.levels, ViewMap{}, drawing, 1, 0);
+    return textOf(*part, id);
+}
+
+QString PyramidView::textOf(const PyramidPart& part, const ItemId& id) const {
     ItemId texel = id;
-    if (shown_ && id.kind == ItemKind::Step && id.i < static_cast<std::int64_t>(shown_->trace.steps.size())) {
-        const relief::Step& step = shown_->trace.steps[static_cast<std::size_t>(id.i)];
-        texel = {ItemKind::Texel, step.level, step.i, step.j};
+    if (const relief::Step* const step = stepOf(id)) {
+        if (liesInVoxel(part.source.walk, *step)) {
+            return tr("step %1 · voxel (%2, %3, %4)").arg(id.i + 1).arg(step->i).arg(step->j).arg(step->k);
+        }
+        texel = {ItemKind::Texel, step->level, step->i, step->j};
     }
-    if (!shown_ || texel.kind != ItemKind::Texel) {
-        setReadout({});
-        return;
-    }
-    const PyramidSource from = source();
+    if (texel.kind != ItemKind::Texel) return {};
+    const PyramidSource& from = part.source;
+    if (texel.level < 0 || texel.level >= from.pyramid->levels()) return {};
     const relief::FloatImage& level = from.pyramid->level(texel.level);
     const relief::CellGrid grid(*from.field);
     const bool named = from.overCells && texel.level == 0;
     const auto i = static_cast<int>(texel.i - (named ? grid.x.firstName : 0));
     const auto j = static_cast<int>(texel.j - (named ? grid.y.firstName : 0));
-    if (i < 0 || j < 0 || i >= level.width() || j >= level.height()) return;
+    if (i < 0 || j < 0 || i >= level.width() || j >= level.height()) return {};
     const double value = static_cast<double>(level(i, j));
     const auto number = [](double v, int decimals) { return QString::fromStdString(relief::fixedText(v, decimals)); };
     QString text = tr("level %1 (%2, %3): %4 · %5 texels")
@@ -224,8 +284,14 @@ void PyramidView::tellItem(const ItemId& id) {
                        .arg(texel.i)
                        .arg(texel.j)
                        .arg(number(value, 3), number(value * from.field->slabTexels(), 1));
-    if (id.kind == ItemKind::Step) text = tr("step %1 · %2").arg(id.i + 1).arg(text);
-    setReadout(text);
+    if (parts_.parts.size() > 1) {
+        const relief::PyramidKind kind = from.pyramid->kind();
+        const QString name = kind == relief::PyramidKind::Max    ? tr("max")
+                             : kind == relief::PyramidKind::Mean ? tr("mean")
+                                                                 : tr("min");
+        text = name + QStringLiteral(" · ") + text;
+    }
+    return id.kind == ItemKind::Step ? tr("step %1 · %2").arg(id.i + 1).arg(text) : text;
 }
 
 }  // namespace reliefui

@@ -56,7 +56,9 @@ RowsView::RowsView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &RowsView::draw);
     connect(workspace_, &Workspace::snapshotChanged, this, &RowsView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &RowsView::adopt);
     connect(workspace_, &Workspace::styleChanged, this, &RowsView::draw);
+    adopt();
     showControls();
     refresh();
 }

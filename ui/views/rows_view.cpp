@@ -9,6 +9,7 @@
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
+#include "views/pane_options.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -29,6 +30,15 @@ void RowsView::setOptions(const RowsOptions& options) {
 }
 
 void RowsView::change(const RowsOptions& options) {
+    if (options == options_) return;
+    relief::PaneStates panes = workspace_->scenario().panes;
+    panes.rows = rowsPane(options);
+    workspace_->setPanes(panes, tr("Rows: other variants"));
+    showControls();  // where it was refused
+}
+
+void RowsView::adopt() {
+    const RowsOptions options = rowsOptions(workspace_->scenario().panes.rows);
     if (options == options_) return;
     const bool otherRow = options.pixels != options_.pixels;
     const bool sameData = options.methods == options_.methods && !otherRow && options.inDouble == options_.inDouble;

@@ -63,6 +63,7 @@ class RowsView : public FigureView {
     void addSlot(QGridLayout* grid, int row);
     QToolButton* addButton(const QString& text, const QString& help, bool checkable);
     void change(const RowsOptions& options);
+    void adopt();  // what the scenario says
     void readSlots();
     static void setSettings(const Slot& slot, const relief::RowSettings& settings);
     void showControls();

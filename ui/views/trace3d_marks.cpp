@@ -139,7 +139,7 @@ TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const MapWalk& wal
         const auto j = static_cast<int>(std::clamp<std::int64_t>(step.j - grid.y.firstName, 0, cells.height() - 1));
         height = static_cast<double>(cells(i, j));
     }
-    return {stepBox(field_, step, scene_.baseLevel), scene_.bottom, z(height), roleOf(step.decision)};
+    return {placeOf(walk, field_, step, scene_.baseLevel), scene_.bottom, z(height), roleOf(step.decision)};
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::box(const Prism& prism) const {

@@ -100,10 +100,12 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     column->addWidget(widget_, 1);
     connect(workspace_, &Workspace::snapshotChanged, this, &Trace3dView::refresh);
     connect(workspace_, &Workspace::stepChanged, this, &Trace3dView::showStep);
+    connect(workspace_, &Workspace::panesChanged, this, &Trace3dView::adopt);
     connect(workspace_, &Workspace::styleChanged, this, [this] {
         shown_.reset();
         refresh();
     });
+    adopt();
     refresh();
 }
 
@@ -120,18 +122,18 @@ void Trace3dView::makeBar(QHBoxLayout* bar) {
     auto* const fitButton =
         toolButton(tr("fit"), tr("Show the whole patch (R); drag turns, right drag moves, wheel zooms"), this);
     connect(fitButton, &QToolButton::clicked, this, &Trace3dView::fit);
-    auto* const follow = toolButton(tr("follow"), tr("Keep the current step in the middle"), this);
-    follow->setCheckable(true);
-    connect(follow, &QToolButton::toggled, this, &Trace3dView::setFollowing);
-    auto* const heights = new QComboBox(this);
-    for (const double n : {0.25, 0.5, 1.0, 2.0, 4.0}) heights->addItem(tr("heights × %1").arg(n), n);
-    heights->setCurrentIndex(2);
-    heights->setToolTip(tr("Exaggeration of heights"));
-    heights->setAccessibleName(heights->toolTip());
-    connect(heights, QOverload<int>::of(&QComboBox::activated), this,
-            [this, heights](int row) { setExaggeration(heights->itemData(row).toDouble()); });
-    bar->addWidget(heights);
-    bar->addWidget(follow);
+    follow_ = toolButton(tr("follow"), tr("Keep the current step in the middle"), this);
+    follow_->setCheckable(true);
+    connect(follow_, &QToolButton::clicked, this, &Trace3dView::setFollowing);
+    heights_ = new QComboBox(this);
+    for (const double n : {0.25, 0.5, 1.0, 2.0, 4.0}) heights_->addItem(tr("heights × %1").arg(n), n);
+    heights_->setCurrentIndex(heights_->findData(pane_.heights));
+    heights_->setToolTip(tr("Exaggeration of heights"));
+    heights_->setAccessibleName(heights_->toolTip());
+    connect(heights_, QOverload<int>::of(&QComboBox::activated), this,
+            [this](int row) { setExaggeration(heights_->itemData(row).toDouble()); });
+    bar->addWidget(heights_);
+    bar->addWidget(follow_);
     bar->addWidget(fitButton);
     bar->addWidget(note_, 1);
     note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -226,7 +228,7 @@ void Trace3dView::refresh() {
         render();
         return;
     }
-    scene_ = std::make_unique<TraceScene>(*shown_, exaggeration_);
+    scene_ = std::make_unique<TraceScene>(*shown_, pane_.heights);
     addRelief();
     addRay();
     placed_ ? showAll() : fit();
@@ -275,7 +277,7 @@ void Trace3dView::showStep(int step) {
         note_->setText(tr("%1 × %2, slab %3 texels")
                            .arg(number(scene_->patch.width()), number(scene_->patch.height()),
                                 number(shown_->request->field.slabTexels())));
-        if (following_) camera_.setFocus(scene_->onRay(std::min(steps[at].lambdaAfter, scene_->end)));
+        if (pane_.follow) camera_.setFocus(scene_->onRay(std::min(steps[at].lambdaAfter, scene_->end)));
     }
     render();
 }
@@ -305,16 +307,32 @@ void Trace3dView::fit() {
     render();
 }
 
-void Trace3dView::setFollowing(bool on) {
-    following_ = on;
-    if (!on && scene_) showAll();
+void Trace3dView::change(const relief::TracePane& pane) {
+    relief::PaneStates panes = workspace_->scenario().panes;
+    panes.trace = pane;
+    workspace_->setPanes(panes, tr("Trace 3-D: other view"));
+    adopt();
+}
+
+void Trace3dView::adopt() {
+    const relief::TracePane before = std::exchange(pane_, workspace_->scenario().panes.trace);
+    follow_->setChecked(pane_.follow);
+    heights_->setCurrentIndex(heights_->findData(pane_.heights));
+    if (pane_.heights != before.heights) {
+        shown_.reset();
+        refresh();
+    }
+    if (pane_.follow == before.follow) return;
+    if (!pane_.follow && scene_) showAll();
     showStep(workspace_->scenario().step);
 }
 
+void Trace3dView::setFollowing(bool on) {
+    change({pane_.heights, on});
+}
+
 void Trace3dView::setExaggeration(double n) {
-    exaggeration_ = n;
-    shown_.reset();
-    refresh();
+    change({n, pane_.follow});
 }
 
 bool Trace3dView::handleMouse(QMouseEvent* event) {
@@ -353,7 +371,7 @@ bool Trace3dView::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         case QEvent::Resize:
-            if (scene_ && !following_) showAll();
+            if (scene_ && !pane_.follow) showAll();
             render();
             return false;
         default:

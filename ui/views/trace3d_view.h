@@ -14,8 +14,10 @@
 #include "workspace/workspace.h"
 
 class QHBoxLayout;
+class QComboBox;
 class QLabel;
 class QMouseEvent;
+class QToolButton;
 class QVTKOpenGLNativeWidget;
 class vtkGenericOpenGLRenderWindow;
 class vtkProp;
@@ -42,6 +44,8 @@ class Trace3dView : public QWidget {
 
   private:
     void makeBar(QHBoxLayout* bar);
+    void change(const relief::TracePane& pane);
+    void adopt();  // what the scenario says
     void refresh();
     void showStep(int step);
     void addRelief();
@@ -57,6 +61,8 @@ class Trace3dView : public QWidget {
     Workspace* workspace_;
     QVTKOpenGLNativeWidget* widget_;
     QLabel* note_;
+    QToolButton* follow_ = nullptr;
+    QComboBox* heights_ = nullptr;
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     vtkSmartPointer<vtkRenderer> renderer_;
     std::shared_ptr<const Snapshot> shown_;
@@ -67,8 +73,7 @@ class Trace3dView : public QWidget {
     QPointF last_;
     Soon renderSoon_{this, [this] { renderNow(); }};
     bool placed_ = false;  // the camera has been put somewhere
-    bool following_ = false;
-    double exaggeration_ = 1;
+    relief::TracePane pane_;
 };
 
 }  // namespace reliefui

@@ -98,8 +98,11 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
     const bool notesOnly = onlyNotesDiffer(scenario, scenario_) && version_ > 0;
     const bool agreed = goodVersion_ == version_;
     const bool step = scenario.step != scenario_.step;
-    const bool notes = scenario.breakpoints != scenario_.breakpoints || scenario.bookmarks != scenario_.bookmarks;
+    const bool panes = scenario.panes != scenario_.panes;
+    const bool notes =
+        panes || scenario.breakpoints != scenario_.breakpoints || scenario.bookmarks != scenario_.bookmarks;
     scenario_ = scenario;
+    if (panes) Q_EMIT panesChanged();
     if (notesOnly) {
         if (agreed) good_ = past_;
         if (step) Q_EMIT stepChanged(scenario_.step);
@@ -152,6 +155,12 @@ void Workspace::setBookmarks(std::vector<relief::Bookmark> bookmarks, const QStr
     relief::Scenario wanted = scenario_;
     wanted.bookmarks = std::move(bookmarks);
     change(wanted, what);
+}
+
+void Workspace::setPanes(const relief::PaneStates& panes, const QString& what, const QString& mergeKey) {
+    relief::Scenario wanted = scenario_;
+    wanted.panes = panes;
+    change(wanted, what, mergeKey);
 }
 
 void Workspace::goTo(const relief::Bookmark& bookmark) {
@@ -332,6 +341,7 @@ void Workspace::goBack() {
     past_ = good_;
     past_.close();
     scenario_ = past_.current().scenario;
+    Q_EMIT panesChanged();
     const bool shown = snapshot_ && snapshot_->version == goodVersion_;
     if (shown) {
         version_ = goodVersion_;

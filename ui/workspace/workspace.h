@@ -52,6 +52,8 @@ class Workspace : public QObject {
     // Where stepping stops, and pixels worth coming back to: entries of the undo history as well, nothing is rendered.
     void setBreakpoints(std::vector<relief::Breakpoint> breakpoints, const QString& what);
     void setBookmarks(std::vector<relief::Bookmark> bookmarks, const QString& what);
+    // What is chosen in the panes; an entry of the undo history as well, nothing is rendered.
+    void setPanes(const relief::PaneStates& panes, const QString& what, const QString& mergeKey = {});
     // Its camera, pixel and step.
     void goTo(const relief::Bookmark& bookmark);
 
@@ -90,6 +92,7 @@ class Workspace : public QObject {
     void snapshotChanged();      // a new state is on screen
     void stepChanged(int step);  // only the chosen step changed
     void notesChanged();         // only breakpoints or bookmarks changed
+    void panesChanged();         // what is chosen in the panes; by undo, too, or with another scenario
     void guessingChanged(bool on);
     void styleChanged();                                  // repaint
     void progress(const QString& what, double fraction);  // fraction < 0: done

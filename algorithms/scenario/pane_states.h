@@ -1,0 +1,88 @@
+// How the window's panes look at a scenario: what a person has chosen in them. A plain value, part of the scenario;
+// nothing is rendered or traced anew when it changes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "errors.h"
+
+namespace relief {
+
+struct PyramidPane {
+    std::string levels = "max";  // "max", "mean", "min", "all"
+    bool stacked = false;        // the levels one above the other, as slabs
+    bool nearRay = true;
+    bool follow = false;
+    bool operator==(const PyramidPane&) const = default;
+};
+
+struct ProfilePane {
+    bool allLevels = false;
+    bool nearRay = false;
+    bool trueAspect = false;
+    bool operator==(const ProfilePane&) const = default;
+};
+
+struct DistancePane {
+    std::string map;            // of mapKinds(); empty: the method's own
+    std::string minus;          // the map that is taken away; empty: none
+    std::string axis;           // "x", "y", "z"; empty: as the ray runs
+    std::optional<int> slice;   // from 0; none: the one at the step
+    std::optional<int> sector;  // from 0; none: the ray's
+    bool lines = true;
+    bool nearRay = true;
+    bool operator==(const DistancePane&) const = default;
+};
+
+struct FootprintPane {
+    int neighbours = 0;  // 0, 4 or 8
+    bool operator==(const FootprintPane&) const = default;
+};
+
+struct RowsPane {
+    // As `relief bench rows` spells them.
+    std::vector<std::string> variants{"affine", "direct", "incremental:anchor=0", "streams:streams=4"};
+    int pixels = 0;  // of the row, up to kWidestRow; 0: the picture's
+    bool inDouble = false;
+    bool logarithmic = true;
+    bool operator==(const RowsPane&) const = default;
+};
+
+struct ChartsPane {
+    std::string shown = "all";   // "all", "pareto", "histograms"
+    std::string error = "mean";  // as of ErrorMeasure
+    bool live = true;
+    bool maps = false;
+    bool operator==(const ChartsPane&) const = default;
+};
+
+struct TracePane {
+    double heights = 1;  // exaggerated so many times, 0.25 to 4
+    bool follow = false;
+    bool operator==(const TracePane&) const = default;
+};
+
+struct PaneStates {
+    PyramidPane pyramid;
+    ProfilePane profile;
+    DistancePane distance;
+    FootprintPane footprint;
+    RowsPane rows;
+    ChartsPane charts;
+    TracePane trace;
+    bool operator==(const PaneStates&) const = default;
+};
+
+inline constexpr std::size_t kMostRowVariants = 4;  // what can be told apart
+
+// Names that a pane knows; throws InputError naming `what` with what is known.
+void checkPaneName(const std::string& what, const std::string& name, const std::vector<std::string>& known);
+const std::vector<std::string>& pyramidPaneLevels();
+const std::vector<std::string>& chartsPaneShown();
+
+// Throws InputError for the first value that is unknown or out of range.
+void checkPanes(const PaneStates& panes, const std::string& subject);
+
+}  // namespace relief

@@ -1,0 +1,249 @@
+// What is chosen in the panes is part of the scenario: undone, saved, opened again.
+#include <QFile>
+#include <QSlider>
+#include <QTemporaryDir>
+
+#include "drawings/ray_geometry.h"
+#include "scenario/step_sentence.h"
+#include "views/charts_view.h"
+#include "views/distance_view.h"
+#include "views/drawing_canvas.h"
+#include "views/footprint_view.h"
+#include "views/pane_options.h"
+#include "views/profile_view.h"
+#include "views/pyramid_stack.h"
+#include "views/pyramid_view.h"
+#include "views/rows_view.h"
+#include "views/trace3d_view.h"
+#include "window_fixture.h"
+#include "workspace/snapshot_maker.h"
+
+namespace reliefui {
+namespace {
+
+class PaneStates : public WindowTest {
+  protected:
+    // Another choice in every pane, as its controls would make it.
+    void turnAll() {
+        DistanceOptions distance = window_->distance()->options();
+        distance.kind = "euclidean";
+        distance.axis = SliceAxis::Z;
+        distance.slice = 2;
+        distance.isoLines = false;
+        window_->distance()->setOptions(distance);
+        RowsOptions rows = window_->rows()->options();
+        rows.methods = {"direct", "subspan:span=8"};
+        rows.pixels = 3840;
+        window_->rows()->setOptions(rows);
+        window_->footprint()->setOptions({8});
+        window_->profile()->showAllLevels(true);
+        window_->profile()->setTrueAspect(true);
+        window_->pyramid()->showAllKinds();
+        window_->pyramid()->showNearRay(false);
+        window_->charts()->setShown(ChartsShown::Histograms);
+        window_->charts()->setMeasure(relief::ErrorMeasure::Max);
+        window_->charts()->setLive(false);
+        window_->trace()->setExaggeration(2);
+    }
+    // What the panes themselves go by.
+    void expectPanesAsTheScenarioSays() {
+        const relief::PaneStates& panes = workspace_->scenario().panes;
+        EXPECT_EQ(window_->distance()->options(), distanceOptions(panes.distance));
+        EXPECT_EQ(window_->rows()->options(), rowsOptions(panes.rows));
+        EXPECT_EQ(window_->footprint()->options().neighbours, panes.footprint.neighbours);
+        EXPECT_EQ(window_->profile()->options().levels == LevelsShown::All, panes.profile.allLevels);
+        EXPECT_EQ(window_->profile()->options().trueAspect, panes.profile.trueAspect);
+        EXPECT_EQ(window_->pyramid()->parts().size(), panes.pyramid.levels == "all" ? 3U : 1U);
+    }
+};
+
+TEST_F(PaneStates, TheyAreUndoneAndRedone) {
+    openWindow(smallScenario());
+    const relief::Scenario before = scenario();
+    const auto picture = snapshot()->picture;
+    turnAll();
+    const relief::Scenario after = scenario();
+    EXPECT_NE(after.panes.distance, before.panes.distance);
+    EXPECT_NE(after.panes.rows, before.panes.rows);
+    EXPECT_NE(after.panes.footprint, before.panes.footprint);
+    EXPECT_NE(after.panes.profile, before.panes.profile);
+    EXPECT_NE(after.panes.pyramid, before.panes.pyramid);
+    EXPECT_NE(after.panes.charts, before.panes.charts);
+    EXPECT_NE(after.panes.trace, before.panes.trace);
+    expectPanesAsTheScenarioSays();
+    while (workspace_->canUndo()) workspace_->undo();
+    EXPECT_EQ(scenario(), before);
+    expectPanesAsTheScenarioSays();
+    EXPECT_EQ(snapshot()->picture, picture) << "nothing was rendered";
+    while (workspace_->canRedo()) workspace_->redo();
+    EXPECT_EQ(scenario(), after);
+    expectPanesAsTheScenarioSays();
+}
+
+TEST_F(PaneStates, SavedAndOpenedTheyAreTheSame) {
+    openWindow(smallScenario());
+    turnAll();
+    const relief::Scenario saved = scenario();
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("panes.json"));
+    workspace_->save(file);
+    while (workspace_->canUndo()) workspace_->undo();
+    ASSERT_NE(scenario(), saved);
+    workspace_->open(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == saved; }, 5000));
+    waitForFull();
+    expectPanesAsTheScenarioSays();
+    // A name that nobody knows: the line is said, nothing changes.
+    QFile text(file);
+    ASSERT_TRUE(text.open(QIODevice::ReadWrite));
+    QByteArray bytes = text.readAll();
+    ASSERT_TRUE(bytes.contains("\"all\""));
+    bytes.replace("\"all\"", "\"alle\"");
+    text.resize(0);
+    text.seek(0);
+    text.write(bytes);
+    text.close();
+    QString problem;
+    QObject::connect(workspace_.get(), &Workspace::problem, [&](const QString& said) { problem = said; });
+    workspace_->open(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !problem.isEmpty(); }, 5000));
+    EXPECT_TRUE(problem.contains(QStringLiteral("alle")) && problem.contains(QStringLiteral("line")))
+        << problem.toStdString();
+    EXPECT_EQ(scenario(), saved);
+}
+
+// A slider that is dragged is one step back.
+TEST_F(PaneStates, ADragIsOneStepOfUndo) {
+    openWindow(smallScenario());
+    window_->distance()->window()->findChild<QWidget*>(QStringLiteral("distance-pane"))->raise();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->distance()->settled(); }, 10000));
+    const relief::Scenario before = scenario();
+    auto* const slider = window_->distance()->findChild<QSlider*>(QStringLiteral("distance-slice"));
+    ASSERT_NE(slider, nullptr);
+    ASSERT_GT(slider->maximum(), 3);
+    const int start = slider->value() > 2 ? 0 : 2;
+    for (int slice = start; slice < start + 2; ++slice) {
+        slider->setValue(slice);
+        QTest::qWait(20);
+    }
+    EXPECT_EQ(scenario().panes.distance.slice, start + 1);
+    workspace_->undo();
+    EXPECT_EQ(scenario().panes.distance, before.panes.distance);
+}
+
+// The probes of the flat pane, on slabs: texels in the colours of their heights, and the step that is clicked.
+TEST_F(PaneStates, ThePyramidStandsInSpace) {
+    relief::Scenario columns = smallScenario();
+    columns.surface = relief::Surface::Columns;
+    openWindow(columns);
+    PyramidView* const view = window_->pyramid();
+    view->showNearRay(false);
+    view->setStacked(true);
+    const QImage shown = grab(view->stack());
+    EXPECT_GT(colorsIn(shown), 30);
+    const relief::Pyramid& pyramid = snapshot()->maxima->pyramid;
+    int probes = 0;
+    int right = 0;
+    // The uppermost slabs hide parts of those below.
+    for (int level = pyramid.levels() - 2; level >= std::max(0, pyramid.levels() - 4); --level) {
+        const relief::FloatImage& image = pyramid.level(level);
+        const double side = std::ldexp(1.0, level);
+        for (int j = 0; j < image.height(); ++j) {
+            for (int i = 0; i < image.width(); ++i) {
+                const Point texel{(i + 0.3) * side, (j + 0.3) * side};
+                const QPointF at = view->stack()->toWidget(0, level, texel);
+                Point drawing;
+                if (!shown.valid(at.toPoint()) || !view->stack()->drawingAt(at, drawing)) continue;
+                const Point wanted = view->blocks()[static_cast<std::size_t>(level)].toDrawing(texel);
+                // Hidden by a slab above it.
+                if (std::abs(wanted.x - drawing.x) > 1 || std::abs(wanted.y - drawing.y) > 1) continue;
+                const Rgba color = workspace_->style().mapped(ColorMap::Height, static_cast<double>(image(i, j)));
+                const QColor seen = shown.pixelColor(at.toPoint());
+                ++probes;
+                const int off = std::max({std::abs(seen.red() - color.r), std::abs(seen.green() - color.g),
+                                          std::abs(seen.blue() - color.b)});
+                if (off <= 8) ++right;
+            }
+        }
+    }
+    ASSERT_GT(probes, 30);
+    // The marks of the steps lie over some.
+    EXPECT_GT(right, probes * 7 / 10) << right << " of " << probes;
+}
+
+TEST_F(PaneStates, AClickOnASlabChoosesTheStep) {
+    openWindow(smallScenario());
+    PyramidView* const view = window_->pyramid();
+    view->setStacked(true);
+    grab(view->stack());
+    const auto& steps = snapshot()->trace.steps;
+    ASSERT_GT(steps.size(), 3U);
+    int clicked = 0;
+    for (std::size_t k = 0; k < steps.size() && clicked < 3; ++k) {
+        const relief::Step& step = steps[k];
+        if (step.level < 1 || step.primitive != relief::Primitive::Texel) continue;
+        const Box box = stepBox(snapshot()->request->field, step, snapshot()->trace.baseLevel);
+        const QPointF at = view->stack()->toWidget(0, step.level, box.center());
+        Point drawing;
+        if (!view->stack()->drawingAt(at, drawing)) continue;
+        if (!view->reading(drawing).contains(QStringLiteral("(%1, %2)").arg(step.i).arg(step.j))) continue;
+        workspace_->chooseStep(static_cast<int>(k == 0 ? 1 : 0));
+        QTest::mouseClick(view->stack()->focusProxy(), Qt::LeftButton, {}, at.toPoint());
+        const relief::Step& now = steps[static_cast<std::size_t>(scenario().step)];
+        EXPECT_TRUE(now.level == step.level && now.i == step.i && now.j == step.j) << k;
+        ++clicked;
+    }
+    EXPECT_GT(clicked, 0);
+}
+
+TEST_F(PaneStates, AllThreePyramidsStandBesideEachOther) {
+    openWindow(smallScenario());
+    PyramidView* const view = window_->pyramid();
+    view->showAllKinds();
+    const QImage shown = grab(view->canvas());
+    ASSERT_EQ(view->parts().size(), 3U);
+    const std::array<const relief::Pyramid*, 3> pyramids{&snapshot()->maxima->pyramid, snapshot()->means.get(),
+                                                         snapshot()->minima.get()};
+    for (std::size_t n = 0; n < 3; ++n) {
+        const PyramidPart& part = view->parts()[n];
+        EXPECT_EQ(part.source.pyramid->kind(), pyramids[n]->kind());
+        // The coarsest texel: one colour all over, read out as what it is.
+        const LevelBlock& block = part.picture.blocks.back();
+        const Point middle = block.box.center();
+        const auto value = static_cast<double>(pyramids[n]->level(block.level)(0, 0));
+        EXPECT_TRUE(view->reading(middle).contains(QString::fromStdString(relief::fixedText(value, 3))))
+            << view->reading(middle).toStdString();
+        const Rgba color = workspace_->style().mapped(ColorMap::Height, value);
+        const Point corner{block.box.x0 + 0.9 * block.box.width(), block.box.y0 + 0.1 * block.box.height()};
+        const QColor seen = shown.pixelColor(view->canvas()->toWidget(corner).toPoint());
+        EXPECT_LE(std::abs(seen.red() - color.r), 8) << n;
+        EXPECT_LE(std::abs(seen.blue() - color.b), 8) << n;
+    }
+}
+
+// Voxels of four cells a side lie over these cells, not over those of their own number.
+TEST(PyramidMarks, VoxelsLieOverTheirCells) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"distance-conservative", {{"footprint", "4"}, {"layers", "16"}}};
+    SnapshotMaker maker;
+    relief::Work work;
+    SnapshotOrder order;
+    order.scenario = scenario;
+    const auto made = maker.make(order, work);
+    const PyramidSource source = pyramidSource(*made, {relief::PyramidKind::Max, false});
+    const RayPath path(made->request->field, made->trace.ray);
+    int voxels = 0;
+    for (const relief::Step& step : made->trace.steps) {
+        if (!liesInVoxel(source.walk, step)) continue;
+        ++voxels;
+        const Box box = placeOf(source.walk, made->request->field, step);
+        EXPECT_NEAR(box.width(), 4, 1e-9);
+        const Point at = path.at(std::clamp(step.lambdaIn, 0.0, 1.0));
+        constexpr double kRounding = 1e-6;
+        EXPECT_TRUE(box.grown(kRounding).contains(at)) << at.x << " " << at.y << " not in " << box.x0 << " " << box.y0;
+    }
+    EXPECT_GT(voxels, 2);
+}
+
+}  // namespace
+}  // namespace reliefui

@@ -1,0 +1,60 @@
+#include "views/pane_options.h"
+
+namespace reliefui {
+
+PyramidOptions pyramidOptions(const relief::PyramidPane& pane) {
+    PyramidOptions options;
+    if (pane.levels == "mean") options.kind = relief::PyramidKind::Mean;
+    if (pane.levels == "min") options.kind = relief::PyramidKind::Min;
+    options.all = pane.levels == "all";
+    options.nearRay = pane.nearRay;
+    return options;
+}
+
+DistanceOptions distanceOptions(const relief::DistancePane& pane) {
+    DistanceOptions options;
+    options.kind = pane.map;
+    options.minus = pane.minus;
+    if (!pane.axis.empty()) options.axis = static_cast<SliceAxis>(pane.axis.front() - 'x');
+    options.slice = pane.slice;
+    options.sector = pane.sector;
+    options.isoLines = pane.lines;
+    options.nearRay = pane.nearRay;
+    return options;
+}
+
+relief::DistancePane distancePane(const DistanceOptions& options) {
+    relief::DistancePane pane;
+    pane.map = options.kind;
+    pane.minus = options.minus;
+    if (options.axis) pane.axis = std::string(1, static_cast<char>('x' + static_cast<int>(*options.axis)));
+    pane.slice = options.slice;
+    pane.sector = options.sector;
+    pane.lines = options.isoLines;
+    pane.nearRay = options.nearRay;
+    return pane;
+}
+
+RowsOptions rowsOptions(const relief::RowsPane& pane) {
+    return {pane.variants, pane.pixels, pane.inDouble, pane.logarithmic};
+}
+
+relief::RowsPane rowsPane(const RowsOptions& options) {
+    return {options.methods, options.pixels, options.inDouble, options.logarithmic};
+}
+
+void takeProfile(ProfileOptions& options, const relief::ProfilePane& pane) {
+    options.levels = pane.allLevels ? LevelsShown::All : LevelsShown::Visited;
+    options.nearRay = pane.nearRay;
+    options.trueAspect = pane.trueAspect;
+}
+
+void takePanes(FigureRequest& request, const relief::PaneStates& panes) {
+    request.pyramid = pyramidOptions(panes.pyramid);
+    takeProfile(request.profile, panes.profile);
+    request.distance = distanceOptions(panes.distance);
+    request.rows = rowsOptions(panes.rows);
+    request.footprint.neighbours = panes.footprint.neighbours;
+}
+
+}  // namespace reliefui
