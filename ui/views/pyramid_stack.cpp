@@ -31,7 +31,8 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kApart = 0.24;        // between slabs, of their width
+constexpr double kApart = 0.22;        // between slabs, of their width
+constexpr double kAside = 0.62;        // each to the right of the finer one: none hides another
 constexpr double kBetween = 1.25;      // from one pyramid to the next
 constexpr double kAbove = 0.004;       // marks over their slab
 constexpr double kClickReach = 4;      // pixels
@@ -78,7 +79,7 @@ PyramidStack::PyramidStack(QWidget* parent)
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(widget_);
-    camera_.lookAlong(0.35, 1);
+    camera_.lookAlong(0, 1);
 }
 
 PyramidStack::~PyramidStack() {
@@ -93,7 +94,8 @@ void PyramidStack::place(const PyramidParts& parts) {
         for (const LevelBlock& block : parts.parts[n].picture.blocks) {
             // All as wide as deep at most, each level over the same place.
             const double unit = 1 / std::max(block.box.width(), block.box.height());
-            slabs_.push_back({block, kBetween * static_cast<double>(n), kApart * block.level, unit});
+            slabs_.push_back(
+                {block, kAside * block.level, kBetween * static_cast<double>(n), kApart * block.level, unit});
         }
     }
 }
@@ -156,6 +158,9 @@ void PyramidStack::addTitle(const Slab& slab, const Drawing& levels) {
         const Place at = slab.at({slab.block.box.x0, slab.block.box.y1}, 0.02);
         text->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
         setText(text->GetTextProperty(), style_.text(), style_.textPixels(0.85));
+        const Rgba ground = style_.background();
+        text->GetTextProperty()->SetBackgroundColor(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
+        text->GetTextProperty()->SetBackgroundOpacity(0.7);
         renderer_->AddActor2D(text);
     }
 }
@@ -292,7 +297,7 @@ bool PyramidStack::drawingAt(QPointF widget, Point& drawing) const {
     for (const Slab& slab : slabs_) {
         const double f = (slab.z - ends[0][2]) / down;
         const Point at{slab.block.box.x0 + (ends[0][0] + f * (ends[1][0] - ends[0][0]) - slab.x) / slab.unit,
-                       slab.block.box.y0 - (ends[0][1] + f * (ends[1][1] - ends[0][1])) / slab.unit};
+                       slab.block.box.y0 - (ends[0][1] + f * (ends[1][1] - ends[0][1]) - slab.y) / slab.unit};
         if (f < 0 || f >= nearest || !slab.block.box.contains(at)) continue;
         nearest = f;
         found = &slab;
@@ -314,7 +319,7 @@ void PyramidStack::showAll() {
 }
 
 void PyramidStack::fit() {
-    camera_.lookAlong(0.35, 1);
+    camera_.lookAlong(0, 1);
     showAll();
     renderSoon_.start();
 }

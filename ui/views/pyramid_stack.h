@@ -50,11 +50,12 @@ class PyramidStack : public QWidget {
     struct Slab {
         LevelBlock block;
         double x = 0;  // of its corner
+        double y = 0;
         double z = 0;
         double unit = 1;  // a unit of the drawing
 
         Turntable::Place at(Point drawing, double above = 0) const {
-            return {x + (drawing.x - block.box.x0) * unit, -(drawing.y - block.box.y0) * unit, z + above};
+            return {x + (drawing.x - block.box.x0) * unit, y - (drawing.y - block.box.y0) * unit, z + above};
         }
     };
 
