@@ -887,6 +887,10 @@
         <source>pixel (%1, %2)</source>
         <translation>піксель (%1, %2)</translation>
     </message>
+    <message>
+        <source>divider %1 of %2</source>
+        <translation>роздільник %1 з %2</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::CompareText</name>
@@ -1356,6 +1360,26 @@
         <source>%1: %2, step %3</source>
         <translation>%1: %2, крок %3</translation>
     </message>
+    <message>
+        <source>Export the duel</source>
+        <translation>Експортувати двобій</translation>
+    </message>
+    <message>
+        <source>near the ray</source>
+        <translation>біля променя</translation>
+    </message>
+    <message>
+        <source>Only the heights that the ray comes through</source>
+        <translation>Лише висоти, через які проходить промінь</translation>
+    </message>
+    <message>
+        <source>%1, step %2</source>
+        <translation>%1, крок %2</translation>
+    </message>
+    <message>
+        <source>λ %1 · surface %2 · ray %3</source>
+        <translation>λ %1 · поверхня %2 · промінь %3</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::FigureView</name>
@@ -1463,6 +1487,81 @@
     <message>
         <source>not enough memory for this</source>
         <translation>на це не вистачає пам’яті</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::Lessons</name>
+    <message>
+        <source>A descent in vain: the maximum pyramid</source>
+        <translation>Марний спуск: піраміда максимумів</translation>
+    </message>
+    <message>
+        <source>The maximum of a coarse texel lies above the ray, so it goes down; none of the finer texels holds it, and it comes up again. Step through it with , and .</source>
+        <translation>Максимум грубого текселя вищий за промінь, тож промінь спускається; жоден із дрібніших текселів його не стримує, і він підіймається знову. Ідіть кроками: клавіші , та .</translation>
+    </message>
+    <message>
+        <source>Missed spike: layers against the maximum pyramid</source>
+        <translation>Пропущений шпиль: шари проти піраміди максимумів</translation>
+    </message>
+    <message>
+        <source>Sixteen layers look at the surface at sixteen places; a spike that stands between two of them is passed. The maximum pyramid passes nothing.</source>
+        <translation>Шістнадцять шарів дивляться на поверхню в шістнадцяти місцях; шпиль між двома з них проскочено. Піраміда максимумів не проскакує нічого.</translation>
+    </message>
+    <message>
+        <source>Not refined: the last layer is the answer</source>
+        <translation>Не уточнено: відповідь — останній шар</translation>
+    </message>
+    <message>
+        <source>The hit lies between two layers; plain layers answer with the second one, bisection looks for it.</source>
+        <translation>Влучання лежить між двома шарами; прості шари відповідають другим, ділення навпіл його шукає.</translation>
+    </message>
+    <message>
+        <source>Interpolation leak: a secant over an edge</source>
+        <translation>Просочування інтерполяції: січна через край</translation>
+    </message>
+    <message>
+        <source>Between the last two layers the surface is taken for a straight line; at an edge the answer lies where there is no surface.</source>
+        <translation>Між двома останніми шарами поверхню вважають прямою; на краю відповідь лежить там, де поверхні немає.</translation>
+    </message>
+    <message>
+        <source>Stopped early: one step of parallax offset</source>
+        <translation>Передчасна зупинка: один крок паралаксного зсуву</translation>
+    </message>
+    <message>
+        <source>One sample is taken for the answer; where the relief changes, the ray is still in the air.</source>
+        <translation>За відповідь узято один відлік; де рельєф міняється, промінь ще в повітрі.</translation>
+    </message>
+    <message>
+        <source>Unsafe map: relaxed cones</source>
+        <translation>Ненадійна карта: послаблені конуси</translation>
+    </message>
+    <message>
+        <source>A relaxed cone may enter the relief once, so that steps are long; at an edge it comes out again behind it. Plain cones never enter.</source>
+        <translation>Послаблений конус може один раз увійти в рельєф, тож кроки довгі; на краю він виходить уже позаду. Звичайні конуси не входять ніколи.</translation>
+    </message>
+    <message>
+        <source>Unsafe map: distances between voxels</source>
+        <translation>Ненадійна карта: відстані між вокселями</translation>
+    </message>
+    <message>
+        <source>The distance of a voxel&apos;s middle is used at all its points; near its side it promises more than there is. The conservative map takes that off.</source>
+        <translation>Відстань середини вокселя беруть для всіх його точок; біля краю вона обіцяє більше, ніж є. Обережна карта це віднімає.</translation>
+    </message>
+    <message>
+        <source>Grazing rays: steps grow, layers tear</source>
+        <translation>Ковзні промені: кроків більшає, шари рвуться</translation>
+    </message>
+    <message>
+        <source>Six degrees above the ground the layers lie many texels apart along the ray. Compare the methods, and look at the layer of steps in the result.</source>
+        <translation>За шість градусів над землею шари лежать уздовж променя далеко один від одного. Порівняйте методи й гляньте на карту кроків у результаті.</translation>
+    </message>
+    <message>
+        <source>Footprint: texels that the relief hides</source>
+        <translation>Слід пікселя: тексели, які ховає рельєф</translation>
+    </message>
+    <message>
+        <source>A pixel&apos;s ellipse on a slanted relief covers texels that the eye does not see; the filter elliptical-visible leaves them out.</source>
+        <translation>Еліпс пікселя на похилому рельєфі накриває тексели, яких око не бачить; фільтр elliptical-visible їх не враховує.</translation>
     </message>
 </context>
 <context>
@@ -2151,6 +2250,85 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>To the first step that the exact answer contradicts</source>
         <translation>До першого кроку, якому суперечить точна відповідь</translation>
     </message>
+    <message>
+        <source>Trace 3-D</source>
+        <comment>tab</comment>
+        <translation>Шлях 3-D</translation>
+    </message>
+    <message>
+        <source>Distance map</source>
+        <comment>tab</comment>
+        <translation>Відстані</translation>
+    </message>
+    <message>
+        <source>Footprint</source>
+        <comment>tab</comment>
+        <translation>Слід</translation>
+    </message>
+    <message>
+        <source>Export figure…</source>
+        <translation>Експортувати рисунок…</translation>
+    </message>
+    <message>
+        <source>Export figure</source>
+        <translation>Експортувати рисунок</translation>
+    </message>
+    <message>
+        <source>&amp;Export the pane…</source>
+        <translation>&amp;Експортувати панель…</translation>
+    </message>
+    <message>
+        <source>Export the pane with the keyboard as SVG, PDF or PNG</source>
+        <translation>Експортувати панель, у якій клавіатура, як SVG, PDF або PNG</translation>
+    </message>
+    <message>
+        <source>Play fas&amp;ter</source>
+        <translation>Програвати &amp;швидше</translation>
+    </message>
+    <message>
+        <source>More steps a second</source>
+        <translation>Більше кроків на секунду</translation>
+    </message>
+    <message>
+        <source>Play slo&amp;wer</source>
+        <translation>Програвати по&amp;вільніше</translation>
+    </message>
+    <message>
+        <source>Fewer steps a second</source>
+        <translation>Менше кроків на секунду</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Уроки</translation>
+    </message>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>Урок: %1</translation>
+    </message>
+    <message>
+        <source>play slower, faster</source>
+        <translation>програвати повільніше, швидше</translation>
+    </message>
+    <message>
+        <source>Arrows in the trace (with Shift: move), + −</source>
+        <translation>Стрілки на шляху променя (з Shift: пересунути), + −</translation>
+    </message>
+    <message>
+        <source>turn the trace, zoom</source>
+        <translation>повернути шлях променя, масштаб</translation>
+    </message>
+    <message>
+        <source>Alt + arrows in the comparison</source>
+        <translation>Alt + стрілки в порівнянні</translation>
+    </message>
+    <message>
+        <source>move the divider, take the next one</source>
+        <translation>пересунути роздільник, узяти наступний</translation>
+    </message>
+    <message>
+        <source>export the pane as SVG, PDF or PNG</source>
+        <translation>експортувати панель як SVG, PDF або PNG</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -2172,6 +2350,13 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>%1, slider</source>
         <translation>%1, повзунок</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::OffscreenGl</name>
+    <message>
+        <source>no OpenGL on this machine draws without a window</source>
+        <translation>на цій машині OpenGL без вікна не малює</translation>
     </message>
 </context>
 <context>
@@ -2241,6 +2426,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>%1: press %2 to go there, double-click to fill the window</source>
         <translation>%1: клавіша %2 — перейти сюди, подвійне клацання — на все вікно</translation>
+    </message>
+    <message>
+        <source>Close this pane; the menu View, Panes opens it again</source>
+        <translation>Закрити цю панель; меню «Вигляд», «Панелі» відкриє її знову</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>Закрити «%1»</translation>
     </message>
 </context>
 <context>
@@ -3130,14 +3323,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Швидкість програвання</translation>
     </message>
     <message>
-        <source>Steps a second while playing</source>
-        <translation>Кроків за секунду під час програвання</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/с</translation>
-    </message>
-    <message>
         <source>Step over what lies on finer levels</source>
         <translation>Крок повз те, що лежить на дрібніших рівнях</translation>
     </message>
@@ -3148,6 +3333,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>hidden until somebody has guessed</source>
         <translation>приховано, доки хтось не вгадає</translation>
+    </message>
+    <message>
+        <source>Steps a second while playing; ] faster, [ slower</source>
+        <translation>Кроків на секунду під час програвання; ] швидше, [ повільніше</translation>
+    </message>
+    <message>
+        <source>/s</source>
+        <translation>/с</translation>
     </message>
 </context>
 <context>
@@ -3314,10 +3507,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>усе</translation>
     </message>
     <message>
-        <source>Show the whole patch (R); drag turns, right drag moves, wheel zooms</source>
-        <translation>Показати всю ділянку (R); перетягування повертає, правою кнопкою — зсуває, колесо наближає</translation>
-    </message>
-    <message>
         <source>follow</source>
         <translation>стежити</translation>
     </message>
@@ -3344,6 +3533,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>%1: cone of slope %2</source>
         <translation>%1: конус із нахилом %2</translation>
+    </message>
+    <message>
+        <source>Export the trace</source>
+        <translation>Експортувати шлях променя</translation>
+    </message>
+    <message>
+        <source>Show the whole patch (R); drag or arrows turn, right drag or Shift+arrows move, wheel or + − zoom</source>
+        <translation>Показати всю ділянку (R); перетягування або стрілки повертають, праве перетягування або Shift зі стрілками пересувають, коліщатко або + − масштабують</translation>
     </message>
 </context>
 <context>

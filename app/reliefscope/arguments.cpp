@@ -136,8 +136,8 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --size WxH            size of the window, pixels
   --screenshot FILE     open the window, save it as a PNG, and end
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
-                        VIEW: charts, compare, distance, drawn, footprint, pareto, profile, pyramid, result,
-                        rows
+                        VIEW: charts, compare, distance, drawn, duel, footprint, pareto, profile, pyramid,
+                        result, rows, skipped, steps, trace (PNG alone)
   --map KIND            of distance: euclidean, euclidean-conservative, refined-sampled, refined, cone, cone-dummer,
                         relaxed-cone (the method's)
   --minus KIND          the difference: this map is taken away

@@ -1,5 +1,6 @@
 // The program `reliefscope`: the window. Everything that can be wrong with its arguments or its display is said in one
 // line before a window opens.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -12,6 +13,7 @@
 #include "measuring/pareto.h"
 #include "views/charts_data.h"
 #include "views/compare_data.h"
+#include "views/duel_data.h"
 #include "views/figure.h"
 #include "views/pane_options.h"
 #include "windows/application.h"
@@ -125,6 +127,17 @@ void takeArguments(reliefui::FigureRequest& request, const Arguments& arguments)
     if (arguments.rowWidth > 0) request.rows.pixels = arguments.rowWidth;
 }
 
+// The duel pane, fought now, at the scenario's step.
+void takeDuel(reliefui::FigureRequest& request, const std::shared_ptr<const reliefui::Snapshot>& snapshot) {
+    if (!snapshot->trace.onRelief) return;
+    Work work;
+    request.duel = reliefui::makeDuel(snapshot, snapshot->scenario.comparison.others, work);
+    const std::size_t own = snapshot->trace.fromFile ? request.duel->runs.size() - 1 : 0;
+    const auto step = static_cast<std::size_t>(std::max(snapshot->scenario.step, 0));
+    request.duelMoment = request.duel->steps.momentOf(own, step);
+    request.profile.nearRay = true;
+}
+
 int exportFigure(int count, char** values, const Arguments& arguments) {
     reliefui::FigureRequest request;
     request.view = arguments.figure;
@@ -155,6 +168,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     const std::shared_ptr<const reliefui::Snapshot> snapshot = maker.make(order, work);
     if (request.view == "charts") request.charts = measuredCharts(*snapshot, arguments);
     if (request.view == "compare") request.compare = measuredComparison(*snapshot);
+    if (request.view == "duel") takeDuel(request, snapshot);
     reliefui::writeFigure(*snapshot, request, arguments.output);
     return 0;
 }

@@ -5,6 +5,7 @@
 #include <vtkRenderer.h>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QTableView>
 
@@ -227,14 +228,20 @@ TEST_F(WindowTest, ALongLogIsAModelNotWidgets) {
 
 TEST_F(WindowTest, StepsPlayAtTheChosenSpeed) {
     openWindow(smallScenario());
-    auto* const speed = window_->findChild<QComboBox*>(QStringLiteral("play-speed"));
-    ASSERT_NE(speed, nullptr);
-    EXPECT_EQ(speed->currentData().toInt(), 2);
-    const int fastest = speed->count() - 1;
-    EXPECT_EQ(speed->itemData(fastest).toInt(), 30);
-    speed->setCurrentIndex(fastest);
-    workspace_->chooseStep(0);
     auto* const bar = window_->findChild<StepBar*>();
+    auto* const speed = bar->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"));
+    ASSERT_NE(speed, nullptr);
+    speed->setValue(2);
+    // Through the round ones, by keys; any other can be typed.
+    QTest::keyClick(window_.get(), Qt::Key_BracketRight);
+    EXPECT_EQ(speed->value(), 5);
+    QTest::keyClick(window_.get(), Qt::Key_BracketLeft);
+    QTest::keyClick(window_.get(), Qt::Key_BracketLeft);
+    EXPECT_EQ(speed->value(), 1);
+    speed->setValue(37.5);
+    // Kept for the next window.
+    EXPECT_EQ(StepBar(workspace_.get()).findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"))->value(), 37.5);
+    workspace_->chooseStep(0);
     bar->togglePlay();
     EXPECT_TRUE(QTest::qWaitFor([&] { return scenario().step + 1 == static_cast<int>(snapshot()->trace.steps.size()); },
                                 10000));

@@ -55,8 +55,8 @@ TEST_F(WindowTest, BreakpointsStopRunningAndPlaying) {
     EXPECT_TRUE(label->text().contains(QStringLiteral("level < 1"))) << label->text().toStdString();
     // Playing stops there, too.
     workspace_->chooseStep(0);
-    auto* const speed = window_->stepBar()->findChild<QComboBox*>(QStringLiteral("play-speed"));
-    speed->setCurrentIndex(speed->count() - 1);
+    auto* const speed = window_->stepBar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"));
+    speed->setValue(30);
     window_->stepBar()->togglePlay();
     const int wanted = static_cast<int>(first);
     ASSERT_TRUE(QTest::qWaitFor([&] { return scenario().step == wanted; }, 5000));

@@ -15,13 +15,24 @@ using relief::Message;
 using relief::MessageId;
 
 // Points.
-constexpr double kTrack = 17;
+constexpr double kTrack = 26;
 constexpr double kAboveTracks = 4;
 constexpr double kMark = 6;
 constexpr double kNow = 11;
 constexpr double kLeastGap = 4;  // between marks
 constexpr double kNameSize = 0.9;
 constexpr double kNumberSize = 0.8;
+constexpr double kLetter = 6.4;      // about the width of one at this size
+constexpr double kMostNames = 0.26;  // of the width
+constexpr double kLeastWidth = 260;  // with names beside the tracks
+
+// Room for the names of the tracks, left of them.
+double namesWidth(const DuelSource& source, double width) {
+    if (width < kLeastWidth) return 0;
+    std::size_t letters = 0;
+    for (const relief::DuelRun& run : *source.runs) letters = std::max(letters, run.name.size());
+    return std::min(kLetter * kNameSize * static_cast<double>(letters) + 8, kMostNames * width);
+}
 
 double tracksHeight(const DuelSource& source) {
     return kAboveTracks + kTrack * static_cast<double>(source.count());
@@ -91,20 +102,27 @@ class DuelMarks {
             add(r, stepId(r, current), Marker{{x, y}, runShape(r), kNow}, Emphasis::Strong);
             text({x, y}, plainText(std::to_string(current + 1)), Anchor::Bottom, {0, -kNow / 2 + 1}, kNumberSize);
         }
-        text({frame_.plot.x1, y}, plainText(run(r).name), Anchor::Right, {-2, -kTrack / 4}, kNameSize);
+        name(r, y);
+    }
+
+    // Left of the track; over its end where there is no room for that.
+    void name(std::size_t r, double y) {
+        const bool beside = frame_.plot.x0 > kNumbersRoom;
+        const double x = beside ? frame_.plot.x0 : frame_.plot.x1;
+        text({x, y}, plainText(run(r).name), Anchor::Right, {beside ? -8.0 : -2.0, beside ? 0 : -spacing() / 4},
+             kNameSize);
     }
 
     // The stretch that its first fault is about.
     void departure(std::size_t r, double y) {
         const relief::Judgement& fault = judgement(r);
         if (fault.kind == Departure::None) return;
-        const double half = 0.3 * kTrack * unit_;
+        const double half = 0.26 * spacing() * unit_;
         const Box box{xAt(fault.from), y - half, xAt(fault.to), y + half};
         const bool first = source_.first == r;
         drawing_.add({}, Role::Overshoot, Rectangle{box, true, 0, 3}, Emphasis::Faint);
         drawing_.add({}, Role::Overshoot, Rectangle{box, false, 0, 3}, first ? Emphasis::Strong : Emphasis::Normal);
-        text({(box.x0 + box.x1) / 2, y}, relief::departureTitle(fault.kind), Anchor::Top, {0, kTrack * 0.22},
-             kNumberSize);
+        text({(box.x0 + box.x1) / 2, y}, relief::departureTitle(fault.kind), Anchor::Top, {0, 5}, kNumberSize);
     }
 
     void exactHit() {
@@ -139,7 +157,8 @@ class DuelMarks {
         drawing_.add({}, Role::Label, std::move(label));
     }
 
-    static constexpr double kTopRoom = 14;  // for the name of the height axis
+    static constexpr double kTopRoom = 14;      // for the name of the height axis
+    static constexpr double kNumbersRoom = 30;  // left of the plot, its numbers alone
 
     const DuelSource& source_;
     const ProfileFrame& frame_;
@@ -155,13 +174,16 @@ Shape runShape(std::size_t run) {
     return kShapes[run % kShapes.size()];
 }
 
-ProfileFrame duelFrame(const DuelSource& source, double width, double height) {
-    constexpr double kLeastPlot = 60;
+ProfileFrame duelFrame(const DuelSource& source, const ProfileOptions& options, double width, double height) {
+    constexpr double kLeastPlot = 58;
     const double room = std::min(tracksHeight(source), std::max(0.0, height - kLeastPlot));
-    ProfileFrame frame = profileFrame(source.profile, {}, width, height - room);
+    ProfileFrame frame = profileFrame(source.profile, options, width, height - room);
+    frame.plot.x0 = std::max(frame.plot.x0, namesWidth(source, width));
     frame.plot.y0 += room;
     frame.plot.y1 += room;
     frame.whole.y1 += room;
+    // With the tracks it may not be low any more.
+    frame.plot.y1 = std::max(frame.whole.y1 - profileBottom(frame), frame.plot.y0 + 1);
     frame.visible = frame.whole;
     return frame;
 }

@@ -22,8 +22,8 @@ struct DuelSource {
     std::size_t count() const { return runs == nullptr ? 0 : runs->size(); }
 };
 
-// The profile's frame with room for the tracks above it.
-ProfileFrame duelFrame(const DuelSource& source, double width, double height);
+// The profile's frame with room for the tracks above it, and for their names at the left.
+ProfileFrame duelFrame(const DuelSource& source, const ProfileOptions& options, double width, double height);
 
 // moment: the step at which each run stands. Steps have ids of ItemKind::Step, their run as level.
 Drawing duelMarks(const DuelSource& source, const ProfileFrame& frame, const std::vector<std::size_t>& moment);

@@ -156,13 +156,17 @@ std::vector<int> profileLevels(const ProfileSource& source, const ProfileOptions
     return {levels.begin(), levels.end()};
 }
 
+double profileBottom(const ProfileFrame& frame) {
+    return lowPane(frame) ? kLowBottom : kBottom;
+}
+
 ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& options, double width, double height) {
     constexpr double kHeadroom = 0.07;
     constexpr double kLeastSide = 8;
     ProfileFrame frame;
     frame.whole = frame.visible = {0, 0, width, height};
     frame.plot = {kLeft, kTop, std::max(width - kRight, kLeft + kLeastSide),
-                  std::max(height - (lowPane(frame) ? kLowBottom : kBottom), kTop + kLeastSide)};
+                  std::max(height - profileBottom(frame), kTop + kLeastSide)};
     frame.run = runOf(source.ray);
     frame.vertical = frame.run < kVerticalRun;
     frame.lambdaEnd = shownLambda(source);

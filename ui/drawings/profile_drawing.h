@@ -75,6 +75,8 @@ struct ProfileFrame {
 inline bool lowPane(const ProfileFrame& frame) {
     return frame.whole.height() < 150;
 }
+// Points below the plot, for numbers and words.
+double profileBottom(const ProfileFrame& frame);
 // width, height: room in points; all of it is seen.
 ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& options, double width, double height);
 

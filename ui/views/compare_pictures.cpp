@@ -144,7 +144,7 @@ void ComparePictures::mouseMoveEvent(QMouseEvent* event) {
         return PictureView::mouseMoveEvent(event);
     }
     // Undone, or another way of comparing, while the button was down.
-    if (layout_.dividers.size() != dividers_.size()) return dragged_.reset();
+    if (!dragsFit()) return dragged_.reset();
     const QRectF room = onScreen(layout_.rooms.front());
     const std::size_t n = *dragged_;
     const double low = n == 0 ? 0 : dividers_[n - 1];
@@ -158,7 +158,7 @@ void ComparePictures::mouseMoveEvent(QMouseEvent* event) {
 void ComparePictures::mouseReleaseEvent(QMouseEvent* event) {
     if (!dragged_) return PictureView::mouseReleaseEvent(event);
     relief::Scenario scenario = workspace()->scenario();
-    const bool fits = layout_.dividers.size() == dividers_.size();
+    const bool fits = dragsFit();
     dragged_.reset();
     if (!fits) return;
     scenario.comparison.dividers = dividers_;
@@ -167,8 +167,37 @@ void ComparePictures::mouseReleaseEvent(QMouseEvent* event) {
     relayout();
 }
 
+// Alt with left and right moves the divider, with up and down takes another one; Shift: in larger steps.
+bool ComparePictures::moveDivider(QKeyEvent* event) {
+    constexpr double kStep = 0.01;
+    constexpr double kFarStep = 0.1;
+    const bool shift = (event->modifiers() & Qt::ShiftModifier) != 0;
+    const int key = event->key();
+    if ((event->modifiers() & ~Qt::ShiftModifier) != Qt::AltModifier || layout_.dividers.empty() || dragged_)
+        return false;
+    const std::size_t count = layout_.dividers.size();
+    held_ = std::min(held_, count - 1);
+    if (key == Qt::Key_Up || key == Qt::Key_Down) {
+        held_ = (held_ + (key == Qt::Key_Down ? 1 : count - 1)) % count;
+        Q_EMIT hovered(tr("divider %1 of %2").arg(held_ + 1).arg(count));
+        return true;
+    }
+    if (key != Qt::Key_Left && key != Qt::Key_Right) return false;
+    std::vector<double> dividers = layout_.dividers;
+    const double low = held_ == 0 ? 0 : dividers[held_ - 1];
+    const double high = held_ + 1 == count ? 1 : dividers[held_ + 1];
+    const double by = (key == Qt::Key_Left ? -1 : 1) * (shift ? kFarStep : kStep);
+    dividers[held_] = std::clamp(dividers[held_] + by, low, high);
+    relief::Scenario scenario = workspace()->scenario();
+    scenario.comparison.dividers = dividers;
+    workspace()->change(scenario, tr("Move the divider"), QStringLiteral("divider"));
+    relayout();
+    return true;
+}
+
 // A letter shows that method alone where one is shown at a time.
 void ComparePictures::keyPressEvent(QKeyEvent* event) {
+    if (moveDivider(event)) return;
     const int number = event->key() - Qt::Key_A;
     const bool letter = event->modifiers() == Qt::NoModifier && number >= 0 && view_ &&
                         number < static_cast<int>(view_->methods.size());

@@ -60,6 +60,8 @@ class ComparePictures : public PictureView {
     double unit() const { return workspace()->style().pixelsPerPoint(); }
     QRectF onScreen(const Box& points) const;
     std::optional<std::size_t> dividerAt(QPointF widget) const;
+    bool moveDivider(QKeyEvent* event);
+    bool dragsFit() const { return layout_.dividers.size() == dividers_.size(); }
     QStringList readouts(relief::PixelChoice pixel) const;
 
     std::shared_ptr<const ComparedView> view_;
@@ -71,6 +73,7 @@ class ComparePictures : public PictureView {
     relief::CompareMode mode_{};
     std::size_t shown_ = 0;
     std::optional<std::size_t> dragged_;  // divider
+    std::size_t held_ = 0;                // by the keyboard
     std::vector<double> dividers_;        // while one is dragged
 };
 

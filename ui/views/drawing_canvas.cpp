@@ -71,6 +71,8 @@ DrawingCanvas::DrawingCanvas(QWidget* parent) : QVTKOpenGLNativeWidget(parent), 
     scene_->actor->GetScene()->SetRenderer(scene_->renderer);
     scene_->actor->GetScene()->AddItem(scene_->item);
     scene_->renderer->AddActor(scene_->actor);
+    // Text is sized in device pixels already (deviceStyle()); VTK would enlarge it again on fine screens.
+    setEnableHiDPI(false);
     setRenderWindow(scene_->window);
     // The grammar of all panes is ours. VTK's gestures would be made of mouse drags, too, and Qt complains of those
     // that end when the pane is hidden.

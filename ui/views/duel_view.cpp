@@ -6,12 +6,15 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QTableView>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
 #include "views/duel_model.h"
 #include "views/narrow_bar.h"
@@ -22,9 +25,15 @@ namespace reliefui {
 namespace {
 
 constexpr int kPlaces = 3;  // beside the scenario's own method
-constexpr int kShownLetters = 9;
+constexpr int kShownLetters = 8;
 constexpr int kColumnLetters = 21;
-constexpr double kMostLegend = 0.25;  // of the pane's height
+constexpr double kMostLegend = 0.12;  // of the pane's height
+// Lines of text that drawing and table want at least.
+constexpr int kDrawingLines = 26;
+constexpr int kLowDrawingLines = 16;
+constexpr int kTableLines = 6;
+constexpr int kWideLines = 46;
+constexpr int kLowLines = 20;  // of the pane
 
 // The methods to be set against the scenario's own.
 std::vector<relief::MethodChoice> rivalsOf(const relief::Scenario& scenario) {
@@ -34,21 +43,21 @@ std::vector<relief::MethodChoice> rivalsOf(const relief::Scenario& scenario) {
 }  // namespace
 
 DuelView::DuelView(Workspace* workspace, QWidget* parent)
-    : QWidget(parent),
-      workspace_(workspace),
+    : FigureView(workspace, tr("Duel"), QStringLiteral("duel"), tr("Export the duel"), parent),
       canvas_(new DrawingCanvas(this)),
       model_(new DuelModel(this)),
       table_(new QTableView(this)),
       verdict_(new QLabel(this)) {
-    setAccessibleName(tr("Duel"));
-    setFocusProxy(canvas_);
+    setFace(canvas_);
+    options_.levels = LevelsShown::None;
+    options_.nearRay = true;
     table_->setModel(model_);
     table_->setAccessibleName(tr("Steps of the methods in lock step"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setWordWrap(false);
     table_->verticalHeader()->hide();
-    table_->horizontalHeader()->setDefaultSectionSize(kColumnLetters * fontMetrics().averageCharWidth());
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     verdict_->setWordWrap(true);
     verdict_->setMargin(6);
     verdict_->setObjectName(QStringLiteral("duel-verdict"));
@@ -56,16 +65,17 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* const bar = new NarrowBar(this);
     makeBar(bar->row());
-    auto* const split = new QSplitter(Qt::Horizontal, this);
-    split->addWidget(canvas_);
-    split->addWidget(table_);
-    split->setStretchFactor(0, 1);
-    split->setStretchFactor(1, 1);
+    split_ = new QSplitter(Qt::Horizontal, this);
+    split_->addWidget(canvas_);
+    split_->addWidget(table_);
+    split_->setChildrenCollapsible(false);
+    split_->setStretchFactor(0, 1);
+    table_->hide();
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(bar);
-    column->addWidget(split, 1);
+    column->addWidget(split_, 1);
     column->addWidget(verdict_);
     LatestJob::Listener listener;
     listener.failed = [this](const QString& problem) {
@@ -89,6 +99,8 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     });
     connect(canvas_, &DrawingCanvas::resized, this, &DuelView::redraw);
     connect(canvas_, &DrawingCanvas::moved, this, &DuelView::redraw);
+    connect(canvas_, &DrawingCanvas::pointed, this, &DuelView::tell);
+    connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(workspace_, &Workspace::snapshotChanged, this, &DuelView::refresh);
     connect(workspace_, &Workspace::scenarioChanged, this, &DuelView::showChoosers);
     connect(workspace_, &Workspace::stepChanged, this, &DuelView::followStep);
@@ -121,6 +133,19 @@ void DuelView::makeBar(QHBoxLayout* bar) {
         bar->addWidget(box);
     }
     bar->addStretch(1);
+    makeButtons(bar);
+}
+
+void DuelView::makeButtons(QHBoxLayout* bar) {
+    near_ = new QToolButton(this);
+    near_->setObjectName(QStringLiteral("duel-near"));
+    near_->setText(tr("near the ray"));
+    near_->setToolTip(tr("Only the heights that the ray comes through"));
+    near_->setAccessibleName(near_->toolTip());
+    near_->setAutoRaise(true);
+    near_->setCheckable(true);
+    near_->setChecked(options_.nearRay);
+    connect(near_, &QToolButton::toggled, this, &DuelView::showNearRay);
     const auto button = [&](const QString& sign, const QString& help, void (DuelView::*slot)()) {
         auto* const made = new QToolButton(this);
         made->setText(sign);
@@ -138,6 +163,7 @@ void DuelView::makeBar(QHBoxLayout* bar) {
     divergence_ = button(tr("first divergence"), tr("To the first step that the exact answer contradicts (Ctrl+D)"),
                          &DuelView::toDivergence);
     divergence_->setObjectName(QStringLiteral("duel-divergence"));
+    bar->addWidget(near_);
 }
 
 QString DuelView::verdict() const {
@@ -175,6 +201,82 @@ void DuelView::cancel() {
     job_->cancel();
 }
 
+void DuelView::showNearRay(bool on) {
+    options_.nearRay = on;
+    near_->setChecked(on);
+    canvas_->resetZoom();
+    redraw();
+}
+
+void DuelView::applyFont() {
+    QFont font = this->font();
+    font.setPointSizeF(workspace_->style().projector ? 18 : 10);
+    verdict_->setFont(font);
+    table_->setFont(font);
+    table_->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);
+}
+
+// The drawing comes first: the table stands beside it where the pane is wide, below where it is high, else nowhere.
+void DuelView::shareRoom() {
+    const QFontMetrics letters(table_->font());
+    const int line = letters.height();
+    const int column = kColumnLetters * letters.averageCharWidth();
+    table_->horizontalHeader()->setMinimumSectionSize(column);
+    const int runs = duel_ ? static_cast<int>(duel_->runs.size()) : 1;
+    const int wanted = runs * column + table_->verticalScrollBar()->sizeHint().width() + 4;
+    const bool beside = split_->width() - wanted >= kDrawingLines * line;
+    const bool below = split_->height() >= (kLowDrawingLines + kTableLines) * line;
+    // In the menu as well.
+    for (QWidget* const part : {static_cast<QWidget*>(own_), static_cast<QWidget*>(near_)}) {
+        part->setVisible(width() > kWideLines * line);
+    }
+    table_->setVisible(beside || below);
+    if (duel_) showVerdict();
+    if (!beside && !below) return;
+    split_->setOrientation(beside ? Qt::Horizontal : Qt::Vertical);
+    const int table = beside ? wanted : std::max(kTableLines * line, split_->height() / 4);
+    const int all = beside ? split_->width() : split_->height();
+    split_->setSizes({all - table, table});
+}
+
+void DuelView::resizeEvent(QResizeEvent* event) {
+    FigureView::resizeEvent(event);
+    // When the layout has given everything its place.
+    QTimer::singleShot(0, this, &DuelView::shareRoom);
+}
+
+std::shared_ptr<const Snapshot> DuelView::figureSnapshot() const {
+    return duel_ ? duel_->snapshot : nullptr;
+}
+
+void DuelView::addToMenu(QMenu& menu) {
+    QAction* const near = menu.addAction(near_->text(), this, &DuelView::showNearRay);
+    near->setCheckable(true);
+    near->setChecked(options_.nearRay);
+}
+
+void DuelView::fillFigure(FigureRequest& request) const {
+    request.duel = duel_;
+    request.duelMoment = moment_;
+    request.profile = options_;
+}
+
+void DuelView::tell(const QPointF& widget) {
+    if (!duel_ || !relief_) return setReadout({});
+    const ProfileReading at = profileReading(source_.profile, frame_, canvas_->toDrawing(widget));
+    const ItemId id = canvas_->itemAt(widget);
+    QStringList parts;
+    if (id.kind == ItemKind::Step && id.level >= 0 && static_cast<std::size_t>(id.level) < duel_->runs.size()) {
+        const QString name = QString::fromStdString(duel_->runs[static_cast<std::size_t>(id.level)].name);
+        parts << tr("%1, step %2").arg(name).arg(id.i + 1);
+    }
+    if (at.inside) {
+        const auto number = [](double value) { return QString::fromStdString(relief::fixedText(value, 3)); };
+        parts << tr("λ %1 · surface %2 · ray %3").arg(number(at.lambda), number(at.surface), number(at.rayHeight));
+    }
+    setReadout(parts.join(QStringLiteral(" · ")));
+}
+
 void DuelView::paintEvent(QPaintEvent* event) {
     QWidget::paintEvent(event);
     if (stale_) QTimer::singleShot(0, this, &DuelView::refresh);
@@ -186,6 +288,7 @@ void DuelView::refresh() {
     stale_ = !inSight();
     if (stale_) return;
     canvas_->setStyle(workspace_->style());
+    applyFont();
     const auto snapshot = workspace_->snapshot();
     rivals_ = rivalsOf(workspace_->scenario());
     if (!snapshot || !snapshot->request || !snapshot->trace.onRelief || snapshot->trace.hidden) {
@@ -211,11 +314,7 @@ void DuelView::adopt(std::shared_ptr<const Duel> duel) {
     following_ = false;
     divergence_->setEnabled(duel_->first.has_value());
     showVerdict();
-    const double unit = workspace_->style().pixelsPerPoint();
-    Drawing legend = duelLegend(source_, canvas_->width() / unit - 12, workspace_->style().language);
-    // The tracks have names as well.
-    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
-    legend_ = std::make_shared<const Drawing>(std::move(legend));
+    shareRoom();
     moment_ = 0;
     redraw();
     followStep(workspace_->scenario().step);
@@ -245,13 +344,28 @@ void DuelView::showVerdict() {
     }
     const QString first =
         duel_->first ? QStringLiteral("<b>%1</b><br>").arg(sentences[static_cast<int>(*duel_->first)]) : QString();
-    verdict_->setText(first + others.join(QStringLiteral("  ·  ")));
+    // A low pane has room for one line: the sentence is in the tool tip.
+    if (height() < kLowLines * fontMetrics().height() && duel_->first) {
+        const std::size_t r = *duel_->first;
+        others.prepend(QStringLiteral("<b>%1</b>")
+                           .arg(tr("%1: %2, step %3")
+                                    .arg(QString::fromStdString(duel_->runs[r].name).toHtmlEscaped(),
+                                         text(relief::departureTitle(duel_->judgements[r].kind)))
+                                    .arg(duel_->judgements[r].step + 1)));
+        verdict_->setText(others.join(QStringLiteral("  ·  ")));
+    } else {
+        verdict_->setText(first + others.join(QStringLiteral("  ·  ")));
+    }
     verdict_->setToolTip(sentences.join(QStringLiteral("<br>")));
-    QFont font = this->font();
-    font.setPointSizeF(workspace_->style().projector ? 18 : 10);
-    verdict_->setFont(font);
-    table_->setFont(font);
-    table_->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);
+}
+
+// The tracks have names as well: where there is little room, it stays out.
+void DuelView::showLegend() {
+    const double unit = workspace_->style().pixelsPerPoint();
+    Drawing legend = duelLegend(source_, canvas_->width() / unit - 12, workspace_->style().language);
+    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
+    legend_ = std::make_shared<const Drawing>(std::move(legend));
+    canvas_->setLayers({}, legend_);
 }
 
 void DuelView::redraw() {
@@ -259,17 +373,15 @@ void DuelView::redraw() {
     if (!duel_ || !inSight()) return;
     const bool home = canvas_->atHome();
     if (home) {
-        canvas_->setLayers({}, legend_);
-        frame_ = duelFrame(source_, canvas_->room().width(), canvas_->room().height());
+        showLegend();
+        frame_ = duelFrame(source_, options_, canvas_->room().width(), canvas_->room().height());
         auto bounds = std::make_shared<Drawing>();
         bounds->bounds = frame_.whole;
         canvas_->setLayers({std::move(bounds)}, legend_);
     }
     frame_.visible = home ? frame_.whole : canvas_->visible();
     frame_.zoom = home ? 1 : canvas_->zoom();
-    ProfileOptions options;
-    options.levels = LevelsShown::None;
-    relief_ = std::make_shared<const Drawing>(profileRelief(source_.profile, options, frame_));
+    relief_ = std::make_shared<const Drawing>(profileRelief(source_.profile, options_, frame_));
     axes_ = std::make_shared<const Drawing>(profileAxes(source_.profile, frame_));
     redrawMarks();
 }

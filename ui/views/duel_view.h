@@ -5,15 +5,14 @@
 #include <memory>
 #include <vector>
 
-#include <QWidget>
-
 #include "views/duel_data.h"
+#include "views/figure_view.h"
 #include "workspace/latest_job.h"
-#include "workspace/workspace.h"
 
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
+class QSplitter;
 class QTableView;
 class QToolButton;
 
@@ -22,7 +21,7 @@ namespace reliefui {
 class DrawingCanvas;
 class DuelModel;
 
-class DuelView : public QWidget {
+class DuelView : public FigureView {
     Q_OBJECT
   public:
     explicit DuelView(Workspace* workspace, QWidget* parent = nullptr);
@@ -47,14 +46,23 @@ class DuelView : public QWidget {
     void setRival(int place, const QString& method);
     void cancel();
 
-  signals:
-    void hovered(const QString& readout);
+    // Only the heights that the ray comes through.
+    void showNearRay(bool on);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    std::shared_ptr<const Snapshot> figureSnapshot() const override;
+    void fillFigure(FigureRequest& request) const override;
+    void tell(const QPointF& widget) override;
+    void addToMenu(QMenu& menu) override;
 
   private:
     void makeBar(QHBoxLayout* bar);
+    void makeButtons(QHBoxLayout* bar);
+    void applyFont();
+    void shareRoom();  // between drawing and table
+    void showLegend();
     void refresh();  // another ray or other methods
     void adopt(std::shared_ptr<const Duel> duel);
     void redraw();       // another part is seen
@@ -64,20 +72,21 @@ class DuelView : public QWidget {
     void showChoosers();
     void showVerdict();
     void showEmpty(relief::MessageId why);
-    bool inSight() const { return isVisible() && !visibleRegion().isEmpty(); }
     std::size_t moments() const { return duel_ ? duel_->steps.moments.size() : 0; }
 
-    Workspace* workspace_;
     DrawingCanvas* canvas_;
     DuelModel* model_;
     QTableView* table_;
     QLabel* verdict_;
+    QSplitter* split_ = nullptr;
     QLabel* own_ = nullptr;
+    QToolButton* near_ = nullptr;
     QToolButton* divergence_ = nullptr;
     std::vector<QComboBox*> choosers_;
     std::shared_ptr<const Duel> duel_;
     std::vector<relief::MethodChoice> rivals_;  // of the duel that is shown or being made
     DuelSource source_;
+    ProfileOptions options_;
     ProfileFrame frame_;
     std::shared_ptr<const Drawing> relief_;
     std::shared_ptr<const Drawing> axes_;

@@ -11,9 +11,8 @@
 #include "images/files.h"
 #include "measuring/bench_rows.h"
 #include "relief/maps/map_choice.h"
-#include "views/compare_painting.h"
 #include "views/distance_maps.h"
-#include "views/drawn_view.h"
+#include "views/figure_parts.h"
 #include "views/pyramid_parts.h"
 #include "views/result_painting.h"
 
@@ -33,6 +32,7 @@ constexpr double kDrawingAspect = 0.56;  // height over width
 constexpr double kRowsAspect = 0.78;     // two plots, and what they cost
 constexpr double kParetoAspect = 0.68;   // names beside their marks
 constexpr double kChartsAspect = 0.95;   // and histograms below
+constexpr double kTraceAspect = 0.75;
 constexpr double kLeastMm = 20;
 constexpr double kMostMm = 2000;
 constexpr double kLeastDpi = 20;
@@ -46,37 +46,16 @@ std::string endingOf(const std::string& path) {
     return ending;
 }
 
-// Pictures in two columns where there are more than three, with their numbers.
-double compareAspect(const ComparedView& view, relief::CompareMode mode) {
-    const double picture = static_cast<double>(view.scenario.height) / view.scenario.width;
-    const std::size_t count = view.methods.size();
-    constexpr double kText = 0.12;
-    const bool beside = mode == relief::CompareMode::Tiles || mode == relief::CompareMode::Difference;
-    if (!beside) return picture + kText;
-    const double columns = count == 4 ? 2 : static_cast<double>(count);
-    return picture * (count == 4 ? 2 : 1) / columns + kText;
-}
-
 double aspectOf(const Snapshot& snapshot, const FigureRequest& request) {
     if (request.view == "rows") return kRowsAspect;
     if (request.view == "pareto") return kParetoAspect;
     if (request.view == "charts") return kChartsAspect;
     if (request.view == "compare" && request.compare)
         return compareAspect(*request.compare, snapshot.scenario.comparison.mode);
+    if (request.view == "trace") return kTraceAspect;
+    if (request.view == "steps" || request.view == "skipped") return tableAspect(snapshot, request);
     if (request.view != "result") return kDrawingAspect;
     return static_cast<double>(snapshot.layer.image.height()) / std::max(1, snapshot.layer.image.width());
-}
-
-// Nothing to draw: says so.
-Drawing emptyDrawing(MessageId why) {
-    Drawing drawing;
-    drawing.bounds = {0, 0, 300, 100};
-    Label label;
-    label.at = drawing.bounds.center();
-    label.text = Message(why);
-    label.anchor = Anchor::Center;
-    drawing.add({}, Role::Label, std::move(label));
-    return drawing;
 }
 
 void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
@@ -192,28 +171,6 @@ void paintFootprint(QPainter& painter, const Snapshot& snapshot, const Footprint
     painter.restore();
 }
 
-void paintComparison(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
-                     const Style& style) {
-    if (!request.compare) {
-        const Drawing empty = emptyDrawing(MessageId::DrawCompareOne);
-        paintFigure(painter, {&empty}, {}, page, style);
-        return;
-    }
-    const relief::Comparison& how = snapshot.scenario.comparison;
-    const ComparePage parts = comparePage(compareSource(*request.compare, how, request.compareShown), page, style);
-    paintCompare(painter, *request.compare, how, parts, page, style, snapshot.scenario.pixel, {});
-}
-
-void paintByHand(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
-    const DrawnSource source = drawnSource(snapshot);
-    if (source.relief.empty()) {
-        const Drawing empty = emptyDrawing(MessageId::DrawDrawnNone);
-        paintFigure(painter, {&empty}, {}, page, style);
-        return;
-    }
-    paintDrawn(painter, source, page, style);
-}
-
 void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
                double unitsPerPoint) {
     Style style = request.style;
@@ -234,6 +191,10 @@ void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
         paintComparison(painter, snapshot, request, page, style);
     } else if (request.view == "drawn") {
         paintByHand(painter, snapshot, page, style);
+    } else if (request.view == "duel") {
+        paintDuel(painter, snapshot, request, page, style);
+    } else if (request.view == "steps" || request.view == "skipped") {
+        paintTable(painter, snapshot, request, page, style);
     } else if (request.view == "footprint") {
         paintFootprint(painter, snapshot, request.footprint, page, style);
     } else {
@@ -328,8 +289,9 @@ std::optional<RowsPlace> rowsPlace(const Snapshot& s) {
 }
 
 const std::vector<std::string>& figureViews() {
-    static const std::vector<std::string> kViews{"charts", "compare", "distance", "drawn",  "footprint",
-                                                 "pareto", "profile", "pyramid",  "result", "rows"};
+    static const std::vector<std::string> kViews{"charts",    "compare", "distance", "drawn",   "duel",
+                                                 "footprint", "pareto",  "profile",  "pyramid", "result",
+                                                 "rows",      "skipped", "steps",    "trace"};
     return kViews;
 }
 
@@ -342,8 +304,10 @@ void checkFigure(const FigureRequest& request, const std::string& path) {
                          Message(MessageId::UnknownName, {{"what", "view"}, {"name", request.view}, {"known", known}}));
     }
     const std::string ending = endingOf(path);
-    if (ending != ".svg" && ending != ".pdf" && ending != ".png") {
-        throw InputError(path, Message(MessageId::FormatUnknown, {{"extension", ending}, {"known", "svg, pdf, png"}}));
+    const bool solid = request.view == "trace";
+    if (ending != ".png" && (solid || (ending != ".svg" && ending != ".pdf"))) {
+        const char* const known = solid ? "png" : "svg, pdf, png";
+        throw InputError(path, Message(MessageId::FormatUnknown, {{"extension", ending}, {"known", known}}));
     }
     for (const std::string& kind : {request.distance.kind, request.distance.minus}) {
         if (!kind.empty()) relief::methodOfMap(kind);  // throws
@@ -361,6 +325,7 @@ void checkFigure(const FigureRequest& request, const std::string& path) {
 
 QImage figureImage(const Snapshot& snapshot, const FigureRequest& request, int width) {
     const int height = std::max(1, static_cast<int>(std::lround(width * aspectOf(snapshot, request))));
+    if (request.view == "trace") return traceImage(snapshot, request, {width, height});
     QImage image(width, height, QImage::Format_RGB32);
     image.fill(toColor(request.style.background()));
     const double dpi = width / request.widthMm * kMmPerInch;

@@ -15,6 +15,7 @@
 #include "drawings/pyramid_drawing.h"
 #include "drawings/rows_drawing.h"
 #include "drawings/style.h"
+#include "views/turntable.h"
 #include "workspace/snapshot.h"
 
 namespace reliefui {
@@ -30,7 +31,14 @@ ProfileSource profileSource(const Snapshot& snapshot);
 // Nothing where the chosen pixel shows the sky, or there is none. Not of coarse snapshots.
 std::optional<RowsPlace> rowsPlace(const Snapshot& snapshot);
 
+// The heights are drawn so many times as high; without a camera it is seen from the side of the ray.
+struct TraceOptions {
+    double exaggeration = 1;
+    std::optional<Turntable> camera;
+};
+
 struct ComparedView;
+struct Duel;
 
 struct FigureRequest {
     std::string view;      // one of figureViews()
@@ -46,14 +54,17 @@ struct FigureRequest {
     std::shared_ptr<const ChartsSource> charts;   // of "pareto", which needs nothing of the snapshot, and of "charts"
     std::shared_ptr<const ComparedView> compare;  // of "compare"; null: nothing to compare with
     std::size_t compareShown = 0;                 // of flicker
+    TraceOptions trace;
+    std::shared_ptr<const Duel> duel;  // of "duel"; null: no ray
+    std::size_t duelMoment = 0;
 };
 
-// "charts", "compare", "distance", "drawn", "footprint", "pareto", "profile", "pyramid", "result", "rows".
+// "charts", "compare", "distance", "drawn", "duel", "footprint", "pareto", "profile", "pyramid", "result", "rows",
+// "skipped", "steps", "trace".
 const std::vector<std::string>& figureViews();
 
 // SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown view, ending, width or resolution,
-// for maps that there are none of,
-// WorkError if it cannot be written.
+// for maps that there are none of; "trace" is PNG only. WorkError if it cannot be drawn or written.
 void checkFigure(const FigureRequest& request, const std::string& path);
 void writeFigure(const Snapshot& snapshot, const FigureRequest& request, const std::string& path);
 

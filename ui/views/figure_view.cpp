@@ -1,24 +1,19 @@
 #include "views/figure_view.h"
 
-#include <algorithm>
-
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QInputDialog>
 #include <QMenu>
 #include <QPointer>
 #include <QThreadPool>
+
+#include "views/figure_export.h"
+#include "workspace/pause_log.h"
 
 namespace reliefui {
 
 namespace {
 
 constexpr int kCopiedWidth = 1600;  // pixels
-constexpr int kLeastWidth = 160;
-constexpr int kMostWidth = 15000;
-constexpr double kMmPerInch = 25.4;
 
 }  // namespace
 
@@ -31,6 +26,7 @@ FigureView::FigureView(Workspace* workspace, const QString& title, const QString
 void FigureView::setFace(QWidget* face) {
     face_ = face;
     setFocusProxy(face);
+    if (face->accessibleName().isEmpty()) face->setAccessibleName(accessibleName());
     face->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(face, &QWidget::customContextMenuRequested, this, &FigureView::openMenu);
 }
@@ -74,37 +70,16 @@ void FigureView::openMenu(const QPoint& at) {
 }
 
 void FigureView::askFigure() {
-    QString path = QFileDialog::getSaveFileName(this, dialog_, name_ + QStringLiteral(".svg"),
-                                                tr("Figures") + QStringLiteral(" (*.svg *.pdf *.png)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".svg");
-    int pixels = 0;
-    if (QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {
-        bool accepted = false;
-        pixels = QInputDialog::getInt(this, dialog_, tr("Width, pixels:"), kCopiedWidth, kLeastWidth, kMostWidth, 100,
-                                      &accepted);
-        if (!accepted) return;
-    }
-    saveFigure(path, pixels);
+    if (const auto file = askFigureFile(this, dialog_, name_, vectors())) saveFigure(file->path, file->pixels);
 }
 
 void FigureView::saveFigure(const QString& path, int pixels) {
     if (!figureSnapshot()) return;
-    FigureRequest request = figure();
-    // In print, dark lines on white.
-    request.style.theme = Theme::Light;
-    // So many pixels of the same page: text grows with the picture.
-    if (pixels > 0) request.dpi = pixels / request.widthMm * kMmPerInch;
-    drawAside([this, state = figureState(), request, path]() -> std::function<void()> {
-        try {
-            writeFigure(state, request, path.toStdString());
-            return [this, path] { Q_EMIT saved(path); };
-        } catch (const relief::InputError& error) {
-            const QString problem = QString::fromStdString(error.text(request.style.language));
-            return [this, problem] { Q_EMIT workspace_->problem(problem); };
-        } catch (const std::exception& error) {
-            return [this, problem = QString::fromUtf8(error.what())] { Q_EMIT workspace_->problem(problem); };
-        }
+    drawAside([this, state = figureState(), request = figure(), file = FigureFile{path, pixels}]()
+                  -> std::function<void()> {
+        const QString problem = saveFigureFile(state, request, file);
+        if (problem.isEmpty()) return [this, path = file.path] { Q_EMIT saved(path); };
+        return [this, problem] { Q_EMIT workspace_->problem(problem); };
     });
 }
 
@@ -121,8 +96,13 @@ void FigureView::copyPicture() {
     });
 }
 
-// draw: on another thread; what it returns is called on the window's, if the pane is still there.
+// draw: on another thread; what it returns is called on the window's, if the pane is still there. VTK draws on the
+// window's alone.
 void FigureView::drawAside(std::function<std::function<void()>()> draw) {
+    if (!vectors()) {
+        const DrawingTime drawing("figure");
+        return draw()();
+    }
     ++saving_;
     QThreadPool::globalInstance()->start([draw = std::move(draw), view = QPointer(this)] {
         const std::function<void()> told = draw();

@@ -31,6 +31,8 @@ class FigureView : public QWidget {
     void saveFigure(const QString& path, int pixels = 0);
     // Drawn aside as well.
     void copyPicture();
+    // Asks where to first.
+    void askFigure();
 
   signals:
     void saved(const QString& path);
@@ -54,6 +56,9 @@ class FigureView : public QWidget {
     virtual void tell(const QPointF&) {}
     // More entries, above the common ones.
     virtual void addToMenu(QMenu&) {}
+    // Whether it is drawn of lines and words: as SVG and PDF, too.
+    virtual bool vectors() const { return true; }
+    void openMenu(const QPoint& at);
 
     Workspace* const workspace_;
 
@@ -61,8 +66,6 @@ class FigureView : public QWidget {
     FigureRequest figure() const;
     Snapshot figureState() const;
     void drawAside(std::function<std::function<void()>()> draw);
-    void openMenu(const QPoint& at);
-    void askFigure();
 
     QString name_;
     QString dialog_;

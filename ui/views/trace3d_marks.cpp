@@ -33,7 +33,8 @@ TraceMarks::TraceMarks(const TraceScene& scene, const relief::HeightField& field
 vtkSmartPointer<vtkActor> TraceMarks::line(vtkSmartPointer<vtkPolyData> data, Role role, double width) const {
     auto actor = actorOf(data);
     actor->GetProperty()->SetLighting(false);
-    actor->GetProperty()->SetLineWidth(static_cast<float>(width * (style_.projector ? 3 : 1)));
+    const double fine = style_.screenPixelsPerPoint / Style().screenPixelsPerPoint;
+    actor->GetProperty()->SetLineWidth(static_cast<float>(width * fine * (style_.projector ? 3 : 1)));
     paintIn(actor, style_.color(role));
     return actor;
 }

@@ -1,32 +1,29 @@
 // The relief around the chosen ray in three dimensions: the ray, its stretches coloured by decision, the box of the
-// current step's texel, the hit. Drag turns, right drag moves, wheel zooms at the pointer, R fits.
+// current step's texel, the hit. Drag turns, right drag moves, wheel zooms at the pointer, R fits; arrows,
+// Shift+arrows, plus and minus do the same.
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include <vtkSmartPointer.h>
-#include <QWidget>
 
+#include "views/figure_view.h"
 #include "views/soon.h"
-#include "views/trace3d_scene.h"
-#include "views/turntable.h"
-#include "workspace/workspace.h"
+#include "views/trace3d_picture.h"
 
-class QHBoxLayout;
 class QComboBox;
+class QHBoxLayout;
+class QKeyEvent;
 class QLabel;
 class QMouseEvent;
 class QToolButton;
 class QVTKOpenGLNativeWidget;
 class vtkGenericOpenGLRenderWindow;
-class vtkProp;
 class vtkRenderer;
-class vtkTextActor;
 
 namespace reliefui {
 
-class Trace3dView : public QWidget {
+class Trace3dView : public FigureView {
     Q_OBJECT
   public:
     explicit Trace3dView(Workspace* workspace, QWidget* parent = nullptr);
@@ -41,6 +38,9 @@ class Trace3dView : public QWidget {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    std::shared_ptr<const Snapshot> figureSnapshot() const override;
+    void fillFigure(FigureRequest& request) const override;
+    bool vectors() const override { return false; }
 
   private:
     void makeBar(QHBoxLayout* bar);
@@ -48,30 +48,23 @@ class Trace3dView : public QWidget {
     void adopt();  // what the scenario says
     void refresh();
     void showStep(int step);
-    void addRelief();
-    void addRay();
-    void addStep(const relief::Step& step, std::size_t number);
-    void addWords(const QString& words);
-    void showAll();  // without turning
-    void placeTopLabel();
     bool handleMouse(QMouseEvent* event);
+    bool handleKey(QKeyEvent* event);
     void render();
     void renderNow();
+    double aspect() const;
+    Style deviceStyle() const;
 
-    Workspace* workspace_;
     QVTKOpenGLNativeWidget* widget_;
     QLabel* note_;
     QToolButton* follow_ = nullptr;
     QComboBox* heights_ = nullptr;
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
-    vtkSmartPointer<vtkRenderer> renderer_;
-    std::shared_ptr<const Snapshot> shown_;
-    std::unique_ptr<TraceScene> scene_;
-    std::vector<vtkSmartPointer<vtkProp>> stepProps_;  // of the current step, replaced by the next
-    vtkSmartPointer<vtkTextActor> topLabel_;           // at the left corner of the slab's top
-    Turntable camera_;
+    TracePicture picture_;
+    QPointF pressed_;
     QPointF last_;
     Soon renderSoon_{this, [this] { renderNow(); }};
+    bool dragged_ = false;
     bool placed_ = false;  // the camera has been put somewhere
     relief::TracePane pane_;
 };

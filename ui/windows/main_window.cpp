@@ -1,6 +1,7 @@
 #include "windows/main_window.h"
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
@@ -43,11 +44,6 @@ namespace reliefui {
 
 namespace {
 
-// Parts of the window that the panes get at first.
-constexpr double kSceneWidth = 0.20;
-constexpr double kTraceWidth = 0.36;
-constexpr double kProjectorTraceWidth = 0.48;
-constexpr double kStepsHeight = 0.23;
 constexpr int kMessageMs = 4000;
 
 QComboBox* makeLayerChooser(Workspace* workspace, QWidget* parent) {
@@ -116,16 +112,19 @@ void MainWindow::makeResult() {
     connect(result_, &ResultView::menuRequested, this, &MainWindow::resultMenu);
 }
 
-QDockWidget* MainWindow::addPane(const QString& title, const QString& name, QWidget* whole, QWidget* focus,
+QDockWidget* MainWindow::addPane(const PaneName& name, const QString& objectName, QWidget* whole, QWidget* focus,
                                  Qt::DockWidgetArea area) {
-    auto* const dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
+    auto* const dock = new QDockWidget(name.tab, this);
+    dock->setObjectName(objectName);
     // Not floating: a pane of OpenGL does not survive the move to a window of its own everywhere.
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
-    dock->setTitleBarWidget(titleOf(title, dock));
+    PaneTitle* const title = titleOf(name.title, dock);
+    title->setClosable();
+    connect(title, &PaneTitle::closeRequested, this, [this, dock] { closePane(dock); });
+    dock->setTitleBarWidget(title);
     dock->setWidget(whole);
     addDockWidget(area, dock);
-    panes_.push_back({title, dock, focus, dock});
+    panes_.push_back({name.title, dock, focus, dock});
     return dock;
 }
 
@@ -150,13 +149,14 @@ void MainWindow::makePanes() {
     auto* const scroll = new QScrollArea(this);
     auto* const panel = new ScenePanel(workspace_, scroll);
     scroll->setWidget(panel);
+    scroll->setAccessibleName(tr("Scene"));
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setMinimumWidth(panel->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
 
-    addPane(tr("Trace 3-D"), QStringLiteral("trace-pane"), trace_, trace_->findChild<QVTKOpenGLNativeWidget*>(),
-            Qt::RightDockWidgetArea);
+    addPane({tr("Trace 3-D"), tr("Trace 3-D", "tab")}, QStringLiteral("trace-pane"), trace_,
+            trace_->findChild<QVTKOpenGLNativeWidget*>(), Qt::RightDockWidgetArea);
     addPane(tr("Pyramid"), QStringLiteral("pyramid-pane"), pyramid_, pyramid_->canvas(), Qt::RightDockWidgetArea);
     linkFigure(pyramid_);
     addPane(tr("Steps"), QStringLiteral("steps-pane"), time, steps_->findChild<QTableView*>(),
@@ -164,12 +164,12 @@ void MainWindow::makePanes() {
     addPane(tr("Scene"), QStringLiteral("scene-pane"), scroll, panel, Qt::LeftDockWidgetArea);
     addPane(tr("Profile"), QStringLiteral("profile-pane"), profile_, profile_->canvas(), Qt::RightDockWidgetArea);
     linkFigure(profile_);
-    addPane(tr("Distance map"), QStringLiteral("distance-pane"), distance_, distance_->canvas(),
-            Qt::RightDockWidgetArea);
+    addPane({tr("Distance map"), tr("Distance map", "tab")}, QStringLiteral("distance-pane"), distance_,
+            distance_->canvas(), Qt::RightDockWidgetArea);
     linkFigure(distance_);
     footprint_ = new FootprintView(workspace_, this);
-    addPane(tr("Footprint"), QStringLiteral("footprint-pane"), footprint_, footprint_->canvas(),
-            Qt::RightDockWidgetArea);
+    addPane({tr("Footprint"), tr("Footprint", "tab")}, QStringLiteral("footprint-pane"), footprint_,
+            footprint_->canvas(), Qt::RightDockWidgetArea);
     linkFigure(footprint_);
     addPane(tr("Rows"), QStringLiteral("rows-pane"), rows_, rows_->canvas(), Qt::RightDockWidgetArea);
     linkFigure(rows_);
@@ -184,6 +184,7 @@ void MainWindow::makePanes() {
     linkFigure(drawn_);
     duel_ = new DuelView(workspace_, this);
     addPane(tr("Duel"), QStringLiteral("duel-pane"), duel_, duel_->canvas(), Qt::RightDockWidgetArea);
+    linkFigure(duel_);
 }
 
 // Of the pane that was added last: its readout stands in the title, what it saved in the last line.
@@ -201,14 +202,20 @@ QString MainWindow::paneKey(std::size_t pane) {
     return pane < kPlain ? digit : QStringLiteral("Alt+") + digit;
 }
 
-// Not one of the panes: it is opened from the menu or from the bottom line.
+// Closed at first: it is opened from the menu, by its key or from the bottom line.
 void MainWindow::makeSkipped() {
-    skipped_ = new QDockWidget(tr("Skipped"), this);
-    skipped_->setObjectName(QStringLiteral("skipped-pane"));
-    skipped_->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
-    skipped_->setWidget(new SkippedPanel(workspace_, skipped_));
-    addDockWidget(Qt::BottomDockWidgetArea, skipped_);
+    auto* const panel = new SkippedPanel(workspace_, this);
+    skipped_ = addPane(tr("Skipped"), QStringLiteral("skipped-pane"), panel, panel, Qt::BottomDockWidgetArea);
     skipped_->hide();
+    // Tables have no drawing to click on: their menus are made of actions.
+    const auto addExport = [this](QWidget* table, const QString& view) {
+        auto* const action = new QAction(tr("Export figure…"), table);
+        connect(action, &QAction::triggered, this, [this, view] { askView(view); });
+        table->addAction(action);
+        table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    };
+    addExport(panel, QStringLiteral("skipped"));
+    addExport(steps_->table(), QStringLiteral("steps"));
     connect(status_, &StatusLine::ledgerWanted, skipped_, [this] { skipped_->setVisible(skipped_->isHidden()); });
     // Its reasons are sentences: as wide as the steps, over which it comes up.
     connect(skipped_->toggleViewAction(), &QAction::toggled, skipped_, [this](bool shown) {
@@ -243,107 +250,6 @@ void MainWindow::makeMessages() {
         bar->show();
     });
     connect(messages_, &MessageBar::closed, bar, &QWidget::hide);
-}
-
-void MainWindow::resetLayout() {
-    if (filled_ != nullptr) fill(filled_);
-    QDockWidget* const trace = panes_[1].dock;
-    QDockWidget* const pyramid = panes_[2].dock;
-    QDockWidget* const steps = panes_[3].dock;
-    QDockWidget* const scene = panes_[4].dock;
-    addDockWidget(Qt::RightDockWidgetArea, trace);
-    addDockWidget(Qt::RightDockWidgetArea, pyramid);
-    addDockWidget(Qt::BottomDockWidgetArea, steps);
-    addDockWidget(Qt::LeftDockWidgetArea, scene);
-    splitDockWidget(trace, pyramid, Qt::Vertical);
-    tabifyDockWidget(pyramid, panes_[5].dock);
-    QDockWidget* last = panes_[5].dock;
-    for (std::size_t i = 6; i < panes_.size(); ++i) {
-        QDockWidget* const dock = panes_[i].dock;
-        // Pictures want height; who draws by hand looks at all that follows.
-        const bool high = dock->objectName() == QStringLiteral("compare-pane");
-        const bool beside = dock->objectName() == QStringLiteral("drawn-pane");
-        tabifyDockWidget(high ? trace : (beside ? scene : last), dock);
-        if (!high && !beside) last = dock;
-    }
-    for (const Pane& pane : panes_) pane.whole->show();
-    for (QDockWidget* const front : {trace, scene, pyramid}) front->raise();
-    shareRoom();
-    // Again when the window has its size: before that, docks are as small as they can be.
-    QTimer::singleShot(0, this, &MainWindow::shareRoom);
-}
-
-void MainWindow::shareRoom() {
-    QDockWidget* const trace = panes_[1].dock;
-    QDockWidget* const pyramid = panes_[2].dock;
-    QDockWidget* const steps = panes_[3].dock;
-    QDockWidget* const scene = panes_[4].dock;
-    const auto part = [](double of, double share) { return static_cast<int>(of * share); };
-    resizeDocks({scene, trace}, {part(width(), kSceneWidth), part(width(), kTraceWidth)}, Qt::Horizontal);
-    resizeDocks({steps}, {part(height(), kStepsHeight)}, Qt::Vertical);
-    resizeDocks({trace, pyramid}, {1000, 800}, Qt::Vertical);
-}
-
-void MainWindow::fill(QWidget* pane) {
-    if (filled_ == nullptr) {
-        beforeFill_ = saveState();
-        filled_ = pane;
-        for (const Pane& other : panes_) other.whole->setVisible(other.whole == pane);
-        return;
-    }
-    filled_ = nullptr;
-    panes_.front().whole->show();
-    restoreState(beforeFill_);
-}
-
-void MainWindow::focusPane(std::size_t number) {
-    if (number >= panes_.size()) return;
-    const Pane& pane = panes_[number];
-    if (filled_ != nullptr && filled_ != pane.whole) fill(filled_);
-    pane.whole->show();
-    pane.whole->raise();
-    QWidget* target = pane.focus;
-    // A panel of controls has no focus of its own: its first control.
-    if (target->focusPolicy() == Qt::NoFocus && target->focusProxy() == nullptr) {
-        for (QWidget* const child : target->findChildren<QWidget*>()) {
-            if ((child->focusPolicy() & Qt::TabFocus) == 0 || !child->isEnabled() || !child->isVisible()) continue;
-            target = child;
-            break;
-        }
-    }
-    target->setFocus(Qt::ShortcutFocusReason);
-}
-
-void MainWindow::setProjector(bool on) {
-    if (on == workspace_->style().projector) return;
-    Style style = workspace_->style();
-    style.projector = on;
-    QApplication::setFont(windowFont(on));
-    workspace_->setStyle(style);
-    projector_->setChecked(on);
-    if (on) {
-        beforeProjector_ = saveState();
-        // Nobody reads controls from the last row; the panes need the room.
-        const bool byHand = !drawn_->visibleRegion().isEmpty();
-        panes_[4].whole->hide();
-        if (!byHand) drawn_->parentWidget()->hide();
-        showFullScreen();
-        // The large type of the panes at the right wants half of the window.
-        QTimer::singleShot(0, this, [this] {
-            if (!workspace_->style().projector) return;
-            resizeDocks({panes_[1].dock}, {static_cast<int>(width() * kProjectorTraceWidth)}, Qt::Horizontal);
-        });
-    } else {
-        showNormal();
-        restoreState(beforeProjector_);
-    }
-}
-
-void MainWindow::setLightTheme(bool on) {
-    Style style = workspace_->style();
-    style.theme = on ? Theme::Light : Theme::Dark;
-    QApplication::setPalette(themePalette(style.theme));
-    workspace_->setStyle(style);
 }
 
 // Keys that a control in focus needs for itself (a button its Space, a table its End) come here only when it did not.

@@ -66,12 +66,16 @@ class MainWindow : public QMainWindow {
     // The drawn picture as it is, without marks, in the format of its ending, on request with the layer's legend below;
     // says when it is done, or why not.
     void savePicture(const QString& path, bool legend = false);
+    // One of the views that have no export of their own: "result", "steps", "skipped". pixels: the width of a PNG.
+    void saveView(const QString& view, const QString& path, int pixels = 0);
 
   public slots:
     void setProjector(bool on);
     void setLightTheme(bool on);
     void resetLayout();
     void copyCommand();
+    // Opens a lesson (lessons()); can be undone.
+    void openLesson(const QString& name);
 
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -86,16 +90,26 @@ class MainWindow : public QMainWindow {
         QDockWidget* dock = nullptr;
     };
 
+    // The whole title, and a short one for the tab.
+    struct PaneName {
+        QString title;
+        QString tab;
+        PaneName(const QString& whole) : title(whole), tab(whole) {}
+        PaneName(const QString& whole, const QString& shorter) : title(whole), tab(shorter) {}
+    };
+
     void makeResult();
     void makePanes();
     void makeSkipped();
-    QDockWidget* addPane(const QString& title, const QString& name, QWidget* whole, QWidget* focus,
+    QDockWidget* addPane(const PaneName& title, const QString& name, QWidget* whole, QWidget* focus,
                          Qt::DockWidgetArea area);
     void linkFigure(FigureView* view);
     static QString paneKey(std::size_t pane);
     PaneTitle* titleOf(const QString& title, QWidget* whole);
     void makeMessages();
     void shareRoom();
+    void gatherPanes();
+    void closePane(QWidget* whole);
     void fill(QWidget* pane);
     void focusPane(std::size_t number);
 
@@ -109,6 +123,7 @@ class MainWindow : public QMainWindow {
     void makeBookmarkMenu(QMenu* menu);
     void showBookmarks();
     void askOtherTracer();
+    void makeLessonMenu();
     void makeHelpMenu();
     QAction* addAction(QMenu* menu, const QString& text, const QKeySequence& keys, const QString& help);
     void fillRecent();
@@ -121,6 +136,8 @@ class MainWindow : public QMainWindow {
     void askSaveScenario();
     void askSavePicture(bool legend = false);
     void askPixel();
+    void askView(const QString& view);
+    void exportFocused();
     void showShortcuts();
     void showPauses();
     void showAbout();

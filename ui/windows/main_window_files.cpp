@@ -1,8 +1,9 @@
 #include <algorithm>
 
 #include <QAction>
-#include <QCoreApplication>
+#include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -16,6 +17,8 @@
 #include <QThreadPool>
 #include <QUrl>
 
+#include "views/figure_export.h"
+#include "views/figure_view.h"
 #include "views/result_painting.h"
 #include "windows/main_window.h"
 #include "windows/pictures_box.h"
@@ -104,6 +107,39 @@ void MainWindow::savePicture(const QString& path, bool legend) {
             },
             Qt::QueuedConnection);
     });
+}
+
+void MainWindow::askView(const QString& view) {
+    const auto file = askFigureFile(this, tr("Export figure"), view, true);
+    if (file) saveView(view, file->path, file->pixels);
+}
+
+void MainWindow::saveView(const QString& view, const QString& path, int pixels) {
+    const auto shown = workspace_->snapshot();
+    if (!shown) return;
+    Snapshot snapshot = *shown;
+    snapshot.scenario.step = workspace_->scenario().step;
+    FigureRequest request;
+    request.view = view.toStdString();
+    request.style = workspace_->style();
+    const QString problem = saveFigureFile(snapshot, request, {path, pixels});
+    if (!problem.isEmpty()) {
+        Q_EMIT workspace_->problem(problem);
+    } else {
+        statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
+    }
+}
+
+// Of the pane in which the keyboard is; the result where it is in none.
+void MainWindow::exportFocused() {
+    QWidget* at = QApplication::focusWidget();
+    for (; at != nullptr; at = at->parentWidget()) {
+        if (auto* const figure = qobject_cast<FigureView*>(at)) return figure->askFigure();
+        const auto* const dock = qobject_cast<QDockWidget*>(at);
+        if (dock != nullptr && dock == skipped_) return askView(QStringLiteral("skipped"));
+        if (dock != nullptr && dock == panes_[3].dock) return askView(QStringLiteral("steps"));
+    }
+    askView(QStringLiteral("result"));
 }
 
 void MainWindow::remember(const QString& path) {

@@ -51,6 +51,7 @@ void MainWindow::makeMenus() {
     makeEditMenu();
     makeViewMenu();
     makeRayMenu();
+    makeLessonMenu();
     makeHelpMenu();
     for (QMenu* const menu : findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }
@@ -75,6 +76,9 @@ void MainWindow::makeFileMenu() {
     auto* const picture = addAction(menu, tr("Save &picture…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")),
                                     tr("Save the picture of the result"));
     connect(picture, &QAction::triggered, this, [this] { askSavePicture(); });
+    auto* const figure = addAction(menu, tr("&Export the pane…"), QKeySequence(QStringLiteral("Ctrl+E")),
+                                   tr("Export the pane with the keyboard as SVG, PDF or PNG"));
+    connect(figure, &QAction::triggered, this, &MainWindow::exportFocused);
     menu->addSeparator();
     auto* const quit = addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
     connect(quit, &QAction::triggered, this, &QWidget::close);
@@ -117,7 +121,6 @@ void MainWindow::makeViewMenu() {
     for (const Pane& pane : panes_) {
         if (pane.dock != nullptr) shown->addAction(pane.dock->toggleViewAction());
     }
-    shown->addAction(skipped_->toggleViewAction());
     auto* const reset = addAction(menu, tr("Reset &layout"), {}, tr("Put the panes where they were at first"));
     connect(reset, &QAction::triggered, this, &MainWindow::resetLayout);
     menu->addSeparator();
@@ -143,6 +146,8 @@ void MainWindow::makeRayMenu() {
     add(tr("&Next step"), QKeySequence(Qt::Key_Period), tr("One step on"), &StepBar::next);
     add(tr("&Last step") + '\t' + tr("End"), {}, tr("To the last step of the ray"), &StepBar::last);
     add(tr("Pla&y") + '\t' + tr("Space"), {}, tr("Play the steps until a breakpoint"), &StepBar::togglePlay);
+    add(tr("Play fas&ter"), QKeySequence(Qt::Key_BracketRight), tr("More steps a second"), &StepBar::faster);
+    add(tr("Play slo&wer"), QKeySequence(Qt::Key_BracketLeft), tr("Fewer steps a second"), &StepBar::slower);
     add(tr("Step &over a level"), QKeySequence(Qt::Key_F10), tr("Over what lies on finer levels"), &StepBar::over);
     add(tr("Step &back over a level"), QKeySequence(QStringLiteral("Shift+F10")),
         tr("Back over what lies on finer levels"), &StepBar::overBack);
@@ -226,6 +231,7 @@ void MainWindow::resultMenu(const QPoint& global) {
     if (workspace_->layer() != Layer::Color) {
         menu.addAction(tr("Save picture with its legend…"), this, [this] { askSavePicture(true); });
     }
+    menu.addAction(tr("Export figure…"), this, [this] { askView(QStringLiteral("result")); });
     menu.exec(global);
 }
 
@@ -260,6 +266,7 @@ void MainWindow::showShortcuts() {
         {QStringLiteral(",   ."), tr("previous and next step")},
         {tr("Home   End"), tr("first and last step")},
         {tr("Space"), tr("play the steps, until a breakpoint")},
+        {QStringLiteral("[   ]"), tr("play slower, faster")},
         {QStringLiteral("F10   Shift+F10"), tr("step over a level, and back")},
         {QStringLiteral("F5   Shift+F5"), tr("run to the next breakpoint, and back")},
         {QStringLiteral("F9"), tr("set a breakpoint at this texel")},
@@ -268,8 +275,11 @@ void MainWindow::showShortcuts() {
         {QStringLiteral("Ctrl+D"), tr("first divergence of the duel")},
         {QStringLiteral("Ctrl+B   Ctrl+Shift+B"), tr("add a bookmark, go to the next one")},
         {QStringLiteral("G"), tr("guess where the ray hits, by a click in the profile")},
-        {QStringLiteral("1 – 9, 0, Alt+1, Alt+2"), tr("go to a pane")},
+        {QStringLiteral("1 – 9, 0, Alt+1 – Alt+4"), tr("go to a pane")},
         {tr("Double click on a title"), tr("fill the window with the pane, and back")},
+        {tr("Arrows in the trace (with Shift: move), + −"), tr("turn the trace, zoom")},
+        {tr("Alt + arrows in the comparison"), tr("move the divider, take the next one")},
+        {QStringLiteral("Ctrl+E"), tr("export the pane as SVG, PDF or PNG")},
         {QStringLiteral("Ctrl+Z   Ctrl+Shift+Z"), tr("undo and redo")},
         {QStringLiteral("Ctrl+Shift+C"), tr("copy the relief trace command of the pixel")},
         {QStringLiteral("F11"), tr("projector")},

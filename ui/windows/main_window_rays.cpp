@@ -1,8 +1,10 @@
 // The main window's menus about rays: pixels worth seeing, bookmarks, somebody else's tracer.
 #include <QFileDialog>
 #include <QMenu>
+#include <QMenuBar>
 #include <QStatusBar>
 
+#include "lessons/lessons.h"
 #include "views/drawing_canvas.h"
 #include "views/duel_view.h"
 #include "windows/bookmarks.h"
@@ -53,6 +55,33 @@ void MainWindow::makeDuelMenu(QMenu* menu) {
         }
         duel_->toDivergence();
     });
+}
+
+void MainWindow::makeLessonMenu() {
+    QMenu* const menu = menuBar()->addMenu(tr("&Lessons"));
+    int number = 0;
+    for (const Lesson& lesson : lessons()) {
+        auto* const action =
+            addAction(menu, QStringLiteral("&%1  %2").arg(++number).arg(lesson.title), {}, lesson.about);
+        action->setObjectName(QStringLiteral("lesson-") + lesson.name);
+        connect(action, &QAction::triggered, this, [this, name = lesson.name] { openLesson(name); });
+    }
+}
+
+void MainWindow::openLesson(const QString& name) {
+    for (const Lesson& lesson : lessons()) {
+        if (lesson.name != name) continue;
+        try {
+            workspace_->change(lessonScenario(name), tr("Lesson: %1").arg(lesson.title));
+        } catch (const relief::InputError& error) {
+            Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
+            return;
+        }
+        Q_EMIT workspace_->notice(lesson.about);
+        for (std::size_t i = 0; i < panes_.size(); ++i) {
+            if (panes_[i].whole->objectName() == lesson.pane) focusPane(i);
+        }
+    }
 }
 
 void MainWindow::makeBookmarkMenu(QMenu* menu) {

@@ -8,7 +8,7 @@
 namespace reliefui {
 
 PaneTitle::PaneTitle(const QString& title, const QString& shortcut, QWidget* parent)
-    : QWidget(parent), row_(new QHBoxLayout(this)), note_(new QLabel(this)) {
+    : QWidget(parent), title_(title), row_(new QHBoxLayout(this)), note_(new QLabel(this)) {
     setObjectName(QStringLiteral("pane-title"));
     auto* const name = new QLabel(title, this);
     QFont bold = name->font();
@@ -17,6 +17,7 @@ PaneTitle::PaneTitle(const QString& title, const QString& shortcut, QWidget* par
     note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     note_->setTextFormat(Qt::PlainText);
     auto* const fill = new QToolButton(this);
+    fill->setObjectName(QStringLiteral("pane-fill"));
     fill->setText(QStringLiteral("□"));
     fill->setAutoRaise(true);
     fill->setToolTip(tr("Fill the window with this pane, and back (double click on the title)"));
@@ -29,8 +30,19 @@ PaneTitle::PaneTitle(const QString& title, const QString& shortcut, QWidget* par
     connect(fill, &QToolButton::clicked, this, &PaneTitle::fillRequested);
 }
 
+void PaneTitle::setClosable() {
+    auto* const close = new QToolButton(this);
+    close->setObjectName(QStringLiteral("pane-close"));
+    close->setText(QStringLiteral("×"));
+    close->setAutoRaise(true);
+    close->setToolTip(tr("Close this pane; the menu View, Panes opens it again"));
+    close->setAccessibleName(tr("Close %1").arg(title_));
+    row_->addWidget(close);
+    connect(close, &QToolButton::clicked, this, &PaneTitle::closeRequested);
+}
+
 void PaneTitle::addControl(QWidget* control) {
-    row_->insertWidget(row_->count() - 1, control);
+    row_->insertWidget(2, control);
 }
 
 void PaneTitle::setNote(const QString& note) {

@@ -16,11 +16,14 @@ class PaneTitle : public QWidget {
 
     // Controls of the pane, at the right.
     void addControl(QWidget* control);
+    // Shows the button that closes the pane.
+    void setClosable();
     // A line beside the name.
     void setNote(const QString& note);
 
   signals:
     void fillRequested();
+    void closeRequested();
 
   protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
@@ -29,6 +32,7 @@ class PaneTitle : public QWidget {
   private:
     void fitNote();
 
+    QString title_;
     QString text_;
     QHBoxLayout* row_;
     QLabel* note_;

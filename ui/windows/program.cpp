@@ -51,6 +51,9 @@ void prepareWindows() {
     // VTK here draws through GLX: X11, also where a Wayland session would offer something else.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
     giveRuntimeFolder();
+    // On fine screens everything is as large as the desktop says.
+    QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
     format.setSamples(0);
     QSurfaceFormat::setDefaultFormat(format);

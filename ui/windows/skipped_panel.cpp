@@ -1,42 +1,36 @@
 #include "windows/skipped_panel.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include <QHeaderView>
+#include <QStyledItemDelegate>
 
-#include "rendering/skip_ledger.h"
-#include "workspace/language.h"
+#include "views/table_figures.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
 
 namespace {
 
-QString rounded(double value) {
-    return QString::fromStdString(relief::numberText(value, 3));
-}
+// Rows as high as their text, broken into lines in the width of its column.
+class Wrapped : public QStyledItemDelegate {
+  public:
+    explicit Wrapped(QTreeWidget* tree) : QStyledItemDelegate(tree), tree_(tree) {}
 
-QString words(const relief::Message& message) {
-    return QString::fromStdString(relief::sentence(message, uiLanguage()));
-}
-
-// "1234 of 5678 (22 %)".
-QString amount(const relief::SkipRow& row) {
-    const QString count = QString::number(row.count, 'f', 0);
-    if (!(row.of > 0)) return count;
-    return SkippedPanel::tr("%1 of %2 (%3 %)")
-        .arg(count, QString::number(row.of, 'f', 0))
-        .arg(std::lround(100 * row.count / row.of));
-}
-
-QString measured(const relief::SkipRow& row, const relief::BoundedError& error) {
-    if (row.name == "little-parallax") {
-        return SkippedPanel::tr("measured: %1 texels in the mean, %2 at most")
-            .arg(rounded(error.rayMean), rounded(error.rayMax));
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        constexpr int kRoom = 8;
+        constexpr int kEndless = 10000;
+        const bool heading = !index.parent().isValid();
+        const int width = heading ? kEndless : tree_->columnWidth(index.column()) - kRoom;
+        const QRect text = tree_->fontMetrics().boundingRect(0, 0, width, kEndless, Qt::TextWordWrap,
+                                                             index.data(Qt::DisplayRole).toString());
+        // A heading goes over all columns.
+        return {heading ? 0 : QStyledItemDelegate::sizeHint(option, index).width(), text.height() + 4};
     }
-    return SkippedPanel::tr("measured: %1 of linear light in the mean, %2 at most")
-        .arg(rounded(error.colorMean), rounded(error.colorMax));
-}
+
+  private:
+    QTreeWidget* tree_;
+};
 
 }  // namespace
 
@@ -45,8 +39,14 @@ SkippedPanel::SkippedPanel(Workspace* workspace, QWidget* parent) : QTreeWidget(
     setAccessibleName(tr("What the last frame did not compute"));
     setHeaderLabels({tr("Not computed"), tr("How many"), tr("Why")});
     setSelectionMode(QAbstractItemView::NoSelection);
-    setUniformRowHeights(true);
+    // Reasons are sentences: they go on in the next line where the pane is narrow.
+    setWordWrap(true);
+    setItemDelegate(new Wrapped(this));
+    setTextElideMode(Qt::ElideNone);
+    setIndentation(fontMetrics().averageCharWidth());
+    setRootIsDecorated(false);
     connect(workspace_, &Workspace::snapshotChanged, this, &SkippedPanel::refresh);
+    connect(workspace_, &Workspace::styleChanged, this, &SkippedPanel::refresh);
     refresh();
 }
 
@@ -55,21 +55,36 @@ void SkippedPanel::refresh() {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
     clear();
-    const double bound = snapshot->request->bounded;
-    auto* const lossless = new QTreeWidgetItem(this, {tr("Lossless: not a bit changes")});
-    auto* const bounded =
-        new QTreeWidgetItem(this, {bound > 0 ? tr("Bounded by %1 texels").arg(rounded(bound)) : tr("Bounded: off")});
-    if (!snapshot->request->skip) lossless->setText(0, tr("Lossless: off"));
-    for (const relief::SkipRow& row : relief::skipLedger(*snapshot->frame, *snapshot->request)) {
-        const bool exact = row.ledger == relief::Ledger::Lossless;
-        QString why = words(row.why);
-        if (!exact && snapshot->bounded && row.count > 0)
-            why += QStringLiteral("; ") + measured(row, *snapshot->bounded);
-        auto* const item = new QTreeWidgetItem(exact ? lossless : bounded, {words(row.what), amount(row), why});
-        item->setToolTip(2, why);
+    QTreeWidgetItem* heading = nullptr;
+    std::vector<QTreeWidgetItem*> headings;
+    for (const TableRow& row : skippedTable(*snapshot, workspace_->style().language).rows) {
+        QStringList cells;
+        for (const std::string& cell : row.cells) cells << QString::fromStdString(cell);
+        if (row.heading) {
+            heading = new QTreeWidgetItem(this, cells);
+            headings.push_back(heading);
+            continue;
+        }
+        auto* const item = new QTreeWidgetItem(heading, cells);
+        item->setToolTip(2, cells.back());
     }
     expandAll();
-    for (int column = 0; column < 2; ++column) resizeColumnToContents(column);
+    for (QTreeWidgetItem* const each : headings) each->setFirstColumnSpanned(true);
+    shareWidth();
+}
+
+void SkippedPanel::shareWidth() {
+    constexpr double kMost = 0.34;  // of the width, for what and for how many
+    for (int column = 0; column < 2; ++column) {
+        resizeColumnToContents(column);
+        setColumnWidth(column, std::min(columnWidth(column), static_cast<int>(kMost * viewport()->width())));
+    }
+    scheduleDelayedItemsLayout();
+}
+
+void SkippedPanel::resizeEvent(QResizeEvent* event) {
+    QTreeWidget::resizeEvent(event);
+    shareWidth();
 }
 
 }  // namespace reliefui

@@ -12,8 +12,12 @@ class SkippedPanel : public QTreeWidget {
   public:
     explicit SkippedPanel(Workspace* workspace, QWidget* parent = nullptr);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     void refresh();
+    void shareWidth();
 
     Workspace* workspace_;
 };

@@ -70,6 +70,8 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     frame_->installEventFilter(this);
     frame_->setCursor(Qt::PointingHandCursor);
     pixel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    // Large type must not make the window wider than the screen: cut at the right, whole in the tool tip.
+    pixel_->setMinimumWidth(1);
     setContentsMargins(6, 0, 6, 0);
     bar_->setRange(0, 1000);
     bar_->setFixedWidth(160);
@@ -128,6 +130,7 @@ void StatusLine::showProgress(const QString& what, double fraction) {
 void StatusLine::refresh() {
     const PauseLog::Part part("bottom line");
     pixel_->setText(pixelText());
+    pixel_->setToolTip(pixel_->text());
     frame_->setText(frameText());
 }
 

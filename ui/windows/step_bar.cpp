@@ -1,10 +1,13 @@
 #include "windows/step_bar.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
-#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
@@ -16,8 +19,13 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kSpeeds[] = {1, 2, 5, 10, 30};  // steps a second
-constexpr int kFirstSpeed = 1;                // two
+// Steps a second.
+constexpr std::array kSpeeds{0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0};
+constexpr double kFirstSpeed = 2;
+
+QString speedKey() {
+    return QStringLiteral("playSpeed");
+}
 
 }  // namespace
 
@@ -26,7 +34,7 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
       workspace_(workspace),
       slider_(new QSlider(Qt::Horizontal, this)),
       label_(new QLabel(this)),
-      speed_(new QComboBox(this)) {
+      speed_(new QDoubleSpinBox(this)) {
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(6, 2, 6, 2);
     const auto button = [&](const QString& sign, const QString& name, const QString& key, void (StepBar::*slot)()) {
@@ -47,20 +55,13 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
     button(QStringLiteral("▶●"), tr("Run to the next breakpoint"), QStringLiteral("F5"), &StepBar::run);
     play_ = button(tr("Play"), tr("Play the steps"), tr("Space"), &StepBar::togglePlay);
     play_->setCheckable(true);
-    speed_->setObjectName(QStringLiteral("play-speed"));
-    speed_->setAccessibleName(tr("Speed of playing"));
-    speed_->setToolTip(tr("Steps a second while playing"));
-    for (const int speed : kSpeeds) speed_->addItem(tr("%1/s").arg(speed), speed);
-    speed_->setCurrentIndex(kFirstSpeed);
-    connect(speed_, qOverload<int>(&QComboBox::currentIndexChanged), this,
-            [this](int) { timer_.setInterval(1000 / speed_->currentData().toInt()); });
+    makeSpeed();
     row->addWidget(speed_);
     slider_->setAccessibleName(tr("Step of the ray"));
     slider_->setToolTip(tr("Step of the ray: , and . go back and on"));
     slider_->setObjectName(QStringLiteral("step-slider"));
     row->addWidget(slider_, 1);
     row->addWidget(label_);
-    timer_.setInterval(1000 / kSpeeds[kFirstSpeed]);
     connect(&timer_, &QTimer::timeout, this, &StepBar::advance);
     connect(slider_, &QSlider::valueChanged, workspace_, &Workspace::chooseStep);
     connect(workspace_, &Workspace::snapshotChanged, this, &StepBar::refresh);
@@ -68,6 +69,38 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
     connect(workspace_, &Workspace::scenarioChanged, this, &StepBar::refresh);
     connect(workspace_, &Workspace::notesChanged, this, &StepBar::refresh);
     refresh();
+}
+
+void StepBar::makeSpeed() {
+    speed_->setObjectName(QStringLiteral("play-speed"));
+    speed_->setAccessibleName(tr("Speed of playing"));
+    speed_->setToolTip(tr("Steps a second while playing; ] faster, [ slower"));
+    speed_->setRange(kSpeeds.front(), kSpeeds.back());
+    speed_->setDecimals(1);
+    speed_->setSuffix(tr("/s"));
+    // By arrows and wheel through the round ones.
+    speed_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    speed_->setKeyboardTracking(false);
+    connect(speed_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &StepBar::setSpeed);
+    // As it was the last time.
+    const double kept = QSettings().value(speedKey(), kFirstSpeed).toDouble();
+    speed_->setValue(kept);
+    setSpeed(speed_->value());
+}
+
+void StepBar::setSpeed(double stepsASecond) {
+    timer_.setInterval(static_cast<int>(std::lround(1000 / stepsASecond)));
+    QSettings().setValue(speedKey(), stepsASecond);
+}
+
+void StepBar::faster() {
+    const auto next = std::upper_bound(kSpeeds.begin(), kSpeeds.end(), speed_->value());
+    if (next != kSpeeds.end()) speed_->setValue(*next);
+}
+
+void StepBar::slower() {
+    const auto next = std::lower_bound(kSpeeds.begin(), kSpeeds.end(), speed_->value());
+    if (next != kSpeeds.begin()) speed_->setValue(*std::prev(next));
 }
 
 int StepBar::count() const {

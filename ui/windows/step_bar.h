@@ -6,7 +6,7 @@
 
 #include "workspace/workspace.h"
 
-class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QSlider;
 class QToolButton;
@@ -31,10 +31,15 @@ class StepBar : public QWidget {
     void runBack();
     // Until the ray's end or a breakpoint.
     void togglePlay();
+    // To the next round number of steps a second.
+    void faster();
+    void slower();
 
   private:
     int count() const;
     int step() const;
+    void makeSpeed();
+    void setSpeed(double stepsASecond);
     void refresh();
     void advance();
     int levelStep(bool forward) const;
@@ -44,7 +49,7 @@ class StepBar : public QWidget {
     Workspace* workspace_;
     QSlider* slider_;
     QLabel* label_;
-    QComboBox* speed_;
+    QDoubleSpinBox* speed_;
     QToolButton* play_ = nullptr;
     QTimer timer_;
 };

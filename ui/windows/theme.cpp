@@ -32,4 +32,10 @@ QFont windowFont(bool projector) {
     return font;
 }
 
+QFont tabFont(bool projector) {
+    QFont font = windowFont(false);
+    if (projector) font.setPointSize(11);
+    return font;
+}
+
 }  // namespace reliefui

@@ -1,0 +1,159 @@
+// Every view goes into a file without a display: lines and words into SVG and PDF, everything into PNG.
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+
+#include "views/figure.h"
+#include "views/step_table.h"
+#include "views/trace3d_view.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kPatienceMs = 60000;
+
+// No display and no platform asked for, Ukrainian.
+int exportFigure(const QStringList& arguments, QString* complaint) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+        environment.remove(QLatin1String(name));
+    }
+    environment.insert(QStringLiteral("LC_ALL"), QStringLiteral("uk_UA.UTF-8"));
+    environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(RELIEFSCOPE), arguments);
+    if (!process.waitForFinished(kPatienceMs)) return -1;
+    *complaint = QString::fromUtf8(process.readAllStandardError());
+    return process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+}
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+bool hasCyrillic(const QByteArray& svg) {
+    // Words between <text> and </text>, not a title.
+    const QRegularExpression words(QStringLiteral("<text[^>]*>[^<]*[а-яіїєґ]{3}[^<]*</text>"));
+    return words.match(QString::fromUtf8(svg)).hasMatch();
+}
+
+// Everything a view could want: a ray, methods to compare with; a relief by hand for the pane of that name.
+QString writeScenario(const QTemporaryDir& folder, bool drawn) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"layers", {{"layers", "8"}}};
+    scenario.comparison.others = {{"max-pyramid", {}}};
+    scenario.step = 1;
+    if (drawn) {
+        scenario.pictures = {};
+        scenario.pictures.drawn.width = scenario.pictures.drawn.height = 8;
+        for (int i = 0; i < 64; ++i) scenario.pictures.drawn.heights.push_back((i * 7 % 64) / 64.0);
+    }
+    const QString path = folder.filePath(drawn ? QStringLiteral("drawn.json") : QStringLiteral("scenario.json"));
+    relief::saveScenario(path.toStdString(), scenario);
+    return path;
+}
+
+TEST(Exports, everyViewWithoutADisplay) {
+    const QTemporaryDir folder;
+    for (const std::string& name : figureViews()) {
+        if (name == "pareto") continue;  // of a table of measurements: charts_test.cpp
+        SCOPED_TRACE(name);
+        const QString view = QString::fromStdString(name);
+        const QString scenario = writeScenario(folder, name == "drawn");
+        const auto run = [&](const QString& ending, const QStringList& more) {
+            const QString path = folder.filePath(view + ending);
+            QString complaint;
+            const int status = exportFigure(
+                QStringList{scenario, QStringLiteral("--export"), view, QStringLiteral("-o"), path} + more, &complaint);
+            EXPECT_EQ(complaint.toStdString(), "");
+            EXPECT_EQ(status, 0) << ending.toStdString();
+            return path;
+        };
+        // So many pixels as are asked for: 127 mm of 80 an inch are 400.
+        const QImage image(run(QStringLiteral(".png"), {QStringLiteral("--width"), QStringLiteral("127"),
+                                                        QStringLiteral("--dpi"), QStringLiteral("80")}));
+        EXPECT_EQ(image.width(), 400);
+        EXPECT_GT(colorsIn(image), 8);
+        if (name == "trace") continue;
+        const QByteArray svg = contents(run(QStringLiteral(".svg"), {}));
+        if (name == "result") {
+            EXPECT_TRUE(svg.contains("<image"));
+        } else {
+            EXPECT_TRUE(hasCyrillic(svg));
+            EXPECT_TRUE(svg.contains("<path") || svg.contains("<polyline") || svg.contains("<rect"));
+        }
+        const QByteArray pdf = contents(run(QStringLiteral(".pdf"), {}));
+        EXPECT_TRUE(pdf.startsWith("%PDF"));
+        EXPECT_EQ(pdf.contains("/FontFile2"), name != "result") << "words are words, in a font of the file's own";
+    }
+}
+
+TEST(Exports, theTraceIsPixelsAlone) {
+    const QTemporaryDir folder;
+    const QString scenario = writeScenario(folder, false);
+    QString complaint;
+    EXPECT_EQ(exportFigure({scenario, QStringLiteral("--export"), QStringLiteral("trace"), QStringLiteral("-o"),
+                            folder.filePath(QStringLiteral("trace.svg"))},
+                           &complaint),
+              2);
+    EXPECT_EQ(complaint.count('\n'), 1) << complaint.toStdString();
+    EXPECT_TRUE(complaint.contains(QStringLiteral("png"))) << complaint.toStdString();
+    EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("trace.svg"))));
+}
+
+// Pixels near the colour.
+int like(const QImage& image, Rgba color) {
+    constexpr int kNear = 40;
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor c = image.pixelColor(x, y);
+            count += std::abs(c.red() - color.r) + std::abs(c.green() - color.g) + std::abs(c.blue() - color.b) < kNear;
+        }
+    }
+    return count;
+}
+
+// From the panes of a window: the same picture, at the asked-for size.
+TEST_F(WindowTest, PanesAreExportedAtAnySize) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"layers", {{"layers", "8"}}};
+    scenario.comparison.others = {{"max-pyramid", {}}};
+    openWindow(scenario);
+    const QTemporaryDir folder;
+    const QString trace = folder.filePath(QStringLiteral("trace.png"));
+    window_->trace()->saveFigure(trace, 900);
+    const QImage solid(trace);
+    ASSERT_EQ(solid.width(), 900);
+    Style style = workspace_->style();
+    style.theme = Theme::Light;
+    EXPECT_EQ(solid.pixelColor(2, 2), QColor(style.background().r, style.background().g, style.background().b));
+    // Shaded by the light, yet the ray's hue is there in a line of it.
+    EXPECT_GT(like(solid, {170, 74, 0, 255}), 100) << "the ray";
+    // The pane itself goes on drawing.
+    EXPECT_GT(colorsIn(grab(window_->trace())), 30);
+    for (const QString& view : {QStringLiteral("result"), QStringLiteral("steps"), QStringLiteral("skipped")}) {
+        const QString path = folder.filePath(view + QStringLiteral(".png"));
+        window_->saveView(view, path, 640);
+        EXPECT_EQ(QImage(path).width(), 640) << view.toStdString();
+        EXPECT_GT(colorsIn(QImage(path)), 8) << view.toStdString();
+    }
+    // The chosen step is the one that the table marks.
+    workspace_->chooseStep(0);
+    const QString first = folder.filePath(QStringLiteral("first.svg"));
+    window_->saveView(QStringLiteral("steps"), first);
+    workspace_->chooseStep(2);
+    const QString third = folder.filePath(QStringLiteral("third.svg"));
+    window_->saveView(QStringLiteral("steps"), third);
+    EXPECT_NE(contents(first), contents(third));
+    EXPECT_TRUE(contents(third).contains(window_->steps()->sentence().left(12).toUtf8()));
+}
+
+}  // namespace
+
+}  // namespace reliefui

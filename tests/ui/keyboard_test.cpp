@@ -1,0 +1,282 @@
+// Everything by keyboard: each shortcut of the window does what its tool tip says, no two share one, and every control
+// has a name for those who hear the window instead of seeing it.
+#include <functional>
+#include <map>
+
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDialog>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QShortcut>
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QTimer>
+
+#include "views/compare_view.h"
+#include "views/drawing_canvas.h"
+#include "views/duel_view.h"
+#include "window_fixture.h"
+#include "windows/step_bar.h"
+
+namespace reliefui {
+
+namespace {
+
+QString shown(const QKeySequence& keys) {
+    return keys.toString(QKeySequence::NativeText);
+}
+
+void press(QWidget* widget, const QKeySequence& keys) {
+    const int code = keys[0];
+    QTest::keyClick(widget, static_cast<Qt::Key>(code & ~static_cast<int>(Qt::KeyboardModifierMask)),
+                    static_cast<Qt::KeyboardModifiers>(code & static_cast<int>(Qt::KeyboardModifierMask)));
+}
+
+class KeyboardTest : public WindowTest {
+  protected:
+    void openKeys() {
+        relief::Scenario scenario = smallScenario();
+        scenario.method = {"layers", {{"layers", "4"}}};
+        scenario.comparison.others = {{"max-pyramid", {}}};
+        openWindow(scenario);
+        // Whatever asks is called off; that it asked is remembered.
+        QObject::connect(&closer_, &QTimer::timeout, [this] {
+            if (QWidget* const modal = QApplication::activeModalWidget()) {
+                asked_ = modal->windowTitle();
+                modal->close();
+            }
+        });
+        closer_.start(30);
+        fill();
+    }
+
+    std::vector<QAction*> withKeys() const {
+        std::vector<QAction*> found;
+        for (QAction* const action : window_->findChildren<QAction*>()) {
+            if (!action->shortcut().isEmpty()) found.push_back(action);
+        }
+        return found;
+    }
+
+    // Presses the keys of `key`, and says whether the check holds within some seconds.
+    bool works(const QString& key) {
+        window_->result()->setFocus();
+        asked_.clear();
+        press(window_->result(), QKeySequence(key, QKeySequence::NativeText));
+        return QTest::qWaitFor(effects_.at(key), 10000);
+    }
+
+    void fill() {
+        const auto step = [this] { return scenario().step; };
+        const auto steps = [this] { return static_cast<int>(snapshot()->trace.steps.size()); };
+        const auto asks = [this] { return !asked_.isEmpty(); };
+        const auto says = [this] { return !window_->statusBar()->currentMessage().isEmpty(); };
+        effects_ = {
+            {shown(QKeySequence::Open), asks},
+            {shown(QKeySequence::Save), asks},
+            {QStringLiteral("Ctrl+Shift+O"), asks},
+            {QStringLiteral("Ctrl+T"), asks},
+            {QStringLiteral("Ctrl+Shift+S"), asks},
+            {QStringLiteral("Ctrl+E"), asks},
+            {QStringLiteral("Ctrl+G"), asks},
+            {QStringLiteral(","), [this, step] { return step() == before_ - 1; }},
+            {QStringLiteral("."), [this, step] { return step() == before_ + 1; }},
+            {QStringLiteral("F5"), [step, steps] { return step() == steps() - 1; }},
+            {QStringLiteral("Shift+F5"), [step] { return step() == 0; }},
+            {QStringLiteral("F10"), [this, step] { return step() > before_; }},
+            {QStringLiteral("Shift+F10"), [this, step] { return step() < before_; }},
+            {QStringLiteral("F9"), [this] { return scenario().breakpoints.size() == 1; }},
+            {QStringLiteral("]"), [this] { return speed() == 5; }},
+            {QStringLiteral("["), [this] { return speed() == 1; }},
+            {QStringLiteral("Shift+E"), says},
+            {QStringLiteral("Shift+S"), says},
+            {QStringLiteral("Shift+O"), says},
+            {QStringLiteral("Shift+D"), says},
+            {QStringLiteral("Ctrl+D"), [this] { return QApplication::focusWidget() == window_->duel()->canvas(); }},
+            {QStringLiteral("Ctrl+B"), [this] { return scenario().bookmarks.size() == 1; }},
+            {QStringLiteral("Ctrl+Shift+B"), [this] { return scenario().pixel == bookmarked_; }},
+            {QStringLiteral("G"), [this] { return workspace_->guessing(); }},
+            {QStringLiteral("Ctrl+Z"), [this] { return scenario().reliefDepth == depth_; }},
+            {QStringLiteral("Ctrl+Shift+Z"), [this] { return scenario().reliefDepth != depth_; }},
+            {QStringLiteral("Ctrl+Shift+C"),
+             [] { return QApplication::clipboard()->text().contains(QStringLiteral("relief trace")); }},
+            {QStringLiteral("Ctrl+Alt+C"), [] { return !QApplication::clipboard()->image().isNull(); }},
+            {QStringLiteral("F1"), [this] { return closeDialog(); }},
+            {QStringLiteral("F11"), [this] { return workspace_->style().projector; }},
+            {QStringLiteral("Esc"), [this] { return !workspace_->busy() && snapshot()->version == version_; }},
+        };
+    }
+
+    double speed() const {
+        return window_->stepBar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"))->value();
+    }
+    bool closeDialog() const {
+        const auto* const dialog = window_->findChild<QDialog*>();
+        return dialog != nullptr && dialog->isVisible();
+    }
+
+    // What the key needs to have an effect.
+    void prepare(const QString& key) {
+        if (workspace_->guessing()) workspace_->setGuessing(false);
+        waitForFull();
+        workspace_->chooseStep(2);
+        window_->statusBar()->clearMessage();
+        QApplication::clipboard()->clear();
+        before_ = scenario().step;
+        if (key == QStringLiteral("[") || key == QStringLiteral("]")) {
+            window_->stepBar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"))->setValue(2);
+        }
+        if (key == QStringLiteral("Ctrl+Z") || key == QStringLiteral("Ctrl+Shift+Z")) {
+            depth_ = scenario().reliefDepth;
+            relief::Scenario deeper = scenario();
+            deeper.reliefDepth = depth_ + 0.01;
+            workspace_->change(deeper, QStringLiteral("depth"));
+            if (key == QStringLiteral("Ctrl+Shift+Z")) workspace_->undo();
+        }
+        if (key == QStringLiteral("Ctrl+Shift+B")) {
+            relief::Scenario now = scenario();
+            bookmarked_ = relief::PixelChoice{60, 50};
+            workspace_->setBookmarks({{"a", *bookmarked_, now.camera, 0}}, QStringLiteral("bookmark"));
+        } else if (key == QStringLiteral("Ctrl+B")) {
+            workspace_->setBookmarks({}, QStringLiteral("none"));
+        }
+        if (key == QStringLiteral("F9")) workspace_->setBreakpoints({}, QStringLiteral("none"));
+        if (key == QStringLiteral("F5") || key == QStringLiteral("Shift+F5")) {
+            workspace_->setBreakpoints({}, QStringLiteral("none"));
+        }
+        waitForFull();
+        if (key == QStringLiteral("Esc")) {
+            version_ = snapshot()->version;
+            relief::Scenario other = scenario();
+            other.width = 1600;
+            other.height = 1200;
+            workspace_->change(other, QStringLiteral("large"));
+        }
+    }
+
+    // After it: as it was.
+    void restore(const QString& key) {
+        if (key == QStringLiteral("F11")) window_->setProjector(false);
+        if (key == QStringLiteral("F1")) delete window_->findChild<QDialog*>();
+    }
+
+    std::map<QString, std::function<bool()>> effects_;
+    QTimer closer_;
+    QString asked_;
+    int before_ = 0;
+    double depth_ = 0;
+    std::uint64_t version_ = 0;
+    std::optional<relief::PixelChoice> bookmarked_;
+};
+
+TEST_F(KeyboardTest, EveryShortcutDoesWhatItSays) {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    openKeys();
+    EXPECT_TRUE(window_->findChildren<QShortcut*>().isEmpty()) << "shortcuts are actions: they stand in a menu";
+    int tried = 0;
+    for (QAction* const action : withKeys()) {
+        const QString key = shown(action->shortcut());
+        SCOPED_TRACE(key.toStdString() + ": " + action->text().toStdString());
+        // Its tool tip says it.
+        EXPECT_TRUE(action->toolTip().contains(QLatin1Char('(') + key + QLatin1Char(')')))
+            << action->toolTip().toStdString();
+        // Of a single control: tested with it (copying rows in stepping_test.cpp).
+        if (action->shortcutContext() == Qt::WidgetShortcut || action->shortcut() == QKeySequence(QKeySequence::Quit))
+            continue;
+        const auto pane = key.startsWith(QStringLiteral("Alt+")) || (key.size() == 1 && key[0].isDigit());
+        ASSERT_NO_FATAL_FAILURE(prepare(key));
+        QSignalSpy triggered(action, &QAction::triggered);
+        if (pane) {
+            window_->result()->setFocus();
+            press(window_->result(), action->shortcut());
+            QWidget* const focus = QApplication::focusWidget();
+            ASSERT_NE(focus, nullptr);
+            EXPECT_EQ(key == QStringLiteral("1"), focus == window_->result()) << focus->objectName().toStdString();
+        } else {
+            ASSERT_TRUE(effects_.count(key) > 0) << "a new shortcut: what it does is not tested";
+            EXPECT_TRUE(works(key)) << "nothing happened";
+        }
+        EXPECT_EQ(triggered.count(), 1);
+        restore(key);
+        ++tried;
+    }
+    EXPECT_GE(tried, 40);
+    // Last: it ends everything.
+    QTest::keyClick(window_.get(), Qt::Key_Q, Qt::ControlModifier);
+    EXPECT_FALSE(window_->isVisible());
+}
+
+TEST_F(KeyboardTest, NoTwoShareAShortcut) {
+    openKeys();
+    std::map<QString, QString> taken;
+    for (const QAction* const action : withKeys()) {
+        for (const QKeySequence& keys : action->shortcuts()) {
+            const auto [place, free] = taken.emplace(shown(keys), action->text());
+            EXPECT_TRUE(free) << shown(keys).toStdString() << ": " << action->text().toStdString() << " and "
+                              << place->second.toStdString();
+        }
+    }
+    EXPECT_GT(taken.size(), 40U);
+}
+
+bool ownedByQt(const QWidget* widget) {
+    const QString type = QString::fromLatin1(widget->metaObject()->className());
+    return widget->objectName().startsWith(QStringLiteral("qt_")) ||
+           type.startsWith(QStringLiteral("QComboBoxPrivate")) || widget->windowType() == Qt::Popup ||
+           widget->windowType() == Qt::ToolTip;
+}
+
+TEST_F(KeyboardTest, EveryControlHasAName) {
+    openKeys();
+    // Everything that is somewhere in the window, also behind a tab.
+    int named = 0;
+    for (QWidget* const widget : window_->findChildren<QWidget*>()) {
+        if (widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() != nullptr || ownedByQt(widget)) continue;
+        // A box's own line: it says the name of the box.
+        if (widget->inherits("QLineEdit") && widget->parentWidget()->inherits("QAbstractSpinBox")) continue;
+        QAccessibleInterface* const spoken = QAccessible::queryAccessibleInterface(widget);
+        ASSERT_NE(spoken, nullptr);
+        const QString name = spoken->text(QAccessible::Name);
+        const bool words = std::any_of(name.begin(), name.end(), [](QChar c) { return c.isLetter(); });
+        EXPECT_TRUE(words) << widget->metaObject()->className() << " '" << widget->objectName().toStdString() << "' in "
+                           << widget->parentWidget()->metaObject()->className() << ": '" << name.toStdString() << "'";
+        ++named;
+    }
+    EXPECT_GT(named, 100);
+}
+
+TEST_F(KeyboardTest, DividersAreMovedByKeys) {
+    relief::Scenario scenario = smallScenario();
+    scenario.comparison.others = {{"layers", {}}, {"offset", {}}};
+    scenario.comparison.mode = relief::CompareMode::Swipe;
+    openWindow(scenario);
+    window_->findChild<QDockWidget*>(QStringLiteral("compare-pane"))->raise();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return window_->compare()->view() != nullptr && window_->compare()->settled(); }, 20000));
+    ComparePictures* const pictures = window_->compare()->pictures();
+    pictures->setFocus();
+    const auto dividers = [&] { return relief::dividersOf(this->scenario().comparison); };
+    const std::vector<double> first = dividers();
+    ASSERT_EQ(first.size(), 2U);
+    const QImage even = grab(pictures);
+    QTest::keyClick(pictures, Qt::Key_Left, Qt::AltModifier | Qt::ShiftModifier);
+    EXPECT_NEAR(dividers()[0], first[0] - 0.1, 1e-9);
+    EXPECT_EQ(dividers()[1], first[1]);
+    EXPECT_NE(grab(pictures), even);
+    // The other one, in small steps.
+    QTest::keyClick(pictures, Qt::Key_Down, Qt::AltModifier);
+    QTest::keyClick(pictures, Qt::Key_Right, Qt::AltModifier);
+    EXPECT_NEAR(dividers()[1], first[1] + 0.01, 1e-9);
+    // Never past each other.
+    for (int i = 0; i < 12; ++i) QTest::keyClick(pictures, Qt::Key_Left, Qt::AltModifier | Qt::ShiftModifier);
+    EXPECT_EQ(dividers()[1], dividers()[0]);
+    workspace_->undo();
+    EXPECT_EQ(dividers(), first) << "one step of undo";
+}
+
+}  // namespace
+
+}  // namespace reliefui

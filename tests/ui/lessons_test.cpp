@@ -1,0 +1,74 @@
+// Lessons show what they say they show.
+#include <QAction>
+#include <QDockWidget>
+
+#include "lessons/lessons.h"
+#include "views/duel_data.h"
+#include "window_fixture.h"
+#include "windows/message_bar.h"
+
+namespace reliefui {
+
+namespace {
+
+std::size_t hiddenTexels(const PixelFootprint& footprint) {
+    std::size_t hidden = 0;
+    for (const relief::FootprintTexel& texel : footprint.log.texels) hidden += texel.hidden ? 1U : 0U;
+    return hidden;
+}
+
+void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
+    ASSERT_TRUE(snapshot.trace.onRelief);
+    const auto& steps = snapshot.trace.steps;
+    const int chosen = snapshot.scenario.step;
+    ASSERT_LT(static_cast<std::size_t>(chosen), steps.size());
+    // A step that a class can follow to.
+    EXPECT_LT(steps.size(), 60U);
+    if (lesson.departure) {
+        relief::Work work;
+        const auto duel =
+            makeDuel(std::make_shared<const Snapshot>(snapshot), snapshot.scenario.comparison.others, work);
+        ASSERT_EQ(duel->judgements[0].kind, *lesson.departure);
+        EXPECT_EQ(duel->first, std::size_t{0}) << "the lesson is about the method itself";
+        EXPECT_GT(duel->judgements[0].texels, 1) << "too little to be seen";
+        EXPECT_EQ(static_cast<std::size_t>(chosen), duel->judgements[0].step) << "it opens at the fault";
+        const bool better = std::any_of(duel->judgements.begin() + 1, duel->judgements.end(),
+                                        [](const auto& j) { return j.kind == relief::Departure::None; });
+        EXPECT_TRUE(better) << "nobody to compare with does better";
+    } else if (lesson.name == QStringLiteral("vain_descent")) {
+        EXPECT_EQ(steps[static_cast<std::size_t>(chosen)].decision, relief::Decision::Ascend);
+    } else if (lesson.name == QStringLiteral("hidden_texels")) {
+        ASSERT_NE(snapshot.footprint, nullptr);
+        EXPECT_GT(hiddenTexels(*snapshot.footprint), 3U);
+    } else {
+        FAIL() << "what it shows is not tested";
+    }
+}
+
+TEST_F(WindowTest, EveryLessonShowsWhatItSays) {
+    openWindow(smallScenario());
+    const auto all = lessons();
+    ASSERT_GE(all.size(), 8U);
+    for (const Lesson& lesson : all) {
+        SCOPED_TRACE(lesson.name.toStdString());
+        auto* const action = window_->findChild<QAction*>(QStringLiteral("lesson-") + lesson.name);
+        ASSERT_NE(action, nullptr);
+        action->trigger();
+        const relief::Scenario wanted = lessonScenario(lesson.name);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == wanted; }, 10000));
+        ASSERT_NO_FATAL_FAILURE(waitForFull());
+        ASSERT_NO_FATAL_FAILURE(showsWhatItSays(lesson, *snapshot()));
+        EXPECT_EQ(window_->messages()->text(), lesson.about);
+        auto* const pane = window_->findChild<QDockWidget*>(lesson.pane);
+        ASSERT_NE(pane, nullptr);
+        EXPECT_FALSE(pane->visibleRegion().isEmpty()) << "its pane is in front";
+    }
+    // One step of undo each.
+    const relief::Scenario before = lessonScenario(all[all.size() - 2].name);
+    workspace_->undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == before; }, 10000));
+}
+
+}  // namespace
+
+}  // namespace reliefui

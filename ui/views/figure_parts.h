@@ -1,0 +1,30 @@
+// What figure.cpp is made of: the views that are more than drawings.
+#pragma once
+
+#include <QImage>
+#include <QPainter>
+
+#include "views/figure.h"
+
+namespace reliefui {
+
+// Nothing to draw: says so.
+Drawing emptyDrawing(relief::MessageId why);
+
+// Height over width.
+double compareAspect(const ComparedView& view, relief::CompareMode mode);
+double tableAspect(const Snapshot& snapshot, const FigureRequest& request);
+
+void paintComparison(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
+                     const Style& style);
+void paintByHand(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style);
+void paintDuel(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
+               const Style& style);
+// Of "steps" and "skipped".
+void paintTable(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
+                const Style& style);
+
+// The 3-D trace, drawn by OpenGL without a window, and without a display. Throws WorkError where there is no OpenGL.
+QImage traceImage(const Snapshot& snapshot, const FigureRequest& request, const QSize& size);
+
+}  // namespace reliefui

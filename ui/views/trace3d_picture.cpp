@@ -1,0 +1,235 @@
+#include "views/trace3d_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkPlane.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include "drawings/vtk_text.h"
+#include "scenario/step_sentence.h"
+#include "views/trace3d_bodies.h"
+#include "views/trace3d_marks.h"
+#include "views/trace3d_samples.h"
+#include "views/trace3d_view.h"
+
+namespace reliefui {
+
+namespace {
+
+// From the upper left behind the eye: slopes are told apart, and nothing is black.
+void addLight(vtkRenderer* renderer) {
+    auto light = vtkSmartPointer<vtkLight>::New();
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(-0.6, 0.8, 0.9);
+    light->SetFocalPoint(0, 0, 0);
+    renderer->AddLight(light);
+}
+
+// The number of the step, and what it read.
+QString stepWords(const relief::Step& step, const StepBody& body, const MapWalk& walk, std::size_t number) {
+    const QString value = QString::fromStdString(relief::fixedText(step.value, 3));
+    constexpr double kNone = 0.005;  // texels
+    if (body.kind == StepBody::Kind::Sphere && body.radius < kNone) return QString::number(number + 1);
+    if (body.kind == StepBody::Kind::Sphere) {
+        return Trace3dView::tr("%1: empty for %2 texels")
+            .arg(number + 1)
+            .arg(QString::fromStdString(relief::fixedText(body.radius, 2)));
+    }
+    if (body.kind == StepBody::Kind::Cone) return Trace3dView::tr("%1: cone of slope %2").arg(number + 1).arg(value);
+    const bool ends = step.decision == relief::Decision::Start || step.decision == relief::Decision::Miss;
+    if (!valueIsHeight(walk, step)) return QString::number(number + 1);
+    if (step.primitive == relief::Primitive::Texel) {
+        return Trace3dView::tr("%1: level %2, %3").arg(number + 1).arg(step.level).arg(value);
+    }
+    return ends ? QString::number(number + 1) : Trace3dView::tr("%1: surface at %2").arg(number + 1).arg(value);
+}
+
+}  // namespace
+
+TracePicture::TracePicture() : renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+    renderer_->UseFXAAOn();
+    renderer_->SetAutomaticLightCreation(false);
+    addLight(renderer_);
+}
+
+TracePicture::~TracePicture() = default;
+
+vtkRenderer* TracePicture::renderer() const {
+    return renderer_;
+}
+
+void TracePicture::addRelief() {
+    const Style& style = style_;
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(scene_->relief());
+    auto foot = vtkSmartPointer<vtkPlane>::New();
+    foot->SetOrigin(0, 0, scene_->bottom);
+    foot->SetNormal(0, 0, 1);
+    mapper->AddClippingPlane(foot);
+    auto relief = vtkSmartPointer<vtkActor>::New();
+    relief->SetMapper(mapper);
+    relief->GetProperty()->SetAmbient(0.3);
+    relief->GetProperty()->SetDiffuse(0.85);
+    renderer_->AddActor(relief);
+    auto sides = vtkSmartPointer<vtkActor>::New();
+    auto sideMapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    sideMapper->SetInputData(scene_->skirt());
+    sides->SetMapper(sideMapper);
+    sides->GetProperty()->SetAmbient(0.6);
+    sides->GetProperty()->SetDiffuse(0.4);
+    const double grey = style.theme == Theme::Dark ? 0.32 : 0.72;
+    sides->GetProperty()->SetColor(grey, grey, grey * 1.04);
+    renderer_->AddActor(sides);
+    const TraceMarks marks(*scene_, shown_->request->field, style);
+    renderer_->AddActor(marks.line(scene_->slabFrame(), Role::Label, 1));
+    topLabel_ = marks.words({}, Trace3dView::tr("height 1").toStdString(), Role::Label, 0.85);
+    topLabel_->GetTextProperty()->SetJustificationToRight();
+    renderer_->AddActor2D(topLabel_);
+}
+
+// At the corner that is leftmost now: out of the way of the ray and its words.
+void TracePicture::placeTopLabel() {
+    if (!scene_ || topLabel_ == nullptr) return;
+    const Place right = camera.right();
+    const Box& p = scene_->patch;
+    double least = 0;
+    bool first = true;
+    for (const double s : {p.x0, p.x1}) {
+        for (const double t : {p.y0, p.y1}) {
+            const double along = s * right[0] - t * right[1];
+            if (!first && along >= least) continue;
+            first = false;
+            least = along;
+            topLabel_->GetPositionCoordinate()->SetValue(s, -t, scene_->scale);
+        }
+    }
+}
+
+void TracePicture::addRay() {
+    const TraceMarks marks(*scene_, shown_->request->field, style_);
+    renderer_->AddActor(marks.shadow());
+    renderer_->AddActor(marks.ray());
+    renderer_->AddActor(marks.curtain());
+    if (shown_->trace.hit.outcome != relief::Outcome::Hit) return;
+    for (const auto& part : marks.hitRing(renderer_->GetActiveCamera())) renderer_->AddActor(part);
+}
+
+void TracePicture::addWords(const QString& words) {
+    auto text = vtkSmartPointer<vtkTextActor>::New();
+    text->SetInput(words.toUtf8().constData());
+    setText(text->GetTextProperty(), style_.text(), style_.textPixels());
+    text->GetTextProperty()->SetJustificationToCentered();
+    text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    text->SetPosition(0.5, 0.5);
+    renderer_->AddActor2D(text);
+}
+
+void TracePicture::clear(const Style& style) {
+    style_ = style;
+    const Rgba ground = style.background();
+    renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
+    renderer_->RemoveAllViewProps();
+    stepProps_.clear();
+    scene_.reset();
+    topLabel_ = nullptr;
+}
+
+void TracePicture::show(std::shared_ptr<const Snapshot> snapshot, const Style& style, double exaggeration) {
+    clear(style);
+    shown_ = std::move(snapshot);
+    if (!shown_ || !shown_->request || !shown_->trace.onRelief) {
+        const auto why = !shown_ || !shown_->request ? relief::MessageId::DrawNoPicture
+                         : shown_->scenario.pixel    ? relief::MessageId::DrawNoRelief
+                                                     : relief::MessageId::DrawNoRay;
+        addWords(QString::fromStdString(relief::sentence(relief::Message(why), style_.language)));
+        return;
+    }
+    scene_ = std::make_unique<TraceScene>(*shown_, exaggeration);
+    addRelief();
+    addRay();
+}
+
+void TracePicture::addStep(const relief::Step& step, std::size_t number) {
+    const Style& style = style_;
+    const TraceMarks marks(*scene_, shown_->request->field, style);
+    for (const bool later : {false, true}) {
+        stepProps_.push_back(marks.stretches(shown_->trace.steps, number, later));
+    }
+    if (step.lambdaOut > step.lambdaIn) stepProps_.push_back(marks.stretch(step));
+    const MapWalk walk = walkedMap(shown_->scenario.method);
+    const relief::HeightField& field = shown_->request->field;
+    if (step.primitive == relief::Primitive::Texel) {
+        const TraceMarks::Prism prism = marks.prism(step, walk, *shown_->maxima);
+        stepProps_.push_back(marks.box(prism));
+        stepProps_.push_back(marks.boxEdges(prism));
+    }
+    for (const auto& mark : bodyMarks(*scene_, *shown_, walk, number, style, marks.radius())) {
+        stepProps_.push_back(mark);
+    }
+    const StepBody body = stepBody(walk, field, *shown_->maxima, shown_->trace.ray, step);
+    const QString words = stepWords(step, body, walk, number);
+    // Samples of layers are shown as sheets; those of a map have their spheres or cones.
+    const std::vector<relief::Step> none;
+    for (const auto& mark :
+         sampleMarks(*scene_, walk.interpolated ? none : shown_->trace.steps, number, style, marks.radius())) {
+        stepProps_.push_back(mark);
+    }
+    stepProps_.push_back(marks.words(body ? aboveBody(*scene_, *shown_, body) : marks.labelPlace(step),
+                                     words.toStdString(), Role::Label, 1));
+    for (const auto& prop : stepProps_) renderer_->AddViewProp(prop);
+}
+
+void TracePicture::showStep(int step) {
+    for (const auto& prop : stepProps_) renderer_->RemoveViewProp(prop);
+    stepProps_.clear();
+    if (!scene_ || shown_->trace.steps.empty()) return;
+    const auto& steps = shown_->trace.steps;
+    const auto at = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(steps.size()) - 1));
+    addStep(steps[at], at);
+}
+
+void TracePicture::follow(int step) {
+    if (!scene_ || shown_->trace.steps.empty()) return;
+    const auto& steps = shown_->trace.steps;
+    const auto at = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(steps.size()) - 1));
+    camera.setFocus(scene_->onRay(std::min(steps[at].lambdaAfter, scene_->end)));
+}
+
+// Keeps the direction of the view, at the distance that shows the patch.
+void TracePicture::showAll(double aspect) {
+    if (!scene_) return;
+    const Box& p = scene_->patch;
+    std::vector<Place> places;
+    for (const double z : {scene_->bottom, scene_->scale}) {
+        for (const double s : {p.x0, p.x1}) {
+            for (const double t : {p.y0, p.y1}) places.push_back({s, -t, z});
+        }
+    }
+    camera.fit(places, aspect);
+}
+
+void TracePicture::fit(double aspect) {
+    if (!scene_) return;
+    const double length = std::hypot(scene_->path.run.x, scene_->path.run.y);
+    // Across the ray, a little from behind it, so that it runs through the picture from left to right.
+    constexpr double kBehind = 0.45;
+    const double dx = length > 0 ? scene_->path.run.x / length : 1;
+    const double dy = length > 0 ? -scene_->path.run.y / length : 0;
+    camera.lookAlong(-dy + kBehind * dx, dx + kBehind * dy);
+    showAll(aspect);
+}
+
+void TracePicture::place() {
+    camera.apply(renderer_->GetActiveCamera());
+    placeTopLabel();
+    renderer_->ResetCameraClippingRange();
+}
+
+}  // namespace reliefui

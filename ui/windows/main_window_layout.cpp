@@ -1,0 +1,154 @@
+// Where the panes are: the layout at first, one pane that fills the window, the projector's layout.
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QTimer>
+
+#include "views/drawn_view.h"
+#include "windows/main_window.h"
+#include "windows/status_line.h"
+#include "windows/theme.h"
+
+namespace reliefui {
+
+namespace {
+
+// Parts of the window that the panes get at first.
+constexpr double kSceneWidth = 0.20;
+constexpr double kTraceWidth = 0.36;
+constexpr double kProjectorTraceWidth = 0.48;
+constexpr double kStepsHeight = 0.23;
+constexpr double kProjectorStepsHeight = 0.3;
+
+}  // namespace
+
+void MainWindow::resetLayout() {
+    if (filled_ != nullptr) fill(filled_);
+    QDockWidget* const trace = panes_[1].dock;
+    QDockWidget* const pyramid = panes_[2].dock;
+    QDockWidget* const steps = panes_[3].dock;
+    QDockWidget* const scene = panes_[4].dock;
+    addDockWidget(Qt::RightDockWidgetArea, trace);
+    addDockWidget(Qt::RightDockWidgetArea, pyramid);
+    addDockWidget(Qt::BottomDockWidgetArea, steps);
+    addDockWidget(Qt::LeftDockWidgetArea, scene);
+    splitDockWidget(trace, pyramid, Qt::Vertical);
+    tabifyDockWidget(pyramid, panes_[5].dock);
+    QDockWidget* last = panes_[5].dock;
+    for (std::size_t i = 6; i < panes_.size(); ++i) {
+        QDockWidget* const dock = panes_[i].dock;
+        if (dock == skipped_) continue;
+        // Pictures want height; who draws by hand looks at all that follows.
+        const bool high = dock->objectName() == QStringLiteral("compare-pane");
+        const bool beside = dock->objectName() == QStringLiteral("drawn-pane");
+        tabifyDockWidget(high ? trace : (beside ? scene : last), dock);
+        if (!high && !beside) last = dock;
+    }
+    for (const Pane& pane : panes_) pane.whole->setVisible(pane.whole != skipped_);
+    for (QDockWidget* const front : {trace, scene, pyramid}) front->raise();
+    shareRoom();
+    // Again when the window has its size: before that, docks are as small as they can be.
+    QTimer::singleShot(0, this, &MainWindow::shareRoom);
+}
+
+// On a projector one pane beside the result, as high as it can be; the others wait in its tabs.
+void MainWindow::gatherPanes() {
+    QDockWidget* const trace = panes_[1].dock;
+    QDockWidget* front = trace;
+    for (const Pane& pane : panes_) {
+        if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden()) continue;
+        if (dockWidgetArea(pane.dock) != Qt::RightDockWidgetArea) continue;
+        const bool seen = !pane.dock->visibleRegion().isEmpty();
+        if (seen && (front == trace || pane.dock->isAncestorOf(QApplication::focusWidget()))) front = pane.dock;
+    }
+    for (const Pane& pane : panes_) {
+        if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden()) continue;
+        if (dockWidgetArea(pane.dock) == Qt::RightDockWidgetArea) tabifyDockWidget(trace, pane.dock);
+    }
+    front->raise();
+}
+
+void MainWindow::closePane(QWidget* whole) {
+    if (filled_ == whole) fill(whole);
+    whole->hide();
+}
+
+void MainWindow::shareRoom() {
+    QDockWidget* const trace = panes_[1].dock;
+    QDockWidget* const pyramid = panes_[2].dock;
+    QDockWidget* const steps = panes_[3].dock;
+    QDockWidget* const scene = panes_[4].dock;
+    const auto part = [](double of, double share) { return static_cast<int>(of * share); };
+    resizeDocks({scene, trace}, {part(width(), kSceneWidth), part(width(), kTraceWidth)}, Qt::Horizontal);
+    resizeDocks({steps}, {part(height(), kStepsHeight)}, Qt::Vertical);
+    resizeDocks({trace, pyramid}, {1000, 1000}, Qt::Vertical);
+}
+
+void MainWindow::fill(QWidget* pane) {
+    if (filled_ == nullptr) {
+        beforeFill_ = saveState();
+        filled_ = pane;
+        for (const Pane& other : panes_) other.whole->setVisible(other.whole == pane);
+        return;
+    }
+    filled_ = nullptr;
+    panes_.front().whole->show();
+    restoreState(beforeFill_);
+}
+
+void MainWindow::focusPane(std::size_t number) {
+    if (number >= panes_.size()) return;
+    const Pane& pane = panes_[number];
+    if (filled_ != nullptr && filled_ != pane.whole) fill(filled_);
+    pane.whole->show();
+    pane.whole->raise();
+    QWidget* target = pane.focus;
+    // A panel of controls has no focus of its own: its first control.
+    if (target->focusPolicy() == Qt::NoFocus && target->focusProxy() == nullptr) {
+        for (QWidget* const child : target->findChildren<QWidget*>()) {
+            if ((child->focusPolicy() & Qt::TabFocus) == 0 || !child->isEnabled() || !child->isVisible()) continue;
+            target = child;
+            break;
+        }
+    }
+    target->setFocus(Qt::ShortcutFocusReason);
+}
+
+void MainWindow::setProjector(bool on) {
+    if (on == workspace_->style().projector) return;
+    Style style = workspace_->style();
+    style.projector = on;
+    QApplication::setFont(windowFont(on));
+    QApplication::setFont(tabFont(on), "QTabBar");
+    // It is the lecturer's: not everything in it fits in large type.
+    status_->setFont(tabFont(on));
+    workspace_->setStyle(style);
+    projector_->setChecked(on);
+    if (on) {
+        beforeProjector_ = saveState();
+        // Nobody reads controls from the last row; the panes need the room.
+        const bool byHand = !drawn_->visibleRegion().isEmpty();
+        panes_[4].whole->hide();
+        if (!byHand) drawn_->parentWidget()->hide();
+        if (filled_ == nullptr) gatherPanes();
+        showFullScreen();
+        // The large type of the panes at the right wants half of the window.
+        QTimer::singleShot(0, this, [this] {
+            if (!workspace_->style().projector) return;
+            resizeDocks({panes_[1].dock}, {static_cast<int>(width() * kProjectorTraceWidth)}, Qt::Horizontal);
+            resizeDocks({panes_[3].dock}, {static_cast<int>(height() * kProjectorStepsHeight)}, Qt::Vertical);
+        });
+    } else {
+        showNormal();
+        restoreState(beforeProjector_);
+    }
+}
+
+void MainWindow::setLightTheme(bool on) {
+    Style style = workspace_->style();
+    style.theme = on ? Theme::Light : Theme::Dark;
+    QApplication::setPalette(themePalette(style.theme));
+    workspace_->setStyle(style);
+}
+
+}  // namespace reliefui
