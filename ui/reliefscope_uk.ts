@@ -1540,14 +1540,6 @@
         <translation>Послаблений конус може один раз увійти в рельєф, тож кроки довгі; на краю він виходить уже позаду. Звичайні конуси не входять ніколи.</translation>
     </message>
     <message>
-        <source>Unsafe map: distances between voxels</source>
-        <translation>Ненадійна карта: відстані між вокселями</translation>
-    </message>
-    <message>
-        <source>The distance of a voxel&apos;s middle is used at all its points; near its side it promises more than there is. The conservative map takes that off.</source>
-        <translation>Відстань середини вокселя беруть для всіх його точок; біля краю вона обіцяє більше, ніж є. Обережна карта це віднімає.</translation>
-    </message>
-    <message>
         <source>Grazing rays: steps grow, layers tear</source>
         <translation>Ковзні промені: кроків більшає, шари рвуться</translation>
     </message>
@@ -1562,6 +1554,14 @@
     <message>
         <source>A pixel&apos;s ellipse on a slanted relief covers texels that the eye does not see; the filter elliptical-visible leaves them out.</source>
         <translation>Еліпс пікселя на похилому рельєфі накриває тексели, яких око не бачить; фільтр elliptical-visible їх не враховує.</translation>
+    </message>
+    <message>
+        <source>Unsafe map: interpolated distances</source>
+        <translation>Ненадійна карта: інтерпольовані відстані</translation>
+    </message>
+    <message>
+        <source>Distances are stored for the middles of voxels and interpolated between them; near a wall that promises more room than there is. The conservative map holds for whole voxels.</source>
+        <translation>Відстані збережено для середин вокселів і між ними інтерпольовано; біля стіни це обіцяє більше місця, ніж є. Обережна карта чинна для цілих вокселів.</translation>
     </message>
 </context>
 <context>

@@ -9,8 +9,9 @@ namespace {
 // Points.
 constexpr double kLine = 13;
 constexpr double kTextSize = 0.85;
-constexpr double kLetter = 6.3 * kTextSize;  // about the width of one
-constexpr double kBold = 1.2;                // times as wide
+constexpr double kLetter = 6.6 * kTextSize;      // about the width of one
+constexpr double kWordLetter = 5.9 * kTextSize;  // in sentences
+constexpr double kBold = 1.2;                    // times as wide
 constexpr double kPad = 5;
 constexpr double kMarkRoom = 12;
 constexpr double kBelowSize = 1.15;
@@ -82,7 +83,9 @@ class Table {
             // Titles are bold.
             auto longest = static_cast<std::size_t>(kBold * static_cast<double>(letters(source_.titles[c])));
             for (const TableRow& r : source_.rows) {
-                if (!r.heading && c < r.cells.size()) longest = std::max(longest, letters(r.cells[c]));
+                if (r.heading || c >= r.cells.size()) continue;
+                const double bold = r.chosen ? kBold : 1;
+                longest = std::max(longest, static_cast<std::size_t>(bold * static_cast<double>(letters(r.cells[c]))));
             }
             const double marks = static_cast<int>(c) == source_.marked ? kMarkRoom : 0;
             widths_.push_back(static_cast<double>(longest) * kLetter + 2 * kPad + marks);
@@ -115,7 +118,7 @@ class Table {
     void row(const TableRow& row, bool strong) {
         const std::size_t count = widths_.size();
         const std::vector<std::string> last = row.cells.size() == count && count > 0
-                                                  ? wrapped(row.cells.back(), widths_.back() - 2 * kPad, kLetter)
+                                                  ? wrapped(row.cells.back(), widths_.back() - 2 * kPad, kWordLetter)
                                                   : std::vector<std::string>{};
         const double height = kLine * static_cast<double>(std::max<std::size_t>(1, last.size()));
         if (row.chosen) {

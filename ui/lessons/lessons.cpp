@@ -50,10 +50,11 @@ std::vector<Lesson> lessons() {
                Texts::tr("A relaxed cone may enter the relief once, so that steps are long; at an edge it comes out "
                          "again behind it. Plain cones never enter."),
                kDuel, Departure::UnsafeMap),
-        lesson("unsafe_distance", Texts::tr("Unsafe map: distances between voxels"),
-               Texts::tr("The distance of a voxel's middle is used at all its points; near its side it promises more "
-                         "than there is. The conservative map takes that off."),
-               kDuel, Departure::UnsafeMap),
+        lesson(
+            "unsafe_distance", Texts::tr("Unsafe map: interpolated distances"),
+            Texts::tr("Distances are stored for the middles of voxels and interpolated between them; near a wall that "
+                      "promises more room than there is. The conservative map holds for whole voxels."),
+            kDuel, Departure::UnsafeMap),
         lesson("grazing_rays", Texts::tr("Grazing rays: steps grow, layers tear"),
                Texts::tr("Six degrees above the ground the layers lie many texels apart along the ray. Compare the "
                          "methods, and look at the layer of steps in the result."),

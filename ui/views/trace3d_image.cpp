@@ -80,7 +80,8 @@ QImage traceImage(const Snapshot& snapshot, const FigureRequest& request, const 
     if (request.trace.camera) {
         picture.camera = *request.trace.camera;
     } else {
-        picture.fit(aspect);
+        constexpr double kRoom = 0.85;  // for words at the sides
+        picture.fit(kRoom * aspect);
     }
     picture.place();
     window->Render();
