@@ -2,15 +2,19 @@
 #include <cmath>
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <QDockWidget>
 #include <QTableView>
+#include <QToolButton>
 
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
+#include "views/duel_view.h"
 #include "views/pyramid_view.h"
 #include "views/result_painting.h"
 #include "views/step_table.h"
 #include "views/trace3d_view.h"
 #include "window_fixture.h"
+#include "windows/step_bar.h"
 
 namespace reliefui {
 
@@ -147,9 +151,14 @@ TEST_F(WindowTest, APaneFillsTheWindowAndComesBack) {
     QTest::qWait(100);
     EXPECT_GT(window_->result()->width(), window_->width() - 20);
     EXPECT_FALSE(window_->pyramid()->isVisible());
+    // Only time stays below.
+    EXPECT_TRUE(window_->stepBar()->isVisible());
+    EXPECT_FALSE(window_->steps()->isVisible());
+    EXPECT_GT(window_->result()->height(), window_->height() * 3 / 4);
     QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(20, title->height() / 2));
     QTest::qWait(100);
     EXPECT_TRUE(window_->pyramid()->isVisible());
+    EXPECT_TRUE(window_->steps()->isVisible());
     EXPECT_EQ(window_->result()->size(), before);
     EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
 }
@@ -161,10 +170,51 @@ TEST_F(WindowTest, TheProjectorEnlargesEverything) {
     QTest::qWait(200);
     EXPECT_GT(window_->fontMetrics().height(), before * 3 / 2);
     EXPECT_TRUE(window_->isFullScreen());
+    EXPECT_LE(window_->minimumSizeHint().width(), 1280) << "wider than a projector";
+    // One pane beside the result, as high as it.
+    EXPECT_GT(window_->pyramid()->height(), window_->result()->height() / 2);
+    EXPECT_TRUE(window_->trace()->visibleRegion().isEmpty()) << "it waits in a tab";
     EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
     window_->setProjector(false);
     QTest::qWait(200);
     EXPECT_EQ(window_->fontMetrics().height(), before);
+    EXPECT_FALSE(window_->trace()->visibleRegion().isEmpty()) << "as it was";
+}
+
+TEST_F(WindowTest, PanesAreClosedAndOpenedAgain) {
+    openWindow(smallScenario());
+    auto* const dock = window_->findChild<QDockWidget*>(QStringLiteral("pyramid-pane"));
+    auto* const close = dock->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-close"));
+    ASSERT_NE(close, nullptr);
+    QTest::mouseClick(close, Qt::LeftButton);
+    EXPECT_TRUE(dock->isHidden());
+    QTest::keyClick(window_.get(), Qt::Key_3);
+    EXPECT_FALSE(dock->isHidden());
+    // One that fills the window leaves the others behind.
+    dock->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"))->click();
+    EXPECT_FALSE(window_->result()->isVisible());
+    close->click();
+    EXPECT_TRUE(window_->result()->isVisible());
+    EXPECT_TRUE(dock->isHidden());
+}
+
+TEST_F(WindowTest, TheDuelLeavesItsDrawingTheRoom) {
+    relief::Scenario scenario = smallScenario();
+    scenario.comparison.others = {{"layers", {}}, {"offset", {}}};
+    openWindow(scenario);
+    DuelView* const duel = window_->duel();
+    auto* const dock = window_->findChild<QDockWidget*>(QStringLiteral("duel-pane"));
+    dock->raise();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return duel->settled() && duel->duel() != nullptr; }, 20000));
+    QTest::qWait(200);
+    auto* const table = duel->findChild<QTableView*>();
+    // In the dock the drawing alone; in the whole window the table stands beside it.
+    EXPECT_FALSE(table->isVisible());
+    EXPECT_GT(duel->canvas()->width(), duel->width() * 9 / 10);
+    dock->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"))->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return table->isVisible(); }, 5000));
+    EXPECT_GT(duel->canvas()->width(), duel->width() / 2);
+    EXPECT_GE(table->columnWidth(0), table->fontMetrics().horizontalAdvance(QStringLiteral("15 advance 0.1950")));
 }
 
 TEST_F(WindowTest, TheLightThemeIsLight) {

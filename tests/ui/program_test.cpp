@@ -1,4 +1,6 @@
 // The program `reliefscope` as it is started: arguments, and no display.
+#include <array>
+#include <cmath>
 #include <fstream>
 
 #include <QElapsedTimer>
@@ -20,10 +22,12 @@ struct Ran {
     QString err;
 };
 
-Ran start(const QStringList& arguments, bool display = true, const QString& locale = QStringLiteral("C.UTF-8")) {
+Ran start(const QStringList& arguments, bool display = true, const QString& locale = QStringLiteral("C.UTF-8"),
+          const QString& scale = QStringLiteral("1")) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("LC_ALL"), locale);
+    environment.insert(QStringLiteral("QT_SCALE_FACTOR"), scale);
     // Leaks of the window are looked for in this process; drivers, unloaded at the end, would be blamed on the program.
     environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
     if (!display) environment.remove(QStringLiteral("DISPLAY"));
@@ -156,6 +160,35 @@ TEST_F(WindowTest, TheScreenshotShowsTheWindowWithoutAWordOfComplaint) {
     const QImage image(file);
     EXPECT_EQ(image.size(), QSize(1280, 800));
     EXPECT_GT(colorsIn(image), 1000);
+}
+
+// Everything is twice as large there: text in the panes neither half nor four times that.
+TEST_F(WindowTest, AFineScreenShowsTheSameTwiceAsLarge) {
+    const QTemporaryDir folder;
+    std::array<QImage, 2> pictures;
+    for (const int scale : {1, 2}) {
+        const QString file = folder.filePath(QStringLiteral("window%1.png").arg(scale));
+        const Ran ran =
+            start({QStringLiteral("--screenshot"), file, QStringLiteral("--size"), QStringLiteral("1400x900")}, true,
+                  QStringLiteral("C.UTF-8"), QString::number(scale));
+        ASSERT_EQ(ran.status, 0) << ran.err.toStdString();
+        pictures[static_cast<std::size_t>(scale - 1)] = QImage(file);
+    }
+    const QImage& plain = pictures[0];
+    ASSERT_EQ(pictures[1].size(), 2 * plain.size());
+    const QImage fine = pictures[1].scaled(plain.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    // The pyramid's pane, whose text is drawn by VTK: right, below the middle.
+    const QRect pane(plain.width() * 65 / 100, plain.height() * 48 / 100, plain.width() * 34 / 100,
+                     plain.height() * 22 / 100);
+    double sum = 0;
+    for (int y = pane.top(); y <= pane.bottom(); ++y) {
+        for (int x = pane.left(); x <= pane.right(); ++x) {
+            sum += std::abs(qGray(plain.pixel(x, y)) - qGray(fine.pixel(x, y)));
+        }
+    }
+    // Smoother lines and letters differ by less; text of twice the size by much more.
+    constexpr double kSmoothing = 17;
+    EXPECT_LT(sum / (pane.width() * pane.height()), kSmoothing);
 }
 
 }  // namespace

@@ -75,12 +75,12 @@ void FigureView::askFigure() {
 
 void FigureView::saveFigure(const QString& path, int pixels) {
     if (!figureSnapshot()) return;
-    drawAside([this, state = figureState(), request = figure(), file = FigureFile{path, pixels}]()
-                  -> std::function<void()> {
-        const QString problem = saveFigureFile(state, request, file);
-        if (problem.isEmpty()) return [this, path = file.path] { Q_EMIT saved(path); };
-        return [this, problem] { Q_EMIT workspace_->problem(problem); };
-    });
+    drawAside(
+        [this, state = figureState(), request = figure(), file = FigureFile{path, pixels}]() -> std::function<void()> {
+            const QString problem = saveFigureFile(state, request, file);
+            if (problem.isEmpty()) return [this, path = file.path] { Q_EMIT saved(path); };
+            return [this, problem] { Q_EMIT workspace_->problem(problem); };
+        });
 }
 
 void FigureView::copyPicture() {

@@ -197,6 +197,7 @@ StepTable::StepTable(Workspace* workspace, QWidget* parent)
     auto* const copy = new QAction(tr("Copy rows"), table_);
     copy->setShortcut(QKeySequence::Copy);
     copy->setShortcutContext(Qt::WidgetShortcut);
+    copy->setToolTip(QStringLiteral("%1 (%2)").arg(copy->text(), copy->shortcut().toString(QKeySequence::NativeText)));
     auto* const save = new QAction(tr("Export steps as CSV..."), table_);
     table_->addActions({copy, save});
     connect(copy, &QAction::triggered, this, &StepTable::copyRows);

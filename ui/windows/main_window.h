@@ -111,6 +111,7 @@ class MainWindow : public QMainWindow {
     void gatherPanes();
     void closePane(QWidget* whole);
     void fill(QWidget* pane);
+    void showTimeOnly(bool only);
     void focusPane(std::size_t number);
 
     void makeMenus();

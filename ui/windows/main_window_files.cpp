@@ -122,12 +122,22 @@ void MainWindow::saveView(const QString& view, const QString& path, int pixels) 
     FigureRequest request;
     request.view = view.toStdString();
     request.style = workspace_->style();
-    const QString problem = saveFigureFile(snapshot, request, {path, pixels});
-    if (!problem.isEmpty()) {
-        Q_EMIT workspace_->problem(problem);
-    } else {
-        statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
-    }
+    // Drawn aside, as the panes' are.
+    QThreadPool::globalInstance()->start([snapshot, request, path, pixels, window = QPointer(this)] {
+        const QString problem = saveFigureFile(snapshot, request, {path, pixels});
+        if (QCoreApplication::instance() == nullptr) return;  // the program ends
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [window, path, problem] {
+                if (!window) return;
+                if (!problem.isEmpty()) {
+                    Q_EMIT window->workspace_->problem(problem);
+                } else {
+                    window->statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
+                }
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 // Of the pane in which the keyboard is; the result where it is in none.

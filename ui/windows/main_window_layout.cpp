@@ -5,8 +5,11 @@
 #include <QTimer>
 
 #include "views/drawn_view.h"
+#include "views/step_table.h"
+#include "windows/breakpoint_bar.h"
 #include "windows/main_window.h"
 #include "windows/status_line.h"
+#include "windows/step_bar.h"
 #include "windows/theme.h"
 
 namespace reliefui {
@@ -81,19 +84,35 @@ void MainWindow::shareRoom() {
     const auto part = [](double of, double share) { return static_cast<int>(of * share); };
     resizeDocks({scene, trace}, {part(width(), kSceneWidth), part(width(), kTraceWidth)}, Qt::Horizontal);
     resizeDocks({steps}, {part(height(), kStepsHeight)}, Qt::Vertical);
-    resizeDocks({trace, pyramid}, {1000, 1000}, Qt::Vertical);
+    resizeDocks({trace, pyramid}, {1000, 800}, Qt::Vertical);
 }
 
+// A pane fills the window; only time stays below it, so that one can go on stepping.
 void MainWindow::fill(QWidget* pane) {
+    QDockWidget* const steps = panes_[3].dock;
     if (filled_ == nullptr) {
         beforeFill_ = saveState();
         filled_ = pane;
-        for (const Pane& other : panes_) other.whole->setVisible(other.whole == pane);
+        const bool time = pane != steps && !steps->isHidden();
+        for (const Pane& other : panes_) {
+            other.whole->setVisible(other.whole == pane || (time && other.dock == steps));
+        }
+        if (time) showTimeOnly(true);
         return;
     }
     filled_ = nullptr;
+    showTimeOnly(false);
     panes_.front().whole->show();
     restoreState(beforeFill_);
+}
+
+void MainWindow::showTimeOnly(bool only) {
+    QDockWidget* const steps = panes_[3].dock;
+    for (QWidget* const part :
+         {steps->titleBarWidget(), static_cast<QWidget*>(breakpoints_), static_cast<QWidget*>(steps_)}) {
+        part->setVisible(!only);
+    }
+    steps->widget()->setMaximumHeight(only ? stepBar_->sizeHint().height() : QWIDGETSIZE_MAX);
 }
 
 void MainWindow::focusPane(std::size_t number) {

@@ -72,7 +72,7 @@ void MainWindow::openLesson(const QString& name) {
     for (const Lesson& lesson : lessons()) {
         if (lesson.name != name) continue;
         try {
-            workspace_->change(lessonScenario(name), tr("Lesson: %1").arg(lesson.title));
+            workspace_->show(lessonScenario(name), tr("Lesson: %1").arg(lesson.title));
         } catch (const relief::InputError& error) {
             Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
             return;

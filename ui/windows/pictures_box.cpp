@@ -51,6 +51,7 @@ void PicturesBox::addRow(QVBoxLayout* column, const QString& title, std::string 
     auto* const line = new QHBoxLayout;
     auto* const label = new QLabel(title, this);
     label->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Normals")) + 8);
+    label->setContentsMargins(0, 0, 8, 0);  // also in large type
     Row row;
     row.member = member;
     row.name = new QLabel(this);

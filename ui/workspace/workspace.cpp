@@ -224,6 +224,10 @@ void Workspace::open(const QString& path) {
     load(std::move(pending));
 }
 
+void Workspace::show(const relief::Scenario& scenario, const QString& what) {
+    load({0, Action::Open, scenario, what, {}, {}, true});
+}
+
 void Workspace::load(Pending pending) {
     pending.id = ++lastLoad_;
     const bool json =
@@ -253,7 +257,7 @@ void Workspace::finishLoad(const LoadResult& result) {
     }
     accept(pending);
     if (!result.notes.isEmpty()) Q_EMIT notice(result.notes);
-    if (pending.action == Action::Open) Q_EMIT opened(pending.path);
+    if (pending.action == Action::Open && !pending.path.isEmpty()) Q_EMIT opened(pending.path);
 }
 
 void Workspace::accept(const Pending& pending) {
@@ -264,7 +268,7 @@ void Workspace::accept(const Pending& pending) {
     } else if (pending.action == Action::Redo) {
         past_.redo();
     } else {
-        const bool wholeScenario = pending.path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+        const bool wholeScenario = pending.whole || pending.path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
         if (!past_.empty() && !wholeScenario) {
             // What was turned while the pictures were loading stays turned.
             scenario = scenario_;

@@ -78,6 +78,8 @@ class Workspace : public QObject {
 
     // Opens a picture (height map) or a scenario file (.json). On an error: problem(), everything as it was.
     void open(const QString& path);
+    // A whole scenario, its step included, as if it were opened from a file; `what` names it in the history.
+    void show(const relief::Scenario& scenario, const QString& what);
     void save(const QString& path);
     QString traceCommand() const;  // the `relief trace` line of the chosen pixel
     bool busy() const;
@@ -111,6 +113,7 @@ class Workspace : public QObject {
         QString what;
         QString mergeKey;
         QString path;
+        bool whole = false;  // nothing of what is now stays
     };
 
     void load(Pending pending);
