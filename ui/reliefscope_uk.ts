@@ -2437,6 +2437,17 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
 </context>
 <context>
+    <name>reliefui::PauseLog</name>
+    <message>
+        <source>%1 ms, of them %2 ms drawn by OpenGL: %3</source>
+        <translation>%1 мс, з них %2 мс малював OpenGL: %3</translation>
+    </message>
+    <message>
+        <source>longest pause of the window: </source>
+        <translation>найдовша пауза вікна: </translation>
+    </message>
+</context>
+<context>
     <name>reliefui::PictureView</name>
     <message>
         <source>Turn the camera</source>
@@ -2662,6 +2673,13 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Hide the answer; a click guesses where the ray hits, then it is shown (G)</source>
         <translation>Приховати відповідь; клацання вгадує, куди влучить промінь, потім її показано (G)</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::PyramidStack</name>
+    <message>
+        <source>Pyramid in 3-D</source>
+        <translation>Піраміда в 3-D</translation>
     </message>
 </context>
 <context>
@@ -3564,24 +3582,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Go to %1</source>
         <translation>Перейти до: %1</translation>
-    </message>
-</context>
-<context>
-    <name>reliefui::PauseLog</name>
-    <message>
-        <source>%1 ms, of them %2 ms drawn by OpenGL: %3</source>
-        <translation>%1 мс, з них %2 мс малював OpenGL: %3</translation>
-    </message>
-    <message>
-        <source>longest pause of the window: </source>
-        <translation>найдовша пауза вікна: </translation>
-    </message>
-</context>
-<context>
-    <name>reliefui::PyramidStack</name>
-    <message>
-        <source>Pyramid in 3-D</source>
-        <translation>Піраміда в 3-D</translation>
     </message>
 </context>
 </TS>
