@@ -39,8 +39,12 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
         EXPECT_EQ(at(4, 0), 0U) << c.name;
         EXPECT_EQ(at(4, 4), all | kOnLevel) << c.name;
         const std::string name = c.name;
-        if (name == "level") EXPECT_EQ(at(kEdge, 4), all | kOnLevel);
-        if (name == "plane") EXPECT_EQ(at(kEdge, 4), all);
+        if (name == "level") {
+            EXPECT_EQ(at(kEdge, 4), all | kOnLevel);
+        }
+        if (name == "plane") {
+            EXPECT_EQ(at(kEdge, 4), all);
+        }
         // Bent by a sixth: smooth, and neither straight nor a plane.
         if (name == "fold") {
             EXPECT_EQ(at(kEdge, 4) & across, unsigned{kSmooth << kAcross});
