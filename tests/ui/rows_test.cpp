@@ -289,6 +289,8 @@ TEST_F(RowsPane, HoverReadsOut) {
     // Filling the window: there is room for the strips.
     QWidget* const title = window_->findChild<QDockWidget*>(QStringLiteral("rows-pane"))->titleBarWidget();
     QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(60, title->height() / 2));
+    // The docks share the room in more than one pass.
+    QTest::qWait(300);
     settle();
     const RowsFrame& frame = view()->frame();
     const RowsData& data = *view()->shown();

@@ -21,6 +21,7 @@ constexpr int kMostHeight = 190;  // pixels: the pictures want the rest
 QWidget* CompareView::makeOptions() {
     auto* const area = new QScrollArea(this);
     area->setObjectName(QStringLiteral("compare-options-area"));
+    area->setAccessibleName(accessibleName());
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setMaximumHeight(kMostHeight);

@@ -67,6 +67,7 @@ PyramidStack::PyramidStack(QWidget* parent)
       marks_(std::make_unique<Marks>()) {
     for (const Qt::GestureType gesture : {Qt::TapGesture, Qt::TapAndHoldGesture}) widget_->ungrabGesture(gesture);
     setAccessibleName(tr("Pyramid in 3-D"));
+    widget_->setAccessibleName(accessibleName());
     setFocusProxy(widget_);
     widget_->setFocusPolicy(Qt::StrongFocus);
     widget_->setMouseTracking(true);
