@@ -50,7 +50,7 @@ TEST_F(WindowTest, EveryMethodIsOfferedAndShown) {
     relief::Scenario scenario = smallScenario();
     openWindow(scenario);
     QComboBox* const chooser = window_->topBar()->method();
-    auto* const form = window_->findChild<OptionsForm*>();
+    auto* const form = window_->findChild<QWidget*>(QStringLiteral("scene-panel"))->findChild<OptionsForm*>();
     for (const relief::MethodDescription& method : relief::tracerList()) {
         const int item = chooser->findData(QString::fromStdString(method.name));
         ASSERT_GE(item, 0) << method.name;
@@ -80,7 +80,9 @@ TEST_F(WindowTest, TheOptionsOfAMethodAreTurnedAndDrawn) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {}};
     openWindow(scenario);
-    auto* const layers = window_->findChild<OptionsForm*>()->findChild<NumberControl*>(QStringLiteral("layers"));
+    auto* const layers = window_->findChild<QWidget*>(QStringLiteral("scene-panel"))
+                             ->findChild<OptionsForm*>()
+                             ->findChild<NumberControl*>(QStringLiteral("layers"));
     ASSERT_NE(layers, nullptr);
     EXPECT_EQ(layers->value(), 64);
     // A wide range is bent: half way lies at its geometric mean.
@@ -103,7 +105,7 @@ TEST_F(WindowTest, AMethodInsideAMethodBringsItsOwnOptions) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"hybrid", {{"inner", "layers-bisection"}, {"inner.bisections", "5"}}};
     openWindow(scenario);
-    auto* const form = window_->findChild<OptionsForm*>();
+    auto* const form = window_->findChild<QWidget*>(QStringLiteral("scene-panel"))->findChild<OptionsForm*>();
     auto* const inner = form->findChild<QComboBox*>(QStringLiteral("inner"));
     ASSERT_NE(inner, nullptr);
     EXPECT_EQ(inner->currentText(), QStringLiteral("layers-bisection"));

@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -76,6 +77,7 @@ void StepBar::makeSpeed() {
     speed_->setAccessibleName(tr("Speed of playing"));
     speed_->setToolTip(tr("Steps a second while playing; ] faster, [ slower"));
     speed_->setRange(kSpeeds.front(), kSpeeds.back());
+    speed_->setLocale(QLocale::c());  // as all numbers of the window
     speed_->setDecimals(1);
     speed_->setSuffix(tr("/s"));
     // By arrows and wheel through the round ones.
