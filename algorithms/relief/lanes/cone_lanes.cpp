@@ -10,7 +10,7 @@
 // After foreach_target.h.
 #include "relief/lanes/cone_beams-inl.h"
 #include "relief/lanes/cone_walk-inl.h"
-#include "relief/lanes/lane_trace-inl.h"
+#include "relief/lanes/lane_leaf-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {

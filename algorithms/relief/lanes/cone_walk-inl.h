@@ -11,7 +11,7 @@
 
 #include <hwy/cache_control.h>
 
-#include "relief/lanes/lane_trace-inl.h"
+#include "relief/lanes/lane_leaf-inl.h"
 #include "relief/maps/packed_cones.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -9,7 +9,7 @@
 #define HWY_TARGET_INCLUDE "relief/lanes/pyramid_lanes.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "relief/lanes/lane_trace-inl.h"
+#include "relief/lanes/lane_leaf-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
