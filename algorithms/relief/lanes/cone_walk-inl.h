@@ -378,8 +378,8 @@ class ConeKernel {
     HWY_INLINE VI realCell(const Grid& grid, VI cell) const {
         return grid.mirrored ? hn::Sub(hn::Set(di_, scene_.mirror - 1), cell) : cell;
     }
-    HWY_INLINE VI realCell(const Grid& grid, const Axis& axis) const {
-        return realCell(grid, hn::Add(axis.n, hn::Sub(hn::Set(di_, grid.last), axis.last)));
+    HWY_INLINE VI realCell(const Grid& grid, VI n, VI last) const {
+        return realCell(grid, hn::Add(n, hn::Sub(hn::Set(di_, grid.last), last)));
     }
 
     // Cells whose highest point the ray goes below: is the surface itself below it? Of all that wait for it.
@@ -388,19 +388,22 @@ class ConeKernel {
         WalkColumns& columns = columns_;
         std::size_t on = 0;
         waiting_ = 0;
-        // Places of nodes first: written as vectors, read lane by lane.
-        HWY_ALIGN std::array<std::int32_t, kWalkSlots + 2 * kLanes> pairs;
+        alignas(64) WalkColumn<std::int32_t> pairs;
+        if constexpr (kSurface == Surface::Bilinear) placesOfNodes(map, columns, pairs);
+        for (std::size_t i = 0, end = used_; i < end; i += kLanes) on += leaves(map, columns, i, pairs.data() + i);
+        walking_ += on;
+    }
+
+    // All of them before the first is looked up: written as vectors, read lane by lane.
+    HWY_INLINE void placesOfNodes(const Map& map, const WalkColumns& columns, WalkColumn<std::int32_t>& pairs) const {
         const DI di;
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
             const auto cell = [&](const Grid& grid, const WalkAxis& axis) {
-                const VI first = hn::Sub(hn::Set(di, grid.last), hn::Load(di, axis.last.data() + i));
-                return realCell(grid, hn::Add(hn::Load(di, axis.n.data() + i), first));
+                return realCell(grid, hn::Load(di, axis.n.data() + i), hn::Load(di, axis.last.data() + i));
             };
             const VI row = hn::Mul(cell(map.y, columns.y), hn::Set(di, scene_.nodeStride));
             hn::Store(hn::Add(row, cell(map.x, columns.x)), di, pairs.data() + i);
         }
-        for (std::size_t i = 0, end = used_; i < end; i += kLanes) on += leaves(map, columns, i, pairs.data() + i);
-        walking_ += on;
     }
 
     // Returns how many walk on.
@@ -411,7 +414,7 @@ class ConeKernel {
         const MI whoI = hn::Eq(state, hn::Set(di, kAtLeaf));
         const MF who = asFloat(whoI);
         const Stay at = stay(map, columns, i);
-        const VI realX = realCell(map.x, at.x), realY = realCell(map.y, at.y);
+        const VI realX = realCell(map.x, at.x.n, at.x.last), realY = realCell(map.y, at.y.n, at.y.last);
         MF below;
         if constexpr (kSurface == Surface::Columns) {
             below = columnBelow(scene_, realX, realY, at.out, at.tie);

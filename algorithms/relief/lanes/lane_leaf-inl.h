@@ -9,6 +9,7 @@
 #endif
 
 #include "relief/lanes/lane_trace-inl.h"
+#include "relief/leaf.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {

@@ -11,7 +11,6 @@
 #include <hwy/highway.h>
 
 #include "relief/lanes/lane_rays.h"
-#include "relief/leaf.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
