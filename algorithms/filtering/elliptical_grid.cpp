@@ -17,12 +17,6 @@ namespace {
 // Pixels of a tile along each side, powers of two: as a frame asks them.
 constexpr int kTileAcross = 6, kTileDown = 5;
 
-// At least as long as asked for; what was there stays.
-template <class T>
-void reserve(std::vector<T>& column, std::size_t count) {
-    if (column.size() < count) column.resize(count);
-}
-
 // Whether all points that the pixels of a rectangle and their neighbours ask for lie before the horizon. Each side is
 // monotone in x and in y, in floating point too: a rectangle is asked as its pixels would be.
 bool beforeHorizon(const Homography& map, int x0, int y0, int x1, int y1) {
@@ -41,7 +35,11 @@ GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel al
       alone_(std::move(alone)),
       tracer_(std::move(tracer)),
       twin_(std::move(twin)),
-      lattice_(PointLattice::of(points)) {}
+      lattice_(PointLattice::of(points)) {
+    const HeightField& field = tracer_->field();
+    if (field.surface() != Surface::Bilinear) return;
+    slopes_ = twin_ ? SlopeScene(field, twin_->cones()) : SlopeScene(field);
+}
 
 // The cells around the tile's pixels, these known.
 void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
@@ -74,24 +72,39 @@ void GridKernel::trace(Tile& tile, Work& work) const {
     }
 }
 
+// Marks the cells up to `reach` from these pixels.
+void GridKernel::spread(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile) {
+    const auto row = static_cast<std::size_t>(tile.width), rows = static_cast<std::size_t>(tile.height);
+    const auto far = static_cast<std::size_t>(reach);
+    if (tile.full(pixels.size())) {
+        // All within the halo are asked for, and their neighbours.
+        const std::size_t rim = static_cast<std::size_t>(kTileHalo - reach);
+        for (std::size_t y = rim; y < rows - rim; ++y)
+            std::memset(tile.wanted.data() + y * row + rim, 1, row - 2 * rim);
+        return;
+    }
+    tile.own.assign(tile.cells(), 0);
+    tile.along.assign(tile.cells(), 0);
+    for (const std::size_t i : pixels) tile.own[tile.cell(block.x[i], block.y[i])] = 1;
+    // Along rows, then along columns; pixels keep kTileHalo cells from the rim.
+    const auto join = [](std::uint8_t* to, const std::uint8_t* from, std::size_t count) {
+        for (std::size_t c = 0; c < count; ++c) to[c] |= from[c];
+    };
+    const std::size_t inner = tile.cells() - 2 * far;
+    for (std::size_t n = 0; n <= 2 * far; ++n) join(tile.along.data() + far, tile.own.data() + n, inner);
+    for (std::size_t y = 0; y < rows; ++y) {
+        const std::size_t last = std::min(y + far, rows - 1);
+        for (std::size_t from = y < far ? 0 : y - far; from <= last; ++from) {
+            join(tile.wanted.data() + y * row, tile.along.data() + from * row, row);
+        }
+    }
+}
+
 // Centres up to `reach` cells from these pixels: the picture's hits where it has them, or by rays of their own. False:
 // all were known. counts.tested: rays.
 bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile,
                              FootprintCounts& counts, Work& work) const {
-    const auto row = static_cast<std::size_t>(tile.width);
-    const auto across = static_cast<std::size_t>(2 * reach + 1);
-    if (tile.full(pixels.size())) {
-        // All within the halo are asked for, and their neighbours.
-        const std::size_t rim = static_cast<std::size_t>(kTileHalo - reach);
-        for (std::size_t y = rim; y < static_cast<std::size_t>(tile.height) - rim; ++y) {
-            std::memset(tile.wanted.data() + y * row + rim, 1, row - 2 * rim);
-        }
-    } else {
-        for (const std::size_t i : pixels) {
-            std::uint8_t* at = tile.wanted.data() + tile.cell(block.x[i] - reach, block.y[i] - reach);
-            for (std::size_t n = 0; n < across; ++n, at += row) std::memset(at, 1, across);
-        }
-    }
+    spread(block, pixels, reach, tile);
     const HeightField& field = tracer_->field();
     const auto set = [&](std::size_t cell, const ViewRay& ray, const Hit& hit) {
         if (hit.outcome != Outcome::Hit) return;
@@ -99,7 +112,7 @@ bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size
         tile.set(cell, place.x, place.y, hit.lambda);
     };
     bool any = false;
-    tile.others.clear();
+    tile.points.clear();
     const PictureHits* picture = tile.picture;
     std::size_t cell = 0;
     for (int y = tile.y0; y < tile.y0 + tile.height; ++y) {
@@ -116,18 +129,19 @@ bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size
                     continue;
                 }
             }
-            tile.others.push(static_cast<std::uint32_t>(cell), {x + 0.5, y + 0.5});
+            tile.points.reserve(1);
+            tile.points.push(static_cast<std::uint32_t>(cell), {x + 0.5, y + 0.5});
         }
     }
-    const GridPoints& traced = tile.others;
-    for (std::size_t begin = 0; begin < traced.size(); begin += kRayGrain) {
-        const std::size_t count = std::min(kRayGrain, traced.size() - begin);
+    const GridPoints& traced = tile.points;
+    for (std::size_t begin = 0; begin < traced.count; begin += kRayGrain) {
+        const std::size_t count = std::min(kRayGrain, traced.count - begin);
         tile.rays.resize(count);
         raysThrough(*tile.view, part(traced.x, begin, count), part(traced.y, begin, count), tile.rays, 0);
         trace(tile, work);
         for (std::size_t n = 0; n < count; ++n) set(traced.slots[begin + n], tile.rays[n], tile.hits[n]);
     }
-    counts.tested += static_cast<std::int64_t>(traced.size());
+    counts.tested += static_cast<std::int64_t>(traced.count);
     return any;
 }
 
@@ -177,12 +191,13 @@ void GridKernel::filterPlain(Tile& tile, std::span<Color> colors, FootprintCount
 
 void GridKernel::colorPoints(Tile& tile, FootprintCounts& counts) const {
     const GridPoints& points = tile.points;
-    tile.footprints.resize(points.size());
-    layFootprints(*tile.view, tracer_->field(), lattice_.blur, tile.scale,
-                  {points.x, points.y, points.a, points.b, points.lambda, points.s, points.t}, tile.footprints);
-    reserve(tile.colors, points.size());
-    reader_.read(tile.footprints, {tile.colors.data(), points.size()}, counts);
-    for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto all = [&](const std::vector<double>& column) { return part(column, 0, points.count); };
+    tile.footprints.resize(points.count);
+    layFootprints(*tile.view, slopes_ ? &*slopes_ : nullptr, lattice_.blur, tile.scale,
+                  {all(points.x), all(points.y), all(points.lambda), all(points.s), all(points.t)}, tile.footprints);
+    reserve(tile.colors, points.count);
+    reader_.read(tile.footprints, {tile.colors.data(), points.count}, counts);
+    for (std::size_t n = 0; n < points.count; ++n) {
         const Color& color = tile.colors[n];
         tile.color[points.slots[n]] = {{color.r, color.g, color.b, 1}};
     }
@@ -216,8 +231,8 @@ void GridKernel::filterTile(const FilterBlock& block, Tile& tile, std::span<Colo
     filterPlain(tile, colors, counts, log);
     if (tile.edges.empty()) return;
     if (wantCentres(block, tile.edges, kTileHalo, tile, counts, work)) findAround(tile);
-    wantPoints(block, tile);
-    tracePoints(tile, counts, work);
+    askPoints(block, tile);
+    takePoints(tile, counts, work);
     colorPoints(tile, counts);
     sumEdges(block, tile, colors, counts);
     if (log == nullptr) return;

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include "filtering/point_lattice.h"
 #include "filtering/point_reader.h"
 #include "relief/lanes/cone_twin.h"
+#include "relief/slope_scene.h"
 
 namespace relief {
 
@@ -45,6 +47,7 @@ class GridKernel {
                     FootprintLog* log) const;
     void lay(const FilterBlock& block, Tile& tile) const;
     void trace(Tile& tile, Work& work) const;
+    static void spread(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile);
     bool wantCentres(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile,
                      FootprintCounts& counts, Work& work) const;
     void findAround(Tile& tile) const;
@@ -52,8 +55,11 @@ class GridKernel {
     void filterPlain(Tile& tile, std::span<Color> colors, FootprintCounts& counts, FootprintLog* log) const;
     void findWhole(Tile& tile) const;
     void askPoints(const FilterBlock& block, Tile& tile) const;
-    bool follow(Tile& tile, std::size_t cell, std::size_t k) const;
-    void wantPoints(const FilterBlock& block, Tile& tile) const;
+    static void orderCells(Tile& tile);
+    template <class Wanted>
+    void pushPoints(Tile& tile, std::size_t k, const Wanted& wanted) const;
+    void follow(Tile& tile, std::size_t k) const;
+    void takePoints(Tile& tile, FootprintCounts& counts, Work& work) const;
     void tracePoints(Tile& tile, FootprintCounts& counts, Work& work) const;
     void colorPoints(Tile& tile, FootprintCounts& counts) const;
     void sumEdges(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts) const;
@@ -65,6 +71,7 @@ class GridKernel {
     std::shared_ptr<const Tracer> tracer_;
     std::shared_ptr<const ConeTwin> twin_;
     PointLattice lattice_;
+    std::optional<SlopeScene> slopes_;  // of bilinear relief
 };
 
 }  // namespace relief

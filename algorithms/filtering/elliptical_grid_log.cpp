@@ -17,7 +17,8 @@ void GridKernel::logPoints(const FilterQuery& query, const Tile& tile, Footprint
         if (!(tile.color[slot].channel[3] > 0)) continue;
         total += term.weight;
         const std::vector<std::uint32_t>& slots = tile.points.slots;
-        const auto n = static_cast<std::size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
+        const auto last = slots.begin() + static_cast<std::ptrdiff_t>(tile.points.count);
+        const auto n = static_cast<std::size_t>(std::find(slots.begin(), last, slot) - slots.begin());
         const PointTaps taps = reader_.taps(tile.footprints.jacobian(n));
         const double size = std::ldexp(1.0, taps.level);
         for (int k = 0; k < taps.count; ++k) {

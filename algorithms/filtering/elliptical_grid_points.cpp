@@ -1,6 +1,5 @@
 // The points that pixels at edges sum: which, and what they meet.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "filtering/grid_tile.h"
@@ -64,76 +63,92 @@ void GridKernel::askPoints(const FilterBlock& block, Tile& tile) const {
     }
 }
 
-// The hit of a point that follows from the centres': its own, or between the four round it. False: there is none.
-bool GridKernel::follow(Tile& tile, std::size_t cell, std::size_t k) const {
-    GridPoints& out = tile.others;
-    if (k == 0) {
-        if (std::isnan(tile.s[cell])) return false;
-        out.lambda.push_back(tile.lambda[cell]);
-        out.s.push_back(tile.s[cell]), out.t.push_back(tile.t[cell]);
-        return true;
-    }
-    const auto row = static_cast<std::size_t>(tile.width);
-    const std::size_t c00 = cell - static_cast<std::size_t>(lattice_.squareOf(k, tile.width));
-    const glm::dvec2 off = lattice_.places[k];
-    const double u = off.x < 0 ? off.x + 1 : off.x, v = off.y < 0 ? off.y + 1 : off.y;
-    const auto mean = [&](const std::vector<double>& column) {
-        const double top = (1 - u) * column[c00] + u * column[c00 + 1];
-        const double bottom = (1 - u) * column[c00 + row] + u * column[c00 + row + 1];
-        return (1 - v) * top + v * bottom;
-    };
-    out.lambda.push_back(mean(tile.lambda));
-    out.s.push_back(mean(tile.s)), out.t.push_back(mean(tile.t));
-    return true;
-}
-
-// The points that the edges sum: tile.points, whose hits are not known, and tile.others.
-void GridKernel::wantPoints(const FilterBlock& block, Tile& tile) const {
-    askPoints(block, tile);
-    const std::size_t points = lattice_.places.size();
-    tile.points.clear();
-    tile.others.clear();
+// The tile's cells in the order in which points are traced.
+void GridKernel::orderCells(Tile& tile) {
+    if (tile.orderWidth == tile.width && tile.orderHeight == tile.height) return;
+    tile.orderWidth = tile.width, tile.orderHeight = tile.height;
+    tile.order.clear();
     tile.overCells([&](std::size_t cell, int x, int y) {
-        for (unsigned asked = tile.asked[cell]; asked != 0; asked &= asked - 1) {
-            const auto k = static_cast<std::size_t>(std::countr_zero(asked));
-            const std::size_t slot = cell * points + k;
-            const glm::dvec2 off = lattice_.places[k], at{x + 0.5 + off.x, y + 0.5 + off.y};
-            if ((tile.follows[cell] >> k & 1U) == 0) {
-                tile.points.push(static_cast<std::uint32_t>(slot), at);
-            } else if (follow(tile, cell, k)) {
-                tile.others.push(static_cast<std::uint32_t>(slot), at);
-            } else {
-                tile.color[slot] = {};
-            }
-        }
+        tile.order.push_back({static_cast<std::uint32_t>(cell), static_cast<std::int32_t>(x - tile.x0),
+                              static_cast<std::int32_t>(y - tile.y0)});
     });
 }
 
-// tile.points: traced, and the others behind them; those that meet nothing are left out.
+// Behind tile.points, without what they meet, the k-th points of the cells for which wanted(cell).
+template <class Wanted>
+void GridKernel::pushPoints(Tile& tile, std::size_t k, const Wanted& wanted) const {
+    std::vector<std::uint32_t>& which = tile.which;
+    reserve(which, tile.order.size() + 1);
+    std::size_t count = 0;
+    for (std::size_t n = 0; n < tile.order.size(); ++n) {
+        which[count] = static_cast<std::uint32_t>(n);
+        count += wanted(tile.order[n].cell) ? 1 : 0;
+    }
+    GridPoints& out = tile.points;
+    out.reserve(count);
+    const auto points = static_cast<std::uint32_t>(lattice_.places.size());
+    const glm::dvec2 off = lattice_.places[k];
+    for (std::size_t n = 0; n < count; ++n) {
+        const OrderedCell& cell = tile.order[which[n]];
+        out.slots[out.count + n] = cell.cell * points + static_cast<std::uint32_t>(k);
+        out.x[out.count + n] = tile.x0 + cell.x + 0.5 + off.x;
+        out.y[out.count + n] = tile.y0 + cell.y + 0.5 + off.y;
+    }
+    out.count += count;
+}
+
+// Behind tile.points those k-th points whose hits follow from the centres': their own, or between the four round them.
+void GridKernel::follow(Tile& tile, std::size_t k) const {
+    GridPoints& out = tile.points;
+    const std::size_t first = out.count, points = lattice_.places.size();
+    const auto asked = [&](std::size_t cell) { return (tile.asked[cell] & tile.follows[cell]) >> k & 1; };
+    if (k > 0) {
+        pushPoints(tile, k, asked);
+    } else {
+        pushPoints(tile, 0, [&](std::size_t cell) { return asked(cell) & (std::isnan(tile.s[cell]) ? 0 : 1); });
+        for (std::size_t cell = 0; cell < tile.cells(); ++cell) {
+            if (asked(cell) && std::isnan(tile.s[cell])) tile.color[cell * points] = {};
+        }
+    }
+    const auto row = static_cast<std::size_t>(tile.width);
+    const auto square = static_cast<std::size_t>(lattice_.squareOf(k, tile.width));
+    const auto take = [&](const std::vector<double>& column, std::vector<double>& to) {
+        const double* from = column.data();
+        if (k > 0) {
+            reserve(tile.between, tile.cells());
+            betweenCentres(from, row, tile.cells() - row - 1, lattice_.shares[k], tile.between.data());
+            from = tile.between.data();
+        }
+        for (std::size_t n = first; n < out.count; ++n) to[n] = from[tile.order[tile.which[n - first]].cell - square];
+    };
+    take(tile.lambda, out.lambda);
+    take(tile.s, out.s);
+    take(tile.t, out.t);
+}
+
+// All points that the edges sum, with what they meet; tile.points has those that meet something.
+void GridKernel::takePoints(Tile& tile, FootprintCounts& counts, Work& work) const {
+    orderCells(tile);
+    tile.points.clear();
+    for (std::size_t k = 1; k < lattice_.places.size(); ++k) {
+        pushPoints(tile, k, [&](std::size_t cell) { return (tile.asked[cell] & ~tile.follows[cell]) >> k & 1; });
+    }
+    tracePoints(tile, counts, work);
+    for (std::size_t k = 0; k < lattice_.places.size(); ++k) follow(tile, k);
+}
+
+// What tile.points meet; without those that meet nothing.
 void GridKernel::tracePoints(Tile& tile, FootprintCounts& counts, Work& work) const {
     GridPoints& points = tile.points;
-    GridPoints& others = tile.others;
-    for (auto* of : {&points, &others}) {
-        of->a.resize(of->size());
-        of->b.resize(of->size());
-    }
-    for (auto* column : {&points.lambda, &points.s, &points.t}) column->resize(points.size());
     const auto copy = [](const std::vector<double>& from, std::vector<double>& to, std::size_t begin) {
         std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(begin));
     };
-    const auto inParts = [&](GridPoints& of, const auto& body) {
-        for (std::size_t begin = 0; begin < of.size(); begin += kRayGrain) {
-            const std::size_t count = std::min(kRayGrain, of.size() - begin);
-            tile.rays.resize(count);
-            raysThrough(*tile.view, part(of.x, begin, count), part(of.y, begin, count), tile.rays, 0);
-            copy(tile.rays.a, of.a, begin);
-            copy(tile.rays.b, of.b, begin);
-            body(begin, count);
-        }
-    };
     const HeightField& field = tracer_->field();
     bool missed = false;
-    inParts(points, [&](std::size_t begin, std::size_t count) {
+    for (std::size_t begin = 0; begin < points.count; begin += kRayGrain) {
+        const std::size_t count = std::min(kRayGrain, points.count - begin);
+        tile.rays.resize(count);
+        raysThrough(*tile.view, part(points.x, begin, count), part(points.y, begin, count), tile.rays, 0);
         trace(tile, work);
         if (field.surface() == Surface::Columns) {
             for (std::size_t n = 0; n < count; ++n) {
@@ -150,11 +165,9 @@ void GridKernel::tracePoints(Tile& tile, FootprintCounts& counts, Work& work) co
             points.s[begin + n] = kNothing;
             tile.color[points.slots[begin + n]] = {};
         }
-    });
-    counts.tested += static_cast<std::int64_t>(points.size());
+    }
+    counts.tested += static_cast<std::int64_t>(points.count);
     if (missed) points.filter([&](std::size_t n) { return !std::isnan(points.s[n]); });
-    inParts(others, [](std::size_t, std::size_t) {});
-    points.append(others);
 }
 
 }  // namespace relief

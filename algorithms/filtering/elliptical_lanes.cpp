@@ -76,12 +76,13 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     f.level = hn::Min(hn::Max(hn::ShiftRight<1>(exponent), setI(0)), setI(job.top));
     f.level = hn::IfThenElseZero(hn::RebindMask(di, usual), f.level);
     const LaneLevels& levels = *job.levels;
-    f.width = perLevel(levels.width, f.level);
-    f.height = perLevel(levels.height, f.level);
-    f.origin = perLevel(levels.origin, f.level);
-    f.stride = perLevel(levels.stride, f.level);
-    const V scale = hn::GatherIndex(d, job.scale.data(), f.level);
-    const V square = hn::Mul(scale, scale), texels = hn::GatherIndex(d, job.texelTerm.data(), f.level);
+    const PerLane perLevel(f.level, job.top);
+    f.width = perLevel(levels.width);
+    f.height = perLevel(levels.height);
+    f.origin = perLevel(levels.origin);
+    f.stride = perLevel(levels.stride);
+    const V scale = perLevel(job.scale);
+    const V square = hn::Mul(scale, scale), texels = perLevel(job.texelTerm);
     const V lowest = set(job.leastMinorSquare);
     const V across = hn::Max(hn::Add(hn::Mul(minor, square), texels), lowest);
     const V along = hn::Max(hn::Add(hn::Mul(largest, square), texels), across);
@@ -113,7 +114,7 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     const auto inside = hn::And(
         hn::And(hn::Ge(hn::Sub(s, widest), zero), hn::Le(hn::Add(s, widest), hn::Sub(toFloat(f.width), one))),
         hn::And(hn::Ge(hn::Sub(t, highest), zero), hn::Le(hn::Add(t, highest), hn::Sub(toFloat(f.height), one))));
-    const auto whole = hn::RebindMask(d, hn::Gt(perLevel(levels.whole, f.level), setI(0)));
+    const auto whole = hn::RebindMask(d, hn::Gt(perLevel(levels.whole), setI(0)));
     const auto first0 = hn::RebindMask(d, hn::Eq(f.level, setI(0)));
     const auto small = hn::And(first0, hn::Lt(largest, set(job.smallSquare)));
     const auto below = hn::RebindMask(d, hn::Lt(f.level, setI(job.top)));

@@ -18,8 +18,7 @@ namespace relief {
 // What layFootprints is given, but for the columns.
 struct FootprintScene {
     const PixelView* view;
-    SlopeScene slopes;
-    bool bilinear;
+    const SlopeScene* slopes;
     double blur, perS, perT;
 };
 
@@ -134,7 +133,9 @@ void raysThrough(const PixelView& view, const double* x, const double* y, std::s
     }
 }
 
-void layFootprints(const FootprintScene& scene, const PointHits& hits, PointBlock& points) {
+template <bool kSloping, class SlopeAt>
+HWY_INLINE void layWith(const FootprintScene& scene, const SlopeAt& slopeAt, const PointHits& hits,
+                        PointBlock& points) {
     const PixelView& view = *scene.view;
     const Homography& m = view.texelFromScreen;
     // Derivatives of s and t along the picture times q^2, as jacobianAt has them.
@@ -148,15 +149,19 @@ void layFootprints(const FootprintScene& scene, const PointHits& hits, PointBloc
         const std::size_t here = std::min(kLanes, count - i);
         const V x = load(hits.x.data() + i, here), y = load(hits.y.data() + i, here);
         const V q = hn::Add(hn::Add(hn::Mul(set(m.qx), x), hn::Mul(set(m.qy), y)), set(m.q1));
-        const V below = hn::Add(one, hn::Mul(load(hits.lambda.data() + i, here), set(view.runPerTexel)));
+        const V run = set(view.runPerTexel);
+        const V below = hn::Add(one, hn::Mul(load(hits.lambda.data() + i, here), run));
         const V factor = hn::Div(hn::Mul(set(scene.blur), below), hn::Mul(q, q));
         const auto along = [&](double per, double at, V place)
                                HWY_ATTR { return hn::Mul(factor, hn::Add(hn::Mul(set(per), place), set(at))); };
         V ux = along(uxY, ux1, y), vx = along(vxY, vx1, y), uy = along(uyX, uy1, x), vy = along(vyX, vy1, x);
         const Point place{load(hits.s.data() + i, here), load(hits.t.data() + i, here)};
-        if (scene.bilinear) {
-            const V a = load(hits.a.data() + i, here), b = load(hits.b.data() + i, here);
-            const slopes::Slope slope = slopes::slopeAt(scene.slopes, place.s, place.t);
+        if constexpr (kSloping) {
+            // The ray's run, from where it is below the eye.
+            const V perBelow = hn::Div(run, below);
+            const V a = hn::Mul(hn::Sub(place.s, set(view.sEye)), perBelow);
+            const V b = hn::Mul(hn::Sub(place.t, set(view.tEye)), perBelow);
+            const slopes::Slope slope = slopeAt(place.s, place.t);
             const V facing = hn::Add(one, hn::Add(hn::Mul(a, slope.s), hn::Mul(b, slope.t)));
             const V per = hn::Div(one, hn::Max(facing, set(kLeastPointFacing)));
             const V alongX = hn::Mul(hn::Add(hn::Mul(slope.s, ux), hn::Mul(slope.t, vx)), per);
@@ -170,6 +175,27 @@ void layFootprints(const FootprintScene& scene, const PointHits& hits, PointBloc
         store(hn::Mul(vx, perT), points.vx.data() + i, here);
         store(hn::Mul(uy, perS), points.uy.data() + i, here);
         store(hn::Mul(vy, perT), points.vy.data() + i, here);
+    }
+}
+void layFootprints(const FootprintScene& scene, const PointHits& hits, PointBlock& points) {
+    if (scene.slopes == nullptr)
+        return layWith<false>(
+            scene,
+            [](V s, V) {
+                return slopes::Slope{s, s};
+            },
+            hits, points);
+    slopes::withSlopes(*scene.slopes,
+                       [&](const auto& slopeAt) HWY_ATTR { layWith<true>(scene, slopeAt, hits, points); });
+}
+
+void betweenCentres(const double* cells, std::size_t row, std::size_t count, const double* shares, double* out) {
+    for (std::size_t c = 0; c < count; c += kLanes) {
+        const std::size_t here = std::min(kLanes, count - c);
+        const auto part = [&](std::size_t at, double share)
+                              HWY_ATTR { return hn::Mul(set(share), load(cells + c + at, here)); };
+        const V above = hn::Add(part(0, shares[0]), part(1, shares[1]));
+        store(hn::Add(above, hn::Add(part(row, shares[2]), part(row + 1, shares[3]))), out + c, here);
     }
 }
 
@@ -201,6 +227,9 @@ void gridRays(const PixelView& view, const double* x, const double* y, std::size
 void gridFootprints(const FootprintScene& scene, const PointHits& hits, PointBlock& points) {
     grid::layFootprints(scene, hits, points);
 }
+void gridBetween(const double* cells, std::size_t row, std::size_t count, const double* shares, double* out) {
+    grid::betweenCentres(cells, row, count, shares, out);
+}
 void gridSums(const SumJob& job) {
     grid::sumPoints(job);
 }
@@ -214,6 +243,7 @@ namespace relief {
 HWY_EXPORT(gridSurroundings);
 HWY_EXPORT(gridRays);
 HWY_EXPORT(gridFootprints);
+HWY_EXPORT(gridBetween);
 HWY_EXPORT(gridSums);
 
 void findSurroundings(const CellHits& cells, std::uint16_t* out) {
@@ -228,11 +258,16 @@ void raysThrough(const PixelView& view, std::span<const double> x, std::span<con
     HWY_DYNAMIC_DISPATCH(gridRays)(view, x.data(), y.data(), x.size(), out);
 }
 
-void layFootprints(const PixelView& view, const HeightField& field, double blur, glm::dvec2 scale,
+void layFootprints(const PixelView& view, const SlopeScene* slopes, double blur, glm::dvec2 scale,
                    const PointHits& hits, PointBlock& points) {
     assert(hits.x.size() == points.size() && hits.lambda.size() >= points.size());
-    const FootprintScene scene{&view, SlopeScene(field), field.surface() == Surface::Bilinear, blur, scale.x, scale.y};
+    const FootprintScene scene{&view, slopes, blur, scale.x, scale.y};
     HWY_DYNAMIC_DISPATCH(gridFootprints)(scene, hits, points);
+}
+
+void betweenCentres(const double* cells, std::size_t row, std::size_t count, const std::array<double, 4>& shares,
+                    double* out) {
+    HWY_DYNAMIC_DISPATCH(gridBetween)(cells, row, count, shares.data(), out);
 }
 
 void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,

@@ -2,6 +2,7 @@
 // the rays of points, and their footprints. Same bits on every instruction set, for any number of values at once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -9,7 +10,8 @@
 
 #include "filtering/pixel_view.h"
 #include "filtering/point_reader.h"
-#include "relief/height_field.h"
+#include "relief/ray.h"
+#include "relief/slope_scene.h"
 
 namespace relief {
 
@@ -47,16 +49,19 @@ void findSurroundings(const CellHits& cells, std::uint16_t* out);
 void raysThrough(const PixelView& view, std::span<const double> x, std::span<const double> y, RayBlock& rays,
                  std::size_t first);
 
+// Rows of cells one after the other: out[c] = the mean of cells c, c + 1, c + row, c + row + 1 with these shares.
+void betweenCentres(const double* cells, std::size_t row, std::size_t count, const std::array<double, 4>& shares,
+                    double* out);
+
 // Hits between pixels' centres, and what is asked of them. All columns of one length.
 struct PointHits {
     std::span<const double> x, y;  // places in the picture
-    std::span<const double> a, b;  // of their rays
     std::span<const double> lambda, s, t;
 };
 
-// Footprints of blur pixels on the surface's tangent plane (bilinear) or on level ground (columns) at each hit, into
-// `points`, texels of the picture.
-void layFootprints(const PixelView& view, const HeightField& field, double blur, glm::dvec2 scale,
+// Footprints of blur pixels on the surface's tangent plane at each hit, into `points`, texels of the picture. slopes:
+// null: on level ground (columns).
+void layFootprints(const PixelView& view, const SlopeScene* slopes, double blur, glm::dvec2 scale,
                    const PointHits& hits, PointBlock& points);
 
 // Red, green, blue, and 1 where something was met; else all 0.

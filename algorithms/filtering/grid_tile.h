@@ -25,44 +25,51 @@ inline std::span<const double> part(const std::vector<double>& column, std::size
     return std::span(column).subspan(begin, count);
 }
 
-// Points of pixels that are no plane, one after the other; all columns of one length.
+// Points of pixels that are no plane, one after the other; all columns of one length, the first `count` in use.
 struct GridPoints {
+    std::size_t count = 0;
     std::vector<std::uint32_t> slots;
     std::vector<double> x, y;  // places in the picture
-    std::vector<double> a, b;  // of their rays
     std::vector<double> lambda, s, t;
 
-    std::size_t size() const { return slots.size(); }
-    void clear() {
-        slots.clear();
-        for (auto* column : {&x, &y, &a, &b, &lambda, &s, &t}) column->clear();
+    void clear() { count = 0; }
+    // For so many more.
+    void reserve(std::size_t more) {
+        if (slots.size() >= count + more) return;
+        slots.resize(count + more);
+        for (auto* column : {&x, &y, &lambda, &s, &t}) column->resize(count + more);
     }
     void push(std::uint32_t slot, glm::dvec2 at) {
-        slots.push_back(slot);
-        x.push_back(at.x), y.push_back(at.y);
-    }
-    void append(const GridPoints& others) {
-        slots.insert(slots.end(), others.slots.begin(), others.slots.end());
-        const auto join = [](std::vector<double>& to, const std::vector<double>& from) {
-            to.insert(to.end(), from.begin(), from.end());
-        };
-        join(x, others.x), join(y, others.y), join(a, others.a), join(b, others.b);
-        join(lambda, others.lambda), join(s, others.s), join(t, others.t);
+        reserve(1);
+        slots[count] = slot;
+        x[count] = at.x, y[count] = at.y;
+        ++count;
     }
     // Only those for which keep(n).
     template <class Keep>
     void filter(const Keep& keep) {
         std::size_t kept = 0;
-        for (std::size_t n = 0; n < size(); ++n) {
+        for (std::size_t n = 0; n < count; ++n) {
             if (!keep(n)) continue;
             slots[kept] = slots[n];
-            for (auto* column : {&x, &y, &a, &b, &lambda, &s, &t}) (*column)[kept] = (*column)[n];
+            for (auto* column : {&x, &y, &lambda, &s, &t}) (*column)[kept] = (*column)[n];
             ++kept;
         }
-        slots.resize(kept);
-        for (auto* column : {&x, &y, &a, &b, &lambda, &s, &t}) column->resize(kept);
+        count = kept;
     }
 };
+
+// A cell, and where it is in the tile.
+struct OrderedCell {
+    std::uint32_t cell;
+    std::int32_t x, y;
+};
+
+// At least as long as asked for; what was there stays.
+template <class T>
+void reserve(std::vector<T>& column, std::size_t count) {
+    if (column.size() < count) column.resize(count);
+}
 
 // Hits of cells in float, in texels of the picture: NaN where there is none.
 struct CellColumns {
@@ -80,13 +87,17 @@ struct GridKernel::Tile {
     std::vector<double> s, t, lambda;
     CellColumns rough;
     std::vector<std::uint8_t> known, wanted;
-    std::vector<std::uint16_t> around;  // Surroundings
+    std::vector<std::uint8_t> own, along;  // pixels, and what is near them in their rows
+    std::vector<std::uint16_t> around;     // Surroundings
     // Of cells, all bits or none: edges, and squares whose hits follow from their corners'. Then a bit a point: whether
     // some edge sums it, and whether its hit follows from centres'.
     std::vector<std::uint16_t> edge, whole, asked, follows;
     std::vector<PointColor> color;  // of a cell's points, one after the other
-    // Those that are asked for, square after square: the traced ones, then those whose hits follow from centres'.
-    GridPoints points, others;
+    GridPoints points;              // that are asked for; before them, centres that are not known
+    std::vector<OrderedCell> order;
+    int orderWidth = 0, orderHeight = 0;
+    std::vector<std::uint32_t> which;
+    std::vector<double> between;
     RayBlock rays;
     HitBlock hits;
     PointBlock footprints;

@@ -135,9 +135,39 @@ inline void fillChunk(const LaneJob& job, std::size_t begin, LaneChunk& chunk) {
     chunk.fill(job, begin, k);
 }
 
-HWY_INLINE VI perLevel(const LaneLevels::PerLevel<std::int32_t>& table, VI level) {
-    return hn::GatherIndex(DI(), table.data(), level);
-}
+// Columns over the levels, each lane its own: for few levels by permutation, gathers are many operations.
+class PerLane {
+  public:
+    HWY_INLINE PerLane(VI level, std::int32_t top) : level_(level), few_(top < kFew) {}
+    HWY_INLINE VI operator()(const LaneLevels::PerLevel<std::int32_t>& column) const { return of(DI(), column.data()); }
+    HWY_INLINE V operator()(const LaneLevels::PerLevel<float>& column) const { return of(D(), column.data()); }
+
+  private:
+#if HWY_TARGET <= HWY_AVX2
+    static constexpr std::int32_t kFew = 16;
+    template <class DT, class T>
+    HWY_INLINE hn::Vec<DT> of(DT d, const T* column) const {
+        if (HWY_UNLIKELY(!few_)) return hn::GatherIndex(d, column, level_);
+        if constexpr (kLanes == 16) {
+            return hn::TableLookupLanes(hn::LoadU(d, column), hn::IndicesFromVec(d, level_));
+        } else {
+            const auto indices = hn::IndicesFromVec(d, hn::And(level_, setI(7)));
+            const auto low = hn::TableLookupLanes(hn::LoadU(d, column), indices);
+            const auto high = hn::TableLookupLanes(hn::LoadU(d, column + 8), indices);
+            return hn::IfThenElse(hn::RebindMask(d, hn::Gt(level_, setI(7))), high, low);
+        }
+    }
+#else
+    static constexpr std::int32_t kFew = 0;
+    template <class DT, class T>
+    HWY_INLINE hn::Vec<DT> of(DT d, const T* column) const {
+        return hn::GatherIndex(d, column, level_);
+    }
+#endif
+
+    VI level_;
+    bool few_;
+};
 
 }  // namespace relief::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

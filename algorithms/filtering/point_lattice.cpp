@@ -43,7 +43,10 @@ PointLattice PointLattice::of(int points) {
             const double at = n % points / static_cast<double>(points);
             return at > 0.5 ? at - 1 : at;
         };
-        lattice.places.emplace_back(place(k), place(k * turn));
+        const glm::dvec2 at(place(k), place(k * turn));
+        lattice.places.push_back(at);
+        const double u = at.x < 0 ? at.x + 1 : at.x, v = at.y < 0 ? at.y + 1 : at.y;
+        lattice.shares.push_back({(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v});
     }
     lattice.blur = kBlurPerSpacing / std::sqrt(points);
     for (int dy = -kLatticeHalo; dy <= kLatticeHalo; ++dy) {

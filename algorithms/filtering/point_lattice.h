@@ -1,6 +1,7 @@
 // Points that the pixels of a picture share: a lattice, the same in every pixel, its centre among them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct PointLattice {
     std::vector<Term> terms;
     std::vector<float> weights;  // the terms' own
     double blur = 0;             // of each point's footprint, pixels
+    // Of the four centres round each point, row after row: what they count between them.
+    std::vector<std::array<double, 4>> shares;
 
     // How many cells before a point's own, rows of so many, is the upper left of the four whose centres lie round it.
     std::ptrdiff_t squareOf(std::size_t point, std::ptrdiff_t row) const {

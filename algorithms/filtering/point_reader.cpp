@@ -76,11 +76,12 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     f.level = hn::Min(hn::Max(hn::ShiftRight<1>(exponent), setI(0)), setI(job.top));
     f.level = hn::IfThenElseZero(hn::RebindMask(di, usual), f.level);
     const LaneLevels& levels = *job.levels;
-    f.width = perLevel(levels.width, f.level);
-    f.height = perLevel(levels.height, f.level);
-    f.origin = perLevel(levels.origin, f.level);
-    f.stride = perLevel(levels.stride, f.level);
-    const V scale = hn::GatherIndex(d, job.scale.data(), f.level), zero = hn::Zero(d), one = set(1);
+    const PerLane perLevel(f.level, job.top);
+    f.width = perLevel(levels.width);
+    f.height = perLevel(levels.height);
+    f.origin = perLevel(levels.origin);
+    f.stride = perLevel(levels.stride);
+    const V scale = perLevel(job.scale), zero = hn::Zero(d), one = set(1);
     const V more = hn::Max(hn::Sub(hn::Mul(largest, hn::Mul(scale, scale)), set(kTapVariance)), zero);
     const V length = hn::Sqrt(hn::Mul(set(12), more));
     f.count = hn::Min(hn::Add(one, hn::Ceil(hn::Mul(length, set(1 / kTapSpacing)))), set(kMostTaps));
@@ -111,7 +112,7 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     };
     const auto clear = hn::And(inside(hn::Add(toFloat(f.cellS), f.restS), f.width),
                                inside(hn::Add(toFloat(f.cellT), f.restT), f.height));
-    const auto whole = hn::RebindMask(d, hn::Gt(perLevel(levels.whole, f.level), setI(0)));
+    const auto whole = hn::RebindMask(d, hn::Gt(perLevel(levels.whole), setI(0)));
     const auto served = hn::And(hn::And(usual, hn::Gt(hn::Load(d, chunk.valid + first), zero)), hn::Or(whole, clear));
     f.count = hn::IfThenElseZero(served, f.count);
     alignas(64) std::int32_t flags[kLanes];

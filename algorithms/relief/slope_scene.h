@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "relief/height_field.h"
+#include "relief/maps/packed_cones.h"
 
 namespace relief {
 
@@ -11,6 +12,9 @@ struct SlopeScene {
     const float* heights = nullptr;
     std::int32_t width = 0, height = 0;
     bool repeat = true;  // else clamped, as border is
+    // The four of a cell in one place (PackedCones), cells of a row and one; null: they are read from the heights.
+    const float* nodes = nullptr;
+    std::int32_t nodeStride = 0;
 
     SlopeScene() = default;
     explicit SlopeScene(const HeightField& field)
@@ -18,6 +22,11 @@ struct SlopeScene {
           width(field.width()),
           height(field.height()),
           repeat(field.address() == Address::Repeat) {}
+    SlopeScene(const HeightField& field, const PackedCones& cones) : SlopeScene(field) {
+        if (cones.nodes.empty()) return;
+        nodes = cones.nodes.data();
+        nodeStride = cones.nx + 1;
+    }
 };
 
 }  // namespace relief

@@ -15,15 +15,16 @@ namespace relief::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void facingLanes(const SlopeScene& scene, const ReliefAxes& axes, double slabTexels, const glm::dvec3& toLight,
-                 std::span<const double> s, std::span<const double> t, double* out) {
+template <class SlopeAt>
+HWY_INLINE void facingWith(const SlopeAt& slopeAt, const ReliefAxes& axes, double slabTexels, const glm::dvec3& toLight,
+                           std::span<const double> s, std::span<const double> t, double* out) {
     using slopes::V;
     const slopes::D d;
     const hn::Rebind<float, slopes::D> df;
     const V slab = slopes::set(slabTexels), one = slopes::set(1);
     for (std::size_t i = 0; i < s.size(); i += slopes::kLanes) {
         const std::size_t here = std::min(slopes::kLanes, s.size() - i);
-        const auto slope = slopes::slopeAt(scene, slopes::load(s.data() + i, here), slopes::load(t.data() + i, here));
+        const auto slope = slopeAt(slopes::load(s.data() + i, here), slopes::load(t.data() + i, here));
         const V alongS = hn::Mul(slab, slope.s), alongT = hn::Mul(slab, slope.t);
         const auto leant = [&](int c) HWY_ATTR {
             return hn::Sub(hn::Sub(slopes::set(axes.normal[c]), hn::Mul(alongS, slopes::set(axes.alongS[c]))),
@@ -37,6 +38,12 @@ void facingLanes(const SlopeScene& scene, const ReliefAxes& axes, double slabTex
         };
         slopes::store(hn::Add(hn::Add(part(x, 0), part(y, 1)), part(z, 2)), out + i, here);
     }
+}
+
+void facingLanes(const SlopeScene& scene, const ReliefAxes& axes, double slabTexels, const glm::dvec3& toLight,
+                 std::span<const double> s, std::span<const double> t, double* out) {
+    slopes::withSlopes(
+        scene, [&](const auto& slopeAt) HWY_ATTR { facingWith(slopeAt, axes, slabTexels, toLight, s, t, out); });
 }
 
 }  // namespace relief::HWY_NAMESPACE

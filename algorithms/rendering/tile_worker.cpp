@@ -9,7 +9,7 @@
 #include "relief/lanes/cone_twin.h"
 #include "relief/look_up_point.h"
 #include "rendering/light_lanes.h"
-#include "rendering/pixel_query.h"
+#include "rendering/query_lanes.h"
 #include "rendering/tile_work.h"
 
 namespace relief {
@@ -39,7 +39,7 @@ TileWorker::TileWorker(const FrameRequest& request, const Frame& frame, const Fr
     polygons_.resize(frame.polygons.size(), nullptr);
     for (const VisiblePolygon& polygon : tools.visible.polygons) polygons_[polygon.number] = &polygon;
     if (frame.shadedByRelief(request) && request.field.surface() == Surface::Bilinear) {
-        slopes_ = SlopeScene(request.field);
+        slopes_ = tools.twin != nullptr ? SlopeScene(request.field, tools.twin->cones()) : SlopeScene(request.field);
     }
 }
 
@@ -172,6 +172,23 @@ void TileWorker::countOutcomes(const PixelArea& tile) const {
     totals_.limits += outcomes[static_cast<std::size_t>(Outcome::Limit)];
 }
 
+// Footprints so small that the plain filter's colour will do: coloured and left out of the block.
+void TileWorker::leaveTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const {
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < pixels.size(); ++n) {
+        const FilterQuery query = block[n];
+        if (tinyFootprint(query, frame_, request_)) {
+            FootprintCounts plain;
+            buffers_.color->color.pixels()[pixels[n]] = frame_.plainFilter->color(query, plain, work);
+            continue;
+        }
+        block.set(kept, query);
+        pixels[kept++] = pixels[n];
+    }
+    totals_.tinyFootprints += static_cast<std::int64_t>(pixels.size() - kept);
+    pixels.resize(kept);
+}
+
 // A tile's hits in one block: neighbours have like footprints.
 void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts,
                              Work& work) const {
@@ -180,22 +197,24 @@ void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter,
     auto& [pixels, block, colors] = *kept;
     pixels.clear();
     block.resize(static_cast<std::size_t>(kTileWidth) * kTileHeight);
-    std::int64_t tiny = 0;
-    overPixels(tile, [&](int x, int y, std::size_t i) {
-        if (hits.outcome[i] != Outcome::Hit) return;
-        const bool exact = frame_.exactHits && frame_.hits->by[i] != HitBy::LittleParallax;
-        const FilterQuery query =
-            pixelQuery(*polygons_[frame_.rays->polygon[i]], request_.field, frame_.rays->rays[i], hits[i], exact, x, y);
-        if (frame_.plainFilter && tinyFootprint(query, frame_, request_)) {
-            FootprintCounts plain;
-            buffers_.color->color.pixels()[i] = frame_.plainFilter->color(query, plain, work);
-            ++tiny;
-            return;
+    const std::vector<std::uint8_t>& polygon = frame_.rays->polygon;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const std::size_t row = frame_.index(0, y), end = row + static_cast<std::size_t>(tile.x1);
+        for (std::size_t i = row + static_cast<std::size_t>(tile.x0), last = i; i < end; i = std::max(last, i + 1)) {
+            last = i;
+            while (last < end && hits.outcome[last] == Outcome::Hit && polygon[last] == polygon[i]) ++last;
+            if (last == i) continue;
+            const std::size_t first = pixels.size();
+            setQueries({*polygons_[polygon[i]], frame_.rays->rays, hits, i, static_cast<int>(i - row), y, last - i},
+                       request_.field, block, first);
+            for (std::size_t n = i; n < last; ++n) {
+                const bool exact = frame_.exactHits && frame_.hits->by[n] != HitBy::LittleParallax;
+                block.exact[first + n - i] = exact ? 1 : 0;
+                pixels.push_back(n);
+            }
         }
-        block.set(pixels.size(), query);
-        pixels.push_back(i);
-    });
-    totals_.tinyFootprints += tiny;
+    }
+    if (frame_.plainFilter) leaveTiny(pixels, block, work);
     block.resize(pixels.size());
     block.picture = hitsFirst() ? &picture_ : nullptr;
     colors.resize(pixels.size());

@@ -114,6 +114,7 @@ class TileWorker {
     void drawMesh(const PixelArea& tile) const;
     void countOutcomes(const PixelArea& tile) const;
     void colorHits(const PixelArea& tile, Work& work) const;
+    void leaveTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const;
     void filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts, Work& work) const;
     void castShadows(const PixelArea& tile, Work& work) const;
     AnyRay shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const;

@@ -21,6 +21,8 @@ class ConeTwin {
     // As Tracer::trace() of `method`, which is exact and of the same field; it traces what the lanes leave over.
     void trace(const RayBlock& rays, HitBlock& hits, const Tracer& method, Work& work) const;
 
+    const PackedCones& cones() const { return *cones_; }
+
   private:
     std::shared_ptr<const PackedCones> cones_;
     LaneScene scene_;

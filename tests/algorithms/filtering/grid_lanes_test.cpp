@@ -82,8 +82,8 @@ TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
             raysThrough(view, x, y, rays, 0);
             PointBlock points;
             points.resize(count);
-            layFootprints(view, field, 0.5, {2, 3},
-                          {x, y, rays.a, rays.b, asked.block.lambda, asked.block.s, asked.block.t}, points);
+            const SlopeScene slopes(field);
+            layFootprints(view, &slopes, 0.5, {2, 3}, {x, y, asked.block.lambda, asked.block.s, asked.block.t}, points);
             for (std::size_t i = 0; i < count; ++i) {
                 ASSERT_EQ(rays[i], asked.block.rays[i]) << i;
                 const Jacobian j = asked.block[i].jacobian;
@@ -96,6 +96,25 @@ TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
                 ASSERT_EQ(points.t[i], 3 * asked.block.t[i]);
             }
         }
+    }
+}
+
+TEST(GridLanes, betweenCentresIsTheirMean) {
+    constexpr std::size_t kRow = 7, kCells = 5 * kRow, kCount = kCells - kRow - 1;
+    Random random(kSeed);
+    std::vector<double> cells(kCells);
+    for (double& cell : cells) cell = random.between(-1, 1);
+    const std::array<double, 4> shares{0.5, 0.125, 0.25, 0.0625};
+    for (const std::int64_t target : laneTargets()) {
+        const ForcedTarget forced(target);
+        std::vector<double> out(kCount + 1, 7);
+        betweenCentres(cells.data(), kRow, kCount, shares, out.data());
+        for (std::size_t c = 0; c < kCount; ++c) {
+            const double expected = shares[0] * cells[c] + shares[1] * cells[c + 1] +
+                                    (shares[2] * cells[c + kRow] + shares[3] * cells[c + kRow + 1]);
+            ASSERT_EQ(out[c], expected) << c << ' ' << laneTargetName(target);
+        }
+        EXPECT_EQ(out[kCount], 7);
     }
 }
 

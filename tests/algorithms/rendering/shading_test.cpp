@@ -62,6 +62,9 @@ TEST(Shading, lanesHaveTheBitsOfOneNormal) {
             const HeightField field(share(makeRelief("city", width, height, 1)), Surface::Bilinear, address, 0.15);
             const TexturedQuad quad = makeScene(SceneKind::Cube, width, height)[1];
             const ReliefAxes axes(quad);
+            Work work;
+            const PackedCones cones = buildPackedCones(field, work);
+            ASSERT_FALSE(cones.nodes.empty());
             const glm::dvec3 toLight = lightDirection({});
             // Within the map, on nodes and rims, and periods away.
             std::vector<double> s, t;
@@ -72,9 +75,11 @@ TEST(Shading, lanesHaveTheBitsOfOneNormal) {
             }
             for (const std::int64_t target : laneTargets()) {
                 forceLaneTarget(target);
-                std::vector<double> facing(s.size());
+                std::vector<double> facing(s.size()), byNodes(s.size());
                 facingLight(SlopeScene(field), axes, field.slabTexels(), toLight, s, t, facing);
+                facingLight(SlopeScene(field, cones), axes, field.slabTexels(), toLight, s, t, byNodes);
                 forceLaneTarget(0);
+                EXPECT_EQ(byNodes, facing) << laneTargetName(target);
                 for (std::size_t n = 0; n < s.size(); ++n) {
                     const glm::vec3 normal(reliefNormal(quad, field.slope(s[n], t[n]), field.slabTexels()));
                     ASSERT_EQ(facing[n], glm::dot(glm::dvec3(normal), toLight))
