@@ -166,7 +166,7 @@ class PerLane {
 #endif
 
     VI level_;
-    bool few_;
+    [[maybe_unused]] bool few_;
 };
 
 }  // namespace relief::HWY_NAMESPACE
