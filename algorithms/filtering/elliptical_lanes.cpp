@@ -28,6 +28,16 @@ HWY_INLINE V exp2Of(V x) {
     return hn::Mul(p, hn::BitCast(D(), power));
 }
 
+// The same to 2e-7, for |x| < 126.
+HWY_INLINE V preciseExp2Of(V x) {
+    const V whole = hn::Round(x);
+    const V rest = hn::Sub(x, whole);
+    V p = set(kPreciseExp2[6]);
+    for (const int n : {5, 4, 3, 2, 1, 0})
+        p = hn::Add(hn::Mul(p, rest), set(kPreciseExp2[static_cast<std::size_t>(n)]));
+    return hn::Mul(p, hn::BitCast(D(), hn::ShiftLeft<23>(hn::Add(toInt(whole), setI(127)))));
+}
+
 struct Sums {
     V red, green, blue, total;
 
@@ -130,25 +140,70 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     return f;
 }
 
-// The weights; x: from the row's middle, row: what weighsRow() returned.
+// The weights of a row's texels, one after the other; x: the first one's way from the row's middle, row: what row()
+// returned. Run(weight, x, row, middle).next() is called for each.
 struct GaussianLanes {
     V acrossRow, downRow;
     HWY_INLINE explicit GaussianLanes(const Footprints& f) : acrossRow(f.acrossRow), downRow(f.downRow) {}
     HWY_INLINE V row(V v, V) const { return hn::Mul(downRow, hn::Mul(v, v)); }
-    HWY_INLINE V at(V x, V row, V) const { return exp2Of(hn::Sub(hn::Neg(row), hn::Mul(acrossRow, hn::Mul(x, x)))); }
+    HWY_INLINE V at(V x, V row) const { return exp2Of(hn::Sub(hn::Neg(row), hn::Mul(acrossRow, hn::Mul(x, x)))); }
+
+    struct Run {
+        const GaussianLanes& gaussian;
+        V x, row;
+        HWY_INLINE Run(const GaussianLanes& g, V first, V rowTerm, V) : gaussian(g), x(first), row(rowTerm) {}
+        HWY_INLINE V next() {
+            const V now = gaussian.at(x, row);
+            x = hn::Add(x, set(1));
+            return now;
+        }
+    };
+};
+// The same where no weight is very small (kMostRunExponent): in a row each is the one before times a ratio, and the
+// ratios so as well, two multiplications instead of an exponential. Off by 1e-5 after kLanePad texels, where runs end.
+struct GaussianRuns : GaussianLanes {
+    V bend;
+    HWY_INLINE explicit GaussianRuns(const Footprints& f)
+        : GaussianLanes(f), bend(preciseExp2Of(within(hn::Mul(set(-2), f.acrossRow)))) {}
+
+    struct Run {
+        V weight, ratio, bend;
+        HWY_INLINE Run(const GaussianRuns& g, V x, V row, V)
+            : weight(g.at(x, row)),
+              ratio(preciseExp2Of(within(hn::Neg(hn::Mul(g.acrossRow, hn::Add(hn::Add(x, x), set(1))))))),
+              bend(g.bend) {}
+        HWY_INLINE V next() {
+            const V now = weight;
+            weight = hn::Mul(weight, ratio);
+            ratio = hn::Mul(ratio, bend);
+            return now;
+        }
+    };
+
+  private:
+    // Lanes that are summed are within.
+    HWY_INLINE static V within(V x) { return hn::Min(hn::Max(x, set(-100)), set(100)); }
 };
 struct UniformLanes {
     HWY_INLINE explicit UniformLanes(const Footprints&) {}
     HWY_INLINE V row(V, V) const { return set(1); }
-    HWY_INLINE V at(V, V row, V) const { return row; }
+    struct Run {
+        HWY_INLINE Run(const UniformLanes&, V, V, V) {}
+        HWY_INLINE V next() const { return set(1); }
+    };
 };
 struct TexelDistanceLanes {
     HWY_INLINE explicit TexelDistanceLanes(const Footprints&) {}
     HWY_INLINE V row(V v, V) const { return hn::Mul(v, v); }
-    HWY_INLINE V at(V x, V row, V middle) const {
-        const V u = hn::Add(x, middle);
-        return hn::Div(set(1), hn::Add(set(1), hn::Sqrt(hn::Add(hn::Mul(u, u), row))));
-    }
+    struct Run {
+        V u, row;
+        HWY_INLINE Run(const TexelDistanceLanes&, V x, V vv, V middle) : u(hn::Add(x, middle)), row(vv) {}
+        HWY_INLINE V next() {
+            const V now = u;
+            u = hn::Add(u, set(1));
+            return hn::Div(set(1), hn::Add(set(1), hn::Sqrt(hn::Add(hn::Mul(now, now), row))));
+        }
+    };
 };
 
 // The pixel of lane 0, texel by texel.
@@ -198,11 +253,12 @@ HWY_INLINE void sumRow(const LaneJob& job, const Footprints& f, const Weight& we
         hn::Store(hn::Add(rowStart, from), di, at);
         const std::uint64_t* texels = job.levels->texels.data();
         const float stop = std::min(longest, done + kLanePad);
+        typename Weight::Run run(weight, hn::Add(x, set(done)), rowTerm, offset);
         for (float n = done; n < stop; n += 2) {
             const Pair pair = loadPair(texels, at);
             const V n0 = set(n), n1 = set(n + 1);
-            const V w0 = hn::IfThenElseZero(hn::Lt(n0, count), weight.at(hn::Add(x, n0), rowTerm, offset));
-            const V w1 = hn::IfThenElseZero(hn::Lt(n1, count), weight.at(hn::Add(x, n1), rowTerm, offset));
+            const V w0 = hn::IfThenElseZero(hn::Lt(n0, count), run.next());
+            const V w1 = hn::IfThenElseZero(hn::Lt(n1, count), run.next());
             sums.add(pair.redGreen0, pair.blue0, w0);
             sums.add(pair.redGreen1, pair.blue1, w1);
             if constexpr (kLog) {
@@ -286,7 +342,8 @@ void filterLanes(const LaneJob& job, FootprintCounts& counts) {
         case WeightKind::TexelDistance:
             return filterWith<TexelDistanceLanes>(job, counts);
         default:
-            return filterWith<GaussianLanes>(job, counts);
+            if (job.exponent * job.radiusSquare > kMostRunExponent) return filterWith<GaussianLanes>(job, counts);
+            return filterWith<GaussianRuns>(job, counts);
     }
 }
 
