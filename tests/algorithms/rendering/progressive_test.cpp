@@ -1,0 +1,147 @@
+// Pictures that come coarse first and then full, as a window's worker makes them, filtered with regard to the relief:
+// whatever came before and was broken off, the full picture has the bits of one that was asked for alone.
+#include <gtest/gtest.h>
+
+#include "../relief/fields.h"
+#include "measuring/random_rays.h"
+#include "relief/lanes/cone_twin.h"
+#include "rendering/frame.h"
+
+namespace relief::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 59;
+// Tiles are 64 x 32: several, the last ones cut.
+constexpr int kWidth = 150, kHeight = 70;
+
+// A coarse and a full picture, each with its own buffers, and maps in common.
+class Worker {
+  public:
+    // Broken off after this part of its tiles; 1: not at all.
+    std::shared_ptr<const Frame> coarse(FrameRequest request, int factor, double part) {
+        request.width = (request.width + factor - 1) / factor;
+        request.height = (request.height + factor - 1) / factor;
+        return make(coarse_, request, part);
+    }
+    std::shared_ptr<const Frame> full(const FrameRequest& request, double part = 1) {
+        return make(full_, request, part);
+    }
+    int brokenOff() const { return brokenOff_; }
+
+  private:
+    std::shared_ptr<const Frame> make(FrameRenderer& renderer, const FrameRequest& request, double part) {
+        std::stop_source stop;
+        Work work(2, stop.get_token(), [&](std::string_view, double done) {
+            if (part < 1 && done >= part) stop.request_stop();
+        });
+        try {
+            return renderer.render(request, work);
+        } catch (const Cancelled&) {
+            ++brokenOff_;
+            return nullptr;
+        }
+    }
+
+    std::shared_ptr<MapCache> maps_ = std::make_shared<MapCache>();
+    FrameRenderer full_{maps_}, coarse_{maps_};
+    int brokenOff_ = 0;
+};
+
+std::shared_ptr<const Frame> alone(const FrameRequest& request) {
+    Work work(1);
+    return FrameRenderer(std::make_shared<MapCache>()).render(request, work);
+}
+
+void expectSame(const Frame& frame, const Frame& expected, const std::string& what) {
+    EXPECT_TRUE(frame.color->color == expected.color->color) << what;
+    EXPECT_TRUE(frame.light->color == expected.light->color) << what;
+}
+
+FrameRequest requestFor(const FilterChoice& filter) {
+    FrameRequest request(HeightField(share(makeRelief("city", 96, 96, kSeed))));
+    request.width = kWidth, request.height = kHeight;
+    auto picture = std::make_shared<ColorImage>(128, 96);
+    Random random(kSeed);
+    for (Color& color : picture->pixels()) {
+        const auto channel = [&] { return static_cast<float>(random.between(0, 1)); };
+        color = {channel(), channel(), channel()};
+    }
+    request.color = picture;
+    request.filter = filter;
+    request.camera.elevation = 30;
+    request.shadows = true;
+    return request;
+}
+
+const std::vector<FilterChoice> kFilters{{"elliptical-visible", {}},
+                                         {"elliptical-visible", {{"points", "2"}}},
+                                         {"elliptical-visible", {{"form", "rays"}}},
+                                         {"elliptical", {}}};
+
+TEST(Progressive, aDraggedViewSettlesToThePictureItself) {
+    for (const FilterChoice& filter : kFilters) {
+        FrameRequest request = requestFor(filter);
+        Worker worker;
+        Random random(kSeed);
+        // Long enough for what is built only after some frames.
+        const double pixels = kWidth * kHeight;
+        const int drags =
+            2 +
+            static_cast<int>(static_cast<double>(ConeTwin::kRaysPerTexel * request.field.heights().size()) / pixels);
+        for (int n = 0; n < drags; ++n) {
+            request.camera.azimuth += random.between(-20, 20);
+            request.camera.elevation = random.between(15, 80);
+            request.scene = n % 3 == 2 ? SceneKind::Cube : SceneKind::Floor;
+            const std::string what = filterText(filter) + ", drag " + std::to_string(n);
+            // While it moves: coarse pictures, some replaced by the next before they are there.
+            FrameRequest moving = request;
+            for (const int factor : {3, 2}) {
+                moving.camera.azimuth += 5;
+                if (const auto frame = worker.coarse(moving, factor, n % 2 == 0 ? 0.3 : 1)) {
+                    FrameRequest small = moving;
+                    small.width = frame->width, small.height = frame->height;
+                    expectSame(*frame, *alone(small), what + ", coarse");
+                }
+            }
+            // The full one is begun, and replaced by one of another place, then made.
+            EXPECT_EQ(worker.full(moving, 0.4), nullptr) << what;
+            const auto settled = worker.full(request);
+            ASSERT_NE(settled, nullptr);
+            expectSame(*settled, *alone(request), what);
+        }
+        EXPECT_GT(worker.brokenOff(), drags);
+    }
+}
+
+// What is kept from the picture before must not show: light, filter, points, depth, and back, each broken off first.
+TEST(Progressive, whatIsKeptDoesNotShow) {
+    Worker worker;
+    FrameRequest request = requestFor(kFilters[0]);
+    const auto first = worker.full(request);
+    ASSERT_NE(first, nullptr);
+    const auto settle = [&](const FrameRequest& changed, const char* what) {
+        worker.full(changed, 0.3);
+        worker.coarse(changed, 2, 1);
+        const auto frame = worker.full(changed);
+        ASSERT_NE(frame, nullptr);
+        expectSame(*frame, *alone(changed), what);
+    };
+    FrameRequest changed = request;
+    changed.light.azimuth += 40;
+    settle(changed, "light");
+    for (const FilterChoice& filter : kFilters) {
+        changed.filter = filter;
+        settle(changed, filterText(filter).c_str());
+    }
+    changed.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Clamp, 0.2);
+    settle(changed, "depth");
+    changed.filter = kFilters[0];
+    settle(changed, "depth, filter");
+    changed.method = {"layers", {}};
+    settle(changed, "not exact");
+    settle(request, "back");
+    expectSame(*worker.full(request), *first, "the first");
+}
+
+}  // namespace
+}  // namespace relief::test
