@@ -32,8 +32,11 @@ void ChartsView::refresh() {
     const PauseLog::Part part("charts");
     // Out of sight nothing is computed or drawn.
     stale_ = !inSight();
-    if (stale_) return;
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
+    if (stale_) {
+        if (snapshot_ && !(snapshot && snapshot->frame == snapshot_->frame)) letGo();
+        return;
+    }
     if (snapshot && snapshot->coarse) {
         // What is dragged has the processors for itself; the full picture comes here again.
         job_->drop();
@@ -55,6 +58,22 @@ void ChartsView::refresh() {
     };
     job_->start({work, done});
     showBusy();
+}
+
+// What took seconds to measure stays as long as it is of the relief and the view that are open: it is small.
+void ChartsView::letGo() {
+    job_->drop();
+    measuring_ = false;
+    measuredNow_.reset();
+    snapshot_.reset();
+    counted_.reset();
+    histograms_.reset();
+    const std::shared_ptr<const Snapshot> now = workspace_->snapshot();
+    if (measured_ && !(now && now->request && measured_->of(*now))) measured_.reset();
+    picture_ = {};
+    canvas_->letGo();
+    setReadout({});
+    stale_ = true;
 }
 
 // Where it is wanted, and not there yet.

@@ -52,6 +52,7 @@ class ChartsView : public FigureView {
     void fillFigure(FigureRequest& request) const override;
     void tell(const QPointF& widget) override;
     bool eventFilter(QObject* object, QEvent* event) override;
+    void letGo() override;
 
   private:
     void makeBar();

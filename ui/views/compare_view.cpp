@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "measuring/pareto.h"
+#include "workspace/discard.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -32,12 +33,13 @@ void CompareView::refresh() {
     const PauseLog::Part part("compare");
     // Out of sight nothing is computed or drawn.
     stale_ = !inSight();
+    const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
     if (stale_) {
         flicker_.stop();
+        if (view_ && !(snapshot && view_->of(*snapshot))) letGo();
         return;
     }
     showControls();
-    const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
     const bool ready = snapshot && snapshot->request && snapshot->frame;
     if (!ready || snapshot->scenario.comparison.others.empty()) {
         job_->drop();
@@ -56,6 +58,18 @@ void CompareView::refresh() {
     // A coarse picture in the making is finished first: a drag is to be seen while it goes on.
     if (coarseRunning_ && snapshot->coarse) return;
     startView();
+}
+
+// The frames of all methods, and the buffers they are made with.
+void CompareView::letGo() {
+    job_->drop();
+    flicker_.stop();
+    coarseRunning_ = false;
+    pictures_->show(nullptr, relief::MessageId::DrawCompareDrawing);
+    discard(std::exchange(comparer_, std::make_shared<Comparer>()));
+    view_.reset();
+    snapshot_.reset();
+    stale_ = true;
 }
 
 void CompareView::startView() {

@@ -110,6 +110,7 @@ class CompareView : public FigureView {
     void fillFigure(FigureRequest& request) const override;
     void tell(const QPointF& widget) override;
     void addToMenu(QMenu& menu) override;
+    void letGo() override;
 
   private:
     QComboBox* addChooser(const char* name, const QString& help);

@@ -73,7 +73,10 @@ void DistanceView::refresh() {
     const PauseLog::Part part("distance");
     // Out of sight nothing is built or drawn.
     stale_ = !inSight();
-    if (stale_) return;
+    if (stale_) {
+        if (snapshot_ != workspace_->snapshot()) letGo();
+        return;
+    }
     canvas_->setStyle(workspace_->style());
     snapshot_ = workspace_->snapshot();
     if (!ready()) {
@@ -90,6 +93,22 @@ void DistanceView::refresh() {
         // While something is dragged the map would be another one a moment later.
         build(now);
     }
+}
+
+// The maps themselves stay in the cache, within its budget.
+void DistanceView::letGo() {
+    job_->drop();
+    snapshot_.reset();
+    discard(std::exchange(maps_, {}));
+    built_ = building_ = failed_ = {};
+    problem_.clear();
+    drawing_.reset();
+    legend_.reset();
+    result_.reset();
+    canvas_->letGo();
+    setReadout({});
+    showWaiting();
+    stale_ = true;
 }
 
 void DistanceView::refreshStep() {

@@ -49,6 +49,7 @@ class DistanceView : public FigureView {
     void fillFigure(FigureRequest& request) const override;
     void tell(const QPointF& widget) override;
     void resizeEvent(QResizeEvent* event) override;
+    void letGo() override;
 
   private:
     // What maps are made from.

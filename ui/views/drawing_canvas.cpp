@@ -113,6 +113,14 @@ void DrawingCanvas::showText(relief::MessageId why) {
     setLayers({std::move(drawing)}, nullptr);
 }
 
+void DrawingCanvas::letGo() {
+    layers_.clear();
+    legend_.reset();
+    scene_->item->layers.clear();
+    scene_->item->legend.reset();
+    redraw();
+}
+
 void DrawingCanvas::setStyle(const Style& style) {
     style_ = style;
     const Rgba ground = style.background();

@@ -24,6 +24,8 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
     void setStyle(const Style& style);
     // Nothing to show but what would fill the pane, and how.
     void showText(relief::MessageId why);
+    // Holds nothing any more; where it was zoomed to stays.
+    void letGo();
 
     // Room for the drawing at its home zoom, in points.
     QSizeF room() const;

@@ -147,7 +147,10 @@ void DuelView::refresh() {
     const PauseLog::Part part("duel");
     // Out of sight nothing is computed or drawn.
     stale_ = !inSight();
-    if (stale_) return;
+    if (stale_) {
+        if (duel_ && duel_->snapshot != workspace_->snapshot()) letGo();
+        return;
+    }
     canvas_->setStyle(workspace_->style());
     applyFont();
     const auto snapshot = workspace_->snapshot();
@@ -165,6 +168,20 @@ void DuelView::refresh() {
     auto made = std::make_shared<std::shared_ptr<const Duel>>();
     const auto work = [made, snapshot, rivals = rivals_](relief::Work& w) { *made = makeDuel(snapshot, rivals, w); };
     job_->start({work, [this, made] { adopt(*made); }});
+}
+
+void DuelView::letGo() {
+    job_->drop();
+    duel_.reset();
+    source_ = {};
+    model_->show(nullptr, workspace_->style());
+    verdict_->clear();
+    relief_.reset();
+    axes_.reset();
+    legend_.reset();
+    canvas_->letGo();
+    setReadout({});
+    stale_ = true;
 }
 
 void DuelView::adopt(std::shared_ptr<const Duel> duel) {

@@ -55,6 +55,7 @@ class DuelView : public FigureView {
     std::shared_ptr<const Snapshot> figureSnapshot() const override;
     void fillFigure(FigureRequest& request) const override;
     void tell(const QPointF& widget) override;
+    void letGo() override;
     void addToMenu(QMenu& menu) override;
 
   private:

@@ -1,5 +1,6 @@
 #include "views/figure_view.h"
 
+#include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
@@ -7,6 +8,7 @@
 #include <QThreadPool>
 
 #include "views/figure_export.h"
+#include "views/gl_release.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -34,6 +36,12 @@ void FigureView::setFace(QWidget* face) {
 void FigureView::setReadout(const QString& text) {
     readout_ = text;
     Q_EMIT hovered(text);
+}
+
+void FigureView::giveBack() {
+    if (isVisible()) return;
+    letGo();
+    for (QVTKOpenGLNativeWidget* const widget : findChildren<QVTKOpenGLNativeWidget*>()) releaseGl(*widget);
 }
 
 FigureRequest FigureView::figure() const {

@@ -24,6 +24,8 @@ class FigureView : public QWidget {
     QImage image(int width) const;
     // Figures that are being drawn.
     bool saving() const { return saving_ > 0; }
+    // Closed: lets go of all that it holds to be seen; made again when it is.
+    void giveBack();
 
   public slots:
     // SVG, PDF or PNG, by the ending; drawn aside, and said when it is done, or why not. pixels: the width of a PNG; 0:
@@ -54,6 +56,8 @@ class FigureView : public QWidget {
     virtual void fillFigure(FigureRequest& request) const = 0;
     // Reads out what lies under this point of the face.
     virtual void tell(const QPointF&) {}
+    // Lets go of what it shows: out of sight, and not what is wanted any more. Shown again, it asks for it again.
+    virtual void letGo() {}
     // More entries, above the common ones.
     virtual void addToMenu(QMenu&) {}
     // Whether it is drawn of lines and words: as SVG and PDF, too.

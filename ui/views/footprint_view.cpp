@@ -104,7 +104,10 @@ void FootprintView::resetZoom() {
 void FootprintView::refresh() {
     const PauseLog::Part part("footprint");
     stale_ = !inSight();
-    if (stale_) return;
+    if (stale_) {
+        if (shown_ != workspace_->snapshot()) letGo();
+        return;
+    }
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
     const std::shared_ptr<const PixelFootprint> before = footprint_;
@@ -138,6 +141,18 @@ void FootprintView::refresh() {
         !before || before->level() != footprint_->level() || before->centre() != footprint_->centre();
     if (elsewhere && !canvas_->atHome()) canvas_->resetZoom();
     redraw();
+}
+
+void FootprintView::letGo() {
+    shown_.reset();
+    footprint_.reset();
+    texture_.reset();
+    marks_.reset();
+    legend_.reset();
+    chosen_.reset();
+    canvas_->letGo();
+    setReadout({});
+    stale_ = true;
 }
 
 void FootprintView::redraw() {

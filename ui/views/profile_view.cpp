@@ -133,7 +133,10 @@ void ProfileView::refresh() {
     const PauseLog::Part part("profile");
     // Out of sight nothing is drawn.
     stale_ = !inSight();
-    if (stale_) return;
+    if (stale_) {
+        if (shown_ != workspace_->snapshot()) letGo();
+        return;
+    }
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
     // A guess is about one ray.
@@ -158,6 +161,16 @@ void ProfileView::refresh() {
     bounds->bounds = frame_.whole;
     canvas_->setLayers({std::move(bounds)}, legend_);
     redraw();
+}
+
+void ProfileView::letGo() {
+    shown_.reset();
+    relief_.reset();
+    axes_.reset();
+    legend_.reset();
+    canvas_->letGo();
+    setReadout({});
+    stale_ = true;
 }
 
 void ProfileView::redraw() {

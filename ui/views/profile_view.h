@@ -35,6 +35,7 @@ class ProfileView : public FigureView {
     std::shared_ptr<const Snapshot> figureSnapshot() const override { return ready() ? shown_ : nullptr; }
     void fillFigure(FigureRequest& request) const override;
     void tell(const QPointF& widget) override;
+    void letGo() override;
 
   private:
     void makeBar();

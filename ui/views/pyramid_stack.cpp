@@ -125,6 +125,11 @@ void PyramidStack::show(const PyramidParts& parts, const Style& style) {
     renderSoon_.start();
 }
 
+void PyramidStack::letGo() {
+    renderer_->RemoveAllViewProps();
+    marks_->props.clear();
+}
+
 void PyramidStack::addSlab(const Slab& slab, const PyramidPart& part) {
     for (const Item& item : part.picture.levels.items) {
         const auto* const cells = std::get_if<Cells>(&item.primitive);

@@ -31,6 +31,7 @@ class PyramidStack : public QWidget {
     void show(const PyramidParts& parts, const Style& style);
     // The marks up to this step; `parts` are those shown.
     void showStep(const PyramidParts& parts, int step);
+    void letGo();
     void fit();
 
     // Where a place of a level is seen; of the part-th pyramid. Pixels of this widget.

@@ -3,6 +3,7 @@
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QStackedLayout>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -158,6 +159,12 @@ void PyramidView::tell(const QPointF& widget) {
 
 void PyramidView::refresh() {
     const PauseLog::Part part("pyramid");
+    // Out of sight nothing is drawn.
+    stale_ = !inSight();
+    if (stale_) {
+        if (shown_ != workspace_->snapshot()) letGo();
+        return;
+    }
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
     const PyramidOptions options = pyramidOptions(pane_);
@@ -189,8 +196,28 @@ void PyramidView::refresh() {
     refreshStep();
 }
 
+void PyramidView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &PyramidView::refresh);
+}
+
+void PyramidView::letGo() {
+    shown_.reset();
+    parts_ = {};
+    levels_.reset();
+    legend_.reset();
+    canvas_->letGo();
+    stack_->letGo();
+    setReadout({});
+    stale_ = true;
+}
+
 void PyramidView::refreshStep() {
     const PauseLog::Part part("pyramid: marks");
+    if (!inSight()) {
+        stale_ = true;
+        return;
+    }
     if (!shown_ || !levels_) return;
     if (pane_.stacked) return stack_->showStep(parts_, workspace_->scenario().step);
     // A step of a newer ray than the one shown: its snapshot is on the way.

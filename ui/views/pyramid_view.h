@@ -46,6 +46,8 @@ class PyramidView : public FigureView {
     std::shared_ptr<const Snapshot> figureSnapshot() const override { return levels_ ? shown_ : nullptr; }
     void fillFigure(FigureRequest& request) const override;
     void tell(const QPointF& widget) override;
+    void paintEvent(QPaintEvent* event) override;
+    void letGo() override;
 
   private:
     void refresh();      // another map, ray or room
@@ -77,6 +79,7 @@ class PyramidView : public FigureView {
     bool wasCramped_ = false;  // when it was last drawn
     std::shared_ptr<const Drawing> levels_;
     std::shared_ptr<const Drawing> legend_;
+    bool stale_ = true;  // changed while it was hidden
 };
 
 }  // namespace reliefui

@@ -65,7 +65,10 @@ void RowsView::refresh() {
     const PauseLog::Part part("rows");
     // Out of sight nothing is computed or drawn.
     stale_ = !inSight();
-    if (stale_) return;
+    if (stale_) {
+        if (snapshot_ && snapshot_ != workspace_->snapshot()) letGo();
+        return;
+    }
     canvas_->setStyle(workspace_->style());
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
     // While something is dragged the row would be another one a moment later.
@@ -87,6 +90,18 @@ void RowsView::refresh() {
         draw();
     };
     job_->start({work, done});
+}
+
+void RowsView::letGo() {
+    job_->drop();
+    data_.reset();
+    snapshot_.reset();
+    axes_.reset();
+    plots_.reset();
+    legend_.reset();
+    canvas_->letGo();
+    setReadout({});
+    stale_ = true;
 }
 
 void RowsView::draw() {

@@ -46,6 +46,7 @@ class RowsView : public FigureView {
     std::shared_ptr<const Snapshot> figureSnapshot() const override { return data_ ? snapshot_ : nullptr; }
     void fillFigure(FigureRequest& request) const override;
     void tell(const QPointF& widget) override;
+    void letGo() override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
   private:

@@ -12,6 +12,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -124,8 +125,15 @@ void Trace3dView::refresh() {
     const PauseLog::Part part("trace 3-D: scene");
     const auto snapshot = workspace_->snapshot();
     const auto& shown = picture_.shown();
+    // Out of sight nothing is drawn.
+    const bool wasStale = std::exchange(stale_, !inSight());
+    if (stale_) {
+        if (shown && shown != snapshot) letGo();
+        return;
+    }
     const bool same = shown && snapshot && shown->version == snapshot->version && shown->coarse == snapshot->coarse &&
                       shown->trace.hidden == snapshot->trace.hidden;
+    if (same && wasStale) showStep(workspace_->scenario().step);
     if (same) return;
     note_->clear();
     picture_.show(snapshot, deviceStyle(), pane_.heights);
@@ -135,8 +143,23 @@ void Trace3dView::refresh() {
     showStep(workspace_->scenario().step);
 }
 
+void Trace3dView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &Trace3dView::refresh);
+}
+
+void Trace3dView::letGo() {
+    picture_.show(nullptr, deviceStyle(), pane_.heights);
+    note_->clear();
+    stale_ = true;
+}
+
 void Trace3dView::showStep(int step) {
     const PauseLog::Part part("trace 3-D: step");
+    if (!inSight()) {
+        stale_ = true;
+        return;
+    }
     picture_.showStep(step);
     if (const TraceScene* const scene = picture_.scene()) {
         const auto number = [](double v) { return QString::fromStdString(relief::numberText(v, 3)); };

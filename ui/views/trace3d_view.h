@@ -41,6 +41,8 @@ class Trace3dView : public FigureView {
     std::shared_ptr<const Snapshot> figureSnapshot() const override;
     void fillFigure(FigureRequest& request) const override;
     bool vectors() const override { return false; }
+    void paintEvent(QPaintEvent* event) override;
+    void letGo() override;
 
   private:
     void makeBar(QHBoxLayout* bar);
@@ -67,6 +69,7 @@ class Trace3dView : public FigureView {
     bool dragged_ = false;
     bool placed_ = false;  // the camera has been put somewhere
     relief::TracePane pane_;
+    bool stale_ = true;  // changed while it was hidden
 };
 
 }  // namespace reliefui

@@ -45,6 +45,7 @@ namespace reliefui {
 namespace {
 
 constexpr int kMessageMs = 4000;
+constexpr int kEmptyMs = 2000;  // a pane that was closed by mistake is back at once
 
 QComboBox* makeLayerChooser(Workspace* workspace, QWidget* parent) {
     auto* const box = new QComboBox(parent);
@@ -69,6 +70,10 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     resize(1600, 1000);
 
+    closed_ = new QTimer(this);
+    closed_->setSingleShot(true);
+    closed_->setInterval(kEmptyMs);
+    connect(closed_, &QTimer::timeout, this, &MainWindow::emptyClosed);
     status_ = new StatusLine(workspace_, this);
     setStatusBar(status_);
     makeResult();
@@ -124,6 +129,9 @@ QDockWidget* MainWindow::addPane(const PaneName& name, const QString& objectName
     dock->setTitleBarWidget(title);
     dock->setWidget(whole);
     addDockWidget(area, dock);
+    connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+        if (!visible) closed_->start();
+    });
     panes_.push_back({name.title, dock, focus, dock});
     return dock;
 }

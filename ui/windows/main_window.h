@@ -9,6 +9,7 @@
 
 class QDockWidget;
 class QMenu;
+class QTimer;
 
 namespace reliefui {
 
@@ -110,6 +111,7 @@ class MainWindow : public QMainWindow {
     void shareRoom();
     void gatherPanes();
     void closePane(QWidget* whole);
+    void emptyClosed();
     void fill(QWidget* pane);
     void showTimeOnly(bool only);
     void focusPane(std::size_t number);
@@ -170,6 +172,7 @@ class MainWindow : public QMainWindow {
     QWidget* filled_ = nullptr;  // the pane that fills the window
     QByteArray beforeFill_;
     QByteArray beforeProjector_;
+    QTimer* closed_ = nullptr;  // runs when a pane has been closed, to empty it
     QMenu* recent_ = nullptr;
     QAction* open_ = nullptr;
     QAction* undo_ = nullptr;

@@ -5,6 +5,7 @@
 #include <QTimer>
 
 #include "views/drawn_view.h"
+#include "views/figure_view.h"
 #include "views/step_table.h"
 #include "windows/breakpoint_bar.h"
 #include "windows/main_window.h"
@@ -76,6 +77,15 @@ void MainWindow::closePane(QWidget* whole) {
     whole->hide();
 }
 
+// What a closed pane held goes; behind a tab, or behind the one that fills the window, it is soon back.
+void MainWindow::emptyClosed() {
+    if (filled_ != nullptr) return;
+    for (const Pane& pane : panes_) {
+        if (pane.dock == nullptr || !pane.dock->isHidden()) continue;
+        if (auto* const view = qobject_cast<FigureView*>(pane.dock->widget())) view->giveBack();
+    }
+}
+
 void MainWindow::shareRoom() {
     QDockWidget* const trace = panes_[1].dock;
     QDockWidget* const pyramid = panes_[2].dock;
@@ -101,6 +111,7 @@ void MainWindow::fill(QWidget* pane) {
         return;
     }
     filled_ = nullptr;
+    closed_->start();
     showTimeOnly(false);
     panes_.front().whole->show();
     restoreState(beforeFill_);

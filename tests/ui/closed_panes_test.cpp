@@ -1,0 +1,92 @@
+// A closed pane gives back what it held, buffers of OpenGL as well, and is the same again when it is opened.
+#include <QVTKOpenGLNativeWidget.h>
+#include <QDockWidget>
+#include <QToolButton>
+
+#include "views/charts_view.h"
+#include "views/compare_view.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+namespace {
+
+constexpr int kDrawnMs = 700;  // until a pane that comes into sight has drawn itself
+constexpr int kPatienceMs = 20000;
+
+class ClosedPanes : public WindowTest {
+  protected:
+    QDockWidget* dock(const QString& name) const { return window_->findChild<QDockWidget*>(name); }
+    FigureView* viewOf(const QString& name) const { return qobject_cast<FigureView*>(dock(name)->widget()); }
+    void bringUp(const QString& name) const {
+        dock(name)->show();
+        dock(name)->raise();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !viewOf(name)->image(100).isNull(); }, kPatienceMs));
+        QTest::qWait(kDrawnMs);
+    }
+    static int contexts(const FigureView* view) {
+        int count = 0;
+        for (const auto* const widget : view->findChildren<QVTKOpenGLNativeWidget*>())
+            count += widget->isValid() ? 1 : 0;
+        return count;
+    }
+    // Closed by its button, and emptied.
+    void close(const QString& name) const {
+        dock(name)->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-close"))->click();
+        ASSERT_TRUE(dock(name)->isHidden());
+        EXPECT_TRUE(QTest::qWaitFor([&] { return viewOf(name)->image(100).isNull(); }, kPatienceMs)) << "held on to";
+    }
+};
+
+TEST_F(ClosedPanes, AreEmptyAndTheSameAgain) {
+    openWindow(smallScenario());
+    for (const char* const name :
+         {"profile-pane", "distance-pane", "footprint-pane", "rows-pane", "trace-pane", "pyramid-pane"}) {
+        SCOPED_TRACE(name);
+        const QString pane = QString::fromLatin1(name);
+        FigureView* const view = viewOf(pane);
+        ASSERT_NO_FATAL_FAILURE(bringUp(pane));
+        const QImage before = grab(view);
+        EXPECT_GT(colorsIn(before), 10);
+        EXPECT_GE(contexts(view), 1);
+        ASSERT_NO_FATAL_FAILURE(close(pane));
+        EXPECT_EQ(contexts(view), 0);
+        ASSERT_NO_FATAL_FAILURE(bringUp(pane));
+        EXPECT_EQ(view->size(), before.size());
+        EXPECT_EQ(grab(view), before);
+    }
+}
+
+TEST_F(ClosedPanes, WhatIsComputedAnewIsThereAgain) {
+    relief::Scenario scenario = smallScenario();
+    scenario.comparison.others = {{"layers", {}}};
+    openWindow(scenario);
+    ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("compare-pane")));
+    ASSERT_NO_FATAL_FAILURE(close(QStringLiteral("compare-pane")));
+    EXPECT_EQ(window_->compare()->view(), nullptr);
+    EXPECT_EQ(window_->compare()->pictures()->view(), nullptr);
+    ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("compare-pane")));
+    EXPECT_EQ(window_->compare()->view()->methods.size(), 2U);
+    ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("charts-pane")));
+    ASSERT_NO_FATAL_FAILURE(close(QStringLiteral("charts-pane")));
+    EXPECT_EQ(window_->charts()->histograms(), nullptr);
+    ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("charts-pane")));
+    EXPECT_NE(window_->charts()->histograms(), nullptr);
+}
+
+// Behind the pane that fills the window they are soon back: they keep what they have.
+TEST_F(ClosedPanes, BehindAFilledOneTheyStayAsTheyAre) {
+    openWindow(smallScenario());
+    ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("profile-pane")));
+    auto* const fill =
+        dock(QStringLiteral("trace-pane"))->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"));
+    fill->click();
+    ASSERT_TRUE(dock(QStringLiteral("profile-pane"))->isHidden());
+    QTest::qWait(3000);
+    EXPECT_FALSE(viewOf(QStringLiteral("profile-pane"))->image(100).isNull());
+    fill->click();
+    QTest::qWait(kDrawnMs);
+    EXPECT_GT(colorsIn(grab(viewOf(QStringLiteral("profile-pane")))), 10);
+}
+
+}  // namespace
+}  // namespace reliefui
