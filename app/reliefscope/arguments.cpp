@@ -73,6 +73,8 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.widthMm = parseNumber(value(), argument);
         } else if (argument == "--dpi") {
             parsed.dpi = parseNumber(value(), argument);
+        } else if (argument == "--layer") {
+            parsed.layer = value();
         } else if (argument == "--map") {
             parsed.map = value();
         } else if (argument == "--minus") {
@@ -108,6 +110,7 @@ Arguments parseArguments(int count, char** arguments) {
     };
     needs(!parsed.figure.empty() && parsed.output.empty(), "--export", "-o FILE");
     needs(!parsed.output.empty() && parsed.figure.empty(), "-o", "--export VIEW");
+    needs(!parsed.layer.empty() && parsed.figure != "result", "--layer", "--export result");
     const bool distance = parsed.figure == "distance";
     needs(!parsed.map.empty() && !distance, "--map", "--export distance");
     needs(!parsed.minus.empty() && !distance, "--minus", "--export distance");
@@ -137,7 +140,8 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --screenshot FILE     open the window, save it as a PNG, and end
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
                         VIEW: charts, compare, distance, drawn, duel, footprint, pareto, profile, pyramid,
-                        result, rows, skipped, steps, trace (PNG alone)
+                        result, rows, skipped, slabs, steps, trace (the last and slabs: PNG alone)
+  --layer NAME          of result, with its legend: color, steps, error, outcome, depth, normal, uv, footprint, hidden
   --map KIND            of distance: euclidean, euclidean-conservative, refined-sampled, refined, cone, cone-dummer,
                         relaxed-cone (the method's)
   --minus KIND          the difference: this map is taken away

@@ -20,7 +20,8 @@ struct Arguments {
     double dpi = 300;
     bool dark = false;
     // Of the view "distance".
-    std::string map;  // the kind; empty: the method's
+    std::string layer;  // of result
+    std::string map;    // the kind; empty: the method's
     std::string minus;
     std::string axis;  // "x", "y", "z"; empty: as the ray runs
     int slice = -1;    // -1: the one at the step

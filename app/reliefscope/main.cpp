@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -117,6 +118,18 @@ std::shared_ptr<const reliefui::ComparedView> measuredComparison(const reliefui:
     return reliefui::withRates(*comparer.view(snapshot, work), snapshot, work);
 }
 
+reliefui::Layer chosenLayer(const std::string& name) {
+    if (name.empty()) return reliefui::Layer::Color;
+    // As relief render names them, in the order of reliefui::Layer.
+    static const std::vector<std::string> kNames{"color",  "steps", "error",     "outcome", "depth",
+                                                 "normal", "uv",    "footprint", "hidden"};
+    const auto at = std::find(kNames.begin(), kNames.end(), name);
+    if (at != kNames.end()) return static_cast<reliefui::Layer>(at - kNames.begin());
+    std::string known;
+    for (const std::string& one : kNames) known += (known.empty() ? "" : ", ") + one;
+    throw InputError("--layer", Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", known}}));
+}
+
 // What is asked for here stands before what the scenario says.
 void takeArguments(reliefui::FigureRequest& request, const Arguments& arguments) {
     if (!arguments.map.empty()) request.distance.kind = arguments.map;
@@ -165,6 +178,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     reliefui::SnapshotMaker maker(std::move(start.pictures));
     reliefui::SnapshotOrder order;
     order.scenario = start.scenario;
+    order.layer = chosenLayer(arguments.layer);
     Work work;
     const std::shared_ptr<const reliefui::Snapshot> snapshot = maker.make(order, work);
     if (request.view == "charts") request.charts = measuredCharts(*snapshot, arguments);
@@ -193,11 +207,18 @@ int run(int count, char** values, const Arguments& arguments) {
     // Reads and draws while the window is being made.
     workspace.start(start.scenario, std::move(start.pictures));
     reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
-    if (arguments.width > 0) window.resize(arguments.width, arguments.height);
+    const double fine = window.devicePixelRatioF();
+    if (arguments.width > 0) window.resize(qRound(arguments.width / fine), qRound(arguments.height / fine));
     if (!arguments.screenshot.empty()) {
         reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
     }
     window.show();
+    // A lesson's pane comes to the front, when its pictures are there.
+    auto first = std::make_shared<QMetaObject::Connection>();
+    *first = QObject::connect(&workspace, &reliefui::Workspace::snapshotChanged, &window, [first, &window] {
+        QObject::disconnect(*first);
+        window.showLesson();
+    });
     const int status = QApplication::exec();
     constexpr std::size_t kPauses = 20;
     if (arguments.log) std::fprintf(stderr, "%s\n", reliefui::PauseLog::instance().text(kPauses).toUtf8().constData());

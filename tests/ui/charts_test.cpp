@@ -70,6 +70,31 @@ std::set<std::string> frontOf(const ParetoSource& source) {
     return names;
 }
 
+// A title that would be small in one line stands in two, above the bars.
+TEST(ChartsDrawing, LongTitlesStandInTwoLines) {
+    relief::FrameHistograms data;
+    data.steps = {1, 2, 3};
+    data.stepWidth = 1;
+    data.rays = 6;
+    const auto titles = [](const HistogramPicture& picture) {
+        std::vector<Label> found;
+        for (const Item& item : picture.drawing.items) {
+            const auto* const label = std::get_if<Label>(&item.primitive);
+            if (label != nullptr && label->text.id == relief::MessageId::DrawChartSteps) found.push_back(*label);
+        }
+        return found;
+    };
+    const HistogramPicture wide = stepsHistogram(data, 0, {0, 0, 600, 200});
+    ASSERT_EQ(titles(wide).size(), 1U);
+    const HistogramPicture narrow = stepsHistogram(data, 0, {0, 0, 200, 200});
+    const std::vector<Label> two = titles(narrow);
+    ASSERT_EQ(two.size(), 2U);
+    EXPECT_EQ(labelText(two[0], relief::Language::English), "steps a ray");
+    EXPECT_EQ(labelText(two[1], relief::Language::English).find("mean"), 0U);
+    for (const Label& label : two) EXPECT_GT(label.size, 0.55);
+    EXPECT_GT(narrow.plot.y0, wide.plot.y0 + 5) << "room for the second line";
+}
+
 TEST(Charts, TheFrontIsWhatNobodyBeats) {
     const ParetoSource source = sourceOf(madeUp());
     EXPECT_EQ(frontOf(source), (std::set<std::string>{"offset", "layers-secant", "cone", "exact"}));

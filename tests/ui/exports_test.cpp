@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 
 #include "views/figure.h"
+#include "views/pyramid_view.h"
 #include "views/step_table.h"
 #include "views/trace3d_view.h"
 #include "window_fixture.h"
@@ -79,7 +80,7 @@ TEST_P(EveryExport, needsNoDisplay) {
                                                     QStringLiteral("--dpi"), QStringLiteral("80")}));
     EXPECT_EQ(image.width(), 400);
     EXPECT_GT(colorsIn(image), 8);
-    if (name == "trace") return;
+    if (name == "trace" || name == "slabs") return;
     const QByteArray svg = contents(run(QStringLiteral(".svg"), {}));
     if (name == "result") {
         EXPECT_TRUE(svg.contains("<image"));
@@ -99,6 +100,40 @@ std::vector<std::string> exportedViews() {
 }
 INSTANTIATE_TEST_SUITE_P(Exports, EveryExport, ::testing::ValuesIn(exportedViews()),
                          [](const auto& made) { return made.param; });
+
+// The legend stands below the picture, which stays as it is; in vectors its words are words.
+TEST(Exports, aLayerOfTheResultHasItsLegend) {
+    const QTemporaryDir folder;
+    const QString scenario = writeScenario(folder, false);
+    const auto image = [&](const QString& layer, const QString& ending, const QStringList& more = {}) {
+        const QString path = folder.filePath(layer + more.join(QString()) + ending);
+        QString complaint;
+        EXPECT_EQ(exportFigure(
+                      QStringList{scenario, QStringLiteral("--export"), QStringLiteral("result"), QStringLiteral("-o"),
+                                  path, QStringLiteral("--layer"), layer, QStringLiteral("--width"),
+                                  QStringLiteral("127"), QStringLiteral("--dpi"), QStringLiteral("192")} +
+                          more,
+                      &complaint),
+                  0)
+            << complaint.toStdString();
+        return path;
+    };
+    const QImage plain(image(QStringLiteral("color"), QStringLiteral(".png")));
+    EXPECT_EQ(plain.height(), plain.width() * 3 / 4) << "no legend";
+    for (const char* const layer : {"steps", "error", "outcome", "depth", "normal"}) {
+        const QImage picture(image(QString::fromLatin1(layer), QStringLiteral(".png")));
+        const int below = picture.height() - plain.height();
+        EXPECT_GT(below, 15) << layer;
+        EXPECT_LT(below, plain.height() / 2) << layer;
+        // It does not reach into the picture: its colours are those of the theme, the picture's are not.
+        const QImage dark(image(QString::fromLatin1(layer), QStringLiteral(".png"), {QStringLiteral("--dark")}));
+        const QRect edge(0, plain.height() - 40, 60, 38);
+        EXPECT_EQ(picture.copy(edge), dark.copy(edge)) << layer;
+        EXPECT_NE(picture.copy(edge.translated(0, 40)), dark.copy(edge.translated(0, 40))) << layer;
+        EXPECT_GT(colorsIn(picture.copy(0, plain.height() + 1, picture.width(), below - 1)), 8) << layer;
+    }
+    EXPECT_TRUE(hasCyrillic(contents(image(QStringLiteral("outcome"), QStringLiteral(".svg")))));
+}
 
 TEST(Exports, theTraceIsPixelsAlone) {
     const QTemporaryDir folder;
@@ -142,6 +177,13 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     EXPECT_EQ(solid.pixelColor(2, 2), QColor(style.background().r, style.background().g, style.background().b));
     // Shaded by the light, yet the ray's hue is there in a line of it.
     EXPECT_GT(like(solid, {170, 74, 0, 255}), 100) << "the ray";
+    // The slabs of the pyramid, from where they are seen.
+    window_->pyramid()->setStacked(true);
+    grab(window_->pyramid());
+    const QString slabs = folder.filePath(QStringLiteral("slabs.png"));
+    window_->pyramid()->saveFigure(slabs, 900);
+    EXPECT_EQ(QImage(slabs).width(), 900);
+    EXPECT_GT(colorsIn(QImage(slabs)), 30);
     // The pane itself goes on drawing.
     EXPECT_GT(colorsIn(grab(window_->trace())), 30);
     for (const QString& view : {QStringLiteral("result"), QStringLiteral("steps"), QStringLiteral("skipped")}) {

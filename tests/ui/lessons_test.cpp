@@ -1,4 +1,6 @@
 // Lessons show what they say they show.
+#include <algorithm>
+
 #include <QAction>
 #include <QDockWidget>
 
@@ -67,6 +69,23 @@ TEST_F(WindowTest, EveryLessonShowsWhatItSays) {
     const relief::Scenario before = lessonScenario(all[all.size() - 2].name);
     workspace_->undo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == before; }, 10000));
+}
+
+// As a file, from the command line or the menu: the same.
+TEST_F(WindowTest, ALessonOpenedAsAFileShowsItsPane) {
+    openWindow(smallScenario());
+    for (const char* const name : {"hidden_texels", "missed_spike"}) {
+        SCOPED_TRACE(name);
+        const auto all = lessons();
+        const auto lesson =
+            std::find_if(all.begin(), all.end(), [&](const auto& l) { return l.name == QLatin1String(name); });
+        ASSERT_NE(lesson, all.end());
+        workspace_->open(QStringLiteral(RELIEF_SOURCE "/ui/lessons/%1.json").arg(QLatin1String(name)));
+        auto* const pane = window_->findChild<QDockWidget*>(lesson->pane);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !pane->visibleRegion().isEmpty(); }, 10000)) << "its pane is in front";
+        EXPECT_EQ(window_->messages()->text(), lesson->about);
+        ASSERT_NO_FATAL_FAILURE(waitForFull());
+    }
 }
 
 }  // namespace

@@ -85,6 +85,37 @@ TEST_F(WindowTest, StepsAreChosenInTheTableAndByKeys) {
     EXPECT_EQ(scenario().step, last) << "steps in a row are one change";
 }
 
+// What has no room is left out; what is shown is whole, titles and numbers.
+TEST_F(WindowTest, NoColumnOfTheStepsIsCut) {
+    openWindow(smallScenario());
+    const QTableView* const table = window_->steps()->table();
+    const auto check = [&] {
+        QTest::qWait(300);
+        const QFontMetrics metrics(table->font());
+        int all = 0;
+        int shown = 0;
+        for (int c = 0; c < StepModel::Columns; ++c) {
+            if (table->isColumnHidden(c)) continue;
+            all += c + 1 < StepModel::Columns ? table->columnWidth(c) : 0;  // the last takes what is left
+            ++shown;
+            const QString title = table->model()->headerData(c, Qt::Horizontal).toString();
+            EXPECT_GE(table->columnWidth(c), metrics.horizontalAdvance(title)) << title.toStdString();
+            for (int row = 0; row < table->model()->rowCount(); ++row) {
+                const QString text = cell(table, row, c);
+                const int symbol = c == StepModel::Decision ? 20 : 0;
+                EXPECT_GE(table->columnWidth(c), metrics.horizontalAdvance(text) + symbol) << text.toStdString();
+            }
+        }
+        EXPECT_LE(all, table->viewport()->width());
+        return shown;
+    };
+    EXPECT_EQ(check(), StepModel::Columns);
+    window_->setProjector(true);
+    EXPECT_GE(check(), 4);
+    window_->setProjector(false);
+    EXPECT_EQ(check(), StepModel::Columns);
+}
+
 TEST_F(WindowTest, DigitsGoToPanes) {
     openWindow(smallScenario());
     const std::vector<QWidget*> panes{window_->result(), window_->trace(), window_->pyramid(), window_->steps()};

@@ -11,6 +11,7 @@
 
 #include "relief/tracers.h"
 #include "window_fixture.h"
+#include "windows/display_check.h"
 
 namespace reliefui {
 
@@ -168,9 +169,9 @@ TEST_F(WindowTest, AFineScreenShowsTheSameTwiceAsLarge) {
     std::array<QImage, 2> pictures;
     for (const int scale : {1, 2}) {
         const QString file = folder.filePath(QStringLiteral("window%1.png").arg(scale));
-        const Ran ran =
-            start({QStringLiteral("--screenshot"), file, QStringLiteral("--size"), QStringLiteral("1400x900")}, true,
-                  QStringLiteral("C.UTF-8"), QString::number(scale));
+        const Ran ran = start({QStringLiteral("--screenshot"), file, QStringLiteral("--size"),
+                               QStringLiteral("%1x%2").arg(1400 * scale).arg(900 * scale)},
+                              true, QStringLiteral("C.UTF-8"), QString::number(scale));
         ASSERT_EQ(ran.status, 0) << ran.err.toStdString();
         pictures[static_cast<std::size_t>(scale - 1)] = QImage(file);
     }
@@ -189,6 +190,32 @@ TEST_F(WindowTest, AFineScreenShowsTheSameTwiceAsLarge) {
     // Smoother lines and letters differ by less; text of twice the size by much more.
     constexpr double kSmoothing = 17;
     EXPECT_LT(sum / (pane.width() * pane.height()), kSmoothing);
+}
+
+// A screen of so many pixels that says nothing of how fine it is.
+bool wantedTwiceOn(const QString& screen) {
+    QProcess server;
+    server.start(QStringLiteral("Xvfb"), {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
+                                          QStringLiteral("0"), screen});
+    QByteArray number;
+    while (!number.endsWith('\n') && server.waitForReadyRead(20000)) number += server.readAllStandardOutput();
+    EXPECT_TRUE(number.endsWith('\n')) << "no display of " << screen.toStdString();
+    const QByteArray before = qgetenv("DISPLAY");
+    qputenv("DISPLAY", ":" + number.trimmed());
+    const bool wanted = wantsTwiceTheSize();
+    qputenv("QT_SCALE_FACTOR", "1");
+    EXPECT_FALSE(wantsTwiceTheSize()) << "the user has said how large";
+    qunsetenv("QT_SCALE_FACTOR");
+    qputenv("DISPLAY", before);
+    server.terminate();
+    server.waitForFinished(5000);
+    return wanted;
+}
+
+TEST_F(WindowTest, AFineScreenThatSaysNothingIsDrawnTwiceAsLarge) {
+    if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) GTEST_SKIP() << "somebody has chosen a size";
+    EXPECT_TRUE(wantedTwiceOn(QStringLiteral("3840x2160x24")));
+    EXPECT_FALSE(wantedTwiceOn(QStringLiteral("1920x1080x24")));
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ HistogramPicture emptyHistogram(const Box& room, std::int64_t most, Message titl
                     std::max(room.y1 - kBottom, room.y0 + kTop + kLeastSide)};
     picture.countHigh = std::max(std::ceil(std::log10(static_cast<double>(std::max<std::int64_t>(most, 1)))), 1.0);
     picture.drawing.bounds = room;
-    chart::title(picture.drawing, std::move(title), room);
+    const int lines = chart::title(picture.drawing, std::move(title), room);
+    picture.plot.y0 = std::min(picture.plot.y0 + (lines - 1) * chart::kTitleLine, picture.plot.y1 - kLeastSide);
     constexpr double kApart = 15;
     const int decades = static_cast<int>(picture.countHigh);
     const int every = std::max(1, static_cast<int>(std::ceil(decades * kApart / picture.plot.height())));

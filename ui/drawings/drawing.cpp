@@ -5,6 +5,19 @@
 
 namespace reliefui {
 
+std::string labelText(const Label& label, relief::Language language) {
+    const std::string text = relief::sentence(label.text, language);
+    if (label.part < 0) return text;
+    constexpr std::string_view kBetween = " · ";
+    std::size_t begin = 0;
+    for (int n = 0; n < label.part; ++n) {
+        const std::size_t at = text.find(kBetween, begin);
+        if (at == std::string::npos) return {};
+        begin = at + kBetween.size();
+    }
+    return text.substr(begin, text.find(kBetween, begin) - begin);
+}
+
 std::string idText(const ItemId& id) {
     constexpr std::array<std::string_view, 10> kNames{"",    "level",  "texel",   "step",  "ray",
                                                       "hit", "legend", "surface", "layer", "iso-line"};

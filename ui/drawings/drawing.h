@@ -200,7 +200,11 @@ struct Label {
     bool yields = false;
     Box room;             // drawn only if it fits in here (drawing units); empty: always
     bool evades = false;  // drawn beside the room where it does not fit
+    int part = -1;        // of what stands between " · " in the text this one alone, from 0; -1: all
 };
+
+// Its words in a language.
+std::string labelText(const Label& label, relief::Language language);
 
 using Primitive = std::variant<Rectangle, Cells, Area, Polyline, Circle, Ring, Marker, Hatch, Label>;
 

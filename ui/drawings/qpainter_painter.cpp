@@ -195,7 +195,7 @@ void paintLabel(QPainter& painter, const Item& item, const Label& label, const V
     QFont font("DejaVu Sans");
     font.setPixelSize(std::max(1, static_cast<int>(std::lround(style.textPixels(label.size)))));
     font.setBold(item.emphasis == Emphasis::Strong && !label.plate);
-    const QString text = QString::fromStdString(relief::sentence(label.text, style.language));
+    const QString text = QString::fromStdString(labelText(label, style.language));
     const QFontMetricsF metrics(font);
     const double pad = label.plate ? 0.28 * font.pixelSize() : 0;
     const double width = metrics.horizontalAdvance(text) + 2 * pad;

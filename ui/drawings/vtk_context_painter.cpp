@@ -305,7 +305,7 @@ void VtkContextPainter::Pass::operator()(const Hatch& h) {
 
 void VtkContextPainter::Pass::label(const Label& l, LabelRoom& room) {
     const double pixels = std::round(style.textPixels(l.size));
-    const std::string words = relief::sentence(l.text, style.language);
+    const std::string words = labelText(l, style.language);
     const bool bold = item->emphasis == Emphasis::Strong && !l.plate;
     const double pad = l.plate ? 0.28 * pixels : 0;
     const double width = textWidth(words, pixels) * (bold ? 1.1 : 1.0) + 2 * pad;

@@ -33,6 +33,7 @@ constexpr double kRowsAspect = 0.78;     // two plots, and what they cost
 constexpr double kParetoAspect = 0.68;   // names beside their marks
 constexpr double kChartsAspect = 0.95;   // and histograms below
 constexpr double kTraceAspect = 0.75;
+constexpr double kSlabsAspect = 0.45;  // a flight of stairs
 constexpr double kLeastMm = 20;
 constexpr double kMostMm = 2000;
 constexpr double kLeastDpi = 20;
@@ -46,6 +47,37 @@ std::string endingOf(const std::string& path) {
     return ending;
 }
 
+// Drawn by OpenGL: pixels alone.
+bool inSpace(const FigureRequest& request) {
+    return request.view == "trace" || request.view == "slabs";
+}
+
+// The legend of the result's layer, for a page so many points wide: pixels of a screen, of which there are 96 an inch.
+constexpr double kPixelsPerPoint = 96 / kPointsPerInch;
+
+// The same on every page, and where it is measured.
+QFont legendFont() {
+    constexpr int kPixels = 13;
+    QFont font;
+    font.setPixelSize(kPixels);
+    return font;
+}
+
+// What the legend measures by are pixels of a screen.
+Style onScreen(Style style) {
+    style.projector = false;
+    style.screenPixelsPerPoint = kPixelsPerPoint;
+    return style;
+}
+
+QSizeF legendOf(const Snapshot& snapshot, const Style& style) {
+    QImage nothing(1, 1, QImage::Format_RGB32);
+    QPainter painter(&nothing);
+    painter.setFont(legendFont());
+    const QSize size = paintLegend(&painter, snapshot.layer, {}, onScreen(style));
+    return size.isValid() ? QSizeF(size) / kPixelsPerPoint : QSizeF(0, 0);
+}
+
 double aspectOf(const Snapshot& snapshot, const FigureRequest& request) {
     if (request.view == "rows") return kRowsAspect;
     if (request.view == "pareto") return kParetoAspect;
@@ -53,15 +85,29 @@ double aspectOf(const Snapshot& snapshot, const FigureRequest& request) {
     if (request.view == "compare" && request.compare)
         return compareAspect(*request.compare, snapshot.scenario.comparison.mode);
     if (request.view == "trace") return kTraceAspect;
+    if (request.view == "slabs") return kSlabsAspect;
     if (request.view == "steps" || request.view == "skipped") return tableAspect(snapshot, request);
     if (request.view != "result") return kDrawingAspect;
-    return static_cast<double>(snapshot.layer.image.height()) / std::max(1, snapshot.layer.image.width());
+    const double picture =
+        static_cast<double>(snapshot.layer.image.height()) / std::max(1, snapshot.layer.image.width());
+    return picture + legendOf(snapshot, request.style).height() / (request.widthMm / kMmPerInch * kPointsPerInch);
 }
 
+// The legend of its layer, if it has one, stands below the picture.
 void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
     const QImage& image = snapshot.layer.image;
     painter.setRenderHint(QPainter::SmoothPixmapTransform, true);
-    painter.drawImage(QRectF(page.x0, page.y0, page.width(), page.height()), image);
+    const double high = page.width() * image.height() / std::max(1, image.width());
+    painter.drawImage(QRectF(page.x0, page.y0, page.width(), high), image);
+    if (page.y0 + high < page.y1 - 1) {
+        painter.save();
+        painter.translate(page.x0, page.y1);
+        const double unit = style.screenPixelsPerPoint / kPixelsPerPoint;
+        painter.scale(unit, unit);
+        painter.setFont(legendFont());
+        paintLegend(&painter, snapshot.layer, QPoint(0, 0), onScreen(style));
+        painter.restore();
+    }
     if (snapshot.scenario.pixel) {
         const double side = page.width() / std::max(1, snapshot.scenario.width);
         const Point at{page.x0 + (snapshot.scenario.pixel->x + 0.5) * side,
@@ -291,7 +337,7 @@ std::optional<RowsPlace> rowsPlace(const Snapshot& s) {
 const std::vector<std::string>& figureViews() {
     static const std::vector<std::string> kViews{"charts",    "compare", "distance", "drawn",   "duel",
                                                  "footprint", "pareto",  "profile",  "pyramid", "result",
-                                                 "rows",      "skipped", "steps",    "trace"};
+                                                 "rows",      "skipped", "slabs",    "steps",   "trace"};
     return kViews;
 }
 
@@ -304,7 +350,7 @@ void checkFigure(const FigureRequest& request, const std::string& path) {
                          Message(MessageId::UnknownName, {{"what", "view"}, {"name", request.view}, {"known", known}}));
     }
     const std::string ending = endingOf(path);
-    const bool solid = request.view == "trace";
+    const bool solid = inSpace(request);
     if (ending != ".png" && (solid || (ending != ".svg" && ending != ".pdf"))) {
         const char* const known = solid ? "png" : "svg, pdf, png";
         throw InputError(path, Message(MessageId::FormatUnknown, {{"extension", ending}, {"known", known}}));
@@ -326,6 +372,7 @@ void checkFigure(const FigureRequest& request, const std::string& path) {
 QImage figureImage(const Snapshot& snapshot, const FigureRequest& request, int width) {
     const int height = std::max(1, static_cast<int>(std::lround(width * aspectOf(snapshot, request))));
     if (request.view == "trace") return traceImage(snapshot, request, {width, height});
+    if (request.view == "slabs") return slabsImage(snapshot, request, {width, height});
     QImage image(width, height, QImage::Format_RGB32);
     image.fill(toColor(request.style.background()));
     const double dpi = width / request.widthMm * kMmPerInch;

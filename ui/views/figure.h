@@ -55,16 +55,17 @@ struct FigureRequest {
     std::shared_ptr<const ComparedView> compare;  // of "compare"; null: nothing to compare with
     std::size_t compareShown = 0;                 // of flicker
     TraceOptions trace;
-    std::shared_ptr<const Duel> duel;  // of "duel"; null: no ray
+    std::optional<Turntable> slabsCamera;  // from where the slabs are seen
+    std::shared_ptr<const Duel> duel;      // of "duel"; null: no ray
     std::size_t duelMoment = 0;
 };
 
 // "charts", "compare", "distance", "drawn", "duel", "footprint", "pareto", "profile", "pyramid", "result", "rows",
-// "skipped", "steps", "trace".
+// "skipped", "slabs", "steps", "trace".
 const std::vector<std::string>& figureViews();
 
 // SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown view, ending, width or resolution,
-// for maps that there are none of; "trace" is PNG only. WorkError if it cannot be drawn or written.
+// for maps that there are none of; "slabs" and "trace" are PNG only. WorkError if it cannot be drawn or written.
 void checkFigure(const FigureRequest& request, const std::string& path);
 void writeFigure(const Snapshot& snapshot, const FigureRequest& request, const std::string& path);
 

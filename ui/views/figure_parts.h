@@ -24,7 +24,9 @@ void paintDuel(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
 void paintTable(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
                 const Style& style);
 
-// The 3-D trace, drawn by OpenGL without a window, and without a display. Throws WorkError where there is no OpenGL.
+// The 3-D trace and the slabs, drawn by OpenGL without a window, and without a display. Throw WorkError where there is
+// no OpenGL.
 QImage traceImage(const Snapshot& snapshot, const FigureRequest& request, const QSize& size);
+QImage slabsImage(const Snapshot& snapshot, const FigureRequest& request, const QSize& size);
 
 }  // namespace reliefui

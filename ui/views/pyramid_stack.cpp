@@ -2,69 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <QVTKOpenGLNativeWidget.h>
-#include <vtkActor.h>
-#include <vtkCellArray.h>
-#include <vtkCoordinate.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 #include <QKeyEvent>
 #include <QLineF>
 #include <QMouseEvent>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
-#include "drawings/ray_geometry.h"
-#include "drawings/vtk_text.h"
-#include "views/slab_actors.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
 
 namespace {
 
-constexpr double kApart = 0.22;        // between slabs, of their width
-constexpr double kAside = 0.62;        // each to the right of the finer one: none hides another
-constexpr double kBetween = 1.25;      // from one pyramid to the next
-constexpr double kAbove = 0.004;       // marks over their slab
-constexpr double kClickReach = 4;      // pixels
-constexpr std::size_t kMostWay = 400;  // steps around the chosen one
-
-using Place = Turntable::Place;
-
-Point middleOf(const Primitive& primitive) {
-    if (const auto* const box = std::get_if<Rectangle>(&primitive)) return box->box.center();
-    if (const auto* const line = std::get_if<Polyline>(&primitive)) {
-        if (line->points.empty()) return {NAN, NAN};
-        const Point& a = line->points.front();
-        const Point& b = line->points.back();
-        return {(a.x + b.x) / 2, (a.y + b.y) / 2};
-    }
-    if (const auto* const ring = std::get_if<Ring>(&primitive)) return ring->center;
-    return {NAN, NAN};
-}
+constexpr double kClickReach = 4;  // pixels
 
 }  // namespace
-
-// What is replaced by the next step's.
-struct PyramidStack::Marks {
-    std::vector<vtkSmartPointer<vtkProp>> props;
-};
 
 PyramidStack::PyramidStack(QWidget* parent)
     : QWidget(parent),
       widget_(new QVTKOpenGLNativeWidget(this)),
-      window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
-      renderer_(vtkSmartPointer<vtkRenderer>::New()),
-      marks_(std::make_unique<Marks>()) {
+      window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()) {
     for (const Qt::GestureType gesture : {Qt::TapGesture, Qt::TapAndHoldGesture}) widget_->ungrabGesture(gesture);
     setAccessibleName(tr("Pyramid in 3-D"));
     widget_->setAccessibleName(accessibleName());
@@ -72,260 +34,56 @@ PyramidStack::PyramidStack(QWidget* parent)
     widget_->setFocusPolicy(Qt::StrongFocus);
     widget_->setMouseTracking(true);
     window_->SetMultiSamples(0);
-    renderer_->UseFXAAOn();
-    window_->AddRenderer(renderer_);
+    window_->AddRenderer(scene_.renderer());
     widget_->setRenderWindow(window_);
     widget_->interactor()->SetInteractorStyle(nullptr);
     widget_->installEventFilter(this);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(widget_);
-    camera_.lookAlong(0, 1);
 }
 
 PyramidStack::~PyramidStack() {
     renderSoon_.stop();
 }
 
-void PyramidStack::place(const PyramidParts& parts) {
-    slabs_.clear();
-    firsts_.clear();
-    for (std::size_t n = 0; n < parts.parts.size(); ++n) {
-        firsts_.push_back(slabs_.size());
-        for (const LevelBlock& block : parts.parts[n].picture.blocks) {
-            // All as wide as deep at most, each level over the same place.
-            const double unit = 1 / std::max(block.box.width(), block.box.height());
-            slabs_.push_back(
-                {block, kAside * block.level, kBetween * static_cast<double>(n), kApart * block.level, unit});
-        }
-    }
-}
-
-const PyramidStack::Slab* PyramidStack::slabOf(Point drawing) const {
-    for (const Slab& slab : slabs_) {
-        if (slab.block.box.grown(1e-6).contains(drawing)) return &slab;
-    }
-    return nullptr;
-}
-
 void PyramidStack::show(const PyramidParts& parts, const Style& style) {
-    const PauseLog::Part part("pyramid: slabs");
-    style_ = style;
-    const Rgba ground = style.background();
-    renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
-    renderer_->RemoveAllViewProps();
-    marks_->props.clear();
-    const std::size_t before = slabs_.size();
-    place(parts);
-    for (std::size_t n = 0; n < parts.parts.size(); ++n) {
-        const std::size_t end = n + 1 < firsts_.size() ? firsts_[n + 1] : slabs_.size();
-        for (std::size_t k = firsts_[n]; k < end; ++k) addSlab(slabs_[k], parts.parts[n]);
-    }
-    if (!placed_ || before != slabs_.size()) showAll();
+    Style device = style;
+    device.screenPixelsPerPoint *= widget_->devicePixelRatioF();
+    const bool same = scene_.show(parts, device);
+    if (!placed_ || !same) showAll();
+    renderSoon_.start();
+}
+
+void PyramidStack::showStep(const PyramidParts& parts, int step) {
+    scene_.showStep(parts, step);
     renderSoon_.start();
 }
 
 void PyramidStack::letGo() {
-    renderer_->RemoveAllViewProps();
-    marks_->props.clear();
-}
-
-void PyramidStack::addSlab(const Slab& slab, const PyramidPart& part) {
-    for (const Item& item : part.picture.levels.items) {
-        const auto* const cells = std::get_if<Cells>(&item.primitive);
-        if (cells == nullptr || item.id.level != slab.block.level || cells->clip.empty()) continue;
-        const Box& c = cells->clip;
-        renderer_->AddActor(
-            slabPicture(*cells, style_,
-                        {slab.at({c.x0, c.y0}), slab.at({c.x1, c.y0}), slab.at({c.x1, c.y1}), slab.at({c.x0, c.y1})}));
-    }
-    // A little thickness, so that it is one body.
-    constexpr double kThick = 0.02;
-    const Box& b = slab.block.box;
-    const std::array<Point, 4> corners{Point{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const Point& from = corners[k];
-        const Point& to = corners[(k + 1) % 4];
-        auto side = flatActor(quadOf({slab.at(from), slab.at(to), slab.at(to, -kThick), slab.at(from, -kThick)}));
-        const Rgba grey = style_.color(Role::Frame);
-        side->GetProperty()->SetColor(grey.r / 255.0, grey.g / 255.0, grey.b / 255.0);
-        renderer_->AddActor(side);
-    }
-    addTitle(slab, part.picture.levels);
-}
-
-void PyramidStack::addTitle(const Slab& slab, const Drawing& levels) {
-    for (const Item& item : levels.items) {
-        const auto* const label = std::get_if<Label>(&item.primitive);
-        if (label == nullptr || item.role != Role::Title || !(label->at == slab.block.title)) continue;
-        auto text = vtkSmartPointer<vtkTextActor>::New();
-        text->SetInput(relief::sentence(label->text, style_.language).c_str());
-        text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-        const Place at = slab.at({slab.block.box.x0, slab.block.box.y1}, 0.02);
-        text->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
-        setText(text->GetTextProperty(), style_.text(), style_.textPixels(0.85));
-        const Rgba ground = style_.background();
-        text->GetTextProperty()->SetBackgroundColor(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
-        text->GetTextProperty()->SetBackgroundOpacity(0.7);
-        renderer_->AddActor2D(text);
-    }
-}
-
-void PyramidStack::addLines(const std::vector<std::pair<Place, Place>>& lines, Rgba color, double width) {
-    if (lines.empty()) return;
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    for (const auto& [from, to] : lines) {
-        const vtkIdType ends[2] = {points->InsertNextPoint(from.data()), points->InsertNextPoint(to.data())};
-        cells->InsertNextCell(2, ends);
-    }
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetLines(cells);
-    auto actor = flatActor(data);
-    actor->GetProperty()->SetColor(color.r / 255.0, color.g / 255.0, color.b / 255.0);
-    actor->GetProperty()->SetOpacity(color.a / 255.0);
-    actor->GetProperty()->SetLineWidth(static_cast<float>(width * style_.screenPixelsPerPoint * devicePixelRatioF()));
-    renderer_->AddActor(actor);
-    marks_->props.emplace_back(actor);
-}
-
-// From step to step: on a slab, and up and down between slabs.
-void PyramidStack::addWay(const PyramidPart& part, const std::vector<const Slab*>& slabs, std::size_t chosen) {
-    const std::vector<relief::Step>& steps = *part.source.steps;
-    const RayPath path(*part.source.field, part.source.ray);
-    std::vector<std::pair<Place, Place>> before;
-    std::vector<std::pair<Place, Place>> after;
-    std::optional<Place> last;
-    const std::size_t first = chosen > kMostWay ? chosen - kMostWay : 0;
-    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostWay); ++k) {
-        const relief::Step& step = steps[k];
-        const double lambda = std::clamp((step.lambdaIn + step.lambdaOut) / 2, 0.0, 1.0);
-        std::optional<Place> here;
-        if (step.level >= 0 && step.level < static_cast<int>(slabs.size()) && std::isfinite(lambda)) {
-            const Slab& slab = *slabs[static_cast<std::size_t>(step.level)];
-            const auto pieces =
-                wrapped(Segment{path.at(lambda), path.at(lambda)}, slab.block.domain, part.picture.wraps);
-            if (!pieces.empty()) here = slab.at(slab.block.toDrawing(pieces.front().first), 3 * kAbove);
-        }
-        if (last && here) (k <= chosen ? before : after).emplace_back(*last, *here);
-        last = here;
-    }
-    addLines(after, style_.color({{}, Role::Ray, Emphasis::Faint, Polyline{}, {}}), 1);
-    addLines(before, style_.color(Role::Ray), 2.5);
-}
-
-void PyramidStack::showStep(const PyramidParts& parts, int step) {
-    const PauseLog::Part timed("pyramid: marks on slabs");
-    for (const auto& prop : marks_->props) renderer_->RemoveViewProp(prop);
-    marks_->props.clear();
-    for (const Slab& slab : slabs_) {
-        const Box& b = slab.block.box;
-        const std::array<Point, 5> rim{Point{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}, {b.x0, b.y0}};
-        std::vector<std::pair<Place, Place>> edges;
-        for (std::size_t k = 1; k < rim.size(); ++k)
-            edges.emplace_back(slab.at(rim[k - 1], kAbove), slab.at(rim[k], kAbove));
-        addLines(edges, style_.color(Role::Frame), 1);
-    }
-    const Drawing marks = partsMarks(parts, step);
-    for (const Item& item : marks.items) {
-        const Slab* const slab = slabOf(middleOf(item.primitive));
-        if (slab == nullptr) continue;
-        const Stroke stroke = style_.stroke(item);
-        std::vector<std::pair<Place, Place>> lines;
-        if (const auto* const box = std::get_if<Rectangle>(&item.primitive)) {
-            const Box b = box->box.cut(slab->block.box);
-            const std::array<Place, 4> c{slab->at({b.x0, b.y0}, 2 * kAbove), slab->at({b.x1, b.y0}, 2 * kAbove),
-                                         slab->at({b.x1, b.y1}, 2 * kAbove), slab->at({b.x0, b.y1}, 2 * kAbove)};
-            for (std::size_t k = 0; k < 4; ++k) lines.emplace_back(c[k], c[(k + 1) % 4]);
-            if (box->fill) {
-                auto actor = flatActor(quadOf(c));
-                const Rgba fill = style_.fill(item);
-                actor->GetProperty()->SetColor(fill.r / 255.0, fill.g / 255.0, fill.b / 255.0);
-                actor->GetProperty()->SetOpacity(fill.a / 255.0);
-                renderer_->AddActor(actor);
-                marks_->props.emplace_back(actor);
-            }
-        } else if (const auto* const line = std::get_if<Polyline>(&item.primitive)) {
-            for (std::size_t k = 1; k < line->points.size(); ++k) {
-                lines.emplace_back(slab->at(line->points[k - 1], 2 * kAbove), slab->at(line->points[k], 2 * kAbove));
-            }
-        }
-        if (const auto* const ring = std::get_if<Ring>(&item.primitive)) {
-            constexpr int kSides = 24;
-            constexpr double kRadius = 0.02;
-            const auto at = [&](int k) {
-                const double turn = 2 * std::numbers::pi * k / kSides;
-                const double radius = kRadius / slab->unit;
-                const Point& c = ring->center;
-                return slab->at({c.x + radius * std::cos(turn), c.y + radius * std::sin(turn)}, 4 * kAbove);
-            };
-            for (int k = 0; k < kSides; ++k) lines.emplace_back(at(k), at(k + 1));
-        }
-        addLines(lines, stroke.color, stroke.width);
-    }
-    for (std::size_t n = 0; n < parts.parts.size() && n < firsts_.size(); ++n) {
-        const PyramidPart& part = parts.parts[n];
-        if (!part.source.hasRay || part.source.steps == nullptr || part.source.steps->empty()) continue;
-        std::vector<const Slab*> slabs;
-        for (std::size_t k = 0; k < part.picture.blocks.size(); ++k) slabs.push_back(&slabs_[firsts_[n] + k]);
-        const auto chosen =
-            static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(part.source.steps->size()) - 1));
-        addWay(part, slabs, chosen);
-    }
-    renderSoon_.start();
+    scene_.letGo();
 }
 
 QPointF PyramidStack::toWidget(std::size_t part, int level, Point texel) const {
-    const Slab& slab = slabs_.at(firsts_.at(part) + static_cast<std::size_t>(level));
-    const Place at = slab.at(slab.block.toDrawing(texel), 2 * kAbove);
-    auto coordinate = vtkSmartPointer<vtkCoordinate>::New();
-    coordinate->SetCoordinateSystemToWorld();
-    coordinate->SetValue(at[0], at[1], at[2]);
-    const double* const pixel = coordinate->GetComputedDoubleDisplayValue(renderer_);
+    const std::array<double, 2> pixel = scene_.toPixel(part, level, texel);
     const double ratio = widget_->devicePixelRatioF();
     return {pixel[0] / ratio, widget_->height() - pixel[1] / ratio};
 }
 
 bool PyramidStack::drawingAt(QPointF widget, Point& drawing) const {
     const double ratio = widget_->devicePixelRatioF();
-    double ends[2][4];
-    for (int k = 0; k < 2; ++k) {
-        renderer_->SetDisplayPoint(widget.x() * ratio, (widget_->height() - widget.y()) * ratio, k);
-        renderer_->DisplayToWorld();
-        renderer_->GetWorldPoint(ends[k]);
-        for (int c = 0; c < 3; ++c) ends[k][c] /= ends[k][3];
-    }
-    const double down = ends[1][2] - ends[0][2];
-    if (down == 0) return false;
-    const Slab* found = nullptr;
-    double nearest = 2;
-    for (const Slab& slab : slabs_) {
-        const double f = (slab.z - ends[0][2]) / down;
-        const Point at{slab.block.box.x0 + (ends[0][0] + f * (ends[1][0] - ends[0][0]) - slab.x) / slab.unit,
-                       slab.block.box.y0 - (ends[0][1] + f * (ends[1][1] - ends[0][1]) - slab.y) / slab.unit};
-        if (f < 0 || f >= nearest || !slab.block.box.contains(at)) continue;
-        nearest = f;
-        found = &slab;
-        drawing = at;
-    }
-    return found != nullptr;
+    const auto found = scene_.drawingAt(widget.x() * ratio, (widget_->height() - widget.y()) * ratio);
+    if (found) drawing = *found;
+    return found.has_value();
 }
 
 void PyramidStack::showAll() {
-    if (slabs_.empty()) return;
-    std::vector<Place> places;
-    for (const Slab& slab : slabs_) {
-        const Box& b = slab.block.box;
-        for (const Point& p : {Point{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}})
-            places.push_back(slab.at(p));
-    }
-    camera_.fit(places, static_cast<double>(std::max(1, widget_->width())) / std::max(1, widget_->height()));
+    scene_.showAll(static_cast<double>(std::max(1, widget_->width())) / std::max(1, widget_->height()));
     placed_ = true;
 }
 
 void PyramidStack::fit() {
-    camera_.lookAlong(0, 1);
+    scene_.camera.lookAlong(0, 1);
     showAll();
     renderSoon_.start();
 }
@@ -349,7 +107,8 @@ bool PyramidStack::handleMouse(QMouseEvent* event, bool released) {
     const QPointF by = event->localPos() - last_;
     last_ = event->localPos();
     const bool turns = (event->buttons() & Qt::LeftButton) != 0 && (event->modifiers() & Qt::ShiftModifier) == 0;
-    turns ? camera_.turn(by.x(), by.y(), widget_->height()) : camera_.move(by.x(), by.y(), widget_->height());
+    turns ? scene_.camera.turn(by.x(), by.y(), widget_->height())
+          : scene_.camera.move(by.x(), by.y(), widget_->height());
     renderSoon_.start();
     return true;
 }
@@ -363,9 +122,9 @@ bool PyramidStack::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Wheel: {
             const auto* const wheel = static_cast<QWheelEvent*>(event);
             const double half = widget_->height() / 2.0;
-            camera_.zoom(std::pow(1.2, wheel->angleDelta().y() / 120.0),
-                         (wheel->position().x() - widget_->width() / 2.0) / half,
-                         (half - wheel->position().y()) / half);
+            scene_.camera.zoom(std::pow(1.2, wheel->angleDelta().y() / 120.0),
+                               (wheel->position().x() - widget_->width() / 2.0) / half,
+                               (half - wheel->position().y()) / half);
             renderSoon_.start();
             return true;
         }
@@ -385,8 +144,7 @@ bool PyramidStack::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void PyramidStack::render() {
-    camera_.apply(renderer_->GetActiveCamera());
-    renderer_->ResetCameraClippingRange();
+    scene_.place();
     if (!widget_->isVisible() || !widget_->isValid()) return;
     const DrawingTime time("pyramid in 3-D");
     window_->Render();

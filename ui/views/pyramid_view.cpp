@@ -151,6 +151,9 @@ void PyramidView::resetZoom() {
 
 void PyramidView::fillFigure(FigureRequest& request) const {
     request.pyramid = pyramidOptions(pane_);
+    if (!pane_.stacked) return;
+    request.view = "slabs";
+    request.slabsCamera = stack_->camera();
 }
 
 void PyramidView::tell(const QPointF& widget) {

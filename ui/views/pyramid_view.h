@@ -45,6 +45,7 @@ class PyramidView : public FigureView {
   protected:
     std::shared_ptr<const Snapshot> figureSnapshot() const override { return levels_ ? shown_ : nullptr; }
     void fillFigure(FigureRequest& request) const override;
+    bool vectors() const override { return !pane_.stacked; }
     void tell(const QPointF& widget) override;
     void paintEvent(QPaintEvent* event) override;
     void letGo() override;

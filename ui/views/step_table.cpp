@@ -1,5 +1,7 @@
 #include "views/step_table.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QClipboard>
 #include <QFileDialog>
@@ -12,6 +14,7 @@
 #include <QPixmap>
 #include <QSortFilterProxyModel>
 #include <QTableView>
+#include <QTimer>
 
 #include "scenario/ray_files.h"
 #include "scenario/step_sentence.h"
@@ -75,10 +78,6 @@ QPixmap symbol(relief::Decision decision, const Style& style, int side) {
     return pixmap;
 }
 
-QString number(double value, int decimals = 4) {
-    return QString::fromStdString(relief::fixedText(value, decimals));
-}
-
 }  // namespace
 
 void StepModel::show(std::shared_ptr<const Snapshot> snapshot, const Style& style) {
@@ -98,6 +97,7 @@ int StepModel::columnCount(const QModelIndex& parent) const {
 
 QString StepModel::text(const relief::Step& step, int row, int column) const {
     const QString arrow = QStringLiteral(" → ");
+    const auto number = [this](double value) { return text(value); };
     switch (column) {
         case Number:
             return QString::number(row + 1);
@@ -116,6 +116,11 @@ QString StepModel::text(const relief::Step& step, int row, int column) const {
         default:
             return number(step.lambdaAfter);
     }
+}
+
+// Large type has no room for the fourth.
+QString StepModel::text(double value) const {
+    return QString::fromStdString(relief::fixedText(value, style_.projector ? 3 : 4));
 }
 
 double StepModel::sortKey(const relief::Step& step, int row, int column) const {
@@ -242,11 +247,42 @@ void StepTable::refresh() {
     applyStyle();
     model_->show(workspace_->snapshot(), workspace_->style());
     following_ = false;
-    // Measured on a few rows: there may be hundreds of thousands.
-    const int width = QFontMetrics(table_->font()).horizontalAdvance(QLatin1Char('0'));
-    const int widths[StepModel::Columns] = {6, 6, 13, 19, 21, 9, 13, 9};
-    for (int c = 0; c < StepModel::Columns; ++c) table_->setColumnWidth(c, (widths[c] + 1) * width);
+    shareColumns();
     followStep(workspace_->scenario().step);
+}
+
+// As wide as their texts (not measured: there may be hundreds of thousands) and titles. What has no room is left out,
+// beginning with what the next row, the profile or the sentence tells as well: nothing is cut.
+void StepTable::shareColumns() {
+    const QFontMetrics metrics(table_->font());
+    const int letter = metrics.horizontalAdvance(QLatin1Char('0'));
+    const int shorter = workspace_->style().projector ? 1 : 0;  // a digit less in each number
+    const int letters[StepModel::Columns] = {4,           4,  12,         15 - 2 * shorter, 15 - 2 * shorter,
+                                             7 - shorter, 12, 7 - shorter};
+    int widths[StepModel::Columns] = {};
+    int all = 0;
+    for (int c = 0; c < StepModel::Columns; ++c) {
+        const QString title = model_->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
+        widths[c] = std::max(letters[c] * letter, metrics.horizontalAdvance(title)) + 2 * letter;
+        all += widths[c];
+    }
+    const int room = table_->viewport()->width();
+    bool shown[StepModel::Columns];
+    std::fill(std::begin(shown), std::end(shown), true);
+    for (const int least : {StepModel::After, StepModel::Height, StepModel::Value, StepModel::Texel}) {
+        if (all <= room) break;
+        shown[least] = false;
+        all -= widths[least];
+    }
+    for (int c = 0; c < StepModel::Columns; ++c) {
+        table_->setColumnHidden(c, !shown[c]);
+        table_->setColumnWidth(c, widths[c]);
+    }
+}
+
+void StepTable::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    QTimer::singleShot(0, this, &StepTable::shareColumns);  // when the table has its part of it
 }
 
 void StepTable::followStep(int step) {

@@ -32,6 +32,7 @@ class StepModel : public QAbstractTableModel {
   private:
     double sortKey(const relief::Step& step, int row, int column) const;
     QString text(const relief::Step& step, int row, int column) const;
+    QString text(double value) const;
 
     std::shared_ptr<const Snapshot> snapshot_;
     Style style_;
@@ -51,11 +52,13 @@ class StepTable : public QWidget {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void refresh();
     void followStep(int step);
     void applyStyle();
+    void shareColumns();
 
     Workspace* workspace_;
     QModelIndex indexOf(int step) const;  // in the order of the view

@@ -1,6 +1,7 @@
-// The 3-D trace as pixels, without a window.
+// The 3-D trace and the slabs of the pyramid as pixels, without a window.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -10,6 +11,7 @@
 
 #include "views/figure_parts.h"
 #include "views/offscreen_gl.h"
+#include "views/slab_scene.h"
 #include "views/trace3d_picture.h"
 
 namespace reliefui {
@@ -48,9 +50,9 @@ class Quiet {
     int before_;
 };
 
-}  // namespace
-
-QImage traceImage(const Snapshot& snapshot, const FigureRequest& request, const QSize& size) {
+// fill: what is drawn into the renderer, in this style, for this aspect (width over height).
+QImage imageOf(vtkRenderer* renderer, const FigureRequest& request, const QSize& size,
+               const std::function<void(const Style& style, double aspect)>& fill) {
     QSize drawn = size;
     if (std::max(size.width(), size.height()) > kLargestSide)
         drawn.scale(kLargestSide, kLargestSide, Qt::KeepAspectRatio);
@@ -68,31 +70,52 @@ QImage traceImage(const Snapshot& snapshot, const FigureRequest& request, const 
     window->SetFrameBlitModeToNoBlit();
     window->SetMultiSamples(0);
     window->SetSize(drawn.width(), drawn.height());
-    TracePicture picture;
-    window->AddRenderer(picture.renderer());
+    window->AddRenderer(renderer);
     window->OpenGLInitContext();
     // The loader of functions, which knows GLX only, makes VTK believe that there is nothing to be asked of the
     // context.
     window->OpenGLInitState();
-    picture.show(std::make_shared<const Snapshot>(snapshot), style, request.trace.exaggeration);
-    picture.showStep(snapshot.scenario.step);
-    const double aspect = static_cast<double>(size.width()) / std::max(1, size.height());
-    if (request.trace.camera) {
-        picture.camera = *request.trace.camera;
-    } else {
-        constexpr double kRoom = 0.85;  // for words at the sides
-        picture.fit(kRoom * aspect);
-    }
-    picture.place();
+    fill(style, static_cast<double>(size.width()) / std::max(1, size.height()));
     window->Render();
     const QImage image = pixelsOf(window, drawn);
-    window->RemoveRenderer(picture.renderer());
+    window->RemoveRenderer(renderer);
     window->Finalize();
     QImage result = drawn == size ? image : image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     const auto dots = static_cast<int>(std::lround(size.width() / request.widthMm * 1000));
     result.setDotsPerMeterX(dots);
     result.setDotsPerMeterY(dots);
     return result;
+}
+
+}  // namespace
+
+QImage traceImage(const Snapshot& snapshot, const FigureRequest& request, const QSize& size) {
+    TracePicture picture;
+    return imageOf(picture.renderer(), request, size, [&](const Style& style, double aspect) {
+        picture.show(std::make_shared<const Snapshot>(snapshot), style, request.trace.exaggeration);
+        picture.showStep(snapshot.scenario.step);
+        if (request.trace.camera) {
+            picture.camera = *request.trace.camera;
+        } else {
+            constexpr double kRoom = 0.85;  // for words at the sides
+            picture.fit(kRoom * aspect);
+        }
+        picture.place();
+    });
+}
+
+QImage slabsImage(const Snapshot& snapshot, const FigureRequest& request, const QSize& size) {
+    SlabScene scene;
+    return imageOf(scene.renderer(), request, size, [&](const Style& style, double aspect) {
+        const double points = request.widthMm / kMmPerPoint;
+        const PyramidParts parts = pyramidParts(snapshot, request.pyramid, points, points / aspect);
+        scene.show(parts, style);
+        scene.showStep(parts, snapshot.scenario.step);
+        if (request.slabsCamera) scene.camera = *request.slabsCamera;
+        // Seen from there; as near as the picture allows.
+        scene.showAll(aspect);
+        scene.place();
+    });
 }
 
 }  // namespace reliefui

@@ -19,4 +19,22 @@ std::string displayProblem() {
     return glx ? std::string() : std::string("the display ") + name + " has no OpenGL (extension GLX)";
 }
 
+bool wantsTwiceTheSize() {
+    constexpr int kWide = 3200;
+    constexpr int kHigh = 2000;
+    constexpr double kPlainDpi = 96;
+    for (const char* const said : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS", "QT_FONT_DPI"}) {
+        const char* const value = std::getenv(said);
+        if (value != nullptr && *value != '\0') return false;
+    }
+    Display* const display = XOpenDisplay(nullptr);
+    if (display == nullptr) return false;
+    const int screen = DefaultScreen(display);
+    const bool large = DisplayWidth(display, screen) >= kWide && DisplayHeight(display, screen) >= kHigh;
+    const char* const dpi = XGetDefault(display, "Xft", "dpi");
+    const bool silent = dpi == nullptr || std::atof(dpi) <= kPlainDpi;
+    XCloseDisplay(display);
+    return large && silent;
+}
+
 }  // namespace reliefui

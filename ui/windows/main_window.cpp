@@ -90,6 +90,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     connect(workspace_, &Workspace::stepChanged, this, &MainWindow::refreshTitles);
     connect(workspace_, &Workspace::notesChanged, this, &MainWindow::refreshTitles);
     connect(workspace_, &Workspace::opened, this, &MainWindow::remember);
+    connect(workspace_, &Workspace::opened, this, [this] { showLesson(); });
     refreshTitles();
 }
 

@@ -23,6 +23,7 @@ class DuelView;
 class FootprintView;
 class BookmarkMenu;
 class MessageBar;
+struct Lesson;
 class OtherBar;
 class PaneTitle;
 class PixelFinder;
@@ -77,6 +78,8 @@ class MainWindow : public QMainWindow {
     void copyCommand();
     // Opens a lesson (lessons()); can be undone.
     void openLesson(const QString& name);
+    // Where the open scenario is a lesson: what it shows is said, its pane comes to the front.
+    void showLesson();
 
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -127,6 +130,7 @@ class MainWindow : public QMainWindow {
     void showBookmarks();
     void askOtherTracer();
     void makeLessonMenu();
+    void showLesson(const Lesson& lesson);
     void makeHelpMenu();
     QAction* addAction(QMenu* menu, const QString& text, const QKeySequence& keys, const QString& help);
     void fillRecent();

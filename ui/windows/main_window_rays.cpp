@@ -77,10 +77,20 @@ void MainWindow::openLesson(const QString& name) {
             Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
             return;
         }
-        Q_EMIT workspace_->notice(lesson.about);
-        for (std::size_t i = 0; i < panes_.size(); ++i) {
-            if (panes_[i].whole->objectName() == lesson.pane) focusPane(i);
-        }
+        showLesson(lesson);
+    }
+}
+
+void MainWindow::showLesson(const Lesson& lesson) {
+    Q_EMIT workspace_->notice(lesson.about);
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        if (panes_[i].whole->objectName() == lesson.pane) focusPane(i);
+    }
+}
+
+void MainWindow::showLesson() {
+    for (const Lesson& lesson : lessons()) {
+        if (workspace_->scenario() == lessonScenario(lesson.name)) return showLesson(lesson);
     }
 }
 

@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <QTranslator>
 
+#include "windows/display_check.h"
 #include "windows/main_window.h"
 #include "windows/theme.h"
 
@@ -51,7 +52,8 @@ void prepareWindows() {
     // VTK here draws through GLX: X11, also where a Wayland session would offer something else.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
     giveRuntimeFolder();
-    // On fine screens everything is as large as the desktop says.
+    // On fine screens everything is as large as the desktop says; where it says nothing, as large as can be read.
+    if (wantsTwiceTheSize()) qputenv("QT_SCALE_FACTOR", "2");
     QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
