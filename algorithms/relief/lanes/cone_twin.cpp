@@ -20,9 +20,10 @@ void ConeTwin::trace(const RayBlock& rays, HitBlock& hits, const Tracer& method,
         for (std::size_t begin = first; begin < last; begin += kLaneChunk) {
             const std::size_t end = std::min(begin + kLaneChunk, last);
             traceConeLanes(scene_, *cones_, rays, begin, end, hits, scratch);
-            if (scratch.allHit) continue;
-            for (std::size_t i = begin; i < end; ++i) {
-                if (scratch.end[i - begin] == static_cast<std::int32_t>(LaneEnd::Scalar)) left.push_back(i);
+            for (std::size_t n = 0; n < scratch.othersCount; ++n) {
+                const std::size_t i = begin + scratch.others[n].ray;
+                if (scratch.others[n].end == LaneEnd::Scalar) left.push_back(i);
+                if (scratch.others[n].end == LaneEnd::Miss) hits.set(i, Hit::none(Outcome::Miss));
             }
         }
         if (left.empty()) return;

@@ -11,64 +11,37 @@
 
 #include <hwy/cache_control.h>
 
+#include "relief/lanes/cone_slots-inl.h"
 #include "relief/lanes/lane_leaf-inl.h"
-#include "relief/maps/packed_cones.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// Rays in flight.
-inline constexpr std::size_t kWalkSlots = 256;
-// Jumps end this part of a cell early, and by the rounding of places: the cell that is found is not too far on.
-inline constexpr float kShorterJump = 1e-3F;
-// Words of a quadrant that are more than the second cache holds.
-inline constexpr std::size_t kLargeMap = 1U << 18U;
 // No crossing: beyond all.
 inline constexpr float kNever = 1e30F;
 
-// A column; vectors are stored from any place on.
-template <class T>
-using WalkColumn = std::array<T, kWalkSlots + 2 * kLanes>;
-struct WalkAxis {
-    alignas(64) WalkColumn<std::int32_t> n;     // cells from the start
-    alignas(64) WalkColumn<std::int32_t> last;  // n of the map's last cell (of this period, where it repeats)
-    alignas(64) WalkColumn<float> inverse, base, run;
-    alignas(64) WalkColumn<float> place;  // n at lambda is lambda * run - place, less half a cell and a little
-};
-struct WalkColumns {
-    WalkAxis x, y;
-    alignas(64) WalkColumn<std::int32_t> index;  // of the cell's word
-    alignas(64) WalkColumn<float> rim;           // lambda at which the ray has left the map or is at the bottom
-    alignas(64) WalkColumn<float> tie;
-    alignas(64) WalkColumn<std::int32_t> slot;   // in LaneRays
-    alignas(64) WalkColumn<std::int32_t> state;  // of those below
-
-    template <class Body>
-    HWY_INLINE void all(const Body& body) {
-        for (WalkAxis* axis : {&x, &y}) {
-            body(axis->n), body(axis->last);
-            body(axis->inverse), body(axis->base), body(axis->run), body(axis->place);
-        }
-        body(index), body(rim), body(tie), body(slot), body(state);
-    }
-};
-inline constexpr std::int32_t kWalking = 0, kAtLeaf = 1, kEnded = 2;
-
 template <Address kAddress, Surface kSurface>
-class ConeKernel {
+class ConeKernel : WalkSlots<kAddress> {
+    using Slots = WalkSlots<kAddress>;
+    using Slots::columns_;
+    using Slots::compact;
+    using Slots::df_;
+    using Slots::di_;
+    using Slots::end_;
+    using Slots::fill;
+    using Slots::map_;
+    using Slots::next_;
+    using Slots::rays_;
+    using Slots::realCell;
+    using Slots::scene_;
+    using Slots::used_;
+    using Slots::waiting_;
+    using Slots::walking_;
+    using typename Slots::Grid;
+    using typename Slots::Map;
+
   public:
-    ConeKernel(const LaneScene& scene, const PackedCones& cones, std::uint32_t quadrant, LaneRays& rays,
-               std::size_t begin, std::size_t end, WalkColumns& columns)
-        : scene_(scene), rays_(rays), columns_(columns), next_(begin), end_(end) {
-        map_.words = reinterpret_cast<const std::int32_t*>(cones.words[quadrant].data());
-        map_.large = cones.words[quadrant].size() >= kLargeMap;
-        map_.x = grid(scene.grid.x, (quadrant & 1U) != 0, 1);
-        map_.y = grid(scene.grid.y, (quadrant & 2U) != 0, cones.nx);
-        map_.unit = static_cast<float>(cones.unit);
-        // Rounded up in the product and sum by less than the margin.
-        constexpr double kRounding = 0x1p-20;
-        map_.top = static_cast<float>(1 - cones.highest - kRounding);
-    }
+    using Slots::Slots;
 
     void run() {
         fill();
@@ -84,23 +57,10 @@ class ConeKernel {
                 fill();
             }
         }
+        compact();
     }
 
   private:
-    // One axis, the same for all rays of the quadrant; mirrored where they run backwards.
-    struct Grid {
-        bool mirrored = false;
-        std::int32_t low = 0;     // first cell, mirrored
-        std::int32_t last = 0;    // last cell
-        std::int32_t stride = 0;  // words a cell, mirrored
-    };
-    // What is the same for all rays.
-    struct Map {
-        const std::int32_t* words = nullptr;
-        Grid x, y;
-        float unit = 0, top = 0;
-        bool large = false;  // words are fetched before they are needed
-    };
     struct Axis : LaneAxisState {
         VI n, next, last;
         VF cross;  // lambda at which the cell is left
@@ -109,86 +69,6 @@ class ConeKernel {
         Axis x, y;
         VF tie, rim, first, out;
     };
-
-    Grid grid(const GridAxis& axis, bool mirrored, std::int32_t stride) const {
-        const std::int32_t low = mirrored ? scene_.mirror - axis.cells : 0;
-        return {mirrored, low, low + axis.cells - 1, mirrored ? -stride : stride};
-    }
-
-    // New rays behind those in flight, whole vectors as far as there is room.
-    HWY_INLINE void fill() {
-        const std::size_t room = (kWalkSlots - used_) / kLanes * kLanes;
-        const std::size_t taken = std::min(room, end_ - next_);
-        for (std::size_t k = 0; k < taken; k += kLanes) take(next_ + k, used_ + k, std::min(kLanes, taken - k));
-        next_ += taken;
-        used_ += taken;
-        hn::StoreU(hn::Set(di_, kEnded), di_, columns_.state.data() + used_);
-    }
-
-    HWY_INLINE void take(std::size_t from, std::size_t to, std::size_t count) {
-        const VI ends = hn::LoadU(di_, rays_.end.data() + from);
-        const MI starting = hn::And(hn::FirstN(di_, count), hn::Eq(ends, hn::Zero(di_)));
-        const VI cellX = takeAxis(map_.x, rays_.x, columns_.x, starting, from, to);
-        const VI cellY = takeAxis(map_.y, rays_.y, columns_.y, starting, from, to);
-        const VI index =
-            hn::Add(hn::Mul(realCell(map_.y, cellY), hn::Set(di_, std::abs(map_.y.stride))), realCell(map_.x, cellX));
-        hn::StoreU(index, di_, columns_.index.data() + to);
-        VF rim = hn::Set(df_, 1.0F);
-        if constexpr (kAddress == Address::Border) {
-            for (const LaneAxisRays* axis : {&rays_.x, &rays_.y}) {
-                const VF margin = hn::Set(df_, kCrossingMargin);
-                const VF left = hn::Add(hn::LoadU(df_, axis->rim.data() + from), margin);
-                rim = hn::Min(rim, hn::MulAdd(hn::LoadU(df_, axis->inverse.data() + from), margin, left));
-            }
-        }
-        hn::StoreU(rim, df_, columns_.rim.data() + to);
-        hn::StoreU(hn::LoadU(df_, rays_.tie.data() + from), df_, columns_.tie.data() + to);
-        hn::StoreU(countedFrom(static_cast<std::int32_t>(from)), di_, columns_.slot.data() + to);
-        hn::StoreU(hn::IfThenElse(starting, hn::Set(di_, kWalking), hn::Set(di_, kEnded)), di_,
-                   columns_.state.data() + to);
-        walking_ += hn::CountTrue(di_, starting);
-    }
-
-    // Not Iota of the number: that is written lane by lane.
-    HWY_INLINE VI countedFrom(std::int32_t first) const { return hn::Add(hn::Iota(di_, 0), hn::Set(di_, first)); }
-
-    // Returns the cell, mirrored.
-    HWY_INLINE VI takeAxis(const Grid& grid, const LaneAxisRays& rays, WalkAxis& out, MI starting, std::size_t from,
-                           std::size_t to) const {
-        // Rays that are not walked: in a cell of the map, for words are read with those of their vector.
-        const VI low = hn::Set(di_, grid.low);
-        const VI cell = hn::IfThenElse(starting, hn::LoadU(di_, rays.cell.data() + from), low);
-        VI start = cell;
-        if constexpr (kAddress != Address::Repeat) {
-            start = hn::IfThenElse(starting, hn::LoadU(di_, rays.first.data() + from), low);
-        }
-        hn::StoreU(hn::Sub(cell, start), di_, out.n.data() + to);
-        hn::StoreU(hn::Sub(hn::Set(di_, grid.last), start), di_, out.last.data() + to);
-        const VF base = hn::LoadU(df_, rays.base.data() + from);
-        const VF run = hn::Abs(hn::LoadU(df_, rays.run.data() + from));
-        hn::StoreU(hn::LoadU(df_, rays.inverse.data() + from), df_, out.inverse.data() + to);
-        hn::StoreU(base, df_, out.base.data() + to);
-        hn::StoreU(run, df_, out.run.data() + to);
-        const VF shorter = hn::MulAdd(run, hn::Set(df_, 8 * kCrossingMargin), hn::Set(df_, kShorterJump + 0.5F));
-        hn::StoreU(hn::MulAdd(base, run, shorter), df_, out.place.data() + to);
-        return cell;
-    }
-
-    // The rays in flight to the front, ended ones behind them.
-    HWY_INLINE void compact() {
-        std::size_t to = 0;
-        for (std::size_t i = 0; i < used_; i += kLanes) {
-            const MI kept = hn::Ne(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kEnded));
-            const Packing packing(kept);
-            columns_.all([&](auto& column) {
-                using T = typename std::remove_reference_t<decltype(column)>::value_type;
-                const hn::ScalableTag<T> d;
-                hn::StoreU(packing(hn::Load(d, column.data() + i)), d, column.data() + to);
-            });
-            to += hn::CountTrue(di_, kept);
-        }
-        used_ = to;
-    }
 
     HWY_INLINE static Axis load(const Grid& grid, const WalkAxis& from, std::size_t i) {
         const DF df;
@@ -375,13 +255,6 @@ class ConeKernel {
         return clear;
     }
 
-    HWY_INLINE VI realCell(const Grid& grid, VI cell) const {
-        return grid.mirrored ? hn::Sub(hn::Set(di_, scene_.mirror - 1), cell) : cell;
-    }
-    HWY_INLINE VI realCell(const Grid& grid, VI n, VI last) const {
-        return realCell(grid, hn::Add(n, hn::Sub(hn::Set(di_, grid.last), last)));
-    }
-
     // Cells whose highest point the ray goes below: is the surface itself below it? Of all that wait for it.
     void leavesOfAll() {
         const Map map = map_;
@@ -428,23 +301,8 @@ class ConeKernel {
         const MF on = hn::And(below, who);
         const VI after = hn::IfThenElse(asInt(on), hn::Set(di, kWalking), hn::Set(di, kEnded));
         hn::Store(hn::IfThenElse(whoI, after, state), di, columns.state.data() + i);
-        noteMet(i, asInt(hn::AndNot(below, who)), realX, realY, at.x.n, at.y.n);
         moveOn(map, columns, i, at, on, at.out);
         return hn::CountTrue(df, on);
-    }
-
-    HWY_INLINE void noteMet(std::size_t i, MI met, VI realX, VI realY, VI nx, VI ny) {
-        const VI slots = hn::Load(di_, columns_.slot.data() + i);
-        const auto first = static_cast<std::size_t>(columns_.slot[i]);
-        if (hn::AllTrue(di_, hn::Eq(slots, countedFrom(columns_.slot[i])))) {
-            // As they were taken.
-            hn::BlendedStore(realX, met, di_, rays_.x.hitCell.data() + first);
-            hn::BlendedStore(realY, met, di_, rays_.y.hitCell.data() + first);
-            hn::BlendedStore(nx, met, di_, rays_.x.hitPlace.data() + first);
-            hn::BlendedStore(ny, met, di_, rays_.y.hitPlace.data() + first);
-        } else if (!hn::AllFalse(di_, met)) {
-            noteCandidates(rays_, met, slots, realX, realY, nx, ny);
-        }
     }
 
     HWY_INLINE void end(std::size_t i, MF who, LaneEnd how) {
@@ -453,16 +311,6 @@ class ConeKernel {
         store(columns_.state, i, who, hn::Set(di_, kEnded));
         noteEnd(rays_, asInt(who), hn::Load(di_, columns_.slot.data() + i), how);
     }
-
-    const DF df_{};
-    const DI di_{};
-    const LaneScene& scene_;
-    LaneRays& rays_;
-    WalkColumns& columns_;
-    Map map_;
-    std::size_t next_, end_;
-    std::size_t used_ = 0;                   // slots, ended rays included
-    std::size_t walking_ = 0, waiting_ = 0;  // rays
 };
 
 }  // namespace relief::HWY_NAMESPACE

@@ -16,9 +16,9 @@
 
 namespace relief {
 
-inline constexpr std::size_t kLaneChunk = 512;
-// Columns of a chunk: a whole vector may be loaded from any of its rays on.
-inline constexpr std::size_t kLaneSlots = kLaneChunk + 16;
+inline constexpr std::size_t kLaneChunk = 1024;
+// Columns of a chunk: a whole vector may be loaded from any of its rays on, and parts of it begin a vector.
+inline constexpr std::size_t kLaneSlots = kLaneChunk + 112;
 // Flatter rays are left to the scalar text: float would separate too few of their cells.
 inline constexpr double kLaneRun = 65536;
 // Cells from the origin within which positions are held as integers.
@@ -57,12 +57,18 @@ inline constexpr std::size_t kLaneGroup = 16;
 
 struct LaneRays {
     LaneAxisRays x, y;
-    std::array<double, kLaneChunk / kLaneGroup + 1> start;  // lambda at which a group begins: nothing is hit before
+    std::array<double, kLaneSlots / kLaneGroup + 1> start;  // lambda at which a group begins: nothing is hit before
     alignas(64) std::array<float, kLaneSlots> begin;        // the same, a ray
     alignas(64) std::array<float, kLaneSlots> tie;
     alignas(64) std::array<std::int32_t, kLaneSlots> end;  // LaneEnd; Candidate while it is walked
     std::size_t count = 0;
-    bool allHit = false;  // no ray ended otherwise
+    // Rays of the chunk, by their number in it, that were not hits, and what became of them.
+    struct Other {
+        std::uint32_t ray;
+        LaneEnd end;
+    };
+    std::array<Other, kLaneSlots> others;
+    std::size_t othersCount = 0;
 };
 
 // What the lanes walk over; pointers are not owned.
@@ -114,10 +120,10 @@ void traceInLanes(const T& tracer, const RayBlock& rays, std::size_t first, std:
     for (std::size_t begin = first; begin < last; begin += kLaneChunk) {
         const std::size_t end = std::min(begin + kLaneChunk, last);
         kernel(begin, end, scratch);
-        if (scratch.allHit) continue;
-        for (std::size_t i = begin; i < end; ++i) {
-            if (scratch.end[i - begin] != static_cast<std::int32_t>(LaneEnd::Scalar)) continue;
-            hits.set(i, tracer.trace(rays[i], sink));
+        for (std::size_t n = 0; n < scratch.othersCount; ++n) {
+            const LaneRays::Other& other = scratch.others[n];
+            const std::size_t i = begin + other.ray;
+            hits.set(i, other.end == LaneEnd::Miss ? Hit::none(Outcome::Miss) : tracer.trace(rays[i], sink));
         }
     }
 }

@@ -78,7 +78,9 @@ HWY_INLINE void packLanes(VI v, const Packing& packing, std::int32_t* to) {
     hn::Store(packing(v), DI(), to);
 }
 
-// What became of the rays in the chosen lanes: the cell that the leaf is to decide, and its place n, or an end.
+// What became of the rays in the chosen lanes: the cell that the leaf is to decide, and, where the map repeats, its
+// place n; or an end.
+template <Address kAddress>
 HWY_INLINE void noteCandidates(LaneRays& rays, MI chosen, VI slots, VI cellX, VI cellY, VI placeX, VI placeY) {
     HWY_ALIGN std::int32_t slot[kLanes], cells[2][kLanes], places[2][kLanes];
     const Packing packing(chosen);
@@ -86,14 +88,18 @@ HWY_INLINE void noteCandidates(LaneRays& rays, MI chosen, VI slots, VI cellX, VI
     packLanes(slots, packing, slot);
     packLanes(cellX, packing, cells[0]);
     packLanes(cellY, packing, cells[1]);
-    packLanes(placeX, packing, places[0]);
-    packLanes(placeY, packing, places[1]);
+    if constexpr (kAddress == Address::Repeat) {
+        packLanes(placeX, packing, places[0]);
+        packLanes(placeY, packing, places[1]);
+    }
     for (std::size_t n = 0; n < count; ++n) {
         const auto i = static_cast<std::size_t>(slot[n]);
         rays.x.hitCell[i] = cells[0][n];
         rays.y.hitCell[i] = cells[1][n];
-        rays.x.hitPlace[i] = places[0][n];
-        rays.y.hitPlace[i] = places[1][n];
+        if constexpr (kAddress == Address::Repeat) {
+            rays.x.hitPlace[i] = places[0][n];
+            rays.y.hitPlace[i] = places[1][n];
+        }
     }
 }
 HWY_INLINE void noteEnd(LaneRays& rays, MI chosen, VI slots, LaneEnd end) {

@@ -9,7 +9,7 @@
 #define HWY_TARGET_INCLUDE "relief/lanes/pyramid_lanes.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "relief/lanes/lane_leaf-inl.h"
+#include "relief/lanes/lane_settle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
@@ -325,9 +325,9 @@ class PyramidKernel {
 
     HWY_INLINE void finishCandidates(const State& state, MF who) {
         if (hn::AllFalse(df_, who)) return;
-        noteCandidates(rays_, asInt(who), state.slot, hn::Xor(state.x.k, state.x.mirror),
-                       hn::Xor(state.y.k, state.y.mirror), hn::Add(state.x.k, state.x.offset),
-                       hn::Add(state.y.k, state.y.offset));
+        noteCandidates<kAddress>(rays_, asInt(who), state.slot, hn::Xor(state.x.k, state.x.mirror),
+                                 hn::Xor(state.y.k, state.y.mirror), hn::Add(state.x.k, state.x.offset),
+                                 hn::Add(state.y.k, state.y.offset));
     }
 
     HWY_INLINE void finish(const State& state, MF who, LaneEnd end) { noteEnd(rays_, asInt(who), state.slot, end); }
@@ -349,14 +349,13 @@ class PyramidKernel {
 template <Address kAddress, Surface kSurface>
 void traceIn(const LaneScene& scene, const DepthPyramid& pyramid, const RayBlock& rays, std::size_t first,
              HitBlock& hits, LaneRays& scratch) {
-    const double* const s0 = rays.s0.data() + first;
-    const double* const t0 = rays.t0.data() + first;
-    const double* const a = rays.a.data() + first;
-    const double* const b = rays.b.data() + first;
+    const double* const given[] = {rays.s0.data() + first, rays.t0.data() + first, rays.a.data() + first,
+                                   rays.b.data() + first};
     scratch.start.fill(scene.start);
-    setUpLanes<kAddress>(scene, s0, t0, a, b, scratch);
+    scratch.othersCount = 0;
+    setUpLanes<kAddress>(scene, given[0], given[1], given[2], given[3], scratch);
     PyramidKernel<kAddress, kSurface>(scene, pyramid, scratch).run();
-    settleLanes<kAddress, kSurface>(scene, s0, t0, a, b, scratch, hits, first);
+    settleLanes<kAddress, kSurface>(scene, given, 0, scratch.count, {}, {}, scratch, hits, first);
 }
 
 void tracePyramid(const LaneScene& scene, const DepthPyramid& pyramid, const RayBlock& rays, std::size_t first,
@@ -391,10 +390,7 @@ void tracePyramidLanes(const LaneScene& scene, const DepthPyramid& pyramid, cons
     assert(last - first <= kLaneChunk);
     scratch.count = last - first;
     HWY_DYNAMIC_DISPATCH(tracePyramid)(scene, pyramid, rays, first, hits, scratch);
-    if (scratch.allHit) return;
-    for (std::size_t i = 0; i < scratch.count; ++i) {
-        if (scratch.end[i] == static_cast<std::int32_t>(LaneEnd::Miss)) hits.set(first + i, Hit::none(Outcome::Miss));
-    }
+    std::fill_n(hits.outcome.data() + first, scratch.count, Outcome::Hit);
 }
 
 }  // namespace relief

@@ -6,8 +6,8 @@
 
 namespace relief {
 
-// Rays [first, last) of the block, at most kLaneChunk, into the same places of hits. scratch.end tells afterwards which
-// rays are left to the scalar text (LaneEnd::Scalar); the others are done.
+// Rays [first, last) of the block, at most kLaneChunk, into the same places of hits. scratch.others tells afterwards
+// which rays are left to the scalar text (LaneEnd::Scalar) or miss; the others are done.
 void tracePyramidLanes(const LaneScene& scene, const DepthPyramid& pyramid, const RayBlock& rays, std::size_t first,
                        std::size_t last, HitBlock& hits, LaneRays& scratch);
 

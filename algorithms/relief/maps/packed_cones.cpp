@@ -68,7 +68,7 @@ class QuadrantCones {
           x_{map.nx, wraps, (quadrant & 1) != 0},
           y_{map.ny, wraps, (quadrant & 2) != 0} {}
 
-    void build(std::vector<std::uint32_t>& words, Work& work);
+    void build(LargeVector<std::uint32_t>& words, Work& work);
 
   private:
     struct Scratch {
@@ -82,7 +82,7 @@ class QuadrantCones {
 
     void addLevel(Work& work);
     static std::vector<std::array<int, 3>> below(const QuadrantAxis& axis, int level, int belowCount, int count);
-    void buildTile(int x0, int y0, Scratch& scratch, std::vector<std::uint32_t>& words) const;
+    void buildTile(int x0, int y0, Scratch& scratch, LargeVector<std::uint32_t>& words) const;
     void loadCells(int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
     bool steepenByLevel(int level, int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
     int blocksAcross(const QuadrantAxis& axis, int level) const { return ((axis.cells - 1) >> level) + 1; }
@@ -211,7 +211,7 @@ bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& ti
     return steepenByBlocks(rings, static_cast<float>(map_.highest), farther, tile) > 0;
 }
 
-void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::vector<std::uint32_t>& words) const {
+void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, LargeVector<std::uint32_t>& words) const {
     ConeTile tile;
     tile.width = std::min(kTileWidth, x_.cells - x0);
     tile.height = std::min(kTileHeight, y_.cells - y0);
@@ -249,7 +249,7 @@ void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::vector<std:
     }
 }
 
-void QuadrantCones::build(std::vector<std::uint32_t>& words, Work& work) {
+void QuadrantCones::build(LargeVector<std::uint32_t>& words, Work& work) {
     const int farthest = std::max(x_.cells, y_.cells) - 2;  // largest gap
     while (farthest >= kFirstBlocks << (levels_.size() + 1)) addLevel(work);
     words.resize(cells_.size());
@@ -292,11 +292,11 @@ DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work)
 }
 
 // Row after row of cells: pairs of nodes, the one before the row's cells and the one after.
-std::vector<float> nodesOf(const HeightField& field, const PackedCones& map, Work& work) {
+LargeVector<float> nodesOf(const HeightField& field, const PackedCones& map, Work& work) {
     const CellGrid grid(field);
     const FloatImage& heights = *field.sharedHeights();
     const std::size_t pairs = place(map.nx) + 1;
-    std::vector<float> nodes(2 * pairs * place(map.ny));
+    LargeVector<float> nodes(2 * pairs * place(map.ny));
     work.arena().execute([&] {
         tbb::parallel_for(0, map.ny, [&](int cy) {
             const auto before = heights.row(grid.y.nodeBefore(cy)), after = heights.row(grid.y.nodeAfter(cy));

@@ -17,6 +17,7 @@
 #include <memory>
 #include <vector>
 
+#include "large_memory.h"
 #include "relief/cell_grid.h"
 #include "relief/describe.h"
 #include "relief/maps/map_cache.h"
@@ -44,10 +45,10 @@ struct PackedCones {
     double lowest = 0;
     double unit = 0;  // height = highest - depth * unit: at or above the true one; 0 if the relief is flat
     // By quadrant: bit 0 the run in x is negative, bit 1 that in y (a run of 0 is not); row by row.
-    std::array<std::vector<std::uint32_t>, 4> words;
+    std::array<LargeVector<std::uint32_t>, 4> words;
     // Bilinear surfaces: the heights of a cell's nodes in one place, (i0, j0), (i0, j1), (i1, j0), (i1, j1) from
     // 2 (cy (nx + 1) + cx) on; the nodes that it shares with the next cell of its row are stored once.
-    std::vector<float> nodes;
+    LargeVector<float> nodes;
 
     std::size_t index(int cx, int cy) const {
         return static_cast<std::size_t>(cy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(cx);
