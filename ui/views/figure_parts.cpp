@@ -6,6 +6,7 @@
 #include "views/compare_painting.h"
 #include "views/drawn_view.h"
 #include "views/duel_data.h"
+#include "views/result_painting.h"
 #include "views/table_figures.h"
 
 namespace reliefui {
@@ -16,6 +17,32 @@ namespace {
 
 constexpr double kMmPerPoint = 25.4 / 72;
 constexpr double kMargins = 12;  // points, of a figure
+
+// The legend of the result's layer, for a page so many points wide: pixels of a screen, of which there are 96 an inch.
+constexpr double kPixelsPerPoint = 96.0 / 72;
+
+// The same on every page, and where it is measured.
+QFont legendFont() {
+    constexpr int kPixels = 13;
+    QFont font;
+    font.setPixelSize(kPixels);
+    return font;
+}
+
+// What the legend measures by are pixels of a screen.
+Style onScreen(Style style) {
+    style.projector = false;
+    style.screenPixelsPerPoint = kPixelsPerPoint;
+    return style;
+}
+
+QSizeF legendOf(const Snapshot& snapshot, const Style& style) {
+    QImage nothing(1, 1, QImage::Format_RGB32);
+    QPainter painter(&nothing);
+    painter.setFont(legendFont());
+    const QSize size = paintLegend(&painter, snapshot.layer, {}, onScreen(style));
+    return size.isValid() ? QSizeF(size) / kPixelsPerPoint : QSizeF(0, 0);
+}
 
 TableSource tableOf(const Snapshot& snapshot, const FigureRequest& request) {
     return request.view == "steps" ? stepTable(snapshot, request.style.language)
@@ -34,6 +61,37 @@ Drawing emptyDrawing(MessageId why) {
     label.anchor = Anchor::Center;
     drawing.add({}, Role::Label, std::move(label));
     return drawing;
+}
+
+double resultAspect(const Snapshot& snapshot, const FigureRequest& request) {
+    const double picture =
+        static_cast<double>(snapshot.layer.image.height()) / std::max(1, snapshot.layer.image.width());
+    return picture + legendOf(snapshot, request.style).height() / (request.widthMm / kMmPerPoint);
+}
+
+// The legend of its layer, if it has one, stands below the picture.
+void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
+    const QImage& image = snapshot.layer.image;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, true);
+    const double high = page.width() * image.height() / std::max(1, image.width());
+    painter.drawImage(QRectF(page.x0, page.y0, page.width(), high), image);
+    if (page.y0 + high < page.y1 - 1) {
+        painter.save();
+        painter.translate(page.x0, page.y1);
+        const double unit = style.screenPixelsPerPoint / kPixelsPerPoint;
+        painter.scale(unit, unit);
+        painter.setFont(legendFont());
+        paintLegend(&painter, snapshot.layer, QPoint(0, 0), onScreen(style));
+        painter.restore();
+    }
+    if (snapshot.scenario.pixel) {
+        const double side = page.width() / std::max(1, snapshot.scenario.width);
+        const Point at{page.x0 + (snapshot.scenario.pixel->x + 0.5) * side,
+                       page.y0 + (snapshot.scenario.pixel->y + 0.5) * side};
+        Drawing ring;
+        ring.add({}, Role::Hit, Ring{at, 5});
+        paint(painter, ring, ViewMap{}, style, page);
+    }
 }
 
 // Pictures in two columns where there are more than three, with their numbers.

@@ -12,9 +12,12 @@ namespace reliefui {
 Drawing emptyDrawing(relief::MessageId why);
 
 // Height over width.
+double resultAspect(const Snapshot& snapshot, const FigureRequest& request);
 double compareAspect(const ComparedView& view, relief::CompareMode mode);
 double tableAspect(const Snapshot& snapshot, const FigureRequest& request);
 
+// With the legend of its layer, if it has one, below it.
+void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style);
 void paintComparison(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
                      const Style& style);
 void paintByHand(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style);
