@@ -140,8 +140,12 @@ struct RayAxis {
         if (!(lambda > 0)) {
             cell = startCell(axis);
         } else if (axis.wraps) {
-            cell.base = static_cast<std::int64_t>(std::floor(place / axis.cells)) * axis.cells;
-            cell.index = static_cast<int>(place - static_cast<double>(cell.base));
+            // Farther than numbers tell one cell from the next any cell will do, as long as it is one.
+            constexpr double kFarthest = 0x1p62;
+            const double reached = std::clamp(place, -kFarthest, kFarthest);
+            cell.base = static_cast<std::int64_t>(std::floor(reached / axis.cells)) * axis.cells;
+            // The quotient may be rounded to a whole period.
+            cell.index = static_cast<int>(std::clamp(reached - static_cast<double>(cell.base), 0.0, axis.cells - 1.0));
         } else {
             cell.index = static_cast<int>(std::clamp(place, 0.0, axis.cells - 1.0));
         }

@@ -1,4 +1,6 @@
 // The exact methods against each other, bit for bit, and against an independent truth in long double.
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 
@@ -6,6 +8,7 @@
 
 #include "fields.h"
 #include "images/files.h"
+#include "measuring/random_rays.h"
 #include "reference.h"
 
 namespace relief::test {
@@ -237,6 +240,23 @@ TEST(Exactness, awkwardRaysAgreeWithLongDouble) {
 }
 
 // The domain's limit: 2^20 texels of run. Exact there; flatter rays end, without NaN, within the bound.
+// A cell that is none is read beyond the map: it was, where a run so long that cells cannot be told apart wraps.
+TEST(Exactness, cellsOfAnyRunAreCellsOfTheMap) {
+    constexpr std::uint64_t kCellSeed = 22;
+    std::cout << "seed " << kCellSeed << '\n';
+    Random random(kCellSeed);
+    constexpr int kCases = 200000;
+    for (int n = 0; n < kCases; ++n) {
+        const int size = 1 + random.below(600);
+        const GridAxis axis(size, random.below(2) == 0 ? Surface::Bilinear : Surface::Columns, Address::Repeat);
+        const double run = std::ldexp(random.between(-1, 1), random.below(90));
+        const RayAxis ray(axis, random.between(-2.0 * size, 3.0 * size), run);
+        const AxisCell cell = ray.cellAt(axis, random.unit());
+        ASSERT_GE(cell.index, 0) << size << " " << run;
+        ASSERT_LT(cell.index, size) << size << " " << run;
+    }
+}
+
 TEST(Exactness, flatRays) {
     MapCache cache;
     Work work;
