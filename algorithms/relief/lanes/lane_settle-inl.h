@@ -248,6 +248,10 @@ void settleLanes(const LaneScene& scene, const double* const* given, std::size_t
                  Course backwardsX, Course backwardsY, LaneRays& rays, HitBlock& hits, std::size_t firstHit) {
     const DD d;
     const DHI di;
+    // Lanes behind the last ray: in some cell of the map, for its heights are read.
+    for (LaneAxisRays* axis : {&rays.x, &rays.y}) {
+        hn::StoreU(hn::Zero(DI()), DI(), axis->hitCell.data() + last);
+    }
     // First all of them: written as vectors, read lane by lane.
     alignas(64) std::array<std::int32_t, kLaneSlots> pairs;
     if (scene.nodes != nullptr) {
