@@ -101,6 +101,33 @@ std::vector<std::string> exportedViews() {
 INSTANTIATE_TEST_SUITE_P(Exports, EveryExport, ::testing::ValuesIn(exportedViews()),
                          [](const auto& made) { return made.param; });
 
+// A figure of more pixels is the same figure: lines cover the same part of it.
+TEST(Exports, linesOnSlabsAreAsWideAtAnyResolution) {
+    const QTemporaryDir folder;
+    const QString scenario = writeScenario(folder, false);
+    const auto covered = [&](const char* dpi) {
+        const QString path = folder.filePath(QString::fromLatin1(dpi) + QStringLiteral(".png"));
+        QString complaint;
+        const int status = exportFigure(
+            {scenario, QStringLiteral("--export"), QStringLiteral("slabs"), QStringLiteral("-o"), path,
+             QStringLiteral("--width"), QStringLiteral("127"), QStringLiteral("--dpi"), QString::fromLatin1(dpi)},
+            &complaint);
+        EXPECT_EQ(status, 0) << complaint.toStdString();
+        const QImage image(path);
+        constexpr int kColoured = 60;  // heights, frames and words are grey
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y).saturation() > kColoured ? 1 : 0;
+        }
+        return static_cast<double>(count) / image.width() / std::max(1, image.height());
+    };
+    const double coarse = covered("96"), fine = covered("288");
+    EXPECT_GT(coarse, 0.002);
+    // Smoothing takes colour from thin lines in the coarse one; lines twice too wide would be far more.
+    EXPECT_LT(fine / coarse, 1.4);
+    EXPECT_GT(fine / coarse, 0.6);
+}
+
 // The legend stands below the picture, which stays as it is; in vectors its words are words.
 TEST(Exports, aLayerOfTheResultHasItsLegend) {
     const QTemporaryDir folder;

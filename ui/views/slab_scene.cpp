@@ -215,7 +215,7 @@ void SlabScene::addMark(const Item& item, const Slab& slab) {
         };
         for (int k = 0; k < kSides; ++k) lines.emplace_back(at(k), at(k + 1));
     }
-    addLines(lines, stroke.color, stroke.width);
+    addLines(lines, stroke.color, stroke.width / style_.screenPixelsPerPoint);
 }
 
 void SlabScene::showStep(const PyramidParts& parts, int step) {
