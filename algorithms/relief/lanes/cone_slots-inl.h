@@ -212,18 +212,9 @@ class WalkSlots {
 
     // The same for any rays: returns which of them lanes can take, and notes what becomes of the others.
     HWY_NOINLINE MI entryWithCare(std::size_t from, const double* const* columns, double begin, Entry& x, Entry& y) {
-        const DD d;
-        const DHI di;
+        const auto column = [&](std::size_t c) { return columns[c] - from; };
         for (std::size_t h = 0; h < kLanes; h += kHalfLanes) {
-            const std::size_t i = from + h;
-            const auto axis = [&](std::size_t c, const GridAxis& grid, LaneAxisRays& to) {
-                return setUpPlaces<kAddress>(scene_, grid, columns[c] - from, columns[c + 2] - from, begin, i, to);
-            };
-            const Fitness fx = axis(0, scene_.grid.x, rays_.x), fy = axis(1, scene_.grid.y, rays_.y);
-            const auto code = [&](LaneEnd which) { return hn::Set(d, static_cast<double>(which)); };
-            const VD kept = hn::IfThenElseZero(hn::Or(fx.gone, fy.gone), code(LaneEnd::Miss));
-            const VD end = hn::IfThenElse(hn::And(fx.fit, fy.fit), kept, code(LaneEnd::Scalar));
-            hn::StoreU(hn::DemoteTo(di, end), di, rays_.end.data() + i);
+            setUpRays<kAddress>(scene_, column(0), column(1), column(2), column(3), begin, from + h, rays_);
         }
         const MI fit = hn::Eq(hn::LoadU(di_, rays_.end.data() + from), hn::Zero(di_));
         const auto load = [&](const Grid& grid, const LaneAxisRays& rays, Entry& out) {

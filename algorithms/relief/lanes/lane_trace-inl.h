@@ -211,23 +211,29 @@ HWY_INLINE VF setUpCrossings(VF start, std::size_t i, LaneAxisRays& out) {
     return margin;
 }
 
+// Both axes of rays [i, i + kHalfLanes), and which of them lanes cannot take or need not.
+template <Address kAddress>
+HWY_INLINE void setUpRays(const LaneScene& scene, const double* s0, const double* t0, const double* a, const double* b,
+                          double begin, std::size_t i, LaneRays& rays) {
+    const DHI di;
+    const DD d;
+    const Fitness x = setUpPlaces<kAddress>(scene, scene.grid.x, s0, a, begin, i, rays.x);
+    const Fitness y = setUpPlaces<kAddress>(scene, scene.grid.y, t0, b, begin, i, rays.y);
+    const auto code = [&](LaneEnd which) { return hn::Set(d, static_cast<double>(which)); };
+    const VD kept = hn::IfThenElseZero(hn::Or(x.gone, y.gone), code(LaneEnd::Miss));
+    const VD end = hn::IfThenElse(hn::And(x.fit, y.fit), kept, code(LaneEnd::Scalar));
+    hn::StoreU(hn::DemoteTo(di, end), di, rays.end.data() + i);
+}
+
 // rays.count and rays.start are given. The arrays are filled up to whole vectors with rays that are not walked.
 template <Address kAddress>
 void setUpLanes(const LaneScene& scene, const double* s0, const double* t0, const double* a, const double* b,
                 LaneRays& rays) {
-    const DHI di;
-    const DD dd;
     const std::size_t count = rays.count;
     const auto setUp = [&](const double* s, const double* t, const double* ra, const double* rb, std::size_t from,
                            std::size_t to, LaneRays& out) {
         for (std::size_t i = from; i < to; i += kHalfLanes) {
-            const double begin = out.start[i / kLaneGroup];
-            const Fitness x = setUpPlaces<kAddress>(scene, scene.grid.x, s, ra, begin, i, out.x);
-            const Fitness y = setUpPlaces<kAddress>(scene, scene.grid.y, t, rb, begin, i, out.y);
-            const auto code = [&](LaneEnd which) { return hn::Set(dd, static_cast<double>(which)); };
-            const VD kept = hn::IfThenElseZero(hn::Or(x.gone, y.gone), code(LaneEnd::Miss));
-            const VD end = hn::IfThenElse(hn::And(x.fit, y.fit), kept, code(LaneEnd::Scalar));
-            hn::StoreU(hn::DemoteTo(di, end), di, out.end.data() + i);
+            setUpRays<kAddress>(scene, s, t, ra, rb, out.start[i / kLaneGroup], i, out);
         }
     };
     const std::size_t whole = count - count % kHalfLanes;
