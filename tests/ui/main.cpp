@@ -9,12 +9,14 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "crash_report.h"
 #include "window_fixture.h"
 #include "windows/application.h"
 #include "windows/display_check.h"
 #include "windows/program.h"
 
 int main(int count, char** values) {
+    reliefui::reportCrashes();
     ::testing::InitGoogleTest(&count, values);
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty() || ::testing::GTEST_FLAG(list_tests)) {

@@ -30,6 +30,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include "crash_report.h"
 #include "views/drawing_canvas.h"
 #include "window_fixture.h"
 
@@ -126,7 +127,8 @@ class Walk {
     int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
     void note(const QString& text) {
         story_.push_back(text);
-        // To follow a walk that crashes.
+        rememberForCrash(text.toStdString());
+        // To follow a walk.
         if (std::getenv("RELIEF_WALK") != nullptr) std::fprintf(stderr, "%s\n", qPrintable(text));
         if (story_.size() > kRemembered) story_.pop_front();
     }
