@@ -5,6 +5,7 @@
 
 #include "views/charts_view.h"
 #include "views/compare_view.h"
+#include "views/trace3d_view.h"
 #include "window_fixture.h"
 
 namespace reliefui {
@@ -71,6 +72,24 @@ TEST_F(ClosedPanes, WhatIsComputedAnewIsThereAgain) {
     EXPECT_EQ(window_->charts()->histograms(), nullptr);
     ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("charts-pane")));
     EXPECT_NE(window_->charts()->histograms(), nullptr);
+}
+
+// Another exaggeration while it is out of sight, then steps before it could draw itself.
+TEST_F(ClosedPanes, StepsComeBeforeTheFirstPictureOfAnotherExaggeration) {
+    openWindow(smallScenario());
+    QDockWidget* const trace = dock(QStringLiteral("trace-pane"));
+    auto* const view = qobject_cast<Trace3dView*>(trace->widget());
+    ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("trace-pane")));
+    const int step = scenario().step;
+    const QImage before = grab(view);
+    view->setExaggeration(2);
+    EXPECT_NE(grab(view), before);
+    trace->hide();
+    workspace_->undo();
+    trace->show();
+    for (const int next : {0, step}) workspace_->chooseStep(next);
+    QTest::qWait(kDrawnMs);
+    EXPECT_EQ(grab(view), before);
 }
 
 // Behind the pane that fills the window they are soon back: they keep what they have.

@@ -141,6 +141,11 @@ void TracePicture::clear(const Style& style) {
     topLabel_ = nullptr;
 }
 
+void TracePicture::forget() {
+    clear(style_);
+    shown_.reset();
+}
+
 void TracePicture::show(std::shared_ptr<const Snapshot> snapshot, const Style& style, double exaggeration) {
     clear(style);
     shown_ = std::move(snapshot);

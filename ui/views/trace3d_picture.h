@@ -32,7 +32,8 @@ class TracePicture {
 
     // Replaces everything. style: in the pixels of the window; exaggeration: of heights.
     void show(std::shared_ptr<const Snapshot> snapshot, const Style& style, double exaggeration);
-    void forget() { shown_.reset(); }
+    // The next show() draws anew, whatever it is of.
+    void forget();
     void showStep(int step);
     // The camera: the whole patch seen from the side of the ray; the same without turning; the end of the step in the
     // middle. aspect: width over height of the view.
