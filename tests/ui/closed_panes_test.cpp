@@ -74,6 +74,30 @@ TEST_F(ClosedPanes, WhatIsComputedAnewIsThereAgain) {
     EXPECT_NE(window_->charts()->histograms(), nullptr);
 }
 
+// Emptied, then shown again where there is no room for its face yet, as happens while the window lays out many panes.
+TEST_F(ClosedPanes, ComeBackWithoutRoom) {
+    openWindow(smallScenario());
+    for (const char* const name : {"profile-pane", "trace-pane"}) {
+        SCOPED_TRACE(name);
+        const QString pane = QString::fromLatin1(name);
+        FigureView* const view = viewOf(pane);
+        ASSERT_NO_FATAL_FAILURE(bringUp(pane));
+        auto* const face = view->findChild<QVTKOpenGLNativeWidget*>();
+        ASSERT_NO_FATAL_FAILURE(close(pane));
+        ASSERT_FALSE(face->isValid());
+        view->setMaximumHeight(1);
+        dock(pane)->show();
+        dock(pane)->raise();
+        QTest::qWait(kDrawnMs);
+        EXPECT_EQ(face->height(), 0);
+        EXPECT_TRUE(face->isValid());
+        view->setMaximumHeight(QWIDGETSIZE_MAX);
+        ASSERT_NO_FATAL_FAILURE(bringUp(pane));
+        EXPECT_GT(face->height(), 0);
+        EXPECT_GT(colorsIn(grab(view)), 10);
+    }
+}
+
 // Another exaggeration while it is out of sight, then steps before it could draw itself.
 TEST_F(ClosedPanes, StepsComeBeforeTheFirstPictureOfAnotherExaggeration) {
     openWindow(smallScenario());

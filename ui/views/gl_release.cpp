@@ -6,8 +6,34 @@
 
 namespace reliefui {
 
+namespace {
+
+constexpr QSize kLittle(8, 8);
+
+// Shown without any room, as while many panes are laid out, a widget of OpenGL would begin anew only when it has some.
+// But Qt composes the window before that, and asks a context that is still to come. So it begins at once.
+class BeginAtOnce : public QObject {
+  public:
+    explicit BeginAtOnce(QVTKOpenGLNativeWidget& widget) : QObject(&widget), widget_(widget) {
+        widget.installEventFilter(this);
+    }
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() != QEvent::Show) return false;
+        if (const QSize room = widget_.size(); !widget_.isValid() && room.isEmpty()) {
+            widget_.resize(kLittle);
+            widget_.resize(room);
+        }
+        deleteLater();
+        return false;
+    }
+
+  private:
+    QVTKOpenGLNativeWidget& widget_;
+};
+
+}  // namespace
+
 void releaseGl(QVTKOpenGLNativeWidget& widget) {
-    constexpr QSize kLittle(8, 8);
     if (widget.isVisible() || !widget.isValid()) return;
     const QSize before = widget.size();
     // Out of sight Qt would keep this to itself until the widget is shown.
@@ -20,6 +46,7 @@ void releaseGl(QVTKOpenGLNativeWidget& widget) {
     widget.hide();
     QEvent other(QEvent::WindowChangeInternal);
     QCoreApplication::sendEvent(&widget, &other);
+    new BeginAtOnce(widget);
     if (wanted) widget.show();
     // The layout is to make it as large as it was.
     widget.updateGeometry();
