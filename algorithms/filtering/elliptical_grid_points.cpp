@@ -1,5 +1,6 @@
 // The points that pixels at edges sum: which, and what they meet.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "filtering/grid_tile.h"
@@ -110,20 +111,21 @@ void GridKernel::follow(Tile& tile, std::size_t k) const {
             if (asked(cell) && std::isnan(tile.s[cell])) tile.color[cell * points] = {};
         }
     }
-    const auto row = static_cast<std::size_t>(tile.width);
+    const auto row = static_cast<std::size_t>(tile.width), cells = tile.cells();
     const auto square = static_cast<std::size_t>(lattice_.squareOf(k, tile.width));
-    const auto take = [&](const std::vector<double>& column, std::vector<double>& to) {
-        const double* from = column.data();
-        if (k > 0) {
-            reserve(tile.between, tile.cells());
-            betweenCentres(from, row, tile.cells() - row - 1, lattice_.shares[k], tile.between.data());
-            from = tile.between.data();
+    std::array<const double*, 3> from{tile.lambda.data(), tile.s.data(), tile.t.data()};
+    if (k > 0) {
+        reserve(tile.between, 3 * cells);
+        for (std::size_t c = 0; c < from.size(); ++c) {
+            double* between = tile.between.data() + c * cells;
+            betweenCentres(from[c], row, cells - row - 1, lattice_.shares[k], between);
+            from[c] = between;
         }
-        for (std::size_t n = first; n < out.count; ++n) to[n] = from[tile.order[tile.which[n - first]].cell - square];
-    };
-    take(tile.lambda, out.lambda);
-    take(tile.s, out.s);
-    take(tile.t, out.t);
+    }
+    for (std::size_t n = first; n < out.count; ++n) {
+        const std::size_t at = tile.order[tile.which[n - first]].cell - square;
+        out.lambda[n] = from[0][at], out.s[n] = from[1][at], out.t[n] = from[2][at];
+    }
 }
 
 // All points that the edges sum, with what they meet; tile.points has those that meet something.

@@ -160,7 +160,13 @@ HeightBoundsMap coarseHeightBounds(const std::shared_ptr<const FloatImage>& heig
         });
     });
     work.throwIfStopped();
-    return {Pyramid(PyramidKind::Min, std::move(low), work), Pyramid(PyramidKind::Max, std::move(high), work), shift};
+    float evenest = kInfinity;
+    for (std::size_t i = 0; i < low.size(); ++i) evenest = std::min(evenest, high.pixels()[i] - low.pixels()[i]);
+    return {Pyramid(PyramidKind::Min, std::move(low), work),
+            Pyramid(PyramidKind::Max, std::move(high), work),
+            shift,
+            {},
+            evenest};
 }
 
 HeightBounds heightBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,

@@ -24,6 +24,7 @@ struct HeightBoundsMap {
     int shift = 0;  // a texel of level 0 stands for 2^shift texels along each side
     // Level l: of 2^l x 2^l texels and the cells to their right and below. Empty for large maps.
     std::vector<Image<SurfaceBounds>> surface{};
+    float evenest = 0;  // the least difference of heights within a texel of level 0
     std::size_t bytes() const;
 };
 

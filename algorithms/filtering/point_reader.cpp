@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include <hwy/cache_control.h>
+
 #include "filtering/lane_job.h"
 
 // Vectors in arrays: not for the instruction sets without a fixed width.
@@ -156,10 +158,25 @@ HWY_INLINE void addTap(const LaneJob& job, const TapLanes& f, V offset, V weight
     add(next, lowerLeft, lowerRight);
 }
 
-void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, std::uint8_t* left,
-                Color* HWY_RESTRICT colors, FootprintCounts& counts) {
+// Asks for the texels under the middle of each footprint, which lie somewhere else for each: they come while other
+// vectors' taps are made. Beyond the picture something else is asked for, which does no harm.
+HWY_INLINE void fetchTexels(const LaneJob& job, const TapLanes& f) {
+    const DI di;
+    const V half = set(0.5F);
+    const VI last = hn::Sub(f.height, setI(1));
+    const VI column = hn::Add(f.cellS, toInt(hn::Floor(hn::Sub(f.restS, half))));
+    const VI row = hn::Add(f.cellT, toInt(hn::Floor(hn::Sub(f.restT, half))));
+    const VI upper = hn::Max(hn::Min(row, last), setI(0)), lower = hn::Min(hn::Add(upper, setI(1)), last);
+    const VI inside = hn::Max(hn::Min(column, f.width), setI(0));
+    alignas(64) std::int32_t at[2 * kLanes];
+    hn::Store(hn::Add(hn::Add(f.origin, hn::Mul(upper, f.stride)), inside), di, at);
+    hn::Store(hn::Add(hn::Add(f.origin, hn::Mul(lower, f.stride)), inside), di, at + kLanes);
+    for (const std::int32_t texel : at) hwy::Prefetch(job.levels->texels.data() + texel);
+}
+
+void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, const TapLanes& f,
+                const std::uint8_t* left, Color* HWY_RESTRICT colors, FootprintCounts& counts) {
     const D d;
-    const TapLanes f = tapsOf(job, chunk, first, left);
     const V zero = hn::Zero(d), one = set(1);
     PointSums sums{zero, zero, zero};
     const float most = hn::GetLane(hn::MaxOfLanes(d, f.count));
@@ -184,13 +201,18 @@ void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, s
 
 void readPoints(const LaneJob& job, FootprintCounts& counts) {
     LaneChunk chunk;
+    TapLanes taps[kLanePixels / kLanes];
+    std::uint8_t left[kLanePixels];
     for (std::size_t begin = 0; begin < job.count; begin += kLanePixels) {
         fillChunk(job, begin, chunk);
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
-            std::uint8_t left[kLanes];
-            readVector(job, chunk, k, left, job.colors + begin + k, counts);
-            for (std::size_t n = 0; n < kLanes && k + n < chunk.count; ++n) job.left[begin + k + n] = left[n];
+            taps[k / kLanes] = tapsOf(job, chunk, k, left + k);
+            fetchTexels(job, taps[k / kLanes]);
         }
+        for (std::size_t k = 0; k < chunk.count; k += kLanes) {
+            readVector(job, chunk, k, taps[k / kLanes], left + k, job.colors + begin + k, counts);
+        }
+        std::copy_n(left, chunk.count, job.left + begin);
     }
 }
 

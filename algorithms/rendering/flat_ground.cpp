@@ -24,15 +24,6 @@ struct Box {
     }
 };
 
-// The least difference of heights within a block.
-double evenest(const HeightBoundsMap& map) {
-    const auto low = map.lowest.level(0).pixels();
-    const auto high = map.highest.level(0).pixels();
-    double least = 1;
-    for (std::size_t i = 0; i < low.size(); ++i) least = std::min<double>(least, high[i] - low[i]);
-    return least;
-}
-
 }  // namespace
 
 std::shared_ptr<const HeightBoundsMap> groundBounds(const HeightField& field, Work& work) {
@@ -45,7 +36,7 @@ FlatGround::FlatGround(HeightField field, std::shared_ptr<const HeightBoundsMap>
     : field_(std::move(field)), bounds_(std::move(bounds)), leaf_(field_), flat_(flat), bound_(bound) {
     all_ = {bounds_->lowest.level(bounds_->lowest.levels() - 1)(0, 0),
             bounds_->highest.level(bounds_->highest.levels() - 1)(0, 0)};
-    const double least = evenest(*bounds_);
+    const double least = bounds_->evenest;
     never_ = !(flat_ && least <= 0) && !(bound_ > 0 && parallaxError(0, {0, least}) <= bound_);
 }
 

@@ -114,7 +114,8 @@ FrameBuffers allocate(Frame& frame, const Frame* last, FrameBuffers& spare, bool
     if (has(stale, Stage::Hits)) {
         buffers.hits = taken(spare.hits, spare.hits && spare.hits->by.size() == pixels);
         HitBlock& hits = buffers.hits->hits;
-        hits.resize(pixels);
+        hits.outcome.resize(pixels);
+        for (auto* column : {&hits.lambda, &hits.s, &hits.t}) column->resize(pixels);
         buffers.hits->by.resize(pixels);
         // A mesh counts its triangles as it draws; rays are counted when somebody asks.
         hits.steps.assign(mesh ? pixels : 0, 0);

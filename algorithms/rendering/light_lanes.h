@@ -2,6 +2,7 @@
 // ReliefAxes::normalOf and glm::dot on every instruction set.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "relief/slope_scene.h"
@@ -13,5 +14,10 @@ namespace relief {
 // of the slab. All spans of one length; places that are NaN give NaN.
 void facingLight(const SlopeScene& scene, const ReliefAxes& axes, double slabTexels, glm::dvec3 toLight,
                  std::span<const double> s, std::span<const double> t, std::span<double> out);
+
+// By how much lit() multiplies a colour. Inline, so that compilers make a row of them at once.
+inline float litAmount(double facing, const Light& light) {
+    return static_cast<float>(light.intensity * (light.ambient + (1 - light.ambient) * std::max(0.0, facing)));
+}
 
 }  // namespace relief

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "rendering/light_lanes.h"
+
 namespace relief {
 
 glm::dvec3 lightDirection(const Light& light) {
@@ -32,8 +34,7 @@ glm::dvec3 mappedNormal(const TexturedQuad& quad, glm::vec3 tangent) {
 }
 
 Color lit(Color albedo, double facing, const Light& light) {
-    const double amount = light.intensity * (light.ambient + (1 - light.ambient) * std::max(0.0, facing));
-    return albedo * static_cast<float>(amount);
+    return albedo * litAmount(facing, light);
 }
 
 Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light, bool shadowed) {

@@ -1,14 +1,11 @@
 #include "rendering/tile_worker.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <vector>
-
-#include <glm/geometric.hpp>
 
 #include "relief/lanes/cone_twin.h"
 #include "relief/look_up_point.h"
-#include "rendering/light_lanes.h"
 #include "rendering/query_lanes.h"
 #include "rendering/tile_work.h"
 
@@ -16,9 +13,8 @@ namespace relief {
 
 namespace {
 
-// How far before the hit a shadow ray starts: texels along the view ray, and never more in heights. Above the rounding
-// of coordinates up to 10^6 texels, below what can be seen.
-constexpr double kShadowStart = 1e-6;
+// Of hits that are none.
+constexpr double kNotMet = std::numeric_limits<double>::quiet_NaN();
 
 // Pixels along a side of the squares whose rays are looked at together before they are traced.
 constexpr int kSkipSide = 16;
@@ -54,19 +50,30 @@ void TileWorker::clear(const PixelArea& tile) const {
     if (buffers_.rays) {
         rows(buffers_.rays->polygon, kNoPolygon);
         rows(buffers_.rays->inverseDepth, 0.0F);
-        for (auto* column :
-             {&buffers_.rays->rays.s0, &buffers_.rays->rays.t0, &buffers_.rays->rays.a, &buffers_.rays->rays.b}) {
-            rows(*column, 0.0);
-        }
     }
     if (buffers_.hits) {
         HitBlock& hits = buffers_.hits->hits;
         rows(hits.outcome, Outcome::Unset);
         rows(buffers_.hits->by, HitBy::Traced);
-        for (auto* column : {&hits.lambda, &hits.s, &hits.t}) rows(*column, std::numeric_limits<double>::quiet_NaN());
+        // A mesh sets only what it covers.
+        if (tools_.mesh != nullptr) {
+            for (auto* column : {&hits.lambda, &hits.s, &hits.t}) rows(*column, kNotMet);
+        }
     }
     if (buffers_.color) rows(buffers_.color->color.pixels(), Color(0));
     if (buffers_.shadows && !buffers_.shadows->shadowed.empty()) rows(buffers_.shadows->shadowed, std::uint8_t{0});
+}
+
+// Rays and hits of pixels that see no polygon; all others are set.
+void TileWorker::clearUncovered(const PixelArea& tile) const {
+    if (!buffers_.rays && !buffers_.hits) return;
+    overPixels(tile, [&](int, int, std::size_t i) {
+        if (frame_.rays->polygon[i] != kNoPolygon) return;
+        if (buffers_.rays) buffers_.rays->rays.set(i, {});
+        if (!buffers_.hits) return;
+        HitBlock& hits = buffers_.hits->hits;
+        hits.lambda[i] = hits.s[i] = hits.t[i] = kNotMet;
+    });
 }
 
 void TileWorker::makeRays(const PixelArea& tile) const {
@@ -100,11 +107,11 @@ void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
     const std::vector<HitBy>& by = buffers_.hits->by;
     std::erase_if(pixels, [&](std::size_t i) { return by[i] != HitBy::Traced; });
     raysOf(pixels, *frame_.rays, block);
-    hits.resize(0);
     NullSink sink;
     if (tools_.twin != nullptr) {
         tools_.twin->trace(block, hits, tools_.tracer, work);
     } else {
+        hits.resize(0);
         tools_.tracer.trace(block, hits, sink, work);
     }
     for (std::size_t n = 0; n < pixels.size(); ++n) out.set(pixels[n], hits[n]);
@@ -204,13 +211,14 @@ void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter,
             last = i;
             while (last < end && hits.outcome[last] == Outcome::Hit && polygon[last] == polygon[i]) ++last;
             if (last == i) continue;
-            const std::size_t first = pixels.size();
-            setQueries({*polygons_[polygon[i]], frame_.rays->rays, hits, i, static_cast<int>(i - row), y, last - i},
+            const std::size_t first = pixels.size(), more = last - i;
+            setQueries({*polygons_[polygon[i]], frame_.rays->rays, hits, i, static_cast<int>(i - row), y, more},
                        request_.field, block, first);
-            for (std::size_t n = i; n < last; ++n) {
-                const bool exact = frame_.exactHits && frame_.hits->by[n] != HitBy::LittleParallax;
-                block.exact[first + n - i] = exact ? 1 : 0;
-                pixels.push_back(n);
+            pixels.resize(first + more);
+            for (std::size_t n = 0; n < more; ++n) {
+                const bool exact = frame_.exactHits && frame_.hits->by[i + n] != HitBy::LittleParallax;
+                block.exact[first + n] = exact ? 1 : 0;
+                pixels[first + n] = i + n;
             }
         }
     }
@@ -247,131 +255,6 @@ void TileWorker::colorHits(const PixelArea& tile, Work& work) const {
     totals_.texelsSkipped += counts.skipped;
     totals_.clearFootprints += counts.flat;
     totals_.hiddenFootprints += counts.allHidden;
-}
-
-// From just before the hit, on the free side (the viewer's side of a wall is always its front), to the top plane.
-AnyRay TileWorker::shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const {
-    const double back = kShadowStart / std::max(1.0, std::hypot(view.a, view.b));
-    const double from = std::max(0.0, lambda - back);
-    AnyRay ray;
-    ray.s = view.s0 + from * view.a;
-    ray.t = view.t0 + from * view.b;
-    ray.z = 1 - from;
-    // What is not found exactly may lie under the surface, and would shade itself.
-    if (tools_.tracer.guarantee() != Guarantee::Exact) ray.z = std::max(ray.z, request_.field.at(ray.s, ray.t));
-    const glm::dvec3& perS = quad.plane.perS;
-    const glm::dvec3& perT = quad.plane.perT;
-    const double texel = glm::length(perS);
-    // World units towards the light until the top plane is reached.
-    const double length = (1 - ray.z) * frame_.slabTexels * texel / glm::dot(toLight_, quad.normal);
-    ray.ds = length * glm::dot(toLight_, perS) / glm::dot(perS, perS);
-    ray.dt = length * glm::dot(toLight_, perT) / glm::dot(perT, perT);
-    ray.dz = 1 - ray.z;
-    return ray;
-}
-
-void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
-    if (tools_.query == nullptr) return;
-    const HitBlock& hits = frame_.hits->hits;
-    std::vector<std::uint8_t>& shadowed = buffers_.shadows->shadowed;
-    Borrowed<ShadowWork> kept;
-    auto& [pixels, rays] = *kept;
-    pixels.clear();
-    rays.resize(static_cast<std::size_t>(kTileWidth) * kTileHeight);
-    std::int64_t hit = 0;
-    std::int64_t away = 0;
-    std::int64_t top = 0;
-    std::array<double, kTileWidth> facing;
-    overPixels(tile, [&](int x, int y, std::size_t i) {
-        if (x == tile.x0) faceLight(tile, y, facing);
-        if (hits.outcome[i] != Outcome::Hit) return;
-        ++hit;
-        const TexturedQuad& quad = frame_.polygons[frame_.rays->polygon[i]];
-        if (glm::dot(quad.normal, toLight_) <= 0) {
-            // The light is behind the whole polygon.
-            shadowed[i] = 1;
-            ++away;
-            return;
-        }
-        const bool turned = facing[static_cast<std::size_t>(x - tile.x0)] <= 0;
-        away += turned ? 1 : 0;
-        // Then the answer cannot matter; without skipping it is asked for, and the light takes it.
-        if (turned && request_.skip) return;
-        const AnyRay ray = shadowRay(quad, frame_.rays->rays[i], hits.lambda[i]);
-        if (ray.dz > 0) {
-            rays.set(pixels.size(), ray);
-            pixels.push_back(i);
-        } else {
-            top += turned ? 0 : 1;
-        }
-    });
-    rays.resize(pixels.size());
-    SightBlock sights;
-    BlockCounts counts;
-    if (request_.counts) {
-        tools_.query->look(rays, sights, counts, work);
-    } else {
-        NullSink sink;
-        tools_.query->look(rays, sights, sink, work);
-    }
-    std::int64_t blocked = 0;
-    std::int64_t limits = 0;
-    for (std::size_t n = 0; n < pixels.size(); ++n) {
-        shadowed[pixels[n]] = sights.sight[n] == Sight::Blocked ? 1 : 0;
-        blocked += sights.sight[n] == Sight::Blocked ? 1 : 0;
-        limits += sights.sight[n] == Sight::Limit ? 1 : 0;
-    }
-    totals_.shadowRays += static_cast<std::int64_t>(pixels.size());
-    totals_.shadowBlocked += blocked;
-    totals_.shadowLimits += limits;
-    totals_.shadowHits += hit;
-    totals_.shadowAway += request_.skip ? away : 0;
-    totals_.shadowTop += top;
-    totals_.shadowSteps += static_cast<std::int64_t>(counts.steps);
-}
-
-// Of the tile's pixels in row y: how far their surface is turned to the light; of those without a hit anything.
-void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facing) const {
-    const HitBlock& hits = frame_.hits->hits;
-    const std::vector<std::uint8_t>& polygon = frame_.rays->polygon;
-    if (!slopes_) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
-            facing[static_cast<std::size_t>(x - tile.x0)] =
-                glm::dot(glm::dvec3(frame_.normal(x, y, request_)), toLight_);
-        }
-        return;
-    }
-    const std::size_t row = frame_.index(tile.x0, y);
-    const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
-    for (std::size_t begin = 0, end = 0; begin < width; begin = end) {
-        while (end < width && polygon[row + end] == polygon[row + begin]) ++end;
-        if (polygon[row + begin] == kNoPolygon) continue;
-        facingLight(*slopes_, axes_[polygon[row + begin]], frame_.slabTexels, toLight_,
-                    std::span(hits.s).subspan(row + begin, end - begin),
-                    std::span(hits.t).subspan(row + begin, end - begin), facing.subspan(begin, end - begin));
-    }
-}
-
-void TileWorker::lightHits(const PixelArea& tile) const {
-    const HitBlock& hits = frame_.hits->hits;
-    const auto colors = frame_.color->color.pixels();
-    const std::vector<std::uint8_t>& shadowed = frame_.shadows->shadowed;
-    const auto out = buffers_.light->color.pixels();
-    std::array<double, kTileWidth> facing;
-    overPixels(tile, [&](int x, int y, std::size_t i) {
-        if (x == tile.x0) faceLight(tile, y, facing);
-        const bool dark = !shadowed.empty() && shadowed[i] != 0;
-        switch (hits.outcome[i]) {
-            case Outcome::Hit:
-                out[i] = lit(colors[i], dark ? 0.0 : facing[static_cast<std::size_t>(x - tile.x0)], request_.light);
-                break;
-            case Outcome::Limit:
-                out[i] = Color(0);
-                break;
-            default:
-                out[i] = request_.sky;
-        }
-    });
 }
 
 void countTile(const PixelArea& tile, const Tracer& tracer, const Frame& frame, HitStage& hits, FrameTotals& totals,

@@ -64,7 +64,8 @@ class TileWorker {
     TileWorker(const FrameRequest& request, const Frame& frame, const FrameTools& tools, const FrameBuffers& buffers,
                std::uint32_t stale, FrameTotals& totals);
 
-    // Whether all hits are made before any colour: then the filter need not trace what neighbouring tiles have.
+    // Whether all hits are made before any colour: then the filter need not trace what
+    // neighbouring tiles have.
     bool hitsFirst() const {
         return has(stale_, Stage::Color) && frame_.filter && frame_.filter->asksNeighbours() && frame_.exactHits &&
                !(request_.bounded > 0);
@@ -72,6 +73,7 @@ class TileWorker {
     void meet(const PixelArea& tile, Work& work) const {
         clear(tile);
         timed(Stage::Rays, [&] { makeRays(tile); });
+        clearUncovered(tile);
         timed(Stage::Hits, [&] {
             if (tools_.mesh != nullptr) return drawMesh(tile);
             overRayBlocks(tile, [&](const PixelArea& part) { traceRays(part, work); });
@@ -107,6 +109,7 @@ class TileWorker {
     }
 
     void clear(const PixelArea& tile) const;
+    void clearUncovered(const PixelArea& tile) const;
     void makeRays(const PixelArea& tile) const;
     void traceRays(const PixelArea& tile, Work& work) const;
     void skipRays(const PixelArea& tile) const;

@@ -1,7 +1,8 @@
 // relief_frames [SECONDS] [PICTURE [ELEVATION [FILTER]]] [-o FILE.csv|json]: frames a second of the shipped pictures at
 // 800 x 600 while the camera turns: traced exactly, filtered anisotropically with regard to the relief, lit, with
-// shadows and without. Each view for SECONDS (default 2); a row a view: the median frame and the tenth slowest, and
-// each stage's milliseconds, of all threads together. PICTURE: the beginning of its folder's name; that one alone.
+// shadows and without. Each view for SECONDS (default 2); a row a view: the median frame, the tenth fastest and the
+// tenth slowest, and each stage's milliseconds, of all threads together (median). PICTURE: the beginning of its
+// folder's name; that one alone.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -41,20 +42,19 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
         request.camera.azimuth += kTurn;
     }
     std::vector<double> taken;
-    std::array<double, kStages> stages{};
+    std::array<std::vector<double>, kStages> stages;
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds) {
         request.camera.azimuth += kTurn;
         const auto frame = renderer.render(request, work);
         taken.push_back(frame->seconds);
-        for (std::size_t s = 0; s < kStages; ++s) stages[s] += frame->stages[s].seconds;
+        for (std::size_t s = 0; s < kStages; ++s) stages[s].push_back(frame->stages[s].seconds);
     }
-    std::printf("%-26s %2.0f %-28s %-7s %6.1f frames/s %7.1f ms %7.1f ms ", name, request.camera.elevation,
+    std::printf("%-26s %2.0f %-28s %-7s %6.1f frames/s %7.1f ms %7.1f to %.1f ms ", name, request.camera.elevation,
                 filterText(request.filter).c_str(), request.shadows ? "shadows" : "", 1 / quantile(taken, 0.5),
-                1000 * quantile(taken, 0.5), 1000 * quantile(taken, 0.9));
+                1000 * quantile(taken, 0.5), 1000 * quantile(taken, 0.1), 1000 * quantile(taken, 0.9));
     for (std::size_t s = 0; s < kStages; ++s) {
-        std::printf(" %s %.1f", std::string(kStageNames[s]).c_str(),
-                    1000 * stages[s] / static_cast<double>(taken.size()));
+        std::printf(" %s %.1f", std::string(kStageNames[s]).c_str(), 1000 * quantile(stages[s], 0.5));
     }
     std::printf("\n");
     std::fflush(stdout);
