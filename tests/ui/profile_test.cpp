@@ -267,6 +267,35 @@ TEST(ProfileDrawing, numbersAndMarksDoNotOverlap) {
     }
 }
 
+// Steps up to the rim of the drawing: their numbers are within it, the hit's too.
+TEST(ProfileDrawing, numbersAtTheRimAreWhole) {
+    for (const char* const recipe : {"bricks", "city", "fractal"}) {
+        Traced t(recipe, 128, 128, Surface::Bilinear, Address::Repeat);
+        t.trace({12, 40, 60, -39}, {"max-pyramid-paper", {}});
+        ASSERT_EQ(t.source.hit.outcome, relief::Outcome::Hit);
+        const ProfileOptions options;
+        ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+        // As zoomed in: seen to a little behind the hit, and to all places before it.
+        for (double behind = 7; behind < 200; behind += 1.5) {
+            frame.visible.x1 = frame.onRay(t.source.hit.lambda).x + behind;
+            if (frame.visible.x1 > frame.whole.x1) break;
+            int hits = 0;
+            const Drawing drawing = profileMarks(t.source, options, frame, 2);
+            for (const Item& item : drawing.items) {
+                const auto* label = std::get_if<Label>(&item.primitive);
+                if (label == nullptr || !label->plate) continue;
+                hits += item.role == Role::Hit ? 1 : 0;
+                constexpr double kDigit = 5;  // points
+                const auto text = relief::sentence(label->text, relief::Language::English);
+                const double end = label->at.x + label->offset.x +
+                                   (label->anchor == Anchor::Left ? kDigit * static_cast<double>(text.size()) : 0);
+                EXPECT_LE(end, frame.visible.x1) << recipe << ", " << behind << " behind the hit: " << text;
+            }
+            EXPECT_EQ(hits, 1);
+        }
+    }
+}
+
 TEST(ProfileDrawing, layersAndSamplesOfTheLayerMethod) {
     Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
     t.trace({12, 40, 9, -4}, {"layers", {{"layers", "10"}}});

@@ -237,6 +237,9 @@ class Marks {
         return kShifts;
     }
 
+    // Points at the right of which nothing is seen.
+    double rim() const { return points(frame_.visible).x1; }
+
     std::optional<Unit> room(Point anchor, double numberWidth) const {
         const Box seen = points(frame_.seen());
         const double columnWidth = 2 * kMarkHalf + numberWidth + 1;
@@ -245,7 +248,9 @@ class Marks {
             const bool moved = row != 0 || column != 0;
             const bool inside =
                 next.box.x0 >= seen.x0 && next.box.y0 >= seen.y0 && next.box.x1 <= seen.x1 && next.box.y1 <= seen.y1;
-            if ((!moved || inside) && places_.free(next.box)) return next;
+            // Where it belongs a mark may reach over the rim of the plot, but its number not over that of the drawing.
+            const bool whole = moved ? inside : next.box.x1 <= rim();
+            if (whole && places_.free(next.box)) return next;
         }
         const Unit bare = unit(anchor, 0);
         if (places_.free(bare.box)) return bare;
@@ -261,8 +266,12 @@ class Marks {
         const std::size_t k = source_.steps->size() - 1;
         if (step(k).decision == Decision::Hit) {
             const std::string number = std::to_string(k + 1);
-            box.x1 += numberWidth(number) + 1;
-            Label label{on, plainText(number), Anchor::Left, kNumberSize, {kRingHalf + 1, 0}, true, false, {}};
+            // At the left where it would be cut off.
+            const double width = numberWidth(number) + 1;
+            const bool left = box.x1 + width > rim();
+            (left ? box.x0 : box.x1) += left ? -width : width;
+            Label label{on, plainText(number), left ? Anchor::Right : Anchor::Left, kNumberSize, {}, true, false, {}};
+            label.offset = {left ? -kRingHalf - 1 : kRingHalf + 1, 0};
             drawing_.add({}, Role::Hit, std::move(label), k == chosen_ ? Emphasis::Strong : emphasis(k));
             if (k == chosen_) drawing_.add(stepId(k), Role::Highlight, Rectangle{onDrawing(box), false, -1.5, 0});
         }
