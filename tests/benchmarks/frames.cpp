@@ -1,20 +1,26 @@
-// relief_frames [SECONDS] [PICTURE [ELEVATION [FILTER]]] [-o FILE.csv|json]: frames a second of the shipped pictures at
-// 800 x 600 while the camera turns: traced exactly, filtered anisotropically with regard to the relief, lit, with
-// shadows and without. Each view for SECONDS (default 2); a row a view: the median frame, the tenth fastest and the
-// tenth slowest, and each stage's milliseconds, of all threads together (median). PICTURE: the beginning of its
-// folder's name; that one alone.
+// relief_frames [SECONDS] [PICTURE [ELEVATION [FILTER]]] [--budget MS] [-o FILE.csv|json]: frames a second of the
+// shipped pictures at 800 x 600 while the camera turns: traced exactly, filtered anisotropically with regard to the
+// relief, lit, with shadows and without. Each view for SECONDS (default 2); a row a view: the median frame, the tenth
+// fastest and the tenth slowest, and each stage's milliseconds, of all threads together (median). PICTURE: the
+// beginning of its folder's name; that one alone.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include <unistd.h>
+
 #include "images/files.h"
+#include "measuring/picture_error.h"
 #include "measuring/quantiles.h"
 #include "peer_table.h"
 #include "relief/lanes/cone_twin.h"
-#include "rendering/frame.h"
+#include "rendering/progressive.h"
 
 namespace {
 
@@ -31,22 +37,45 @@ constexpr Pictures kPictures[]{{"gray_rocks", "height.png", "color.jpg"},
                                {"terrain_srtm_east_africa", "height.png", "color.png"}};
 constexpr double kTurn = 0.5;  // degrees a frame
 
-peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& maps, const char* name, double seconds) {
+double residentMegabytes() {
+    std::ifstream file("/proc/self/statm");
+    double pages = 0, resident = 0;
+    file >> pages >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+// The coarse picture of this view beside the full one that follows it.
+void tellCoarse(ProgressiveRenderer& renderer, const FrameRequest& request, Work& work) {
+    const ProgressiveRenderer::Picture coarse = renderer.moving(request, work);
+    if (!coarse.coarse) return;
+    const auto full = renderer.settled(request, work);
+    FloatImage map;
+    const PictureError error =
+        pictureError(full->light->color, coarse.frame->light->color, kPixelsPerDegree, map, work);
+    std::printf("  coarse, level %d: RMSE %.4f, PSNR %.1f dB, FLIP %.4f; the full picture follows in %.1f ms\n",
+                coarse.level, error.rmse, error.psnr, error.flip, 1000 * full->seconds);
+}
+
+peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& maps, const char* name, double seconds,
+                       double budget) {
     Work work;
-    FrameRenderer renderer(maps);
+    ProgressiveRenderer renderer(maps, budget);
     // Until what pays only after some frames has been made.
     const double pixels = static_cast<double>(request.width) * request.height;
     const double enough = static_cast<double>(ConeTwin::kRaysPerTexel * request.field.heights().size()) / pixels;
     for (int n = 0; n <= enough; ++n) {
-        renderer.render(request, work);
+        renderer.moving(request, work);
         request.camera.azimuth += kTurn;
     }
+    std::array<int, kCoarsestFilter + 1> levels{};
+    const double resident = residentMegabytes();
     std::vector<double> taken;
     std::array<std::vector<double>, kStages> stages;
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds) {
         request.camera.azimuth += kTurn;
-        const auto frame = renderer.render(request, work);
+        const auto [frame, level, coarse] = renderer.moving(request, work);
+        ++levels[static_cast<std::size_t>(level)];
         taken.push_back(frame->seconds);
         for (std::size_t s = 0; s < kStages; ++s) stages[s].push_back(frame->stages[s].seconds);
     }
@@ -56,7 +85,12 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
     for (std::size_t s = 0; s < kStages; ++s) {
         std::printf(" %s %.1f", std::string(kStageNames[s]).c_str(), 1000 * quantile(stages[s], 0.5));
     }
-    std::printf("\n");
+    std::printf(" resident %.0f, %.0f MB\n", resident, residentMegabytes());
+    if (std::isfinite(budget)) {
+        std::printf("  frames on levels 0, 1, 2: %d, %d, %d\n", levels[0], levels[1], levels[2]);
+        request.camera.azimuth += kTurn;
+        tellCoarse(renderer, request, work);
+    }
     std::fflush(stdout);
     peers::PeerRow row{name, "800x600", numberText(request.camera.elevation),
                        filterText(request.filter) + (request.shadows ? ", shadows" : ""),
@@ -75,6 +109,12 @@ int main(int argc, char** argv) {
     if (given.size() > 1 && given[given.size() - 2] == "-o") {
         output = given.back();
         given.resize(given.size() - 2);
+    }
+    double budget = std::numeric_limits<double>::infinity();
+    const auto option = std::find(given.begin(), given.end(), "--budget");
+    if (option != given.end() && option + 1 != given.end()) {
+        budget = std::atof(option[1].c_str()) / 1000;
+        given.erase(option, option + 2);
     }
     given.resize(std::max<std::size_t>(given.size(), 4));
     const double seconds = given[0].empty() ? 2 : std::atof(given[0].c_str());
@@ -99,7 +139,7 @@ int main(int argc, char** argv) {
                     request.camera.elevation = elevation;
                     request.filter = parseFilter(filter, "filter");
                     request.shadows = shadows;
-                    rows.push_back(measure(request, maps, pictures.folder, seconds));
+                    rows.push_back(measure(request, maps, pictures.folder, seconds, budget));
                 }
             }
         }

@@ -2,10 +2,12 @@
 // whatever came before and was broken off, the full picture has the bits of one that was asked for alone.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "../relief/fields.h"
 #include "measuring/random_rays.h"
 #include "relief/lanes/cone_twin.h"
-#include "rendering/frame.h"
+#include "rendering/progressive.h"
 
 namespace relief::test {
 namespace {
@@ -141,6 +143,61 @@ TEST(Progressive, whatIsKeptDoesNotShow) {
     settle(changed, "not exact");
     settle(request, "back");
     expectSame(*worker.full(request), *first, "the first");
+}
+
+FrameRequest withFilter(FrameRequest request, const FilterChoice& filter) {
+    request.filter = filter;
+    return request;
+}
+
+TEST(Progressive, levelsLeaveOutWhatTheyCan) {
+    const auto text = [](const char* filter, int level) {
+        return filterText(coarserFilter(parseFilter(filter, "filter"), level));
+    };
+    EXPECT_EQ(text("elliptical-visible", 0), "elliptical-visible");
+    EXPECT_EQ(text("elliptical-visible", 1), "elliptical-visible:points=2");
+    EXPECT_EQ(text("elliptical-visible:points=2", 1), "elliptical-visible:points=2");
+    EXPECT_EQ(text("elliptical-visible:form=rays", 1), "elliptical-visible:form=rays");
+    EXPECT_EQ(text("elliptical-visible:points=5:radius=0.9:samples=8", 2), "elliptical:radius=0.9");
+    for (const int level : {0, 1, 2}) EXPECT_EQ(text("elliptical:radius=0.9", level), "elliptical:radius=0.9");
+    EXPECT_EQ(text("trilinear", 2), "trilinear");
+}
+
+// Above the budget: coarser level by level, each the very picture of its filter, and where the camera rests the one
+// that was asked for, though the renderer kept the coarse one's hits. Within it: always the one that was asked for.
+TEST(Progressive, aboveTheBudgetFramesAreCoarseUntilTheCameraRests) {
+    constexpr int kFrames = 8;
+    const double never = 0, always = std::numeric_limits<double>::infinity();
+    for (const double budget : {never, always}) {
+        for (const FilterChoice& filter : kFilters) {
+            FrameRequest request = requestFor(filter);
+            ProgressiveRenderer renderer(std::make_shared<MapCache>(), budget);
+            Work work(2);
+            int level = 0;
+            for (int n = 0; n < kFrames; ++n) {
+                request.camera.azimuth += 7;
+                const std::string what = filterText(filter) + ", frame " + std::to_string(n);
+                const auto picture = renderer.moving(request, work);
+                EXPECT_GE(picture.level, level) << what;
+                level = picture.level;
+                const FilterChoice coarse = coarserFilter(filter, level);
+                EXPECT_EQ(picture.coarse, !(coarse == filter)) << what;
+                expectSame(*picture.frame, *alone(withFilter(request, coarse)), what);
+                if (n % 3 != 2) continue;
+                std::stop_source stop;
+                stop.request_stop();
+                Work stopped(2, stop.get_token());
+                if (picture.coarse) {
+                    EXPECT_THROW(renderer.settled(request, stopped), Cancelled);
+                }
+                const auto frame = renderer.settled(request, work);
+                expectSame(*frame, *alone(request), what + ", settled");
+                EXPECT_EQ(frame->stages[static_cast<std::size_t>(Stage::Hits)].reused, true) << what;
+            }
+            EXPECT_EQ(level, budget > 0 || filter.name != "elliptical-visible" ? 0 : kCoarsestFilter)
+                << filterText(filter);
+        }
+    }
 }
 
 }  // namespace
