@@ -69,9 +69,10 @@ class ConeTracer {
     }
     void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         if (!packed_) return traceOneByOne(*this, rays, first, last, hits);
-        traceInLanes(*this, rays, first, last, hits, [&](std::size_t begin, std::size_t end, LaneRays& scratch) {
-            traceConeLanes(scene_, *packed_, rays, begin, end, hits, scratch);
-        });
+        std::vector<std::size_t> flat;
+        traceByCones(field_, scene_, *packed_, rays, first, last, hits, flat);
+        NullSink sink;
+        for (const std::size_t i : flat) hits.set(i, trace(rays[i], sink));
     }
 
     ConeTracer(HeightField field, std::shared_ptr<const ConeMap> map)

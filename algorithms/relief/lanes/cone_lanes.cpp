@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "relief/packed_walk.h"
+
 // Vectors in structures: not for the instruction sets without a fixed width.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
@@ -98,6 +100,27 @@ void traceConeLanes(const LaneScene& scene, const PackedCones& cones, const RayB
                                    rays.b.data() + first};
     HWY_DYNAMIC_DISPATCH(traceCones)(scene, cones, given, hits, first, scratch);
     std::fill_n(hits.outcome.data() + first, scratch.count, Outcome::Hit);
+}
+
+void traceByCones(const HeightField& field, const LaneScene& scene, const PackedCones& cones, const RayBlock& rays,
+                  std::size_t first, std::size_t last, HitBlock& hits, std::vector<std::size_t>& flat) {
+    static thread_local std::vector<PackedStart> starts;
+    const auto rest = [&](std::size_t begin, const LaneRays& scratch) {
+        starts.clear();
+        for (std::size_t n = 0; n < scratch.othersCount; ++n) {
+            const LaneRays::Other& other = scratch.others[n];
+            if (other.end != LaneEnd::Scalar) continue;
+            const std::size_t i = begin + other.ray;
+            packedWalks(scene.grid, rays[i]) ? starts.push_back({i, other.from}) : flat.push_back(i);
+        }
+        packedHits(field, scene.grid, cones, rays, starts, hits);
+    };
+    traceChunks(
+        first, last, hits,
+        [&](std::size_t begin, std::size_t end, LaneRays& scratch) {
+            traceConeLanes(scene, cones, rays, begin, end, hits, scratch);
+        },
+        rest);
 }
 
 }  // namespace relief

@@ -18,12 +18,14 @@ class ConeTwin {
 
     ConeTwin(const HeightField& field, std::shared_ptr<const PackedCones> cones);
 
-    // As Tracer::trace() of `method`, which is exact and of the same field; it traces what the lanes leave over.
+    // As Tracer::trace() of `method`, which is exact and of the same field; it traces rays that are flatter than
+    // the domain of exactness.
     void trace(const RayBlock& rays, HitBlock& hits, const Tracer& method, Work& work) const;
 
     const PackedCones& cones() const { return *cones_; }
 
   private:
+    HeightField field_;
     std::shared_ptr<const PackedCones> cones_;
     LaneScene scene_;
 };

@@ -66,6 +66,7 @@ struct LaneRays {
     struct Other {
         std::uint32_t ray;
         LaneEnd end;
+        double from;  // lambda before which nothing is met
     };
     std::array<Other, kLaneSlots> others;
     std::size_t othersCount = 0;
@@ -111,21 +112,32 @@ void traceOneByOne(const T& tracer, const RayBlock& rays, std::size_t first, std
     for (std::size_t i = first; i < last; ++i) hits.set(i, tracer.trace(rays[i], sink));
 }
 
-// Chunks of the rays [first, last) through kernel(begin, end, scratch); what it leaves over, by the tracer's own text.
+// Chunks of the rays [first, last) through kernel(begin, end, scratch); what it leaves over, by rest(begin, scratch).
+template <class Kernel, class Rest>
+void traceChunks(std::size_t first, std::size_t last, HitBlock& hits, const Kernel& kernel, const Rest& rest) {
+    static thread_local LaneRays scratch;
+    for (std::size_t begin = first; begin < last; begin += kLaneChunk) {
+        kernel(begin, std::min(begin + kLaneChunk, last), scratch);
+        bool left = false;
+        for (std::size_t n = 0; n < scratch.othersCount; ++n) {
+            const LaneRays::Other& other = scratch.others[n];
+            left = left || other.end == LaneEnd::Scalar;
+            if (other.end == LaneEnd::Miss) hits.set(begin + other.ray, Hit::none(Outcome::Miss));
+        }
+        if (left) rest(begin, scratch);
+    }
+}
+// The same, what it leaves over by the tracer's own text.
 template <class T, class Kernel>
 void traceInLanes(const T& tracer, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
                   const Kernel& kernel) {
-    static thread_local LaneRays scratch;
-    NullSink sink;
-    for (std::size_t begin = first; begin < last; begin += kLaneChunk) {
-        const std::size_t end = std::min(begin + kLaneChunk, last);
-        kernel(begin, end, scratch);
+    traceChunks(first, last, hits, kernel, [&](std::size_t begin, const LaneRays& scratch) {
+        NullSink sink;
         for (std::size_t n = 0; n < scratch.othersCount; ++n) {
-            const LaneRays::Other& other = scratch.others[n];
-            const std::size_t i = begin + other.ray;
-            hits.set(i, other.end == LaneEnd::Miss ? Hit::none(Outcome::Miss) : tracer.trace(rays[i], sink));
+            const std::size_t i = begin + scratch.others[n].ray;
+            if (scratch.others[n].end == LaneEnd::Scalar) hits.set(i, tracer.trace(rays[i], sink));
         }
-    }
+    });
 }
 
 }  // namespace relief

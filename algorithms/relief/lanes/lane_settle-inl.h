@@ -231,13 +231,25 @@ HWY_INLINE MD exactLeaf(const LaneScene& scene, const ExactAxis& x, const ExactA
     }
 }
 
-// Those of rays [i, i + here) that are no hits.
-HWY_NOINLINE inline void noteOthers(VD settled, std::size_t i, std::size_t here, LaneRays& rays) {
-    HWY_ALIGN double ends[kHalfLanes];
+// Lambda before which those that are refused meet nothing: walks come to a cell at most so much later, cells, than
+// the ray does.
+HWY_INLINE VD metNothingBefore(const ExactAxis& x, const ExactAxis& y, const ExactStay& stay) {
+    const DD d;
+    constexpr double kLate = 0x1p-16;
+    const VD in = hn::Min(hn::Max(stay.inX, stay.inY), hn::Min(stay.outX, stay.outY));
+    const VD late = hn::MulAdd(hn::Add(hn::Abs(x.inverse), hn::Abs(y.inverse)), hn::Set(d, kLate), hn::Set(d, kLate));
+    const VD from = hn::Sub(in, late);
+    return hn::IfThenElseZero(hn::Gt(from, hn::Zero(d)), from);
+}
+
+// Those of rays [i, i + here) that are no hits; the refused go on from there.
+HWY_NOINLINE inline void noteOthers(VD settled, MD refused, VD from, std::size_t i, std::size_t here, LaneRays& rays) {
+    HWY_ALIGN double ends[kHalfLanes], starts[kHalfLanes];
     hn::Store(settled, DD(), ends);
+    hn::Store(hn::IfThenElseZero(refused, from), DD(), starts);
     for (std::size_t n = 0; n < here; ++n) {
-        if (ends[n] != 0)
-            rays.others[rays.othersCount++] = {static_cast<std::uint32_t>(i + n), static_cast<LaneEnd>(ends[n])};
+        if (ends[n] == 0) continue;
+        rays.others[rays.othersCount++] = {static_cast<std::uint32_t>(i + n), static_cast<LaneEnd>(ends[n]), starts[n]};
     }
 }
 
@@ -291,7 +303,9 @@ void settleLanes(const LaneScene& scene, const double* const* given, std::size_t
         const VD end = hn::PromoteTo(d, hn::LoadU(di, rays.end.data() + i));
         const MD refused = hn::AndNot(hit, hn::Eq(end, hn::Zero(d)));
         const VD settled = hn::IfThenElse(refused, hn::Set(d, static_cast<double>(LaneEnd::Scalar)), end);
-        if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Eq(settled, hn::Zero(d))))) noteOthers(settled, i, here, rays);
+        if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Eq(settled, hn::Zero(d))))) {
+            noteOthers(settled, refused, metNothingBefore(x, y, stay), i, here, rays);
+        }
         const VD s = hn::Add(hn::LoadU(d, columns[0] + i), hn::Mul(lambda, hn::LoadU(d, columns[2] + i)));
         const VD t = hn::Add(hn::LoadU(d, columns[1] + i), hn::Mul(lambda, hn::LoadU(d, columns[3] + i)));
         const auto give = [&](VD v, std::vector<double>& to) {
