@@ -288,7 +288,9 @@ QString ChartsView::rangeOf(const HistogramBar& bar) {
 
 void ChartsView::tell(const QPointF& widget) {
     const ChartsReading at = chartsReading(picture_, canvas_->toDrawing(widget));
-    if (at.point && measured_) return setReadout(textOf(measured_->table.points[*at.point]));
+    if (at.point && measured_ && *at.point < measured_->table.points.size()) {
+        return setReadout(textOf(measured_->table.points[*at.point]));
+    }
     setReadout(at.bar ? textOf(*at.bar) : QString());
 }
 

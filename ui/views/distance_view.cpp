@@ -198,7 +198,8 @@ void DistanceView::showEmpty(relief::MessageId why) {
 
 void DistanceView::fail(const QString& problem) {
     problem_ = problem.isEmpty() ? tr("The map was not built: it was cancelled.") : problem;
-    failed_ = namesNow();
+    // By then there may be no picture any more.
+    failed_ = ready() ? namesNow() : MapNames{};
     building_ = {};
     // What is on the screen is not what was asked for.
     result_.reset();
