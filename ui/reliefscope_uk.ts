@@ -3258,6 +3258,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>кадр %1 мс</translation>
     </message>
     <message>
+        <source>frame %1 s</source>
+        <translation>кадр %1 с</translation>
+    </message>
+    <message>
         <source> (%1 × %2)</source>
         <translation> (%1 × %2)</translation>
     </message>

@@ -59,6 +59,8 @@ TEST_F(WindowTest, EveryLessonShowsWhatItSays) {
         const relief::Scenario wanted = lessonScenario(lesson.name);
         ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == wanted; }, 10000));
         ASSERT_NO_FATAL_FAILURE(waitForFull());
+        // Its step is one of the ray's: the program knows a lesson again when its picture is there.
+        EXPECT_EQ(relief::scenarioText(scenario()), relief::scenarioText(wanted));
         ASSERT_NO_FATAL_FAILURE(showsWhatItSays(lesson, *snapshot()));
         EXPECT_EQ(window_->messages()->text(), lesson.about);
         auto* const pane = window_->findChild<QDockWidget*>(lesson.pane);

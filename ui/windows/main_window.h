@@ -78,8 +78,9 @@ class MainWindow : public QMainWindow {
     void copyCommand();
     // Opens a lesson (lessons()); can be undone.
     void openLesson(const QString& name);
-    // Where the open scenario is a lesson: what it shows is said, its pane comes to the front.
-    void showLesson();
+    // Where the open scenario is a lesson: what it shows is said, its pane comes to the front. Whether
+    // it is one.
+    bool showLesson();
 
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;

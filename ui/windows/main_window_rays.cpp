@@ -88,10 +88,13 @@ void MainWindow::showLesson(const Lesson& lesson) {
     }
 }
 
-void MainWindow::showLesson() {
+bool MainWindow::showLesson() {
     for (const Lesson& lesson : lessons()) {
-        if (workspace_->scenario() == lessonScenario(lesson.name)) return showLesson(lesson);
+        if (!(workspace_->scenario() == lessonScenario(lesson.name))) continue;
+        showLesson(lesson);
+        return true;
     }
+    return false;
 }
 
 void MainWindow::makeBookmarkMenu(QMenu* menu) {

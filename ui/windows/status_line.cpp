@@ -167,7 +167,9 @@ QString StatusLine::frameText() const {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return {};
     const relief::Frame& frame = *snapshot->frame;
-    QString text = tr("frame %1 ms").arg(rounded(frame.seconds * 1000, 3));
+    const bool brief = frame.seconds < 0.9995;
+    QString text = brief ? tr("frame %1 ms").arg(rounded(frame.seconds * 1000, 3))
+                         : tr("frame %1 s").arg(rounded(frame.seconds, 3));
     if (snapshot->coarse) text += tr(" (%1 × %2)").arg(frame.width).arg(frame.height);
     // Pixels that needed no search: nothing there, or nothing to search for.
     const double pixels = counter(frame, "pixels");
