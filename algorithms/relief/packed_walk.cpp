@@ -6,6 +6,7 @@
 #include <hwy/cache_control.h>
 
 #include "relief/leaf.h"
+#include "relief/packed_cone_any.h"
 
 namespace relief {
 
@@ -24,7 +25,7 @@ class Walk {
         : number_(start.ray),
           viewRay_(viewRay),
           ray_(ground.grid, viewRay),
-          quadrant_((ray_.x.side < 0 ? 1U : 0U) + (ray_.y.side < 0 ? 2U : 0U)),
+          quadrant_(PackedConeAnyHit::quadrant(ray_)),
           run_(std::max(std::abs(ray_.x.run), std::abs(ray_.y.run))),
           end_(ray_.end(ground.grid)),
           lambda_(start.from),
@@ -69,10 +70,8 @@ class Walk {
     }
     // Lambda from the way out of the cell to where the ray meets its cone.
     double freeBehind(const PackedCones& cones, std::uint32_t word) const {
-        // Rounding of the quotient stays far below this share.
-        constexpr double kShorter = 1 - 1e-9;
         const double room = 1 - out_ - cones.heightAt(coneApexDepth(word));
-        const double free = room / (1 + static_cast<double>(coneSlope(word)) * run_) * kShorter;
+        const double free = room / (1 + static_cast<double>(coneSlope(word)) * run_) * PackedConeAnyHit::kShorter;
         return std::max(0.0, free - kExclusionMargin);
     }
     void arrive(const Ground& ground) {
@@ -95,7 +94,7 @@ class Walk {
     std::size_t number_;
     ViewRay viewRay_;
     GridRay ray_;
-    std::uint32_t quadrant_;
+    std::size_t quadrant_;
     double run_, end_;
     double lambda_, left_;  // steps
     double out_ = 0;

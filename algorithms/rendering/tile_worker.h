@@ -64,8 +64,7 @@ class TileWorker {
     TileWorker(const FrameRequest& request, const Frame& frame, const FrameTools& tools, const FrameBuffers& buffers,
                std::uint32_t stale, FrameTotals& totals);
 
-    // Whether all hits are made before any colour: then the filter need not trace what
-    // neighbouring tiles have.
+    // Whether all hits are made before any colour: then the filter need not trace what neighbouring tiles have.
     bool hitsFirst() const {
         return has(stale_, Stage::Color) && frame_.filter && frame_.filter->asksNeighbours() && frame_.exactHits &&
                !(request_.bounded > 0);

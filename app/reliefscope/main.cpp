@@ -215,11 +215,9 @@ int run(int count, char** values, const Arguments& arguments) {
     window.show();
     // A lesson's pane comes to the front, when its pictures are there.
     auto first = std::make_shared<QMetaObject::Connection>();
-    *first = QObject::connect(&workspace, &reliefui::Workspace::snapshotChanged, &window, [first, &window, &workspace] {
-        const auto snapshot = workspace.snapshot();
-        // A coarse picture's ray may have fewer steps than the lesson chose.
-        const bool whole = snapshot && !snapshot->coarse;
-        if (window.showLesson() || whole) QObject::disconnect(*first);
+    *first = QObject::connect(&workspace, &reliefui::Workspace::snapshotChanged, &window, [first, &window] {
+        QObject::disconnect(*first);
+        window.showLesson();
     });
     const int status = QApplication::exec();
     constexpr std::size_t kPauses = 20;

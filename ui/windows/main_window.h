@@ -78,9 +78,8 @@ class MainWindow : public QMainWindow {
     void copyCommand();
     // Opens a lesson (lessons()); can be undone.
     void openLesson(const QString& name);
-    // Where the open scenario is a lesson: what it shows is said, its pane comes to the front. Whether
-    // it is one.
-    bool showLesson();
+    // Where the open scenario is a lesson: what it shows is said, its pane comes to the front.
+    void showLesson();
 
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;

@@ -88,13 +88,10 @@ void MainWindow::showLesson(const Lesson& lesson) {
     }
 }
 
-bool MainWindow::showLesson() {
+void MainWindow::showLesson() {
     for (const Lesson& lesson : lessons()) {
-        if (!(workspace_->scenario() == lessonScenario(lesson.name))) continue;
-        showLesson(lesson);
-        return true;
+        if (workspace_->scenario() == lessonScenario(lesson.name)) return showLesson(lesson);
     }
-    return false;
 }
 
 void MainWindow::makeBookmarkMenu(QMenu* menu) {
