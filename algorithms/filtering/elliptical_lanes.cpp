@@ -13,30 +13,10 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include "filtering/lane_texels-inl.h"
+#include "filtering/lane_weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
-
-// 2^x, x <= 0; 2^-126 below.
-HWY_INLINE V exp2Of(V x) {
-    const V at = hn::Max(x, set(-126));
-    const V whole = hn::Round(at);
-    const V rest = hn::Sub(at, whole);
-    V p = set(kExp2[4]);
-    for (const int n : {3, 2, 1, 0}) p = hn::Add(hn::Mul(p, rest), set(kExp2[static_cast<std::size_t>(n)]));
-    const VI power = hn::ShiftLeft<23>(hn::Add(toInt(whole), setI(127)));
-    return hn::Mul(p, hn::BitCast(D(), power));
-}
-
-// The same to 2e-7, for |x| < 126.
-HWY_INLINE V preciseExp2Of(V x) {
-    const V whole = hn::Round(x);
-    const V rest = hn::Sub(x, whole);
-    V p = set(kPreciseExp2[6]);
-    for (const int n : {5, 4, 3, 2, 1, 0})
-        p = hn::Add(hn::Mul(p, rest), set(kPreciseExp2[static_cast<std::size_t>(n)]));
-    return hn::Mul(p, hn::BitCast(D(), hn::ShiftLeft<23>(hn::Add(toInt(whole), setI(127)))));
-}
 
 struct Sums {
     V red, green, blue, total;
@@ -140,151 +120,131 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     return f;
 }
 
-// The weights of a row's texels, one after the other; x: the first one's way from the row's middle, row: what row()
-// returned. Run(weight, x, row, middle).next() is called for each.
-struct GaussianLanes {
-    V acrossRow, downRow;
-    HWY_INLINE explicit GaussianLanes(const Footprints& f) : acrossRow(f.acrossRow), downRow(f.downRow) {}
-    HWY_INLINE V row(V v, V) const { return hn::Mul(downRow, hn::Mul(v, v)); }
-    HWY_INLINE V at(V x, V row) const { return exp2Of(hn::Sub(hn::Neg(row), hn::Mul(acrossRow, hn::Mul(x, x)))); }
-
-    struct Run {
-        const GaussianLanes& gaussian;
-        V x, row;
-        HWY_INLINE Run(const GaussianLanes& g, V first, V rowTerm, V) : gaussian(g), x(first), row(rowTerm) {}
-        HWY_INLINE V next() {
-            const V now = gaussian.at(x, row);
-            x = hn::Add(x, set(1));
-            return now;
-        }
-    };
+// A row's texels of each pixel, or those within one run of the row: all that their sum needs.
+template <class Weight>
+struct Span {
+    typename Weight::Run run;
+    V x, rowTerm, middle;                 // what the run is made of
+    V count;                              // texels from the first on
+    alignas(64) std::int32_t at[kLanes];  // the first texel
+    VI row, column;                       // and where it is; v: the row's middle. For the log alone.
+    V v;
 };
-// The same where no weight is very small (kMostRunExponent): in a row each is the one before times a ratio, and the
-// ratios so as well, two multiplications instead of an exponential. Off by 1e-5 after kLanePad texels, where runs end.
-struct GaussianRuns : GaussianLanes {
-    V bend;
-    HWY_INLINE explicit GaussianRuns(const Footprints& f)
-        : GaussianLanes(f), bend(preciseExp2Of(within(hn::Mul(set(-2), f.acrossRow)))) {}
 
-    struct Run {
-        V weight, ratio, bend;
-        HWY_INLINE Run(const GaussianRuns& g, V x, V row, V)
-            : weight(g.at(x, row)),
-              ratio(preciseExp2Of(within(hn::Neg(hn::Mul(g.acrossRow, hn::Add(hn::Add(x, x), set(1))))))),
-              bend(g.bend) {}
-        HWY_INLINE V next() {
-            const V now = weight;
-            weight = hn::Mul(weight, ratio);
-            ratio = hn::Mul(ratio, bend);
-            return now;
+// The spans of a vector of pixels, row after row: made several at once before the first is read, for a row's own work
+// is a long chain, and how many texels it has must be known to go on.
+template <class Weight, bool kLog>
+class SpanSums {
+  public:
+    HWY_INLINE SpanSums(const LaneJob& job, const Footprints& f) : job_(job), f_(f), weight_(f.acrossRow, f.downRow) {}
+
+    V texels = hn::Zero(D());
+    Sums sums{hn::Zero(D()), hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
+
+    // active: above 0 for pixels that have the row.
+    HWY_INLINE void addRow(VI row, V v, V active) {
+        const D d;
+        const DI di;
+        const V inside = hn::Sub(f_.spanAt, hn::Mul(f_.spanFall, hn::Mul(v, v)));
+        const V zero = hn::Zero(d), half = set(0.5F), one = set(1);
+        const auto some = hn::And(hn::Ge(inside, zero), hn::Gt(active, zero));
+        const V reach = hn::Sqrt(hn::Max(inside, zero));
+        const V offset = hn::Mul(f_.slope, v), middle = hn::Add(offset, f_.restS);
+        // Lanes without texels here read texel 0.
+        const V begin = hn::IfThenElseZero(some, hn::Ceil(hn::Sub(hn::Sub(middle, reach), half)));
+        const V end = hn::Floor(hn::Sub(hn::Add(middle, reach), half));
+        const V count = hn::IfThenElseZero(some, hn::Max(hn::Add(hn::Sub(end, begin), one), zero));
+        texels = hn::Add(texels, count);
+        // Of lanes without texels the middle: weights that are no numbers, or too small ones, take time.
+        const V x = hn::IfThenElseZero(some, hn::Sub(hn::Add(begin, half), middle));
+        const V rowTerm = weight_.row(v, offset);
+        VI column = hn::Add(f_.cellS, toInt(begin));
+        const VI rowStart = hn::Add(f_.origin, hn::Mul(row, f_.stride));
+        V left = count;
+        float done = 0;
+        while (true) {
+            if (made_ == kSpansAhead) sumSpans();
+            Span<Weight>& span = spans_[made_++];
+            VI from = column;
+            if (job_.levels->address == Address::Repeat) {
+                const auto out = hn::Or(hn::Lt(column, setI(0)), hn::Not(hn::Lt(column, f_.width)));
+                if (!hn::AllFalse(di, out)) from = column = wrapped(column, f_.width);
+            } else {
+                from = hn::Max(hn::Min(column, f_.width), setI(-kLanePad));
+            }
+            hn::Store(hn::Add(rowStart, from), di, span.at);
+            span.count = hn::Min(left, set(kLanePad));
+            span.x = hn::Add(x, set(done)), span.rowTerm = rowTerm, span.middle = offset;
+            if constexpr (kLog) {
+                span.row = row, span.v = v;
+                span.column = hn::Add(hn::Add(f_.cellS, toInt(begin)), toInt(set(done)));
+            }
+            left = hn::Sub(left, set(kLanePad));
+            if (HWY_LIKELY(hn::AllFalse(d, hn::Gt(left, zero)))) break;
+            column = hn::Add(column, setI(kLanePad));
+            done += kLanePad;
         }
-    };
+    }
+
+    HWY_INLINE void sumSpans() {
+        const D d;
+        const V zero = hn::Zero(d), one = set(1), two = set(2);
+        const std::uint64_t* const first = job_.levels->texels.data();
+        // Exponentials are long chains as well.
+        for (std::size_t i = 0; i < made_; ++i) {
+            Span<Weight>& span = spans_[i];
+            span.run = typename Weight::Run(weight_, span.x, span.rowTerm, span.middle);
+        }
+        Sums all = sums;
+        for (std::size_t i = 0; i < made_; ++i) {
+            const Span<Weight>& span = spans_[i];
+            typename Weight::Run run = span.run;
+            V count = span.count;
+            const std::uint64_t* texels = first;
+            for (auto some = hn::Gt(count, zero); !hn::AllFalse(d, some); some = hn::Gt(count, zero)) {
+                const Pair pair = loadPair(texels, span.at);
+                const V w0 = hn::IfThenElseZero(some, run.next(weight_));
+                const V w1 = hn::IfThenElseZero(hn::Gt(count, one), run.next(weight_));
+                all.add(pair.redGreen0, pair.blue0, w0);
+                all.add(pair.redGreen1, pair.blue1, w1);
+                if constexpr (kLog) log(span, texels - first, w0), log(span, texels - first + 1, w1);
+                count = hn::Sub(count, two);
+                texels += 2;
+            }
+        }
+        sums = all;
+        made_ = 0;
+    }
 
   private:
-    // Lanes that are summed are within.
-    HWY_INLINE static V within(V x) { return hn::Min(hn::Max(x, set(-100)), set(100)); }
-};
-struct UniformLanes {
-    HWY_INLINE explicit UniformLanes(const Footprints&) {}
-    HWY_INLINE V row(V, V) const { return set(1); }
-    struct Run {
-        HWY_INLINE Run(const UniformLanes&, V, V, V) {}
-        HWY_INLINE V next() const { return set(1); }
-    };
-};
-struct TexelDistanceLanes {
-    HWY_INLINE explicit TexelDistanceLanes(const Footprints&) {}
-    HWY_INLINE V row(V v, V) const { return hn::Mul(v, v); }
-    struct Run {
-        V u, row;
-        HWY_INLINE Run(const TexelDistanceLanes&, V x, V vv, V middle) : u(hn::Add(x, middle)), row(vv) {}
-        HWY_INLINE V next() {
-            const V now = u;
-            u = hn::Add(u, set(1));
-            return hn::Div(set(1), hn::Add(set(1), hn::Sqrt(hn::Add(hn::Mul(now, now), row))));
-        }
-    };
-};
+    static constexpr std::size_t kSpansAhead = 16;
 
-// The pixel of lane 0, texel by texel.
-struct LaneLogger {
-    FootprintLog* log;
-    const LaneLevels& levels;
-    std::int32_t level, row;
-    double v;
-
-    void add(V weight, V count, float n, V u, VI column) const {
-        if (!(n < hn::GetLane(count))) return;
+    // Of the pixel of lane 0.
+    void log(const Span<Weight>& span, std::int64_t n, V weight) const {
+        if (!(static_cast<float>(n) < hn::GetLane(span.count))) return;
+        const LaneLevels& levels = *job_.levels;
+        const std::int32_t level = hn::GetLane(f_.level);
         const int width = levels.width[static_cast<std::size_t>(level)];
-        const std::int64_t i = std::int64_t{hn::GetLane(column)} + static_cast<std::int64_t>(n);
-        log->texels.push_back({addressIndex(i, width, levels.address), row, level, double{hn::GetLane(u)}, v, 1,
-                               Color(hn::GetLane(weight))});
+        const std::int64_t i = hn::GetLane(span.column) + n;
+        const double u = static_cast<double>(i) + 0.5;
+        const double v = hn::GetLane(f_.cellT) + double{hn::GetLane(f_.restT)} + hn::GetLane(span.v);
+        job_.log->texels.push_back({addressIndex(i, width, levels.address), hn::GetLane(span.row), level, u, v, 1,
+                                    Color(hn::GetLane(weight))});
     }
-};
 
-template <class Weight, bool kLog>
-HWY_INLINE void sumRow(const LaneJob& job, const Footprints& f, const Weight& weight, VI row, V v, V active, Sums& sums,
-                       V& texelsRead) {
-    const D d;
-    const DI di;
-    const V inside = hn::Sub(f.spanAt, hn::Mul(f.spanFall, hn::Mul(v, v)));
-    const V zero = hn::Zero(d), half = set(0.5F), one = set(1);
-    const auto some = hn::And(hn::Ge(inside, zero), hn::Gt(active, zero));
-    const V reach = hn::Sqrt(hn::Max(inside, zero));
-    const V offset = hn::Mul(f.slope, v), middle = hn::Add(offset, f.restS);
-    // Lanes without texels here read texel 0.
-    const V begin = hn::IfThenElseZero(some, hn::Ceil(hn::Sub(hn::Sub(middle, reach), half)));
-    const V end = hn::Floor(hn::Sub(hn::Add(middle, reach), half));
-    const V count = hn::IfThenElseZero(some, hn::Max(hn::Add(hn::Sub(end, begin), one), zero));
-    texelsRead = hn::Add(texelsRead, count);
-    const float longest = hn::GetLane(hn::MaxOfLanes(d, count));
-    const V x = hn::Sub(hn::Add(begin, half), middle);
-    const V rowTerm = weight.row(v, offset);
-    const bool repeat = job.levels->address == Address::Repeat;
-    VI column = hn::Add(f.cellS, toInt(begin));
-    alignas(64) std::int32_t at[kLanes];
-    const VI rowStart = hn::Add(f.origin, hn::Mul(row, f.stride));
-    for (float done = 0; done < longest; done += kLanePad) {
-        if (repeat) {
-            const auto out = hn::Or(hn::Lt(column, setI(0)), hn::Not(hn::Lt(column, f.width)));
-            if (!hn::AllFalse(di, out)) column = wrapped(column, f.width);
-        }
-        const VI from = repeat ? column : hn::Max(hn::Min(column, f.width), setI(-kLanePad));
-        hn::Store(hn::Add(rowStart, from), di, at);
-        const std::uint64_t* texels = job.levels->texels.data();
-        const float stop = std::min(longest, done + kLanePad);
-        typename Weight::Run run(weight, hn::Add(x, set(done)), rowTerm, offset);
-        for (float n = done; n < stop; n += 2) {
-            const Pair pair = loadPair(texels, at);
-            const V n0 = set(n), n1 = set(n + 1);
-            const V w0 = hn::IfThenElseZero(hn::Lt(n0, count), run.next());
-            const V w1 = hn::IfThenElseZero(hn::Lt(n1, count), run.next());
-            sums.add(pair.redGreen0, pair.blue0, w0);
-            sums.add(pair.redGreen1, pair.blue1, w1);
-            if constexpr (kLog) {
-                const LaneLogger logger{job.log, *job.levels, hn::GetLane(f.level), hn::GetLane(row),
-                                        hn::GetLane(f.cellT) + double{hn::GetLane(f.restT)} + hn::GetLane(v)};
-                const V centre = hn::Add(toFloat(hn::Add(f.cellS, toInt(begin))), half);
-                const VI start = hn::Add(f.cellS, toInt(begin));
-                logger.add(w0, count, n, hn::Add(centre, n0), start);
-                logger.add(w1, count, n + 1, hn::Add(centre, n1), start);
-            }
-            texels += 2;
-        }
-        column = hn::Add(column, setI(kLanePad));
-    }
-}
+    const LaneJob& job_;
+    const Footprints& f_;
+    Weight weight_;
+    std::size_t made_ = 0;
+    Span<Weight> spans_[kSpansAhead];
+};
 
 template <class Weight, bool kLog>
 void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, std::uint8_t* left,
                   Color* HWY_RESTRICT colors, FootprintCounts& counts) {
     const D d;
-    const DI di;
     const Footprints f = footprintsOf(job, chunk, first, left);
-    const Weight weight(f);
-    const V zero = hn::Zero(d);
-    Sums sums{zero, zero, zero, zero};
-    V texels = zero;
+    SpanSums<Weight, kLog> spans(job, f);
     const bool repeat = job.levels->address == Address::Repeat;
     VI row = hn::Add(f.cellT, toInt(f.firstRow));
     if (repeat) row = wrapped(row, f.height);
@@ -293,18 +253,19 @@ void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
         const V v = hn::Sub(hn::Add(hn::Add(f.firstRow, set(r)), set(0.5F)), f.restT);
         const V active = hn::Sub(f.rows, set(r));
         const VI in = repeat ? row : hn::Max(hn::Min(row, hn::Sub(f.height, setI(1))), setI(0));
-        sumRow<Weight, kLog>(job, f, weight, in, v, active, sums, texels);
+        spans.addRow(in, v, active);
         row = hn::Add(row, setI(1));
         if (repeat) row = hn::IfThenElseZero(hn::Lt(row, f.height), row);
     }
+    spans.sumSpans();
+    const Sums& sums = spans.sums;
     const V per = hn::Mul(sums.total, set(kLaneWhite));
     alignas(64) float red[kLanes], green[kLanes], blue[kLanes], total[kLanes], read[kLanes];
     hn::Store(hn::Div(sums.red, per), d, red);
     hn::Store(hn::Div(sums.green, per), d, green);
     hn::Store(hn::Div(sums.blue, per), d, blue);
     hn::Store(sums.total, d, total);
-    hn::Store(texels, d, read);
-    (void)di;
+    hn::Store(spans.texels, d, read);
     for (std::size_t k = 0; k < kLanes; ++k) {
         if (first + k >= chunk.count || left[k] != 0) continue;
         if (!(total[k] > 0)) {
