@@ -84,63 +84,6 @@ void checkRequest(const FrameRequest& request) {
     }
 }
 
-// The spare buffer if it has as many pixels and nobody else holds it, or a new one. What it holds is of an older frame.
-template <class T>
-std::shared_ptr<T> taken(std::shared_ptr<T>& spare, bool fits) {
-    // Whoever held it last has let go before this thread writes.
-    if (spare && spare.use_count() == 1 && fits) {
-        std::atomic_thread_fence(std::memory_order_acquire);
-        return std::exchange(spare, nullptr);
-    }
-    spare.reset();
-    return std::make_shared<T>();
-}
-
-void fit(ColorImage& image, const Frame& frame) {
-    if (image.width() != frame.width || image.height() != frame.height) image = ColorImage(frame.width, frame.height);
-}
-
-// Buffers for stale stages, to be cleared by the tiles; the frame points to what its later stages read.
-FrameBuffers allocate(Frame& frame, const Frame* last, FrameBuffers& spare, bool shadows, bool mesh,
-                      std::uint32_t stale) {
-    const auto pixels = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
-    FrameBuffers buffers;
-    if (has(stale, Stage::Rays)) {
-        buffers.rays = taken(spare.rays, spare.rays && spare.rays->polygon.size() == pixels);
-        buffers.rays->rays.resize(pixels);
-        buffers.rays->polygon.resize(pixels);
-        buffers.rays->inverseDepth.resize(pixels);
-    }
-    if (has(stale, Stage::Hits)) {
-        buffers.hits = taken(spare.hits, spare.hits && spare.hits->by.size() == pixels);
-        HitBlock& hits = buffers.hits->hits;
-        hits.outcome.resize(pixels);
-        for (auto* column : {&hits.lambda, &hits.s, &hits.t}) column->resize(pixels);
-        buffers.hits->by.resize(pixels);
-        // A mesh counts its triangles as it draws; rays are counted when somebody asks.
-        hits.steps.assign(mesh ? pixels : 0, 0);
-        hits.reads.assign(mesh ? pixels : 0, 0);
-    }
-    if (has(stale, Stage::Color)) {
-        buffers.color = taken(spare.color, true);
-        fit(buffers.color->color, frame);
-    }
-    if (has(stale, Stage::Shadows)) {
-        buffers.shadows = taken(spare.shadows, true);
-        buffers.shadows->shadowed.resize(shadows ? pixels : 0);
-    }
-    if (has(stale, Stage::Light)) {
-        buffers.light = taken(spare.light, true);
-        fit(buffers.light->color, frame);
-    }
-    frame.rays = buffers.rays ? buffers.rays : last->rays;
-    frame.hits = buffers.hits ? buffers.hits : last->hits;
-    frame.color = buffers.color ? buffers.color : last->color;
-    frame.shadows = buffers.shadows ? buffers.shadows : last->shadows;
-    frame.light = buffers.light ? buffers.light : last->light;
-    return buffers;
-}
-
 void reportFilter(Frame& frame, const FrameTotals& totals) {
     const FilterDescription& filter = frame.filter->description();
     const auto count = [&](const char* name, double value) { frame.counters[name] = value; };
@@ -344,7 +287,7 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
             : madeTwin(request, *tracer, frame->filter && frame->filter->asksNeighbours(), work);
 
     if (!spare_) spare_ = std::make_shared<FrameBuffers>();
-    const FrameBuffers buffers = allocate(*frame, frame_.get(), *spare_, request.shadows, mesh != nullptr, stale);
+    const FrameBuffers buffers = allocateBuffers(*frame, frame_.get(), *spare_, request, mesh != nullptr, stale);
     FrameTotals totals;
     const FrameTools tools{visible, *tracer, mesh.get(), query.get(), ground.get(), twin.get()};
     const TileWorker worker(request, *frame, tools, buffers, stale, totals);

@@ -122,6 +122,15 @@ void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facin
     }
 }
 
+// Where nothing is met.
+void TileWorker::fillSky(const PixelArea& tile) const {
+    const auto out = buffers_.light->color.pixels();
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(frame_.index(tile.x0, y)), tile.x1 - tile.x0,
+                    request_.sky);
+    }
+}
+
 void TileWorker::lightHits(const PixelArea& tile) const {
     const HitBlock& hits = frame_.hits->hits;
     const auto colors = frame_.color->color.pixels();

@@ -47,11 +47,11 @@ void TileWorker::clear(const PixelArea& tile) const {
             std::fill(first, first + (tile.x1 - tile.x0), value);
         }
     };
-    if (buffers_.rays) {
+    if (stained(buffers_.rays, tile)) {
         rows(buffers_.rays->polygon, kNoPolygon);
         rows(buffers_.rays->inverseDepth, 0.0F);
     }
-    if (buffers_.hits) {
+    if (stained(buffers_.hits, tile)) {
         HitBlock& hits = buffers_.hits->hits;
         rows(hits.outcome, Outcome::Unset);
         rows(buffers_.hits->by, HitBy::Traced);
@@ -60,20 +60,38 @@ void TileWorker::clear(const PixelArea& tile) const {
             for (auto* column : {&hits.lambda, &hits.s, &hits.t}) rows(*column, kNotMet);
         }
     }
-    if (buffers_.color) rows(buffers_.color->color.pixels(), Color(0));
+    if (stained(buffers_.color, tile)) rows(buffers_.color->color.pixels(), Color(0));
     if (buffers_.shadows && !buffers_.shadows->shadowed.empty()) rows(buffers_.shadows->shadowed, std::uint8_t{0});
 }
 
 // Rays and hits of pixels that see no polygon; all others are set.
 void TileWorker::clearUncovered(const PixelArea& tile) const {
-    if (!buffers_.rays && !buffers_.hits) return;
+    const bool rays = stained(buffers_.rays, tile), met = stained(buffers_.hits, tile);
+    if (!rays && !met) return;
     overPixels(tile, [&](int, int, std::size_t i) {
         if (frame_.rays->polygon[i] != kNoPolygon) return;
-        if (buffers_.rays) buffers_.rays->rays.set(i, {});
-        if (!buffers_.hits) return;
+        if (rays) buffers_.rays->rays.set(i, {});
+        if (!met) return;
         HitBlock& hits = buffers_.hits->hits;
         hits.lambda[i] = hits.s[i] = hits.t[i] = kNotMet;
     });
+}
+
+bool TileWorker::covered(const PixelArea& tile) const {
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const auto row = frame_.rays->polygon.begin() + static_cast<std::ptrdiff_t>(frame_.index(tile.x0, y));
+        if (std::any_of(row, row + (tile.x1 - tile.x0), [](std::uint8_t p) { return p != kNoPolygon; })) return true;
+    }
+    return false;
+}
+
+void TileWorker::markBlank(const PixelArea& tile) const {
+    // A mesh may draw anywhere.
+    const auto blank = static_cast<std::uint8_t>(tools_.mesh == nullptr && !covered(tile) ? 1 : 0);
+    const auto mark = [&](const auto& stage) {
+        if (stage) stage->blank[number(tile)] = blank;
+    };
+    mark(buffers_.rays), mark(buffers_.hits), mark(buffers_.color);
 }
 
 void TileWorker::makeRays(const PixelArea& tile) const {

@@ -15,27 +15,11 @@
 #include "relief/block_work.h"
 #include "relief/slope_scene.h"
 #include "rendering/flat_ground.h"
-#include "rendering/frame.h"
+#include "rendering/frame_buffers.h"
 #include "rendering/mesh_raster.h"
 #include "rendering/visible_polygons.h"
 
 namespace relief {
-
-inline constexpr int kTileWidth = 64;
-inline constexpr int kTileHeight = 32;
-
-constexpr bool has(std::uint32_t stages, Stage stage) {
-    return (stages & bit(stage)) != 0;
-}
-
-// The buffers of one frame in the making: those of stale stages are new, the others are the last frame's.
-struct FrameBuffers {
-    std::shared_ptr<RayStage> rays;
-    std::shared_ptr<HitStage> hits;
-    std::shared_ptr<ColorStage> color;
-    std::shared_ptr<ShadowStage> shadows;
-    std::shared_ptr<LightStage> light;
-};
 
 // What was done and what was not needed, of all tiles.
 struct FrameTotals {
@@ -73,12 +57,14 @@ class TileWorker {
         clear(tile);
         timed(Stage::Rays, [&] { makeRays(tile); });
         clearUncovered(tile);
+        markBlank(tile);
         timed(Stage::Hits, [&] {
             if (tools_.mesh != nullptr) return drawMesh(tile);
             overRayBlocks(tile, [&](const PixelArea& part) { traceRays(part, work); });
         });
     }
     void paint(const PixelArea& tile, Work& work) const {
+        if (!covered(tile)) return timed(Stage::Light, [&] { fillSky(tile); });
         timed(Stage::Color, [&] { colorHits(tile, work); });
         timed(Stage::Shadows, [&] { overRayBlocks(tile, [&](const PixelArea& part) { castShadows(part, work); }); });
         timed(Stage::Light, [&] { lightHits(tile); });
@@ -107,8 +93,21 @@ class TileWorker {
         }
     }
 
+    std::size_t number(const PixelArea& tile) const {
+        const int across = tilesAcross(frame_.width);
+        return static_cast<std::size_t>(tile.y0 / kTileHeight * across + tile.x0 / kTileWidth);
+    }
+    // Whether what the stage's buffer holds of the tile is to be cleared.
+    template <class T>
+    bool stained(const std::shared_ptr<Kept<T>>& stage, const PixelArea& tile) const {
+        return stage && stage->blank[number(tile)] == 0;
+    }
+    // Whether any of the tile's pixels sees a polygon.
+    bool covered(const PixelArea& tile) const;
     void clear(const PixelArea& tile) const;
     void clearUncovered(const PixelArea& tile) const;
+    void markBlank(const PixelArea& tile) const;
+    void fillSky(const PixelArea& tile) const;
     void makeRays(const PixelArea& tile) const;
     void traceRays(const PixelArea& tile, Work& work) const;
     void skipRays(const PixelArea& tile) const;
