@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
-#include <fstream>
 #include <random>
 
 #include <malloc.h>
-#include <unistd.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
@@ -30,6 +28,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include "../resident_memory.h"
 #include "crash_report.h"
 #include "views/drawing_canvas.h"
 #include "window_fixture.h"
@@ -79,13 +78,9 @@ class NotingOutput : public vtkOutputWindow {
 };
 vtkStandardNewMacro(NotingOutput)
 
-    double residentMegabytes() {
+    double heldMegabytes() {
     malloc_trim(0);
-    std::ifstream file("/proc/self/statm");
-    double size = 0;
-    double resident = 0;
-    file >> size >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+    return relief::test::residentMegabytes();
 }
 
 class Walk {
@@ -285,7 +280,7 @@ TEST_F(RandomWalk, overAllControls) {
     openWindow(smallScenario());
     ASSERT_FALSE(HasFatalFailure());
     const auto cached = [&] { return static_cast<double>(snapshot()->maps->bytes()) / 1e6; };
-    const double atFirst = residentMegabytes() - cached();
+    const double atFirst = heldMegabytes() - cached();
     int steps = 0;
     {
         Walk walk(window_.get(), seed);
@@ -301,15 +296,15 @@ TEST_F(RandomWalk, overAllControls) {
                                                 << qPrintable(walk.story());
         }
     }
-    const double walked = residentMegabytes();
+    const double walked = heldMegabytes();
     // It still answers.
     EXPECT_TRUE(QTest::qWaitFor([&] { return snapshot() && !workspace_->busy(); }, kEndMs));
     for (int i = 0; i < 100000 && workspace_->canUndo(); ++i) workspace_->undo();
     EXPECT_TRUE(QTest::qWaitFor([&] { return snapshot() && !workspace_->busy(); }, kEndMs));
     QTest::qWait(1000);
-    const double undone = residentMegabytes() - cached() - atFirst;
+    const double undone = heldMegabytes() - cached() - atFirst;
     closePanes();
-    const double grown = residentMegabytes() - cached() - atFirst;
+    const double grown = heldMegabytes() - cached() - atFirst;
     std::printf(
         "%d steps; %.0f MB at first, %.0f walked; besides %.0f of cached maps %.0f more than at first when all is "
         "undone, %.0f when all panes are closed\n",
@@ -319,7 +314,7 @@ TEST_F(RandomWalk, overAllControls) {
     window_.reset();
     workspace_.reset();
     QThreadPool::globalInstance()->waitForDone();
-    const double left = residentMegabytes() - atFirst;
+    const double left = heldMegabytes() - atFirst;
     std::printf("%.0f MB more than at first when the window is gone\n", left);
     EXPECT_LT(left, kLeftMegabytes);
     EXPECT_TRUE(complaints().isEmpty()) << qPrintable(complaints().join(QStringLiteral("\n")));

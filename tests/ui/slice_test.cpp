@@ -1,0 +1,104 @@
+// The surface along a ray: the one that is traced, and what of it is left where there is too much to be seen.
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "traced_ray.h"
+
+namespace reliefui {
+namespace {
+
+using relief::Address;
+using relief::Surface;
+
+// The height that a line has at lambda; the line is steep at walls, so a little beside.
+double heightOn(const std::vector<Point>& line, double lambda) {
+    const auto next =
+        std::lower_bound(line.begin(), line.end(), lambda, [](const Point& p, double x) { return p.x < x; });
+    if (next == line.begin()) return next->y;
+    if (next == line.end()) return line.back().y;
+    const Point& b = *next;
+    const Point& a = *(next - 1);
+    return b.x > a.x ? a.y + (lambda - a.x) / (b.x - a.x) * (b.y - a.y) : b.y;
+}
+
+TEST(Slice, theSurfaceIsTheOneThatIsTraced) {
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+        for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+            const Traced t("fractal", 37, 20, surface, address);
+            for (int n = 0; n < 20; ++n) {
+                const double far = address == Address::Repeat ? 500 : 0;
+                const relief::ViewRay ray{unit(random) * 37 + far, unit(random) * 20 - far, unit(random) * 60 - 30,
+                                          unit(random) * 60 - 30};
+                SliceRange range;
+                range.columns = 4000;
+                range.rows = 1000;
+                const SurfaceLine line = surfaceAlong(t.walk(), ray, range);
+                ASSERT_FALSE(line.points.empty());
+                EXPECT_TRUE(std::is_sorted(line.points.begin(), line.points.end(),
+                                           [](const Point& p, const Point& q) { return p.x < q.x; }));
+                EXPECT_NEAR(line.points.back().x, lambdaInside(t.walk(), ray), kRounding);
+                const double quarterPixel = 0.25 / range.rows;
+                for (int k = 0; k < 300; ++k) {
+                    const double lambda = unit(random) * line.points.back().x;
+                    EXPECT_NEAR(heightOn(line.points, lambda), surfaceAt(t.field, ray, lambda),
+                                quarterPixel + kRounding)
+                        << lambda;
+                }
+            }
+        }
+    }
+}
+
+// A plateau is as high as the highest point of the surface under it, at least, and spans exactly the texel's stay.
+TEST(Slice, plateausLieOverTheSurfaceAndCoverTheRay) {
+    std::mt19937_64 random(12);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+        const Traced t("hills", 37, 20, Surface::Bilinear, address);
+        for (int n = 0; n < 20; ++n) {
+            const relief::ViewRay ray{unit(random) * 37, unit(random) * 20, unit(random) * 90 - 45,
+                                      unit(random) * 90 - 45};
+            SliceRange range;
+            range.columns = 1e6;
+            for (int level = 0; level <= t.walk().top(); ++level) {
+                double at = 0;
+                for (const Plateau& plateau : plateausAlong(t.walk(), ray, level, range)) {
+                    EXPECT_FALSE(plateau.joined);
+                    EXPECT_EQ(plateau.texel.level, level);
+                    EXPECT_EQ(plateau.texel.lambdaIn, at) << "no gap, no overlap";
+                    at = plateau.texel.lambdaOut;
+                    const double middle = (plateau.texel.lambdaIn + plateau.texel.lambdaOut) / 2;
+                    EXPECT_LE(surfaceAt(t.field, ray, middle), plateau.texel.value + kRounding);
+                }
+                EXPECT_NEAR(at, lambdaInside(t.walk(), ray), kRounding);
+            }
+        }
+    }
+}
+
+TEST(Slice, thinningKeepsHighestAndLowest) {
+    const Traced t("spikes", 256, 256, Surface::Columns, Address::Repeat);
+    const relief::ViewRay ray{3.3, 7.1, 7000, 3000};
+    SliceRange fine;
+    fine.columns = 1e6;
+    SliceRange coarse;
+    coarse.columns = 500;
+    const SurfaceLine all = surfaceAlong(t.walk(), ray, fine);
+    const SurfaceLine thin = surfaceAlong(t.walk(), ray, coarse);
+    EXPECT_FALSE(all.thinned);
+    EXPECT_TRUE(thin.thinned);
+    EXPECT_GT(all.points.size(), 15000u);
+    EXPECT_LE(thin.points.size(), 4 * 501u);
+    const auto lower = [](const Point& p, const Point& q) { return p.y < q.y; };
+    const auto [low, high] = std::minmax_element(all.points.begin(), all.points.end(), lower);
+    const auto [thinLow, thinHigh] = std::minmax_element(thin.points.begin(), thin.points.end(), lower);
+    EXPECT_EQ(low->y, thinLow->y);
+    EXPECT_EQ(high->y, thinHigh->y);
+}
+
+}  // namespace
+}  // namespace reliefui

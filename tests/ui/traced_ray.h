@@ -1,0 +1,49 @@
+// A ray over a procedural relief, traced, and what the profile draws of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "drawings/profile_drawing.h"
+#include "drawings/slice.h"
+#include "images/reliefs.h"
+#include "relief/tracers.h"
+
+namespace reliefui {
+
+// Heights and places on the drawing are computed in double from the same numbers.
+inline constexpr double kRounding = 1e-9;
+
+struct Traced {
+    relief::Work work;
+    relief::MapCache cache;
+    relief::HeightField field;
+    relief::HitBlock hits;
+    relief::StepLog log;
+    ProfileSource source;
+
+    Traced(const char* recipe, int width, int height, relief::Surface surface, relief::Address address)
+        : Traced(relief::makeRelief(recipe, width, height, 3), surface, address) {}
+    Traced(relief::FloatImage heights, relief::Surface surface, relief::Address address)
+        : field(std::make_shared<const relief::FloatImage>(std::move(heights)), surface, address) {
+        source.field = &field;
+        source.maxima = relief::maxPyramidMap(field, cache, work);
+    }
+    void trace(const relief::ViewRay& ray, const relief::MethodChoice& method) {
+        relief::RayBlock rays;
+        rays.push(ray);
+        log = {};
+        relief::makeTracer(method, field, cache, work)->trace(rays, hits, log, work);
+        source.hasRay = true;
+        source.ray = ray;
+        source.hit = hits[0];
+        source.steps = &log.steps;
+        const relief::MethodDescription& description = relief::findTracer(method.name);
+        source.atPoints = description.guarantee == relief::Guarantee::Approximate && description.maps.empty();
+        source.layers = method.options.count("layers") > 0 ? std::stoi(method.options.at("layers")) : 0;
+    }
+    relief::PyramidWalk walk() const { return {field, source.maxima}; }
+};
+
+}  // namespace reliefui
