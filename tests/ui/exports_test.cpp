@@ -211,6 +211,20 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     window_->pyramid()->saveFigure(slabs, 900);
     EXPECT_EQ(QImage(slabs).width(), 900);
     EXPECT_GT(colorsIn(QImage(slabs)), 30);
+    // They fill the page.
+    const QImage page(slabs);
+    QRect ink;
+    int inked = 0;
+    for (int y = 0; y < page.height(); ++y) {
+        for (int x = 0; x < page.width(); ++x) {
+            if (page.pixel(x, y) == page.pixel(0, 0)) continue;
+            ink |= QRect(x, y, 1, 1);
+            ++inked;
+        }
+    }
+    EXPECT_GT(ink.width() * ink.height(), 0.6 * page.width() * page.height());
+    EXPECT_GT(inked, 0.35 * page.width() * page.height());
+    EXPECT_TRUE(page.rect().adjusted(2, 2, -2, -2).contains(ink));
     // The pane itself goes on drawing.
     EXPECT_GT(colorsIn(grab(window_->trace())), 30);
     for (const QString& view : {QStringLiteral("result"), QStringLiteral("steps"), QStringLiteral("skipped")}) {

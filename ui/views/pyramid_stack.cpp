@@ -50,8 +50,9 @@ PyramidStack::~PyramidStack() {
 void PyramidStack::show(const PyramidParts& parts, const Style& style) {
     Style device = style;
     device.screenPixelsPerPoint *= widget_->devicePixelRatioF();
-    const bool same = scene_.show(parts, device);
-    if (!placed_ || !same) showAll();
+    const double ratio = widget_->devicePixelRatioF();
+    const bool same = scene_.show(parts, device, ratio * widget_->width(), ratio * widget_->height());
+    if (placedFor_ != widget_->size() || !same) showAll();
     renderSoon_.start();
 }
 
@@ -79,7 +80,7 @@ bool PyramidStack::drawingAt(QPointF widget, Point& drawing) const {
 
 void PyramidStack::showAll() {
     scene_.showAll(static_cast<double>(std::max(1, widget_->width())) / std::max(1, widget_->height()));
-    placed_ = true;
+    placedFor_ = widget_->size();
 }
 
 void PyramidStack::fit() {
@@ -135,8 +136,7 @@ bool PyramidStack::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         case QEvent::Resize:
-            showAll();
-            renderSoon_.start();
+            Q_EMIT resized();
             return false;
         default:
             return QWidget::eventFilter(watched, event);

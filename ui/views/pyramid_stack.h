@@ -34,6 +34,8 @@ class PyramidStack : public QWidget {
     bool drawingAt(QPointF widget, Point& drawing) const;
 
   signals:
+    // The slabs are to be shown anew.
+    void resized();
     void clickedAt(const reliefui::Point& drawing);
     void hoveredAt(const reliefui::Point& drawing);
 
@@ -50,7 +52,7 @@ class PyramidStack : public QWidget {
     SlabScene scene_;
     QPointF pressed_;
     QPointF last_;
-    bool placed_ = false;
+    QSize placedFor_;
     Soon renderSoon_{this, [this] { render(); }};
 };
 

@@ -47,6 +47,7 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::pointed, this, &PyramidView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &PyramidView::refresh);
+    connect(stack_, &PyramidStack::resized, this, [this] { refreshSoon_.start(); });
     connect(stack_, &PyramidStack::clickedAt, this, &PyramidView::chooseAt);
     connect(stack_, &PyramidStack::hoveredAt, this, [this](const Point& at) { setReadout(reading(at)); });
     connect(workspace_, &Workspace::snapshotChanged, this, &PyramidView::refresh);

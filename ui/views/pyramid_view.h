@@ -8,6 +8,7 @@
 #include "drawings/pyramid_drawing.h"
 #include "views/figure_view.h"
 #include "views/pyramid_parts.h"
+#include "views/soon.h"
 
 class QHBoxLayout;
 class QStackedLayout;
@@ -81,6 +82,7 @@ class PyramidView : public FigureView {
     std::shared_ptr<const Drawing> levels_;
     std::shared_ptr<const Drawing> legend_;
     bool stale_ = true;  // changed while it was hidden
+    Soon refreshSoon_{this, [this] { refresh(); }};
 };
 
 }  // namespace reliefui

@@ -17,15 +17,16 @@
 #include "drawings/ray_geometry.h"
 #include "drawings/vtk_text.h"
 #include "views/slab_actors.h"
+#include "views/slab_piles.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
 
 namespace {
 
-constexpr double kApart = 0.22;        // between slabs, of their width
-constexpr double kAside = 0.62;        // each to the right of the finer one: none hides another
-constexpr double kBetween = 1.25;      // from one pyramid to the next
+constexpr double kThick = 0.02;        // of a slab that is 1 wide
+constexpr double kTitleSize = 0.85;    // of the text's
+constexpr double kLine = 1.4;          // of the titles, of their size
 constexpr double kAbove = 0.004;       // marks over their slab
 constexpr std::size_t kMostWay = 400;  // steps around the chosen one
 
@@ -43,6 +44,20 @@ Point middleOf(const Primitive& primitive) {
     return {NAN, NAN};
 }
 
+// All as wide as deep at most.
+double unitOf(const LevelBlock& block) {
+    return 1 / std::max(block.box.width(), block.box.height());
+}
+
+std::string titleOf(const LevelBlock& block, const Drawing& levels, relief::Language language) {
+    for (const Item& item : levels.items) {
+        const auto* const label = std::get_if<Label>(&item.primitive);
+        if (label == nullptr || item.role != Role::Title || !(label->at == block.title)) continue;
+        return relief::sentence(label->text, language);
+    }
+    return {};
+}
+
 }  // namespace
 
 SlabScene::SlabScene() : renderer_(vtkSmartPointer<vtkRenderer>::New()) {
@@ -56,16 +71,29 @@ vtkRenderer* SlabScene::renderer() const {
     return renderer_;
 }
 
-void SlabScene::layOut(const PyramidParts& parts) {
+void SlabScene::layOut(const PyramidParts& parts, double width, double height) {
     slabs_.clear();
     firsts_.clear();
+    const double text = style_.textPixels(kTitleSize);
+    std::vector<std::vector<SlabSize>> sizes;
+    for (const PyramidPart& part : parts.parts) {
+        sizes.emplace_back();
+        for (const LevelBlock& block : part.picture.blocks) {
+            const double unit = unitOf(block);
+            const double wide = textWidth(titleOf(block, part.picture.levels, style_.language), text);
+            sizes.back().push_back(
+                {block.box.width() * unit, block.box.height() * unit, wide + text / 2, kLine * text});
+        }
+    }
+    const SlabPiles piles = slabPiles(sizes, width, height);
     for (std::size_t n = 0; n < parts.parts.size(); ++n) {
         firsts_.push_back(slabs_.size());
-        for (const LevelBlock& block : parts.parts[n].picture.blocks) {
-            // All as wide as deep at most, each level over the same place.
-            const double unit = 1 / std::max(block.box.width(), block.box.height());
-            slabs_.push_back(
-                {block, kAside * block.level, kBetween * static_cast<double>(n), kApart * block.level, unit});
+        const std::vector<LevelBlock>& blocks = parts.parts[n].picture.blocks;
+        for (std::size_t k = 0; k < blocks.size(); ++k) {
+            const SlabPlace& place = piles.places[n][k];
+            const SlabSize& size = sizes[n][k];
+            slabs_.push_back({blocks[k], place.x, 0, place.z, unitOf(blocks[k]), place.pile,
+                              size.titleWidth / piles.scale, size.titleHeight / piles.scale});
         }
     }
 }
@@ -77,20 +105,20 @@ const SlabScene::Slab* SlabScene::slabOf(Point drawing) const {
     return nullptr;
 }
 
-bool SlabScene::show(const PyramidParts& parts, const Style& style) {
+bool SlabScene::show(const PyramidParts& parts, const Style& style, double width, double height) {
     const PauseLog::Part part("pyramid: slabs");
     style_ = style;
     const Rgba ground = style.background();
     renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
     renderer_->RemoveAllViewProps();
     marks_.clear();
-    const std::size_t before = slabs_.size();
-    layOut(parts);
+    const std::vector<Slab> before = slabs_;
+    layOut(parts, width, height);
     for (std::size_t n = 0; n < parts.parts.size(); ++n) {
         const std::size_t end = n + 1 < firsts_.size() ? firsts_[n + 1] : slabs_.size();
         for (std::size_t k = firsts_[n]; k < end; ++k) addSlab(slabs_[k], parts.parts[n]);
     }
-    return before == slabs_.size();
+    return std::ranges::equal(before, slabs_, {}, &Slab::pile, &Slab::pile);
 }
 
 void SlabScene::letGo() {
@@ -108,7 +136,6 @@ void SlabScene::addSlab(const Slab& slab, const PyramidPart& part) {
                         {slab.at({c.x0, c.y0}), slab.at({c.x1, c.y0}), slab.at({c.x1, c.y1}), slab.at({c.x0, c.y1})}));
     }
     // A little thickness, so that it is one body.
-    constexpr double kThick = 0.02;
     const Box& b = slab.block.box;
     const std::array<Point, 4> corners{Point{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}};
     for (std::size_t k = 0; k < 4; ++k) {
@@ -122,21 +149,19 @@ void SlabScene::addSlab(const Slab& slab, const PyramidPart& part) {
     addTitle(slab, part.picture.levels);
 }
 
+// Below its front edge.
 void SlabScene::addTitle(const Slab& slab, const Drawing& levels) {
-    for (const Item& item : levels.items) {
-        const auto* const label = std::get_if<Label>(&item.primitive);
-        if (label == nullptr || item.role != Role::Title || !(label->at == slab.block.title)) continue;
-        auto text = vtkSmartPointer<vtkTextActor>::New();
-        text->SetInput(relief::sentence(label->text, style_.language).c_str());
-        text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-        const Place at = slab.at({slab.block.box.x0, slab.block.box.y1}, 0.02);
-        text->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
-        setText(text->GetTextProperty(), style_.text(), style_.textPixels(0.85));
-        const Rgba ground = style_.background();
-        text->GetTextProperty()->SetBackgroundColor(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
-        text->GetTextProperty()->SetBackgroundOpacity(0.7);
-        renderer_->AddActor2D(text);
-    }
+    auto text = vtkSmartPointer<vtkTextActor>::New();
+    text->SetInput(titleOf(slab.block, levels, style_.language).c_str());
+    text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    const Place at = slab.at({slab.block.box.x0, slab.block.box.y1}, -kThick);
+    text->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
+    setText(text->GetTextProperty(), style_.text(), style_.textPixels(kTitleSize));
+    text->GetTextProperty()->SetVerticalJustificationToTop();
+    const Rgba ground = style_.background();
+    text->GetTextProperty()->SetBackgroundColor(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
+    text->GetTextProperty()->SetBackgroundOpacity(0.7);
+    renderer_->AddActor2D(text);
 }
 
 void SlabScene::addLines(const std::vector<std::pair<Place, Place>>& lines, Rgba color, double width) {
@@ -158,13 +183,15 @@ void SlabScene::addLines(const std::vector<std::pair<Place, Place>>& lines, Rgba
     marks_.emplace_back(actor);
 }
 
-// From step to step: on a slab, and up and down between slabs.
+// From step to step: on a slab, and up and down between slabs; thin from pile to pile.
 void SlabScene::addWay(const PyramidPart& part, const std::vector<const Slab*>& slabs, std::size_t chosen) {
     const std::vector<relief::Step>& steps = *part.source.steps;
     const RayPath path(*part.source.field, part.source.ray);
     std::vector<std::pair<Place, Place>> before;
+    std::vector<std::pair<Place, Place>> across;
     std::vector<std::pair<Place, Place>> after;
     std::optional<Place> last;
+    int lastPile = 0;
     const std::size_t first = chosen > kMostWay ? chosen - kMostWay : 0;
     for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostWay); ++k) {
         const relief::Step& step = steps[k];
@@ -176,10 +203,13 @@ void SlabScene::addWay(const PyramidPart& part, const std::vector<const Slab*>& 
                 wrapped(Segment{path.at(lambda), path.at(lambda)}, slab.block.domain, part.picture.wraps);
             if (!pieces.empty()) here = slab.at(slab.block.toDrawing(pieces.front().first), 3 * kAbove);
         }
-        if (last && here) (k <= chosen ? before : after).emplace_back(*last, *here);
+        const int pile = here ? slabs[static_cast<std::size_t>(step.level)]->pile : lastPile;
+        if (last && here) (k > chosen ? after : pile != lastPile ? across : before).emplace_back(*last, *here);
         last = here;
+        lastPile = pile;
     }
     addLines(after, style_.color({{}, Role::Ray, Emphasis::Faint, Polyline{}, {}}), 1);
+    addLines(across, style_.color(Role::Ray), 1);
     addLines(before, style_.color(Role::Ray), 2.5);
 }
 
@@ -287,6 +317,10 @@ void SlabScene::showAll(double aspect) {
         const Box& b = slab.block.box;
         for (const Point& p : {Point{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}})
             places.push_back(slab.at(p));
+        Place title = slab.at({b.x0, b.y1}, -kThick - slab.titleHeight / std::cos(Turntable::kElevation));
+        places.push_back(title);
+        title[0] += slab.titleWidth;
+        places.push_back(title);
     }
     camera.fit(places, aspect);
 }

@@ -1,6 +1,7 @@
 // The pyramid in three dimensions, in a renderer, for the pane and for files: each level a slab above the finer one,
-// with the very texels and marks that the flat pane draws, and the way of the ray from step to step between them. It
-// belongs to no window.
+// with the very texels and marks that the flat pane draws, and the way of the ray from step to step between them. The
+// slabs stand in as many piles beside each other as make them largest in the room there is; none hides another or its
+// title. It belongs to no window.
 #pragma once
 
 #include <array>
@@ -27,9 +28,9 @@ class SlabScene {
     SlabScene& operator=(const SlabScene&) = delete;
 
     vtkRenderer* renderer() const;
-    // The slabs: made anew with the map, the ray's surroundings or the style (in the pixels of the window). Whether
-    // there are as many as before.
-    bool show(const PyramidParts& parts, const Style& style);
+    // The slabs: made anew with the map, the ray's surroundings or the style (in the pixels of the window), for a view
+    // of this size in pixels. Whether they stand in the piles of before.
+    bool show(const PyramidParts& parts, const Style& style, double width, double height);
     // The marks up to this step; `parts` are those shown.
     void showStep(const PyramidParts& parts, int step);
     void letGo();
@@ -43,9 +44,10 @@ class SlabScene {
     // The uppermost slab under such a pixel, and the place on the flat drawing; nothing: none.
     std::optional<Point> drawingAt(double x, double y) const;
 
-    Turntable camera;
+    Turntable camera{kHalfView};
 
   private:
+    static constexpr double kHalfView = 0.06;  // slabs far up are seen as those below
     // Where a block of the flat drawing lies in space: X to the right, Y to the back, Z up; a slab is about 1 wide.
     struct Slab {
         LevelBlock block;
@@ -53,6 +55,9 @@ class SlabScene {
         double y = 0;
         double z = 0;
         double unit = 1;  // a unit of the drawing
+        int pile = 0;
+        double titleWidth = 0;  // of the text at its front edge
+        double titleHeight = 0;
 
         Turntable::Place at(Point drawing, double above = 0) const {
             return {x + (drawing.x - block.box.x0) * unit, y - (drawing.y - block.box.y0) * unit, z + above};
@@ -60,7 +65,7 @@ class SlabScene {
     };
 
     const Slab* slabOf(Point drawing) const;
-    void layOut(const PyramidParts& parts);
+    void layOut(const PyramidParts& parts, double width, double height);
     void addSlab(const Slab& slab, const PyramidPart& part);
     void addTitle(const Slab& slab, const Drawing& levels);
     void addWay(const PyramidPart& part, const std::vector<const Slab*>& slabs, std::size_t chosen);

@@ -109,7 +109,7 @@ QImage slabsImage(const Snapshot& snapshot, const FigureRequest& request, const 
     return imageOf(scene.renderer(), request, size, [&](const Style& style, double aspect) {
         const double points = request.widthMm / kMmPerPoint;
         const PyramidParts parts = pyramidParts(snapshot, request.pyramid, points, points / aspect);
-        scene.show(parts, style);
+        scene.show(parts, style, points * style.screenPixelsPerPoint, points / aspect * style.screenPixelsPerPoint);
         scene.showStep(parts, snapshot.scenario.step);
         if (request.slabsCamera) scene.camera = *request.slabsCamera;
         // Seen from there; as near as the picture allows.

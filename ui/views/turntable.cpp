@@ -9,8 +9,6 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kHalfView = 0.26;    // radians: half of the vertical field of view
-constexpr double kElevation = 0.55;   // radians, at first
 constexpr double kSteepest = 1.55;    // never straight down: up stays up
 constexpr double kTurnPerHeight = 3;  // radians for a drag over the height of the view
 constexpr double kNearest = 1e-4;     // of the fitted distance
@@ -47,7 +45,7 @@ void Turntable::fit(const std::vector<Place>& places, double aspect) {
     }
     for (std::size_t c = 0; c < 3; ++c) focus_[c] = (low[c] + high[c]) / 2;
     const Axes a = axes();
-    const double vertical = std::tan(kHalfView);
+    const double vertical = std::tan(halfView_);
     const double horizontal = vertical * std::max(aspect, 0.1);
     // Twice: the middle of what is seen is not the middle of the box.
     for (int pass = 0; pass < 2; ++pass) {
@@ -75,13 +73,13 @@ void Turntable::turn(double dx, double dy, double height) {
 
 void Turntable::move(double dx, double dy, double height) {
     const Axes a = axes();
-    const double unit = 2 * distance_ * std::tan(kHalfView) / height;
+    const double unit = 2 * distance_ * std::tan(halfView_) / height;
     for (std::size_t c = 0; c < 3; ++c) focus_[c] += (-dx * a.right[c] + dy * a.up[c]) * unit;
 }
 
 void Turntable::zoom(double factor, double x, double y) {
     const Axes a = axes();
-    const double half = distance_ * std::tan(kHalfView);
+    const double half = distance_ * std::tan(halfView_);
     const double by = half * (1 - 1 / factor);
     for (std::size_t c = 0; c < 3; ++c) focus_[c] += (x * a.right[c] + y * a.up[c]) * by;
     distance_ = std::max(distance_ / factor, kNearest);
@@ -89,7 +87,7 @@ void Turntable::zoom(double factor, double x, double y) {
 
 void Turntable::apply(vtkCamera* camera) const {
     const Axes a = axes();
-    camera->SetViewAngle(2 * kHalfView * 180 / M_PI);
+    camera->SetViewAngle(2 * halfView_ * 180 / M_PI);
     camera->SetFocalPoint(focus_.data());
     camera->SetPosition(focus_[0] + distance_ * a.back[0], focus_[1] + distance_ * a.back[1],
                         focus_[2] + distance_ * a.back[2]);

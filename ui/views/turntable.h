@@ -12,6 +12,11 @@ class Turntable {
   public:
     using Place = std::array<double, 3>;
 
+    static constexpr double kElevation = 0.55;  // radians, at first
+
+    // Half of the vertical field of view, radians: the smaller, the less near things are larger than far ones.
+    explicit Turntable(double halfView = 0.26) : halfView_(halfView) {}
+
     // Looks along the horizontal direction (x, y), from above.
     void lookAlong(double x, double y);
     // As near as shows all places in a view of this aspect (width over height), without turning.
@@ -35,6 +40,7 @@ class Turntable {
     };
     Axes axes() const;
 
+    double halfView_;
     Place focus_{0, 0, 0};
     double azimuth_ = 0;      // radians; where the eye is, around the vertical axis
     double elevation_ = 0.6;  // radians
