@@ -56,7 +56,7 @@ void addDistanceAxes(DistancePicture& picture, relief::Language language) {
     const auto tick = [&](Point from, Point to) { drawing.add({}, Role::Frame, Polyline{{from, to}, false}); };
     const Message upwards = level ? Message(MessageId::DrawAxisY)
                                   : Message(MessageId::DrawHeightAxis, {{"texels", relief::numberText(frame.slab, 3)}});
-    addText(drawing, {plot.x0, plot.y0}, upwards, Anchor::BottomLeft, {kTick - kNumberRoom + 2, -3}, true);
+    addText(drawing, {plot.x0, plot.y0}, upwards, Anchor::BottomLeft, {kTick - kNumberRoom + 2, -7}, true);
     const Message across(frame.axis == SliceAxis::X ? MessageId::DrawAxisY : MessageId::DrawAxisX);
     if (lowPane(frame)) {
         addText(drawing, {plot.x1, plot.y1}, across, Anchor::Right, {0, kTick + 6});

@@ -6,6 +6,7 @@
 #include "drawings/axis_ticks.h"
 #include "drawings/iso_lines.h"
 #include "drawings/ray_geometry.h"
+#include "drawings/style.h"
 
 namespace reliefui {
 
@@ -15,6 +16,10 @@ using relief::Message;
 using relief::MessageId;
 
 constexpr double kIsoLines = 8;  // at most that many
+
+ColorMap mapOf(const DistancePicture& picture) {
+    return picture.slice.low < 0 || !picture.minus.empty() ? ColorMap::Difference : ColorMap::Distance;
+}
 
 // How many periods before and after the first one are seen.
 std::pair<int, int> periodsSeen(double low, double high, double start, double period, bool wraps) {
@@ -52,7 +57,7 @@ void addCells(DistancePicture& picture, const DistanceSource& source) {
             cells.cellWidth = slice.cellWidth * frame.scale;
             cells.cellHeight = slice.cellHeight * frame.scale;
             cells.clip = {low.x, low.y, high.x, high.y};
-            cells.map = slice.low < 0 || source.second != nullptr ? ColorMap::Difference : ColorMap::Distance;
+            cells.map = mapOf(picture);
             cells.low = slice.low;
             cells.high = slice.high;
             cells.print = true;
@@ -159,9 +164,11 @@ void addIsoLines(DistancePicture& picture) {
             if (!points.empty()) length += std::hypot(at.x - points.back().x, at.y - points.back().y);
             points.push_back(at);
         }
-        const std::vector<std::vector<Point>> runs = clippedTo(points, frame.plot);
-        for (const std::vector<Point>& run : runs) {
-            picture.drawing.add({ItemKind::IsoLine, 0, 0, 0}, Role::IsoLine, Polyline{run, false}, Emphasis::Faint);
+        const Rgba ground = Style{}.cell(mapOf(picture), line.value, slice.low, slice.high);
+        const LevelTint tint{Style::textOn(ground).r > 128 ? kLightLine : kDarkLine, 2};
+        for (const std::vector<Point>& run : clippedTo(points, frame.plot)) {
+            picture.drawing.items.push_back(
+                {{ItemKind::IsoLine, 0, 0, 0}, Role::IsoLine, Emphasis::Normal, Polyline{run, false}, tint});
         }
         const Point middle = points[points.size() / 2];
         if (printed || length < kLabelled || !frame.plot.grown(-8).contains(middle)) continue;

@@ -208,7 +208,7 @@ std::string labelText(const Label& label, relief::Language language);
 
 using Primitive = std::variant<Rectangle, Cells, Area, Polyline, Circle, Ring, Marker, Hatch, Label>;
 
-// Of a pyramid: lines of role Plateau have the colour of their level. Of series and streams: level is their number.
+// Plateau: the pyramid's level. Series, streams: their number. IsoLine: for a ground that is (kLightLine, kDarkLine).
 struct LevelTint {
     int level = 0;
     int levels = 1;

@@ -7,6 +7,9 @@
 
 namespace reliefui {
 
+// Tints of a line (LevelTint::level), by the ground that it lies on: a map's colour, dark or light in every theme.
+inline constexpr int kLightLine = 1, kDarkLine = 2;
+
 struct IsoLine {
     double value = 0;
     std::vector<Point> points;  // in cells: sample (i, j) lies at (i + 1/2, j + 1/2)

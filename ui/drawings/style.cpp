@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "drawings/iso_lines.h"
+
 namespace reliefui {
 
 namespace {
@@ -225,6 +227,9 @@ Rgba Style::stream(int number) const {
 Rgba Style::color(const Item& item) const {
     if (item.role == Role::Series || item.role == Role::SeriesDashed) return series(item.tint.level);
     if (item.role == Role::Stream) return stream(item.tint.level);
+    // What it lies on does not change with the theme.
+    if (item.role == Role::IsoLine && item.tint.level == kLightLine) return {0xF4, 0xF4, 0xF4, 255};
+    if (item.role == Role::IsoLine && item.tint.level == kDarkLine) return {0x18, 0x18, 0x18, 255};
     return color(item.role);
 }
 
