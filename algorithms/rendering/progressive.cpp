@@ -13,24 +13,37 @@ constexpr const char* kVisible = "elliptical-visible";
 constexpr const char* kPlain = "elliptical";
 constexpr const char* kFewPoints = "2";
 
-// A finer level is taken again only if it is expected to stay below this part of the budget: frames vary, and a view
-// that changes its look to and fro is worse than a coarse one.
-constexpr double kWellWithin = 0.85;
-// Where frames take no more than this part of it, a finer level is tried whatever is expected of it.
-constexpr double kMuchWithin = 0.6;
-// Weight of the newest frame in what is remembered.
-constexpr double kNewest = 0.25;
-// Frames on a coarser level before a finer one is tried again: each time twice as many, for the finer one was too slow.
-constexpr int kFirstWait = 16, kLongestWait = 2048;
+// Of a pixel on a small machine: traced and filtered plainly; only lit anew.
+constexpr double kTracedSeconds = 4e-7, kLitSeconds = 2e-8;
+constexpr int kFactors[]{2, 3, 4, 6, 8};
 
 std::string valueOf(const FilterChoice& choice, const std::string& option) {
     const auto given = choice.options.find(option);
     return given != choice.options.end() ? given->second : findFilter(choice.name).defaults.at(option);
 }
 
+// What a pixel takes, of one that is filtered plainly: roughly, to begin with.
+double costOf(const FilterChoice& choice) {
+    if (choice.name == kSupersample) return choice.samples * choice.samples;
+    if (choice.name != kVisible) return 1;
+    const std::string form = valueOf(choice, "form");
+    const double points = std::atof(valueOf(choice, "points").c_str());
+    return form == kGridForm ? 1 + 0.1 * points * points : form == "rays" ? 8 : 100;
+}
+
+// Whether the one's hits are the other's.
+bool sameHits(const FrameRequest& a, const FrameRequest& b) {
+    return a.width == b.width && a.height == b.height && a.field.sharedHeights() == b.field.sharedHeights() &&
+           a.field.surface() == b.field.surface() && a.field.address() == b.field.address() &&
+           a.field.reliefDepth() == b.field.reliefDepth() && a.method == b.method && a.scene == b.scene &&
+           a.camera == b.camera && a.skip == b.skip && a.bounded == b.bounded && a.sample == b.sample &&
+           a.margin == b.margin;
+}
+
 }  // namespace
 
 FilterChoice coarserFilter(const FilterChoice& choice, int level) {
+    if (level > 0 && choice.name == kSupersample) return {};
     if (level == 0 || choice.name != kVisible) return choice;
     FilterChoice coarse = choice;
     if (level == 1) {
@@ -46,60 +59,101 @@ FilterChoice coarserFilter(const FilterChoice& choice, int level) {
     return coarse;
 }
 
-int ProgressiveRenderer::levelFor(const FilterChoice& filter, double pixels) const {
-    const auto same = [&](int level) { return coarserFilter(filter, level) == coarserFilter(filter, level - 1); };
-    const auto seconds = [&](int level) { return perPixel_[static_cast<std::size_t>(level)] * pixels; };
-    // The next finer one, where there is time to spare: what was measured of it may be of another view.
-    const bool spare = last_ > 0 && since_ >= wait_ && seconds(last_) <= kMuchWithin * budget_;
-    int tried = spare ? last_ - 1 : kCoarsestFilter;
-    while (spare && tried > 0 && same(tried)) --tried;
-    for (int level = since_ < wait_ ? last_ : 0; level < kCoarsestFilter; ++level) {
-        if (level > 0 && same(level)) continue;
-        // What is not known yet is tried, from the finest on.
-        const double most = (level < last_ ? kWellWithin : 1) * budget_;
-        if (level == tried || seconds(level) <= most || seconds(level) == 0) return level;
-    }
-    return coarserFilter(filter, kCoarsestFilter) == filter ? 0 : kCoarsestFilter;
+FrameRequest coarserRequest(const FrameRequest& request, const MovingLevel& level) {
+    FrameRequest coarse = request;
+    coarse.filter = level.filter;
+    coarse.width = (request.width + level.factor - 1) / level.factor;
+    coarse.height = (request.height + level.factor - 1) / level.factor;
+    return coarse;
 }
 
-// What the other levels take is taken to have changed in proportion.
-void ProgressiveRenderer::learn(int level, double perPixel) {
-    const double known = perPixel_[static_cast<std::size_t>(level)];
-    const double next = known > 0 ? (1 - kNewest) * known + kNewest * perPixel : perPixel;
-    if (known > 0) {
-        for (double& each : perPixel_) each *= next / known;
-    } else {
-        perPixel_[static_cast<std::size_t>(level)] = next;
+double pixelSeconds(const Frame& frame, Work& work) {
+    double seconds = 0;
+    for (const StageReport& stage : frame.stages) seconds += stage.seconds;
+    return seconds / work.arena().max_concurrency();
+}
+
+ProgressiveRenderer::ProgressiveRenderer(std::shared_ptr<MapCache> maps, double budget)
+    : full_(maps), small_(std::move(maps)), traced_(budget), lit_(budget), pace_(&traced_) {}
+
+std::vector<MovingLevel> ProgressiveRenderer::levels(const FrameRequest& request, bool lit) const {
+    const double pixels = static_cast<double>(request.width) * request.height;
+    std::vector<MovingLevel> levels;
+    const auto add = [&](const FilterChoice& filter, int factor) {
+        // Only light is made anew where the filter has done its part already.
+        const bool filtered = lit && factor == 1 && filter == drawn_->filter;
+        const double cost = (lit ? kLitSeconds : kTracedSeconds) * (filtered ? 1 : costOf(filter));
+        levels.push_back({static_cast<int>(levels.size()), filter, factor, cost * pixels / (factor * factor)});
+    };
+    add(request.filter, 1);
+    FilterChoice filter = request.filter;
+    // Samples of whole pixels are never moved, and no filter that could be kept.
+    const bool keep = keepFilter_ && request.filter.name != kSupersample;
+    for (int level = 1; level <= kCoarsestFilter && !keep; ++level) {
+        if (coarserFilter(request.filter, level) == filter) continue;
+        filter = coarserFilter(request.filter, level);
+        // What the filter has done is not thrown away for another light.
+        if (!lit) add(filter, 1);
     }
+    for (const int factor : kFactors) add(filter, factor);
+    return levels;
+}
+
+MovingLevel ProgressiveRenderer::levelFor(const FrameRequest& request) {
+    const bool lit = drawn_ && sameHits(*drawn_, request);
+    const std::vector<MovingLevel> all = levels(request, lit);
+    std::vector<double> seconds;
+    for (const MovingLevel& level : all) seconds.push_back(level.seconds);
+    pace_ = lit ? &lit_ : &traced_;
+    pace_->setLevels(seconds);
+    return all[static_cast<std::size_t>(pace_->level())];
+}
+
+ProgressiveRenderer::Picture ProgressiveRenderer::draw(const FrameRequest& request, const MovingLevel& level,
+                                                       Work& work) {
+    Picture picture;
+    picture.request = std::make_shared<const FrameRequest>(coarserRequest(request, level));
+    picture.level = level;
+    FrameRenderer& renderer = rendererOf(level);
+    picture.frame = renderer.render(*picture.request, work);
+    picture.tracer = renderer.tracer();
+    (level.factor == 1 ? fullFrame_ : smallFrame_) = picture.frame;
+    if (level.factor == 1) drawn_ = *picture.request;
+    return picture;
 }
 
 ProgressiveRenderer::Picture ProgressiveRenderer::moving(const FrameRequest& request, Work& work) {
-    if (!(request.filter == filter_)) {
-        filter_ = request.filter;
-        perPixel_ = {};
-        last_ = since_ = wait_ = 0;
-        first_ = true;
-    }
-    const double pixels = static_cast<double>(request.width) * request.height;
-    const int level = levelFor(request.filter, pixels);
-    FrameRequest asked = request;
-    asked.filter = coarserFilter(request.filter, level);
-    const std::shared_ptr<const Frame> frame = renderer_.render(asked, work);
-    // The first frame on a level makes its filter, and one that kept its hits took less: both say little of the next.
-    const bool tells = level == last_ && !first_ && !frame->stages[static_cast<std::size_t>(Stage::Hits)].reused;
-    ++since_;
-    if (level > last_) {
-        since_ = 0;
-        wait_ = std::clamp(2 * wait_, kFirstWait, kLongestWait);
-    }
-    first_ = level != last_;
-    last_ = level;
-    if (tells) learn(level, frame->seconds / pixels);
-    return {frame, level, !(asked.filter == request.filter)};
+    Picture picture = draw(request, levelFor(request), work);
+    took(picture.frame->seconds);
+    return picture;
 }
 
-std::shared_ptr<const Frame> ProgressiveRenderer::settled(const FrameRequest& request, Work& work) {
-    return renderer_.render(request, work);
+ProgressiveRenderer::Picture ProgressiveRenderer::settled(const FrameRequest& request, Work& work) {
+    levelFor(request);
+    Picture picture = draw(request, {0, request.filter, 1, 0}, work);
+    const auto& stages = picture.frame->stages;
+    const bool whole = std::none_of(stages.begin(), stages.end(), [](const StageReport& s) { return s.reused; });
+    if (!whole || request.filter.name == kSupersample) return picture;
+    pace_->rested(pixelSeconds(*picture.frame, work));
+    return picture;
+}
+
+std::shared_ptr<const Frame> ProgressiveRenderer::counted(const Picture& picture, Work& work) {
+    if (picture.frame->hits->counted()) return picture.frame;
+    FrameRenderer& renderer = rendererOf(picture.level);
+    std::shared_ptr<const Frame>& last = picture.level.factor == 1 ? fullFrame_ : smallFrame_;
+    if (last != picture.frame) {
+        renderer.render(*picture.request, work);
+        if (picture.level.factor == 1) drawn_ = *picture.request;
+    }
+    last = renderer.counted(work);
+    return last;
+}
+
+bool ProgressiveRenderer::gaveUp(const MovingLevel& level, double seconds) {
+    if (level.number != pace_->level()) return false;
+    pace_->gaveUp(seconds);
+    return pace_->level() > level.number;
 }
 
 }  // namespace relief

@@ -8,13 +8,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
+#include "../resident_memory.h"
 #include "images/files.h"
 #include "measuring/picture_error.h"
 #include "measuring/quantiles.h"
@@ -37,23 +36,25 @@ constexpr Pictures kPictures[]{{"gray_rocks", "height.png", "color.jpg"},
                                {"terrain_srtm_east_africa", "height.png", "color.png"}};
 constexpr double kTurn = 0.5;  // degrees a frame
 
-double residentMegabytes() {
-    std::ifstream file("/proc/self/statm");
-    double pages = 0, resident = 0;
-    file >> pages >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+std::string levelText(const MovingLevel& level) {
+    return filterText(level.filter) + (level.factor > 1 ? " / " + std::to_string(level.factor) : "");
 }
 
-// The coarse picture of this view beside the full one that follows it.
+// The coarse picture of this view, enlarged, beside the full one that follows it.
 void tellCoarse(ProgressiveRenderer& renderer, const FrameRequest& request, Work& work) {
     const ProgressiveRenderer::Picture coarse = renderer.moving(request, work);
-    if (!coarse.coarse) return;
-    const auto full = renderer.settled(request, work);
+    if (coarse.level.number == 0) return;
+    const std::shared_ptr<const Frame> full = renderer.settled(request, work).frame;
+    ColorImage enlarged(request.width, request.height);
+    for (int y = 0; y < request.height; ++y) {
+        for (int x = 0; x < request.width; ++x) {
+            enlarged(x, y) = coarse.frame->light->color(x / coarse.level.factor, y / coarse.level.factor);
+        }
+    }
     FloatImage map;
-    const PictureError error =
-        pictureError(full->light->color, coarse.frame->light->color, kPixelsPerDegree, map, work);
-    std::printf("  coarse, level %d: RMSE %.4f, PSNR %.1f dB, FLIP %.4f; the full picture follows in %.1f ms\n",
-                coarse.level, error.rmse, error.psnr, error.flip, 1000 * full->seconds);
+    const PictureError error = pictureError(full->light->color, enlarged, kPixelsPerDegree, map, work);
+    std::printf("  coarse, %s: RMSE %.4f, PSNR %.1f dB, FLIP %.4f; the full picture follows in %.1f ms\n",
+                levelText(coarse.level).c_str(), error.rmse, error.psnr, error.flip, 1000 * full->seconds);
 }
 
 peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& maps, const char* name, double seconds,
@@ -67,15 +68,18 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
         renderer.moving(request, work);
         request.camera.azimuth += kTurn;
     }
-    std::array<int, kCoarsestFilter + 1> levels{};
-    const double resident = residentMegabytes();
+    std::map<int, std::pair<std::string, int>> levels;
+    const double resident = test::residentMegabytes();
     std::vector<double> taken;
     std::array<std::vector<double>, kStages> stages;
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds) {
         request.camera.azimuth += kTurn;
-        const auto [frame, level, coarse] = renderer.moving(request, work);
-        ++levels[static_cast<std::size_t>(level)];
+        const ProgressiveRenderer::Picture picture = renderer.moving(request, work);
+        const std::shared_ptr<const Frame>& frame = picture.frame;
+        auto& [how, count] = levels[picture.level.number];
+        how = levelText(picture.level);
+        ++count;
         taken.push_back(frame->seconds);
         for (std::size_t s = 0; s < kStages; ++s) stages[s].push_back(frame->stages[s].seconds);
     }
@@ -85,9 +89,9 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
     for (std::size_t s = 0; s < kStages; ++s) {
         std::printf(" %s %.1f", std::string(kStageNames[s]).c_str(), 1000 * quantile(stages[s], 0.5));
     }
-    std::printf(" resident %.0f, %.0f MB\n", resident, residentMegabytes());
+    std::printf(" resident %.0f, %.0f MB\n", resident, test::residentMegabytes());
     if (std::isfinite(budget)) {
-        std::printf("  frames on levels 0, 1, 2: %d, %d, %d\n", levels[0], levels[1], levels[2]);
+        for (const auto& [number, level] : levels) std::printf("  %d frames %s\n", level.second, level.first.c_str());
         request.camera.azimuth += kTurn;
         tellCoarse(renderer, request, work);
     }

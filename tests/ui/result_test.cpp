@@ -7,6 +7,7 @@
 #include "relief/tracers.h"
 #include "views/result_painting.h"
 #include "window_fixture.h"
+#include "workspace/snapshot_maker.h"
 
 namespace reliefui {
 
@@ -98,6 +99,7 @@ TEST_F(WindowTest, DraggingDrawsCoarseThenFull) {
     QObject::connect(workspace_.get(), &Workspace::snapshotChanged, window_.get(), [&] {
         coarse.push_back(snapshot()->coarse);
         if (snapshot()->coarse) slowest = std::max(slowest, snapshot()->frame->seconds);
+        EXPECT_GT(colorsIn(snapshot()->picture), 30) << "never blank";
         if (snapshot()->coarse) {
             EXPECT_LT(snapshot()->picture.width(), 1600);
         }
@@ -119,10 +121,37 @@ TEST_F(WindowTest, DraggingDrawsCoarseThenFull) {
         std::all_of(coarse.begin(), coarse.begin() + static_cast<std::ptrdiff_t>(during), [](bool c) { return c; }));
     EXPECT_FALSE(coarse.back());
     EXPECT_LT(scenario().camera.azimuth, azimuth);
+    // At rest it is the picture that is drawn where nothing was dragged.
+    relief::Work work;
+    EXPECT_EQ(snapshot()->picture, SnapshotMaker().make({scenario()}, work)->picture);
     std::printf("%zu coarse frames in 30 moves, the slowest took %.0f ms\n", during, slowest * 1000);
     // The whole drag is one change.
     workspace_->undo();
     EXPECT_EQ(scenario().camera.azimuth, azimuth);
+}
+
+// A filter whose full picture takes a minute: while the camera turns a plain one is seen.
+TEST_F(WindowTest, DraggingDoesNotWaitForASlowFilter) {
+    relief::Scenario slow = smallScenario();
+    slow.width = 800;
+    slow.height = 600;
+    openWindow(slow);
+    slow = scenario();
+    slow.filter.name = "elliptical-visible";
+    slow.filter.options = {{"form", "position-area"}};
+    workspace_->change(slow, QStringLiteral("test"));
+    EXPECT_TRUE(workspace_->busy());
+    bool seen = false;
+    for (int n = 0; n < 200 && !seen; ++n) {
+        slow.camera.azimuth += 1;
+        workspace_->change(slow, QStringLiteral("test"), QStringLiteral("drag"), true);
+        QTest::qWait(50);
+        const relief::FrameRequest& drawn = *snapshot()->request;
+        seen = snapshot()->coarse && drawn.filter.name == "elliptical" && drawn.width == 800;
+    }
+    EXPECT_TRUE(seen);
+    workspace_->cancel();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !workspace_->busy(); }, 20000));
 }
 
 TEST_F(WindowTest, WheelMovesTheCameraAndSettles) {

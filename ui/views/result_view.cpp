@@ -44,8 +44,9 @@ void ResultView::paintEmpty(QPainter& painter) const {
 void ResultView::paintPicture(QPainter& painter) const {
     const auto snapshot = workspace()->snapshot();
     const QImage& image = snapshot->layer.image;
-    // Texels stay sharp when enlarged; a coarse picture is a picture of something smooth.
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale() < 1 || snapshot->coarse);
+    // Texels stay sharp when enlarged; a smaller picture is a picture of something smooth.
+    const bool smaller = image.width() < pictureSize().width();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale() < 1 || smaller);
     painter.drawImage(pictureIn(rect()), image);
 }
 

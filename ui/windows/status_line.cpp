@@ -170,7 +170,11 @@ QString StatusLine::frameText() const {
     const bool brief = frame.seconds < 0.9995;
     QString text = brief ? tr("frame %1 ms").arg(rounded(frame.seconds * 1000, 3))
                          : tr("frame %1 s").arg(rounded(frame.seconds, 3));
-    if (snapshot->coarse) text += tr(" (%1 × %2)").arg(frame.width).arg(frame.height);
+    if (frame.width < snapshot->scenario.width) {
+        text += tr(" (%1 × %2)").arg(frame.width).arg(frame.height);
+    } else if (snapshot->coarse) {
+        text += QStringLiteral(" (%1)").arg(QString::fromStdString(relief::filterText(snapshot->request->filter)));
+    }
     // Pixels that needed no search: nothing there, or nothing to search for.
     const double pixels = counter(frame, "pixels");
     const double spared = counter(frame, "pixels without a polygon") + counter(frame, "rays not needed: flat ground") +

@@ -15,8 +15,8 @@ namespace {
 constexpr auto kRest = std::chrono::milliseconds(150);
 constexpr auto kBetweenProgress = std::chrono::milliseconds(50);
 
-// A full picture of which no part is known: is it worth drawing a coarse one first, although nothing is dragged?
-constexpr int kCoarseFirstFactor = 3;
+// Pixels of a dragged picture are drawn for no longer than this, where a coarser one can be had.
+constexpr auto kTooSlow = std::chrono::milliseconds(200);
 
 QString notesOf(const relief::Assets& assets) {
     QString text;
@@ -137,14 +137,18 @@ void RenderWorker::run(const std::stop_token& quit) {
             }
             stop_ = std::stop_source();
             stop = stop_.get_token();
-            userCancel_ = false;
+            userCancel_ = tooSlow_ = false;
+            drawingSince_.reset();
             running_ = load ? Running::Load : Running::Full;
         }
-        relief::Work work(0, stop, [this](std::string_view what, double done) { postProgress(what, done); });
+        relief::Work work(0, stop, [this](std::string_view what, double done) {
+            watch(what);
+            postProgress(what, done);
+        });
         if (load) {
             runLoad(*load, work);
         } else {
-            runRender(*job, !refining, work);
+            runRender(*job, refining, work);
         }
         const std::lock_guard lock(mutex_);
         running_ = Running::Nothing;
@@ -194,30 +198,57 @@ void RenderWorker::runLoad(const LoadJob& job, relief::Work& work) {
     post([this, result] { listener_.loaded(result); });
 }
 
-void RenderWorker::runRender(const RenderJob& job, bool coarse, relief::Work& work) {
+// The renderer says "frame" where the pixels begin: what comes before is made once, and worth waiting for.
+void RenderWorker::watch(std::string_view what) {
+    if (what != "frame") return;
+    const std::lock_guard lock(mutex_);
+    const auto now = Clock::now();
+    if (!drawingSince_) drawingSince_ = now;
+    if (running_ != Running::Moving || patient_ || now - *drawingSince_ < kTooSlow) return;
+    tooSlow_ = true;
+    stop_.request_stop();
+}
+
+// What was stopped took at least so long.
+void RenderWorker::learnFromCancelled(const RenderJob& job) {
+    const std::lock_guard lock(mutex_);
+    if (userCancel_ || !drawingSince_) return;
+    const bool coarser = maker_.gaveUp(std::chrono::duration<double>(Clock::now() - *drawingSince_).count());
+    if (!tooSlow_) return;
+    patient_ = !coarser;
+    if (!nextRender_) nextRender_ = job;
+}
+
+void RenderWorker::drawMoving(const RenderJob& job, SnapshotOrder order, relief::Work& work) {
+    {
+        const std::lock_guard lock(mutex_);
+        running_ = Running::Moving;
+    }
+    order.moving = true;
+    const auto snapshot = maker_.make(order, work);
+    post([this, snapshot] { listener_.snapshot(snapshot); });
+    const std::lock_guard lock(mutex_);
+    patient_ = false;
+    if (!snapshot->coarse || nextRender_) return;
+    toRefine_ = job;
+    refineAt_ = Clock::now() + (resting_ ? std::chrono::milliseconds(0) : kRest);
+}
+
+void RenderWorker::runRender(const RenderJob& job, bool refining, relief::Work& work) {
     const auto failed = [&](const QString& problem) {
         post([this, failure = RenderFailure{job.version, problem}] { listener_.failure(failure); });
     };
-    const auto deliver = [&](int factor) {
-        auto snapshot = maker_.make({job.scenario, job.version, job.layer, factor, job.lastStep, job.levels}, work);
-        post([this, snapshot] { listener_.snapshot(snapshot); });
-    };
+    const SnapshotOrder order{job.scenario, job.version, job.layer, false, job.lastStep, job.levels};
     guarded(
         [&] {
-            const int factor = coarse ? maker_.coarseFactor(job.scenario) : 1;
-            if (factor > 1 && (job.live || factor >= kCoarseFirstFactor)) {
-                {
-                    const std::lock_guard lock(mutex_);
-                    running_ = Running::Coarse;
-                }
-                deliver(factor);
-                const std::lock_guard lock(mutex_);
-                if (nextRender_) return;
-                toRefine_ = job;
-                refineAt_ = Clock::now() + (resting_ ? std::chrono::milliseconds(0) : kRest);
-                return;
+            try {
+                if (!refining && (job.live || maker_.takesLong(order, work))) return drawMoving(job, order, work);
+                const auto snapshot = maker_.make(order, work);
+                post([this, snapshot] { listener_.snapshot(snapshot); });
+            } catch (const relief::Cancelled&) {
+                learnFromCancelled(job);
+                throw;
             }
-            deliver(1);
         },
         failed);
 }

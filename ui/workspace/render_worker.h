@@ -1,5 +1,6 @@
 // The thread on which everything is computed. The latest request wins: a newer one cancels a full picture in the
-// making; coarse pictures of a drag are short and always finished, so that the drag is seen while it goes on.
+// making; the pictures of a drag are finished, so that it is seen while it goes on, except that one which takes far too
+// long gives way to a coarser one.
 // Results are handed over on the receiver's thread, in order.
 #pragma once
 
@@ -25,7 +26,7 @@ struct RenderJob {
     std::uint64_t version = 0;
     Layer layer = Layer::Color;
     bool lastStep = false;  // the ray's last step is the chosen one
-    bool live = false;      // something is being dragged: a coarse picture now, the full one when it rests
+    bool live = false;      // something is being dragged: a picture in time now, the full one when it rests
     relief::PyramidKind levels = relief::PyramidKind::Max;  // what the pyramid's pane shows
 };
 
@@ -74,12 +75,15 @@ class RenderWorker {
     void cancelLoad();
 
   private:
-    enum class Running : std::uint8_t { Nothing, Load, Coarse, Full };
+    enum class Running : std::uint8_t { Nothing, Load, Moving, Full };
     using Clock = std::chrono::steady_clock;
 
     void run(const std::stop_token& quit);
     void runLoad(const LoadJob& job, relief::Work& work);
-    void runRender(const RenderJob& job, bool coarse, relief::Work& work);
+    void runRender(const RenderJob& job, bool refining, relief::Work& work);
+    void drawMoving(const RenderJob& job, SnapshotOrder order, relief::Work& work);
+    void learnFromCancelled(const RenderJob& job);
+    void watch(std::string_view what);
     template <class Body>
     void guarded(const Body& body, const std::function<void(const QString& problem)>& failed);
     void post(std::function<void()> call);
@@ -99,6 +103,9 @@ class RenderWorker {
     Running running_ = Running::Nothing;
     std::stop_source stop_;    // of what is running
     bool userCancel_ = false;  // it was stopped by the user, not by newer work
+    std::optional<Clock::time_point> drawingSince_;
+    bool tooSlow_ = false;  // it was stopped to be drawn coarser
+    bool patient_ = false;  // nothing is coarser: it is waited for
 
     std::mutex progressMutex_;
     Clock::time_point progressTold_;

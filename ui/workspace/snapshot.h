@@ -23,8 +23,8 @@ struct Snapshot {
     std::uint64_t version = 0;  // of the scenario
     relief::Scenario scenario;
     relief::Assets assets;
-    std::shared_ptr<const relief::FrameRequest> request;  // of the frame: of the coarse size, if coarse
-    bool coarse = false;                                  // drawn at a fraction of the size while something is dragged
+    std::shared_ptr<const relief::FrameRequest> request;  // of the frame, as it was drawn: coarse, if coarse
+    bool coarse = false;                                  // drawn with less, or smaller, while something is dragged
     std::shared_ptr<const relief::Frame> frame;           // of the coarse size, if coarse
     QImage picture;                                       // the frame as shown; its size is the frame's
     LayerPicture layer;                                   // what the result view was asked to show instead of it

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "rendering/progressive.h"
 #include "workspace/snapshot.h"
 
 namespace reliefui {
@@ -13,51 +14,54 @@ struct SnapshotOrder {
     relief::Scenario scenario;
     std::uint64_t version = 0;
     Layer layer = Layer::Color;
-    int factor = 1;         // the picture is made so many times smaller
+    bool moving = false;    // as coarse as a dragged frame's time asks for
     bool lastStep = false;  // the ray's last step is the chosen one, whatever the scenario says
     relief::PyramidKind levels = relief::PyramidKind::Max;  // what the pyramid's pane shows
 };
 
 class SnapshotMaker {
   public:
-    explicit SnapshotMaker(relief::AssetStore store = {}) : store_(std::move(store)) {}
+    explicit SnapshotMaker(relief::AssetStore store = {});
 
     // Loads the pictures; on an error nothing changes.
     relief::Assets load(const relief::Pictures& pictures, relief::Work& work) { return store_.load(pictures, work); }
 
-    // By how much the picture has to be made smaller to be drawn within a dragged frame's time; 1: not at all.
-    int coarseFactor(const relief::Scenario& scenario) const;
+    // Whether the full picture will take so long that a coarse one is worth drawing first. Throws as make() does.
+    bool takesLong(const SnapshotOrder& order, relief::Work& work);
 
     // Throws InputError, Cancelled.
     std::shared_ptr<const Snapshot> make(const SnapshotOrder& order, relief::Work& work);
+    // make() was stopped, its frame so long in the making. Whether a moving one is coarser the next time.
+    bool gaveUp(double seconds);
 
   private:
-    // Coarse and full frames each keep their own buffers: a settled picture is not computed again after a drag that
-    // came back to it.
-    struct Size {
-        std::unique_ptr<relief::FrameRenderer> renderer;
+    // What is shown, coarse and full: a settled picture is not computed again after a drag that came back to it.
+    struct Shown {
+        relief::ProgressiveRenderer::Picture drawn;
         std::optional<relief::Scenario> scenario;
         relief::Assets assets;
-        std::shared_ptr<const relief::Frame> frame;
         QImage picture;
         LayerPicture layer;  // the one shown last
         std::optional<relief::BoundedError> bounded;
+
+        bool is(const relief::Scenario& other, const relief::Assets& of) const;
     };
 
-    void render(Size& size, const relief::Scenario& scenario, const relief::FrameRequest& request,
-                const relief::Assets& assets, relief::Work& work);
-    void learn(const relief::Frame& frame, bool coarse, bool lightOnly);
+    relief::FrameRequest request(const SnapshotOrder& order, const relief::Assets& assets);
+    // Whether it was drawn, and not there already.
+    bool draw(Shown& shown, const SnapshotOrder& order, const relief::FrameRequest& request,
+              const relief::Assets& assets, relief::Work& work);
+    void describe(Snapshot& snapshot, const SnapshotOrder& order, relief::Work& work);
     const OtherFiles* otherFiles(const relief::Scenario& scenario);
 
     relief::AssetStore store_;
     std::shared_ptr<relief::MapCache> maps_ = std::make_shared<relief::MapCache>();
+    relief::ProgressiveRenderer renderer_;
+    relief::MovingLevel level_;                // of the frame that was begun last
     std::shared_ptr<const OtherFiles> other_;  // that were read last
-    Size full_;
-    Size coarse_;
+    Shown full_;
+    Shown coarse_;
     FilteredPicture filtered_;
-    double secondsPerPixel_ = 0;   // of a frame whose rays were traced; 0: not known yet
-    int coarser_ = 0;              // than the estimate says, as coarse frames have shown
-    double lightPerPixel_ = 2e-8;  // of a frame of which only the light changed
 };
 
 }  // namespace reliefui

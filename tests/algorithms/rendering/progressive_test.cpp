@@ -145,11 +145,6 @@ TEST(Progressive, whatIsKeptDoesNotShow) {
     expectSame(*worker.full(request), *first, "the first");
 }
 
-FrameRequest withFilter(FrameRequest request, const FilterChoice& filter) {
-    request.filter = filter;
-    return request;
-}
-
 TEST(Progressive, levelsLeaveOutWhatTheyCan) {
     const auto text = [](const char* filter, int level) {
         return filterText(coarserFilter(parseFilter(filter, "filter"), level));
@@ -161,10 +156,11 @@ TEST(Progressive, levelsLeaveOutWhatTheyCan) {
     EXPECT_EQ(text("elliptical-visible:points=5:radius=0.9:samples=8", 2), "elliptical:radius=0.9");
     for (const int level : {0, 1, 2}) EXPECT_EQ(text("elliptical:radius=0.9", level), "elliptical:radius=0.9");
     EXPECT_EQ(text("trilinear", 2), "trilinear");
+    EXPECT_EQ(text("supersample", 1), "bilinear");
 }
 
-// Above the budget: coarser level by level, each the very picture of its filter, and where the camera rests the one
-// that was asked for, though the renderer kept the coarse one's hits. Within it: always the one that was asked for.
+// Above the budget: coarser, each the very picture of what it leaves out, and where the camera rests the one that was
+// asked for, though the renderer kept what it could of the coarse ones. Within it: always the one that was asked for.
 TEST(Progressive, aboveTheBudgetFramesAreCoarseUntilTheCameraRests) {
     constexpr int kFrames = 8;
     const double never = 0, always = std::numeric_limits<double>::infinity();
@@ -173,31 +169,83 @@ TEST(Progressive, aboveTheBudgetFramesAreCoarseUntilTheCameraRests) {
             FrameRequest request = requestFor(filter);
             ProgressiveRenderer renderer(std::make_shared<MapCache>(), budget);
             Work work(2);
-            int level = 0;
             for (int n = 0; n < kFrames; ++n) {
                 request.camera.azimuth += 7;
                 const std::string what = filterText(filter) + ", frame " + std::to_string(n);
                 const auto picture = renderer.moving(request, work);
-                EXPECT_GE(picture.level, level) << what;
-                level = picture.level;
-                const FilterChoice coarse = coarserFilter(filter, level);
-                EXPECT_EQ(picture.coarse, !(coarse == filter)) << what;
-                expectSame(*picture.frame, *alone(withFilter(request, coarse)), what);
+                EXPECT_EQ(picture.level.number > 0, budget == never) << what;
+                EXPECT_EQ(picture.level.factor, budget == never ? 8 : 1) << what;
+                expectSame(*picture.frame, *alone(coarserRequest(request, picture.level)), what);
                 if (n % 3 != 2) continue;
                 std::stop_source stop;
                 stop.request_stop();
                 Work stopped(2, stop.get_token());
-                if (picture.coarse) {
+                if (budget == never) {
                     EXPECT_THROW(renderer.settled(request, stopped), Cancelled);
                 }
-                const auto frame = renderer.settled(request, work);
-                expectSame(*frame, *alone(request), what + ", settled");
-                EXPECT_EQ(frame->stages[static_cast<std::size_t>(Stage::Hits)].reused, true) << what;
+                expectSame(*renderer.settled(request, work).frame, *alone(request), what + ", settled");
             }
-            EXPECT_EQ(level, budget > 0 || filter.name != "elliptical-visible" ? 0 : kCoarsestFilter)
-                << filterText(filter);
         }
     }
+}
+
+// Every level that a drag may come to, whatever was drawn before; of the picture's size, no ray is traced again.
+TEST(Progressive, anyLevelSettlesToThePictureItself) {
+    for (const FilterChoice& filter : kFilters) {
+        FrameRequest request = requestFor(filter);
+        ProgressiveRenderer renderer(std::make_shared<MapCache>(), 0);
+        Work work(2);
+        const FilterChoice plain = coarserFilter(filter, kCoarsestFilter);
+        int number = 0;
+        for (const MovingLevel& level : {MovingLevel{1, coarserFilter(filter, 1), 1}, MovingLevel{2, plain, 1},
+                                         MovingLevel{3, plain, 2}, MovingLevel{4, plain, 3}}) {
+            request.camera.azimuth += 5;
+            const std::string what = filterText(filter) + ", level " + std::to_string(++number);
+            const auto moving = renderer.draw(request, level, work);
+            expectSame(*moving.frame, *alone(coarserRequest(request, level)), what);
+            EXPECT_FALSE(moving.frame->hits->counted());
+            const auto settled = renderer.settled(request, work);
+            expectSame(*settled.frame, *alone(request), what + ", settled");
+            EXPECT_EQ(settled.frame->stages[static_cast<std::size_t>(Stage::Hits)].reused, level.factor == 1) << what;
+            // Counts of a picture that another one has followed are its own.
+            FrameRequest counts = coarserRequest(request, level);
+            counts.counts = true;
+            const auto counted = renderer.counted(moving, work);
+            expectSame(*counted, *moving.frame, what + ", counted");
+            EXPECT_EQ(counted->hits->hits.steps, alone(counts)->hits->hits.steps) << what;
+        }
+    }
+}
+
+// While only the light moves nothing is filtered anew that has been.
+TEST(Progressive, lightLeavesTheFilterAlone) {
+    FrameRequest request = requestFor(kFilters[0]);
+    ProgressiveRenderer renderer(std::make_shared<MapCache>(), 1);
+    Work work(2);
+    renderer.settled(request, work);
+    for (int n = 0; n < 8; ++n) {
+        request.light.azimuth += 10;
+        const auto lit = renderer.moving(request, work);
+        EXPECT_EQ(lit.level.number, 0);
+        EXPECT_TRUE(lit.frame->stages[static_cast<std::size_t>(Stage::Color)].reused);
+    }
+    ProgressiveRenderer hurried(std::make_shared<MapCache>(), 0);
+    hurried.settled(request, work);
+    for (int n = 0; n < 8; ++n) {
+        request.light.azimuth += 10;
+        EXPECT_GT(hurried.moving(request, work).level.factor, 1);
+    }
+    EXPECT_TRUE(hurried.settled(request, work).frame->stages[static_cast<std::size_t>(Stage::Color)].reused);
+}
+
+// What the filter does is looked at: pictures become smaller, and keep it.
+TEST(Progressive, theFilterIsKeptWhereItIsLookedAt) {
+    const FrameRequest request = requestFor(kFilters[0]);
+    ProgressiveRenderer renderer(std::make_shared<MapCache>(), 0);
+    renderer.keepFilter(true);
+    const MovingLevel level = renderer.levelFor(request);
+    EXPECT_GT(level.factor, 1);
+    EXPECT_EQ(level.filter, request.filter);
 }
 
 }  // namespace
