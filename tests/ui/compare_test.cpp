@@ -1,4 +1,5 @@
 // The compare pane: where its pictures lie, what it says of them, and its use as a person would.
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -9,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
+#include "drawings/chart_parts.h"
 #include "drawings/compare_drawing.h"
 #include "measuring/pareto.h"
 #include "measuring/picture_error.h"
@@ -65,6 +67,30 @@ TEST(Compare, TilesLieBesideEachOther) {
     };
     EXPECT_GT(second(900, 250).x0, 300);
     EXPECT_GT(second(200, 600).y0, 200);
+}
+
+// However narrow the tiles are, no line of numbers reaches into the next one.
+TEST(Compare, NumbersStayBelowTheirPicture) {
+    for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
+        for (const double width : {380.0, 440.0, 700.0, 1500.0}) {
+            CompareSource source = madeUp(4, relief::CompareMode::Tiles);
+            source.tiles[2].equal = true;
+            const CompareLayout layout = compareLayout(source, width, 130, language);
+            int numbers = 0;
+            for (const Item& item : layout.drawing.items) {
+                const auto* const label = std::get_if<Label>(&item.primitive);
+                if (label == nullptr || item.role != Role::Legend) continue;
+                const std::string text = relief::sentence(label->text, language);
+                const auto room = std::find_if(layout.rooms.begin(), layout.rooms.end(), [&](const Box& box) {
+                    return label->at.x >= box.x0 && label->at.x <= box.x1 && label->at.y >= box.y1;
+                });
+                ASSERT_NE(room, layout.rooms.end()) << text;
+                EXPECT_LE(label->at.x + chart::textWidth(text), room->x1 + 4) << text << ", " << width;
+                ++numbers;
+            }
+            EXPECT_GE(numbers, 4) << width;
+        }
+    }
 }
 
 TEST(Compare, SwipeSharesOnePictureAndFlickerShowsOne) {

@@ -212,6 +212,10 @@ TEST(Rows, EveryVariantIsDrawnWithinThePlots) {
                     }
                 }
                 EXPECT_FALSE(rowsLegend(data, 500, relief::Language::English).items.empty());
+                // The shortest one still names all, in a line or two.
+                const Drawing names = rowsLegend(data, 500, relief::Language::English, RowsLegend::Names);
+                EXPECT_EQ(names.items.size(), 2 * data.names.size());
+                EXPECT_LE(names.bounds.height(), 40);
                 EXPECT_FALSE(rowsAxes(data, frame).items.empty());
             }
         }

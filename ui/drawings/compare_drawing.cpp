@@ -17,7 +17,7 @@ using relief::MessageId;
 constexpr double kGap = 6;     // points, between tiles
 constexpr double kTitle = 15;  // a line of text
 constexpr double kLine = 12;
-constexpr double kBetween = 10;  // numbers in a line
+constexpr const char* kBetween = "   ";  // numbers in a line
 
 std::string figures(double value) {
     if (std::isinf(value)) return "∞";
@@ -36,15 +36,32 @@ std::vector<std::string> split(const std::string& text) {
     }
 }
 
+// Between words, where it is too wide.
+std::vector<std::string> broken(const std::string& text, double width) {
+    std::vector<std::string> out{text};
+    while (chart::textWidth(out.back()) > width) {
+        const std::string whole = out.back();
+        std::size_t at = whole.rfind(' ');
+        while (at != std::string::npos && at > 0 && chart::textWidth(whole.substr(0, at)) > width) {
+            const std::size_t before = whole.rfind(' ', at - 1);
+            if (before == std::string::npos) break;
+            at = before;
+        }
+        if (at == std::string::npos || at == 0) break;
+        out.back() = whole.substr(0, at);
+        out.push_back(whole.substr(at + 1));
+    }
+    return out;
+}
+
 // The numbers in as many lines as it takes.
 std::vector<std::string> lines(const std::vector<std::string>& numbers, double width) {
     std::vector<std::string> out;
     for (const std::string& number : numbers) {
-        const double room = out.empty() ? 0 : chart::textWidth(out.back()) + kBetween + chart::textWidth(number);
-        if (out.empty() || room > width) {
-            out.push_back(number);
+        if (out.empty() || chart::textWidth(out.back() + kBetween + number) > width) {
+            for (std::string& line : broken(number, width)) out.push_back(std::move(line));
         } else {
-            out.back() += "   " + number;
+            out.back() += kBetween + number;
         }
     }
     return out;
@@ -92,7 +109,8 @@ void add(Drawing& drawing, Point at, std::string text, double size, Anchor ancho
 void addTitle(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
     std::string name = tile.name;
     if (tile.reference) name += " · " + relief::sentence(Message(MessageId::DrawCompareReference), language);
-    const double width = chart::textWidth(name, 1);
+    constexpr double kBold = 1.15;  // of the width of plain letters
+    const double width = kBold * chart::textWidth(name, 1);
     add(drawing, {box.x0 + 2, box.y0 + kTitle / 2}, name, std::clamp((box.width() - 4) / width, 0.6, 1.0), Anchor::Left,
         Role::Title, Emphasis::Strong);
 }

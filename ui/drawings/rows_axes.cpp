@@ -189,11 +189,11 @@ Drawing rowsAxes(const RowsData& data, const RowsFrame& frame) {
     return drawing;
 }
 
-Drawing rowsLegend(const RowsData& data, double width, relief::Language language, bool marks) {
+Drawing rowsLegend(const RowsData& data, double width, relief::Language language, RowsLegend legend) {
     LegendRows rows(width, language);
     bool exact = false;
     for (std::size_t c = 0; c < data.row.curves.size(); ++c) {
-        const Message text = curveText(data, c);
+        const Message text = legend == RowsLegend::Names ? plainText(data.names[c]) : curveText(data, c);
         const Point at = rows.place(kPlate + rows.textRoom(text) + LegendRows::kBetween);
         Label number;
         number.at = {at.x + 5, at.y};
@@ -205,7 +205,7 @@ Drawing rowsLegend(const RowsData& data, double width, relief::Language language
         rows.text({at.x + kPlate, at.y}, text);
         exact = exact || !data.row.curves[c].exact.empty();
     }
-    if (!marks) return rows.take();
+    if (legend != RowsLegend::Whole) return rows.take();
     const auto mark = [&](Shape shape, double size, const Message& text) {
         const Point at = rows.place(LegendRows::kSign + rows.textRoom(text) + LegendRows::kBetween);
         rows.add(Role::Highlight, Marker{{at.x + 5, at.y}, shape, size});

@@ -101,7 +101,9 @@ Drawing rowsPlots(const RowsData& data, const RowsFrame& frame);
 void addStrips(Drawing& drawing, const RowsData& data, const RowsFrame& frame);
 Drawing rowsAxes(const RowsData& data, const RowsFrame& frame);
 // Curves, and on request what the marks are.
-Drawing rowsLegend(const RowsData& data, double width, relief::Language language, bool marks = true);
+enum class RowsLegend : std::uint8_t { Whole, Curves, Names };  // with the marks; what they cost; who they are
+Drawing rowsLegend(const RowsData& data, double width, relief::Language language,
+                   RowsLegend legend = RowsLegend::Whole);
 
 // What is under a point of the drawing: a pixel of the row, and the curve that is nearest.
 struct RowsReading {

@@ -113,12 +113,13 @@ void RowsView::draw() {
     }
     const Style& style = workspace_->style();
     canvas_->setStyle(style);
-    // The legend first: what it needs is not left to the plots. Where it would take too much it is left out.
+    // The legend first: what it needs is not left to the plots. Where it would take too much it says less: at last
+    // who is who, which numbers alone do not tell.
     constexpr double kMostLegend = 0.34;
     const double unit = style.pixelsPerPoint();
     Drawing legend;
-    for (const bool marks : {true, false}) {
-        legend = rowsLegend(*data_, canvas_->width() / unit - 12, style.language, marks);
+    for (const RowsLegend kind : {RowsLegend::Whole, RowsLegend::Curves, RowsLegend::Names}) {
+        legend = rowsLegend(*data_, canvas_->width() / unit - 12, style.language, kind);
         if (legend.bounds.height() * unit <= kMostLegend * canvas_->height()) break;
         legend = {};
     }

@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QScreen>
 #include <QTimer>
 
 #include "views/drawn_view.h"
@@ -149,9 +150,10 @@ void MainWindow::setProjector(bool on) {
     Style style = workspace_->style();
     style.projector = on;
     QApplication::setFont(windowFont(on));
-    QApplication::setFont(tabFont(on), "QTabBar");
+    const QFont small = tabFont(on, screen()->geometry().width());
+    QApplication::setFont(small, "QTabBar");
     // It is the lecturer's: not everything in it fits in large type.
-    status_->setFont(tabFont(on));
+    status_->setFont(small);
     workspace_->setStyle(style);
     projector_->setChecked(on);
     if (on) {

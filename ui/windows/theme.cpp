@@ -1,5 +1,7 @@
 #include "windows/theme.h"
 
+#include <algorithm>
+
 #include <QFont>
 
 namespace reliefui {
@@ -32,9 +34,11 @@ QFont windowFont(bool projector) {
     return font;
 }
 
-QFont tabFont(bool projector) {
+QFont tabFont(bool projector, int width) {
+    constexpr int kLeast = 11, kMost = 18;
+    constexpr int kNarrow = 1600;  // pixels of a screen on half of which all tabs find room in the smallest
     QFont font = windowFont(false);
-    if (projector) font.setPointSize(11);
+    if (projector) font.setPointSize(std::clamp(kLeast * width / kNarrow, kLeast, kMost));
     return font;
 }
 

@@ -11,6 +11,6 @@ QPalette themePalette(Theme theme);
 // DejaVu Sans, 10 points; 18 on a projector.
 QFont windowFont(bool projector);
 // Of the panes' tabs, which stand all in one row on a projector.
-QFont tabFont(bool projector);
+QFont tabFont(bool projector, int width = 0);
 
 }  // namespace reliefui
