@@ -66,7 +66,8 @@ bool SnapshotMaker::draw(Shown& shown, const SnapshotOrder& order, const relief:
     const relief::MovingLevel& last = shown.drawn.level;
     const bool same = level_.number == last.number && level_.factor == last.factor && level_.filter == last.filter;
     if (same && shown.is(order.scenario, assets)) return false;
-    shown.scenario.reset();  // until all of it is there: it may be stopped
+    shown.scenario.reset();              // until all of it is there: it may be stopped
+    if (&shown == &full_) coarse_ = {};  // may be as large
     shown.drawn = order.moving ? renderer_.draw(request, level_, work) : renderer_.settled(request, work);
     shown.assets = assets;
     shown.layer = makeLayer(Layer::Color, *shown.drawn.frame, *shown.drawn.request, *maps_, work);
