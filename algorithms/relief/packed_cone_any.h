@@ -59,7 +59,7 @@ class PackedConeAnyHit {
   private:
     double freeUpTo(const AnyRay& segment, const GridRay& course, AxisCell cx, AxisCell cy, double mu,
                     double out) const {
-        const std::uint32_t word = map_->words[quadrant(course)][map_->index(cx.index, cy.index)];
+        const std::uint32_t word = map_->quadrant(quadrant(course))[map_->index(cx.index, cy.index)];
         const double zOut = segment.heightAt(out);
         if (!(std::min(segment.heightAt(mu), zOut) > map_->heightAt(coneOwnDepth(word)))) return mu;
         const double room = zOut - map_->heightAt(coneApexDepth(word));

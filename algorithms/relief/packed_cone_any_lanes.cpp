@@ -147,7 +147,7 @@ class SegmentWalk {
         : queue_(queue),
           field_(queue.query.field()),
           grid_(queue.query.grid()),
-          words_(queue.query.map().words[queue.quadrant].data()),
+          words_(queue.query.map().quadrant(queue.quadrant)),
           nx_(queue.query.map().nx),
           ny_(queue.query.map().ny) {}
 
@@ -229,7 +229,7 @@ void SegmentWalk::step() {
     const V mu = load(segments_.mu), end = load(segments_.end), run = load(segments_.run);
     const VI cx = hn::DemoteTo(DI(), lanes.x.index(nx_)), cy = hn::DemoteTo(DI(), lanes.y.index(ny_));
     const hn::Rebind<std::uint32_t, D> du;
-    const auto word = hn::GatherIndex(du, words_, hn::Add(hn::Mul(cy, whole(nx_)), cx));
+    const auto word = hn::GatherIndex(du, words_, hn::Add(hn::Mul(cy, whole(queue_.query.map().stride)), cx));
     const V exitX = lanes.x.leave(), exitY = lanes.y.leave();
     const V exits = hn::Min(exitX, exitY);
     const V out = hn::Max(hn::Min(exits, end), mu);

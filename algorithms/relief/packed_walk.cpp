@@ -48,7 +48,7 @@ class Walk {
             if (met) return finish(Hit::at(viewRay_, *met));
             testing_ = false;
         } else {
-            const std::uint32_t word = ground.cones.words[quadrant_][ground.cones.index(x_.index, y_.index)];
+            const std::uint32_t word = ground.cones.quadrant(quadrant_)[ground.cones.index(x_.index, y_.index)];
             if (!(ground.cones.heightAt(coneOwnDepth(word)) + kExclusionMargin < 1 - out_)) {
                 testing_ = true;
                 fetchHeights(ground);
@@ -78,7 +78,7 @@ class Walk {
         x_ = ray_.x.cellAt(ground.grid.x, lambda_);
         y_ = ray_.y.cellAt(ground.grid.y, lambda_);
         out_ = std::max(cellStay(ground.grid, ray_, x_, y_).out, lambda_);
-        hwy::Prefetch(ground.cones.words[quadrant_].data() + ground.cones.index(x_.index, y_.index));
+        hwy::Prefetch(ground.cones.quadrant(quadrant_) + ground.cones.index(x_.index, y_.index));
     }
     void fetchHeights(const Ground& ground) const {
         const auto width = static_cast<std::size_t>(ground.field.width());

@@ -25,7 +25,7 @@ struct SlopeScene {
     SlopeScene(const HeightField& field, const PackedCones& cones) : SlopeScene(field) {
         if (cones.nodes.empty()) return;
         nodes = cones.nodes.data();
-        nodeStride = cones.nx + 1;
+        nodeStride = cones.stride;
     }
 };
 

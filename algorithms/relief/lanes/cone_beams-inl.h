@@ -28,6 +28,27 @@ inline constexpr int kMostLeads = 24;
 // Of the rounding here, and of the start in lanes (LaneScene).
 inline constexpr double kLeadSlack = 0x1p-12;
 
+inline constexpr std::size_t kQuadrants = 4;
+
+// The quadrant of all rays; kQuadrants: they have not one in common.
+inline std::size_t commonQuadrant(const double* a, const double* b, std::size_t count) {
+    const DD d;
+    const auto sign = [&](const double* runs) {
+        MD every = hn::FirstN(d, kHalfLanes), any = hn::MaskFromVec(hn::Zero(d));
+        std::size_t i = 0;
+        for (; i + kHalfLanes <= count; i += kHalfLanes) {
+            const MD back = hn::Lt(hn::LoadU(d, runs + i), hn::Zero(d));
+            every = hn::And(every, back), any = hn::Or(any, back);
+        }
+        bool all = count >= kHalfLanes ? hn::AllTrue(d, every) : runs[0] < 0;
+        bool some = !hn::AllFalse(d, any);
+        for (; i < count; ++i) all = all && runs[i] < 0, some = some || runs[i] < 0;
+        return all ? 1 : (some ? 2 : 0);
+    };
+    const int x = sign(a), y = sign(b);
+    return x == 2 || y == 2 ? kQuadrants : static_cast<std::size_t>(x + 2 * y);
+}
+
 // One axis of beams, mirrored; one value a beam, filled up to whole vectors.
 struct BeamAxis {
     alignas(64) std::array<double, kChunkBeams> low, high, slowest, fastest;
@@ -63,8 +84,8 @@ class BeamWalk {
   public:
     BeamWalk(const LaneScene& scene, const PackedCones& cones, std::uint32_t quadrant)
         : scene_(scene),
-          words_(reinterpret_cast<const std::int32_t*>(cones.words[quadrant].data())),
-          nx_(cones.nx),
+          words_(reinterpret_cast<const std::int32_t*>(cones.quadrant(quadrant))),
+          stride_(cones.stride),
           unit_(cones.unit),
           top_(1 - cones.highest),
           mirroredX_((quadrant & 1U) != 0),
@@ -118,7 +139,7 @@ class BeamWalk {
     hn::Vec<DHI> wordAt(MD who, VD cellX, VD cellY) const {
         const DD d;
         const VD x = addressed(scene_.grid.x, mirroredX_, cellX), y = addressed(scene_.grid.y, mirroredY_, cellY);
-        const VD index = hn::Add(hn::Mul(y, hn::Set(d, nx_)), x);
+        const VD index = hn::Add(hn::Mul(y, hn::Set(d, stride_)), x);
         return hn::GatherIndex(DHI(), words_, hn::DemoteTo(DHI(), hn::IfThenElseZero(who, index)));
     }
     VD addressed(const GridAxis& axis, bool mirrored, VD cell) const {
@@ -132,7 +153,7 @@ class BeamWalk {
 
     const LaneScene& scene_;
     const std::int32_t* words_;
-    double nx_, unit_, top_;
+    double stride_, unit_, top_;
     bool mirroredX_, mirroredY_;
 };
 

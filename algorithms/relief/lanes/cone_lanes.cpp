@@ -1,6 +1,7 @@
 #include "relief/lanes/cone_lanes.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "relief/packed_walk.h"
 
@@ -13,36 +14,115 @@
 #include "relief/lanes/cone_beams-inl.h"
 #include "relief/lanes/cone_walk-inl.h"
 #include "relief/lanes/lane_settle-inl.h"
-#include "relief/lanes/ray_quadrants-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
+// Of this thread. Not in its own storage: that is set aside for every thread from the start.
+template <class T>
+T& ofThread() {
+    static thread_local const auto scratch = std::make_unique<T>();
+    return *scratch;
+}
+
+// Rays whose cell the exact leaf refused, by themselves.
+struct Refused {
+    LaneRays rays;
+    alignas(64) std::array<std::array<double, kLaneSlots>, 4> columns;  // s0, t0, a, b
+    std::array<std::uint32_t, kLaneSlots> of;                           // which ray of the chunk it is
+    HitBlock found = HitBlock(kLaneSlots);
+    std::size_t count = 0;
+
+    // other: of the rays `from`, whose columns are given; it is the ray `number` of the chunk.
+    void add(const LaneRays& from, const double* const* given, const LaneRays::Other& other, std::uint32_t number) {
+        for (std::size_t c = 0; c < columns.size(); ++c) columns[c][count] = given[c][other.ray];
+        rays.x.hitCell[count] = from.x.hitCell[other.ray], rays.y.hitCell[count] = from.y.hitCell[other.ray];
+        rays.x.hitPeriod[count] = from.x.hitPeriod[other.ray], rays.y.hitPeriod[count] = from.y.hitPeriod[other.ray];
+        of[count++] = number;
+    }
+};
+
+bool isRefused(const LaneRays::Other& other) {
+    return other.end == LaneEnd::Scalar && other.from > 0;
+}
+
+// Rays that the exact leaf refuses go on behind their cells, together: they wait for memory together.
 template <Address kAddress, Surface kSurface>
-void traceConesIn(const LaneScene& scene, const PackedCones& cones, const double* const* given,
-                  const QuadrantParts& parts, HitBlock& hits, std::size_t firstHit, LaneRays& scratch) {
-    static thread_local WalkColumns walk;
-    scratch.start.fill(scene.start);
-    scratch.othersCount = 0;
-    for (std::uint32_t q = 0; q < kQuadrants; ++q) {
-        const std::size_t begin = parts.begin[q], end = parts.end[q];
-        if (begin == end) continue;
-        // A beam's rays are of one quadrant, and those of a view mostly come in order.
-        if (end - begin == scratch.count && scratch.count >= kBeamRays)
-            leadBeams<kAddress>(scene, cones, q, given, scratch);
-        ConeKernel<kAddress, kSurface>(scene, cones, q, given, scratch, begin, end, walk).run();
-        settleLanes<kAddress, kSurface>(scene, given, begin, end, (q & 1U) != 0, (q & 2U) != 0, scratch, hits,
-                                        firstHit);
+void goOn(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
+          std::size_t firstHit, LaneRays& scratch, WalkColumns& walk) {
+    // Fewer, or more often refused: one by one.
+    constexpr std::size_t kFew = 4;
+    constexpr int kMostTimes = 4;
+    Refused& refused = ofThread<Refused>();
+    LaneRays& rays = refused.rays;
+    const double* const columns[] = {refused.columns[0].data(), refused.columns[1].data(), refused.columns[2].data(),
+                                     refused.columns[3].data()};
+    const auto scalarBegin = std::partition(scratch.others.begin(),
+                                            scratch.others.begin() + static_cast<std::ptrdiff_t>(scratch.othersCount),
+                                            [](const LaneRays::Other& other) { return !isRefused(other); });
+    const auto settledCount = static_cast<std::size_t>(scalarBegin - scratch.others.begin());
+    if (scratch.othersCount - settledCount < kFew) return;
+    refused.count = 0;
+    for (std::size_t n = settledCount; n < scratch.othersCount; ++n) {
+        refused.add(scratch, given, scratch.others[n], scratch.others[n].ray);
+    }
+    scratch.othersCount = settledCount;
+    for (int times = 0; refused.count > 0; ++times) {
+        rays.count = refused.count;
+        rays.othersCount = 0;
+        rays.start.fill(scene.start);
+        for (LaneAxisRays* axis : {&rays.x, &rays.y}) {
+            hn::StoreU(hn::Zero(DI()), DI(), axis->hitCell.data() + rays.count);
+            hn::StoreU(hn::Zero(DI()), DI(), axis->hitPeriod.data() + rays.count);
+        }
+        ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, true), columns, rays, true, walk).run();
+        settleLanes<kAddress, kSurface>(scene, columns, rays, refused.found, 0);
+        for (std::size_t n = 0; n < rays.count; ++n) {
+            const std::size_t i = firstHit + refused.of[n];
+            hits.lambda[i] = refused.found.lambda[n];
+            hits.s[i] = refused.found.s[n];
+            hits.t[i] = refused.found.t[n];
+        }
+        refused.count = 0;
+        for (std::size_t n = 0; n < rays.othersCount; ++n) {
+            const LaneRays::Other other = rays.others[n];
+            const std::uint32_t number = refused.of[other.ray];
+            if (isRefused(other) && times + 1 < kMostTimes) {
+                refused.add(rays, columns, other, number);
+            } else {
+                scratch.others[scratch.othersCount++] = {number, other.end, other.from};
+            }
+        }
     }
 }
 
-void traceConesOf(const LaneScene& scene, const PackedCones& cones, const double* const* given,
-                  const QuadrantParts& parts, HitBlock& hits, std::size_t firstHit, LaneRays& scratch) {
+template <Address kAddress, Surface kSurface>
+void traceConesIn(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
+                  std::size_t firstHit, LaneRays& scratch) {
+    WalkColumns& walk = ofThread<WalkColumns>();
+    scratch.start.fill(scene.start);
+    scratch.othersCount = 0;
+    bool scattered = true;
+    if (scratch.count >= kBeamRays) {
+        // A beam's rays are of one quadrant, and those of a view mostly come in order.
+        const std::size_t common = commonQuadrant(given[2], given[3], scratch.count);
+        if (common < kQuadrants) {
+            leadBeams<kAddress>(scene, cones, static_cast<std::uint32_t>(common), given, scratch);
+            scattered = std::max(std::abs(given[2][0]), std::abs(given[3][0])) > kShortWay;
+        }
+    }
+    ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, scattered), given, scratch, false, walk).run();
+    settleLanes<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
+    goOn<kAddress, kSurface>(scene, cones, given, hits, firstHit, scratch, walk);
+}
+
+void traceCones(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
+                std::size_t firstHit, LaneRays& scratch) {
     const auto with = [&]<Address kAddress>() {
         if (scene.surface == Surface::Bilinear) {
-            traceConesIn<kAddress, Surface::Bilinear>(scene, cones, given, parts, hits, firstHit, scratch);
+            traceConesIn<kAddress, Surface::Bilinear>(scene, cones, given, hits, firstHit, scratch);
         } else {
-            traceConesIn<kAddress, Surface::Columns>(scene, cones, given, parts, hits, firstHit, scratch);
+            traceConesIn<kAddress, Surface::Columns>(scene, cones, given, hits, firstHit, scratch);
         }
     };
     switch (scene.address) {
@@ -52,34 +132,6 @@ void traceConesOf(const LaneScene& scene, const PackedCones& cones, const double
             return with.template operator()<Address::Clamp>();
         case Address::Border:
             return with.template operator()<Address::Border>();
-    }
-}
-
-void traceCones(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
-                std::size_t first, LaneRays& scratch) {
-    const std::size_t common = commonQuadrant(given[2], given[3], scratch.count);
-    if (common < kQuadrants) {
-        QuadrantParts parts;
-        parts.end[common] = scratch.count;
-        traceConesOf(scene, cones, given, parts, hits, first, scratch);
-        return;
-    }
-    static thread_local QuadrantOrder order;
-    static thread_local HitBlock found(kLaneSlots);
-    orderByQuadrant(given, scratch.count, order);
-    const double* const ordered[] = {order.columns[0].data(), order.columns[1].data(), order.columns[2].data(),
-                                     order.columns[3].data()};
-    traceConesOf(scene, cones, ordered, order.parts, found, 0, scratch);
-    const double* const from[] = {found.lambda.data(), found.s.data(), found.t.data()};
-    double* const to[] = {hits.lambda.data() + first, hits.s.data() + first, hits.t.data() + first};
-    for (std::size_t q = 0; q < kQuadrants; ++q) {
-        for (std::size_t n = order.parts.begin[q]; n < order.parts.end[q]; ++n) {
-            const auto i = static_cast<std::size_t>(order.from[n]);
-            for (std::size_t c = 0; c < 3; ++c) to[c][i] = from[c][n];
-        }
-    }
-    for (std::size_t n = 0; n < scratch.othersCount; ++n) {
-        scratch.others[n].ray = static_cast<std::uint32_t>(order.from[scratch.others[n].ray]);
     }
 }
 

@@ -19,50 +19,43 @@ namespace relief::HWY_NAMESPACE {
 
 // No crossing: beyond all.
 inline constexpr float kNever = 1e30F;
+// Numbers below 2^22 added to it are rounded to whole ones.
+inline constexpr float kWhole = 0x1.8p23F;
 
 template <Address kAddress, Surface kSurface>
 class ConeKernel : WalkSlots<kAddress> {
     using Slots = WalkSlots<kAddress>;
+    using Slots::again_;
+    using Slots::cellsOfHits;
     using Slots::columns_;
     using Slots::compact;
     using Slots::df_;
     using Slots::di_;
     using Slots::end_;
     using Slots::fill;
+    using Slots::frameX_;
+    using Slots::frameY_;
     using Slots::map_;
     using Slots::next_;
     using Slots::rays_;
-    using Slots::realCell;
     using Slots::scene_;
     using Slots::used_;
     using Slots::waiting_;
     using Slots::walking_;
-    using typename Slots::Grid;
-    using typename Slots::Map;
+    using typename Slots::EntryFrame;
 
   public:
     using Slots::Slots;
 
     void run() {
-        fill();
-        while (walking_ + waiting_ > 0 || next_ < end_) {
-            if (waiting_ >= walking_) {
-                leavesOfAll();
-            } else {
-                stepOfAll();
-            }
-            const std::size_t idle = used_ - walking_ - waiting_;
-            if (idle >= kLanes && 4 * idle >= used_) {
-                compact();
-                fill();
-            }
-        }
-        compact();
+        map_.wide ? walk<true>() : walk<false>();
+        cellsOfHits();
     }
 
   private:
-    struct Axis : LaneAxisState {
-        VI n, next, last;
+    // Where a ray is on one axis.
+    struct Axis {
+        VF n;
         VF cross;  // lambda at which the cell is left
     };
     struct Stay {
@@ -70,120 +63,179 @@ class ConeKernel : WalkSlots<kAddress> {
         VF tie, rim, first, out;
     };
 
-    HWY_INLINE static Axis load(const Grid& grid, const WalkAxis& from, std::size_t i) {
+    template <bool kWide>
+    void walk() {
+        fillAndGoOn<kWide>();
+        while (walking_ + waiting_ > 0 || next_ < end_) {
+            if (waiting_ >= walking_) {
+                leavesOfAll<kWide>();
+            } else {
+                stepOfAll<kWide>();
+            }
+            const std::size_t idle = used_ - walking_ - waiting_;
+            if (idle == used_ || (idle >= kLanes && 4 * idle >= used_)) {
+                compact();
+                fillAndGoOn<kWide>();
+            }
+        }
+        compact();
+    }
+
+    // New rays; those whose cell was refused leave it.
+    template <bool kWide>
+    HWY_INLINE void fillAndGoOn() {
+        const std::size_t before = used_;
+        fill();
+        if (HWY_LIKELY(!again_)) return;
+        for (std::size_t i = before; i < used_; i += kLanes) {
+            const MF who = asFloat(hn::Eq(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kWalking)));
+            const Stay at = stay(columns_, i);
+            moveOn<kWide>(columns_, i, at.x, at.y, who, at.out);
+        }
+    }
+
+    HWY_INLINE static Axis load(const WalkAxis& from, std::size_t i) {
         const DF df;
-        const DI di;
         Axis out;
-        out.n = hn::Load(di, from.n.data() + i);
-        out.next = hn::Add(out.n, hn::Set(di, 1));
-        out.last = hn::Load(di, from.last.data() + i);
-        out.inverse = hn::Load(df, from.inverse.data() + i);
-        out.base = hn::Load(df, from.base.data() + i);
-        out.run = hn::Load(df, from.run.data() + i);
-        out.mirrored = hn::FirstN(df, grid.mirrored ? kLanes : 0);
-        out.cross = hn::MulAdd(hn::ConvertTo(df, out.next), out.inverse, out.base);
+        out.n = hn::Load(df, from.n.data() + i);
+        out.cross = hn::MulAdd(out.n, hn::Load(df, from.inverse.data() + i), hn::Load(df, from.base.data() + i));
         if constexpr (kAddress == Address::Clamp) {
-            out.cross = hn::IfThenElse(asFloat(hn::Eq(out.n, out.last)), hn::Set(df, kNever), out.cross);
+            const MF last = hn::Eq(out.n, hn::Load(df, from.last.data() + i));
+            out.cross = hn::IfThenElse(last, hn::Set(df, kNever), out.cross);
         }
         return out;
     }
-    HWY_INLINE static Stay stay(const Map& map, const WalkColumns& columns, std::size_t i) {
+    HWY_INLINE static Stay stay(const WalkColumns& columns, std::size_t i) {
         const DF df;
         Stay out;
-        out.x = load(map.x, columns.x, i);
-        out.y = load(map.y, columns.y, i);
+        out.x = load(columns.x, i);
+        out.y = load(columns.y, i);
         out.tie = hn::Load(df, columns.tie.data() + i);
-        out.rim = hn::Set(df, 1.0F);
-        if constexpr (kAddress == Address::Border) out.rim = hn::Load(df, columns.rim.data() + i);
+        out.rim = hn::Load(df, columns.rim.data() + i);
         out.first = hn::Min(out.x.cross, out.y.cross);
         out.out = hn::Min(out.first, out.rim);
         return out;
     }
 
-    HWY_INLINE static VF depthOf(const Map& map, VI bits) {
+    // Of the word's bits from kShift on.
+    template <int kShift>
+    HWY_INLINE static VF depthOf(const WalkMap& map, VI word) {
         const DF df;
-        const DI di;
-        return hn::MulAdd(hn::ConvertTo(df, hn::And(bits, hn::Set(di, static_cast<std::int32_t>(kConeDepths)))),
-                          hn::Set(df, map.unit), hn::Set(df, map.top));
+        const VI bits = hn::And(word, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths << kShift)));
+        return hn::MulAdd(hn::ConvertTo(df, bits), hn::Set(df, map.unit / (1 << kShift)), hn::Set(df, map.top));
+    }
+
+    // What a step reads: fetched while the vector before takes its own.
+    struct Fetched {
+        Axis x, y;
+        VF out;  // lambda at which the cell is left, or the map or the slab before
+        VI word;
+    };
+    HWY_INLINE static Fetched fetch(const WalkMap& map, const WalkColumns& columns, std::size_t i) {
+        Fetched out;
+        // Ended rays are within the map still, and behind the last vector is word 0: their words may be read.
+        out.word = hn::GatherIndex(DI(), map.words, hn::Load(DI(), columns.index.data() + i));
+        out.x = load(columns.x, i), out.y = load(columns.y, i);
+        out.out = hn::Min(out.x.cross, out.y.cross);
+        return out;
     }
 
     // A cone step of all that walk.
-    void stepOfAll() {
+    template <bool kWide>
+    HWY_NOINLINE void stepOfAll() {
         // Copies, for vectors that are stored might be those members.
-        const Map map = map_;
+        const WalkMap map = map_;
         WalkColumns& columns = columns_;
         std::size_t waiting = 0;
-        for (std::size_t i = 0, end = used_; i < end; i += kLanes) waiting += step(map, columns, i);
+        Fetched now = fetch(map, columns, 0);
+        for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
+            const Fetched next = fetch(map, columns, i + kLanes);
+            waiting += step<kWide>(map, columns, i, now);
+            now = next;
+        }
         waiting_ += waiting;
         walking_ -= waiting;
     }
 
-    // Returns how many came to a leaf.
-    HWY_INLINE std::size_t step(const Map& map, WalkColumns& columns, std::size_t i) {
+    // Returns how many came to a leaf. At the rim and at the bottom the way out of the cell is taken too late, which
+    // only brings more to a leaf; moving on sees to it.
+    template <bool kWide>
+    HWY_INLINE std::size_t step(const WalkMap& map, WalkColumns& columns, std::size_t i, const Fetched& at) {
         const DF df;
         const DI di;
         const VI state = hn::Load(di, columns.state.data() + i);
         const MF walking = asFloat(hn::Eq(state, hn::Set(di, kWalking)));
-        const Stay at = stay(map, columns, i);
-        // Ended rays are within the map still: their words may be read.
-        const VI word = hn::GatherIndex(di, map.words, hn::Load(di, columns.index.data() + i));
-        const MF above = hn::Lt(at.out, depthOf(map, word));
+        const MF above = hn::Lt(at.out, depthOf<0>(map, at.word));
         const MF leaf = hn::AndNot(above, walking);
         const MF on = hn::And(above, walking);
         hn::Store(hn::IfThenElse(asInt(leaf), hn::Set(di, kAtLeaf), state), di, columns.state.data() + i);
-        // The ray meets the cone; the approximate reciprocal's error and all rounding is in the factor.
-        const VF apex = depthOf(map, hn::ShiftRight<10>(word));
-        const VF steepness = hn::MulAdd(hn::BitCast(df, word), hn::Max(at.x.run, at.y.run), hn::Set(df, 1.0F));
-        const VF share = hn::Mul(hn::ApproximateReciprocal(steepness), hn::Set(df, 1 - 0x1p-10F));
-        const VF jump = hn::MulAdd(hn::Max(hn::Sub(apex, at.out), hn::Zero(df)), share, at.out);
-        moveOn(map, columns, i, at, on, jump);
+        // The ray meets the cone.
+        const VF apex = depthOf<10>(map, at.word);
+        const VF steepness =
+            hn::MulAdd(hn::BitCast(df, at.word), hn::Load(df, columns.steep.data() + i), hn::Set(df, kSteeper));
+        const VF free = hn::Max(hn::Sub(apex, at.out), hn::Zero(df));
+        const VF jump = hn::MulAdd(free, hn::ApproximateReciprocal(steepness), at.out);
+        moveOn<kWide>(columns, i, at.x, at.y, on, jump);
         if (map.large) prefetch(map, columns.index.data() + i);
         return hn::CountTrue(df, leaf);
     }
 
-    HWY_INLINE static VI nextCell(const Axis& axis, const WalkAxis& column, std::size_t i, MF move, VF jump) {
+    HWY_INLINE static VF nextCell(VF n, const WalkAxis& column, std::size_t i, MF moves, VF jump) {
         const DF df;
-        const DI di;
-        // Down to a whole number (place is half a cell less), for numbers below 2^22: no overflow to mend.
-        constexpr float kWhole = 0x1.8p23F;
-        const VF place = hn::MulSub(jump, axis.run, hn::Load(df, column.place.data() + i));
-        const VI whole = hn::Sub(hn::BitCast(di, hn::Add(place, hn::Set(df, kWhole))),
-                                 hn::Set(di, std::bit_cast<std::int32_t>(kWhole)));
-        return hn::Max(hn::IfThenElse(asInt(move), axis.next, axis.n), whole);
+        // Down to a whole number: place is half a cell less.
+        const VF place = hn::MulSub(jump, hn::Load(df, column.run.data() + i), hn::Load(df, column.place.data() + i));
+        const VF whole = hn::Sub(hn::Add(place, hn::Set(df, kWhole)), hn::Set(df, kWhole));
+        return hn::Max(hn::IfThenElse(moves, hn::Add(n, hn::Set(df, 1.0F)), n), whole);
     }
 
-    HWY_INLINE static void prefetch(const Map& map, const std::int32_t* index) {
+    HWY_INLINE static void prefetch(const WalkMap& map, const std::int32_t* index) {
         for (std::size_t k = 0; k < kLanes; ++k) hwy::Prefetch(map.words + index[k]);
     }
 
-    // To the cell where the jump ends, the next one at least.
-    HWY_INLINE void moveOn(const Map& map, WalkColumns& columns, std::size_t i, const Stay& at, MF who, VF jump) {
+    // To the cell where the jump ends, the next one at least. The jump ends no earlier than the cell is left.
+    template <bool kWide>
+    HWY_INLINE void moveOn(WalkColumns& columns, std::size_t i, const Axis& x, const Axis& y, MF who, VF jump) {
+        const DF df;
+        const MF alongX = hn::Le(x.cross, y.cross);
+        const VF nextX = nextCell(x.n, columns.x, i, alongX, jump);
+        const VF nextY = nextCell(y.n, columns.y, i, hn::Not(alongX), jump);
+        const VF tie = hn::Load(df, columns.tie.data() + i);
+        const MF near = hn::Lt(hn::Abs(hn::Sub(x.cross, y.cross)), tie);
+        const MF atRim = hn::Ge(hn::Add(jump, tie), hn::Load(df, columns.rim.data() + i));
+        MF rare = hn::Or(near, atRim);
+        if constexpr (kAddress != Address::Border) {
+            const auto beyond = [&](VF next, const WalkAxis& axis) {
+                return hn::Gt(next, hn::Load(df, axis.last.data() + i));
+            };
+            rare = hn::Or(rare, hn::Or(beyond(nextX, columns.x), beyond(nextY, columns.y)));
+        }
+        if (HWY_UNLIKELY(!hn::AllFalse(df, hn::And(who, rare)))) return moveWithCare<kWide>(i, who, jump);
+        arrive<kWide>(columns, i, x.n, y.n, hn::IfThenElse(who, nextX, x.n), hn::IfThenElse(who, nextY, y.n));
+    }
+    template <bool kWide>
+    HWY_INLINE static void arrive(WalkColumns& columns, std::size_t i, VF x, VF y, VF nextX, VF nextY) {
         const DF df;
         const DI di;
-        const VI nextX = nextCell(at.x, columns.x, i, hn::Le(at.x.cross, at.y.cross), jump);
-        const VI nextY = nextCell(at.y, columns.y, i, hn::Le(at.y.cross, at.x.cross), jump);
-        const MF near = hn::Lt(hn::Abs(hn::Sub(at.x.cross, at.y.cross)), at.tie);
-        const MF atRim = hn::Ge(hn::Add(at.first, at.tie), at.rim);
-        const MF beyond = asFloat(hn::Or(hn::Gt(nextX, at.x.last), hn::Gt(nextY, at.y.last)));
-        const MF rare = hn::And(who, hn::Or(hn::Or(near, atRim), beyond));
-        if (HWY_UNLIKELY(!hn::AllFalse(df, rare))) return moveWithCare(i, who, jump);
-        const MI whoI = asInt(who);
-        const VI along = hn::IfThenElseZero(whoI, hn::Sub(nextX, at.x.n));
-        const VI across = hn::IfThenElseZero(whoI, hn::Sub(nextY, at.y.n));
-        hn::Store(hn::Add(at.x.n, along), di, columns.x.n.data() + i);
-        hn::Store(hn::Add(at.y.n, across), di, columns.y.n.data() + i);
+        hn::Store(nextX, df, columns.x.n.data() + i);
+        hn::Store(nextY, df, columns.y.n.data() + i);
+        const VF cells = hn::Sub(nextX, x), signX = hn::Load(df, columns.x.stride.data() + i);
+        const VF rows = hn::Sub(nextY, y), stride = hn::Load(df, columns.y.stride.data() + i);
         VI index = hn::Load(di, columns.index.data() + i);
-        index = map.x.mirrored ? hn::Sub(index, along) : hn::Add(index, along);
-        index = hn::Add(index, hn::Mul(across, hn::Set(di, map.y.stride)));
+        if constexpr (kWide) {
+            index = hn::Add(index, hn::ConvertTo(di, hn::Mul(cells, signX)));
+            index = hn::Add(index, hn::Mul(hn::ConvertTo(di, rows), hn::ConvertTo(di, stride)));
+        } else {
+            // Not ConvertTo: it mends overflows that cannot be.
+            const VF whole = hn::MulAdd(rows, stride, hn::MulAdd(cells, signX, hn::Set(df, kWhole)));
+            index = hn::Add(index, hn::Sub(hn::BitCast(di, whole), hn::Set(di, std::bit_cast<std::int32_t>(kWhole))));
+        }
         hn::Store(index, di, columns.index.data() + i);
-    }
-    HWY_INLINE void store(WalkColumn<std::int32_t>& column, std::size_t i, MF who, VI value) const {
-        hn::BlendedStore(value, asInt(who), di_, column.data() + i);
     }
 
     // The same where a ray is near a corner or the rim, or leaves the map.
+    template <bool kWide>
     HWY_NOINLINE void moveWithCare(std::size_t i, MF who, VF jump) {
-        const Stay at = stay(map_, columns_, i);
+        const Stay at = stay(columns_, i);
         const MF near = hn::And(hn::Lt(hn::Abs(hn::Sub(at.x.cross, at.y.cross)), at.tie),
                                 hn::Lt(jump, hn::Add(hn::Max(at.x.cross, at.y.cross), at.tie)));
         const MF atRim = hn::Ge(hn::Add(at.first, at.tie), at.rim);
@@ -191,8 +243,9 @@ class ConeKernel : WalkSlots<kAddress> {
         MF bad = hn::And(hn::And(who, down), hn::Ge(at.out, hn::Set(df_, 1.0F)));
         if constexpr (kAddress == Address::Border) {
             // Beyond the rim for sure; or which comes first, rim or line, cannot be told.
-            const MF leaving = hn::And(who, hn::AndNot(down, atRim));
-            const MF gone = hn::And(leaving, hn::Gt(hn::Max(at.first, jump), hn::Add(at.rim, at.tie)));
+            const MF far = hn::Gt(hn::Max(at.first, jump), hn::Add(at.rim, at.tie));
+            const MF leaving = hn::And(who, hn::AndNot(down, hn::Or(atRim, far)));
+            const MF gone = hn::And(leaving, far);
             end(i, gone, LaneEnd::Miss);
             bad = hn::Or(bad, hn::AndNot(gone, leaving));
             who = hn::AndNot(gone, who);
@@ -205,110 +258,141 @@ class ConeKernel : WalkSlots<kAddress> {
         who = hn::AndNot(bad, who);
         const MF moveX = hn::Or(both, hn::Le(at.x.cross, at.y.cross));
         const MF moveY = hn::Or(both, hn::Le(at.y.cross, at.x.cross));
-        arrive(i, who, at.x, columns_.x, map_.x, nextCell(at.x, columns_.x, i, moveX, jump));
+        const VF nx = within(i, who, at.x, frameX_, columns_.x, rays_.x, nextCell(at.x.n, columns_.x, i, moveX, jump));
         // Without those that have ended on the other axis.
         const VI state = hn::Load(di_, columns_.state.data() + i);
         who = hn::And(who, asFloat(hn::Eq(state, hn::Set(di_, kWalking))));
-        arrive(i, who, at.y, columns_.y, map_.y, nextCell(at.y, columns_.y, i, moveY, jump));
+        const VF ny = within(i, who, at.y, frameY_, columns_.y, rays_.y, nextCell(at.y.n, columns_.y, i, moveY, jump));
+        arrive<true>(columns_, i, at.x.n, at.y.n, nx, ny);
     }
 
-    HWY_INLINE void arrive(std::size_t i, MF who, const Axis& axis, WalkAxis& column, const Grid& grid, VI next) {
-        const MI whoI = asInt(who);
-        VI last = axis.last;
-        MI beyond = hn::And(whoI, hn::Gt(next, last));
-        VI moved = hn::IfThenElseZero(whoI, hn::Sub(next, axis.n));
-        if constexpr (kAddress == Address::Repeat) {
-            const VI period = hn::Set(di_, grid.last + 1 - grid.low);
-            VI back = hn::Zero(di_);
-            while (!hn::AllFalse(di_, beyond)) {
-                last = hn::IfThenElse(beyond, hn::Add(last, period), last);
-                back = hn::IfThenElse(beyond, hn::Add(back, period), back);
-                beyond = hn::And(whoI, hn::Gt(next, last));
-            }
-            hn::Store(last, di_, column.last.data() + i);
-            moveIndex(i, grid, hn::Sub(moved, back));
-        } else {
-            if constexpr (kAddress == Address::Border) end(i, asFloat(beyond), LaneEnd::Miss);
-            moved = hn::IfThenElse(beyond, hn::Sub(last, axis.n), moved);
-            moveIndex(i, grid, moved);
-        }
-        hn::Store(hn::Add(axis.n, moved), di_, column.n.data() + i);
+    // n of the axis' last cell.
+    HWY_INLINE VF lastOf(std::size_t i, const EntryFrame& frame, const WalkAxis& column,
+                         const LaneAxisRays& rays) const {
+        if constexpr (kAddress != Address::Border) return hn::Load(df_, column.last.data() + i);
+        const VI cell = hn::GatherIndex(di_, rays.cell.data(), hn::Load(di_, columns_.slot.data() + i));
+        const MF back = hn::Lt(hn::Load(df_, column.stride.data() + i), hn::Zero(df_));
+        const VI last = hn::Sub(hn::Set(di_, frame.axis.cells - 1), cell);
+        return hn::ConvertTo(df_, hn::IfThenElse(asInt(back), cell, last));
     }
-    HWY_INLINE void moveIndex(std::size_t i, const Grid& grid, VI cells) {
-        const VI index = hn::Load(di_, columns_.index.data() + i);
-        hn::Store(hn::Add(index, hn::Mul(cells, hn::Set(di_, grid.stride))), di_, columns_.index.data() + i);
+
+    // The next cell's n, of the map; where the map repeats the column's period is moved on, where it ends the ray ends.
+    HWY_INLINE VF within(std::size_t i, MF who, const Axis& axis, const EntryFrame& frame, WalkAxis& column,
+                         const LaneAxisRays& rays, VF next) {
+        VF last = lastOf(i, frame, column, rays);
+        MF beyond = hn::And(who, hn::Gt(next, last));
+        next = hn::IfThenElse(who, next, axis.n);
+        if constexpr (kAddress == Address::Repeat) {
+            const VF period = hn::Set(df_, static_cast<float>(frame.axis.cells));
+            VF back = hn::Zero(df_);
+            while (!hn::AllFalse(df_, beyond)) {
+                back = hn::IfThenElse(beyond, hn::Add(back, period), back);
+                beyond = hn::And(who, hn::Gt(next, hn::Add(last, back)));
+            }
+            hn::Store(hn::Add(last, back), df_, column.last.data() + i);
+            const VI stride = hn::ConvertTo(di_, hn::Load(df_, column.stride.data() + i));
+            const VI index = hn::Load(di_, columns_.index.data() + i);
+            hn::Store(hn::Sub(index, hn::Mul(hn::ConvertTo(di_, back), stride)), di_, columns_.index.data() + i);
+            return next;
+        }
+        if constexpr (kAddress == Address::Border) {
+            end(i, beyond, LaneEnd::Miss);
+            return hn::IfThenElse(beyond, axis.n, next);
+        }
+        return hn::IfThenElse(beyond, last, next);
     }
 
     // Whether the neighbour along one axis alone is surely above the surface until the corner is passed.
     HWY_INLINE MF sideClear(std::size_t i, const Stay& at, MF who, bool alongX) const {
-        const Grid& grid = alongX ? map_.x : map_.y;
-        const Axis& axis = alongX ? at.x : at.y;
-        const MI beyond = hn::Eq(axis.n, axis.last);
-        std::int32_t ahead = 0;  // cells from the last one
-        if constexpr (kAddress == Address::Repeat) ahead = grid.low - grid.last;
-        const VI step = hn::IfThenElse(beyond, hn::Set(di_, ahead * grid.stride), hn::Set(di_, grid.stride));
+        const EntryFrame& frame = alongX ? frameX_ : frameY_;
+        const WalkAxis& column = alongX ? columns_.x : columns_.y;
+        const MF beyond = hn::Eq((alongX ? at.x : at.y).n, lastOf(i, frame, column, alongX ? rays_.x : rays_.y));
+        const VI stride = hn::ConvertTo(di_, hn::Load(df_, column.stride.data() + i));
+        VI step = stride;  // from the last cell there is none, or to the first one
+        if constexpr (kAddress == Address::Repeat) {
+            const VI back = hn::Mul(stride, hn::Set(di_, 1 - frame.axis.cells));
+            step = hn::IfThenElse(asInt(beyond), back, stride);
+        }
+        const MI there = asInt(kAddress == Address::Repeat ? who : hn::AndNot(beyond, who));
         const VI index = hn::Add(hn::Load(di_, columns_.index.data() + i), step);
-        const VF own = depthOf(map_, hn::GatherIndex(di_, map_.words, hn::IfThenElseZero(asInt(who), index)));
+        const VF own = depthOf<0>(map_, hn::GatherIndex(di_, map_.words, hn::IfThenElseZero(there, index)));
         const MF clear = hn::Lt(hn::Add(at.out, hn::Add(at.tie, at.tie)), own);
-        if constexpr (kAddress == Address::Clamp) return hn::Or(clear, asFloat(beyond));
-        if constexpr (kAddress == Address::Border) return hn::AndNot(asFloat(beyond), clear);
+        if constexpr (kAddress == Address::Clamp) return hn::Or(clear, beyond);
+        if constexpr (kAddress == Address::Border) return hn::AndNot(beyond, clear);
         return clear;
     }
 
     // Cells whose highest point the ray goes below: is the surface itself below it? Of all that wait for it.
-    void leavesOfAll() {
-        const Map map = map_;
+    template <bool kWide>
+    HWY_NOINLINE void leavesOfAll() {
+        const WalkMap map = map_;
         WalkColumns& columns = columns_;
         std::size_t on = 0;
         waiting_ = 0;
-        alignas(64) WalkColumn<std::int32_t> pairs;
-        if constexpr (kSurface == Surface::Bilinear) placesOfNodes(map, columns, pairs);
-        for (std::size_t i = 0, end = used_; i < end; i += kLanes) on += leaves(map, columns, i, pairs.data() + i);
+        // All of them before the first is looked up: written as vectors, read lane by lane.
+        alignas(64) WalkColumn<std::int32_t> cells;
+        for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
+            hn::Store(cellNumber(map, columns, i), di_, cells.data() + i);
+        }
+        for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
+            on += leaves<kWide>(columns, i, cells.data() + i);
+        }
         walking_ += on;
     }
 
-    // All of them before the first is looked up: written as vectors, read lane by lane.
-    HWY_INLINE void placesOfNodes(const Map& map, const WalkColumns& columns, WalkColumn<std::int32_t>& pairs) const {
+    // The number of the cell's word within its quadrant: that of its nodes, or of its column's height.
+    HWY_INLINE static VI cellNumber(const WalkMap& map, const WalkColumns& columns, std::size_t i) {
+        const DF df;
         const DI di;
-        for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
-            const auto cell = [&](const Grid& grid, const WalkAxis& axis) {
-                return realCell(grid, hn::Load(di, axis.n.data() + i), hn::Load(di, axis.last.data() + i));
-            };
-            const VI row = hn::Mul(cell(map.y, columns.y), hn::Set(di, scene_.nodeStride));
-            hn::Store(hn::Add(row, cell(map.x, columns.x)), di, pairs.data() + i);
-        }
+        const auto ofQuadrant = [&](const WalkAxis& axis, std::int32_t words) {
+            const MF back = hn::Lt(hn::Load(df, axis.stride.data() + i), hn::Zero(df));
+            return hn::IfThenElseZero(asInt(back), hn::Set(di, words));
+        };
+        const VI first = hn::Add(ofQuadrant(columns.x, map.quadrant), ofQuadrant(columns.y, 2 * map.quadrant));
+        return hn::Sub(hn::Load(di, columns.index.data() + i), first);
     }
 
     // Returns how many walk on.
-    HWY_INLINE std::size_t leaves(const Map& map, WalkColumns& columns, std::size_t i, const std::int32_t* pair) {
+    template <bool kWide>
+    HWY_INLINE std::size_t leaves(WalkColumns& columns, std::size_t i, const std::int32_t* cells) {
         const DF df;
         const DI di;
         const VI state = hn::Load(di, columns.state.data() + i);
         const MI whoI = hn::Eq(state, hn::Set(di, kAtLeaf));
         const MF who = asFloat(whoI);
-        const Stay at = stay(map, columns, i);
-        const VI realX = realCell(map.x, at.x.n, at.x.last), realY = realCell(map.y, at.y.n, at.y.last);
+        const Stay at = stay(columns, i);
         MF below;
         if constexpr (kSurface == Surface::Columns) {
-            below = columnBelow(scene_, realX, realY, at.out, at.tie);
+            below = columnBelow(scene_, hn::Load(di, cells), at.out, at.tie);
         } else {
-            const VF nx = hn::ConvertTo(df, at.x.n), ny = hn::ConvertTo(df, at.y.n);
-            VF in = hn::Max(hn::MulAdd(nx, at.x.inverse, at.x.base), hn::MulAdd(ny, at.y.inverse, at.y.base));
+            const LaneAxisState x = leafAxis(columns.x, i), y = leafAxis(columns.y, i);
+            VF in = hn::Max(hn::MulAdd(at.x.n, x.inverse, x.base), hn::MulAdd(at.y.n, y.inverse, y.base));
             in = hn::Min(hn::Max(hn::Sub(in, at.tie), hn::Zero(df)), at.out);
-            const auto h = nodesAt(df, scene_.nodes, pair);
-            below = patchBelow({h[0], h[2], h[1], h[3]}, at.x, at.y, nx, ny, in, at.out, at.tie);
+            const auto h = nodesAt(df, scene_.nodes, cells);
+            below = patchBelow({h[0], h[2], h[1], h[3]}, x, y, at.x.n, at.y.n, in, at.out, at.tie);
         }
         const MF on = hn::And(below, who);
         const VI after = hn::IfThenElse(asInt(on), hn::Set(di, kWalking), hn::Set(di, kEnded));
         hn::Store(hn::IfThenElse(whoI, after, state), di, columns.state.data() + i);
-        moveOn(map, columns, i, at, on, at.out);
+        moveOn<kWide>(columns, i, at.x, at.y, on, at.out);
         return hn::CountTrue(df, on);
+    }
+    // The axis as the leaf knows it: by the line before the cell.
+    HWY_INLINE static LaneAxisState leafAxis(const WalkAxis& from, std::size_t i) {
+        const DF df;
+        LaneAxisState out;
+        out.inverse = hn::Load(df, from.inverse.data() + i);
+        out.base = hn::Sub(hn::Load(df, from.base.data() + i), out.inverse);
+        out.run = hn::Load(df, from.run.data() + i);
+        out.mirrored = hn::Lt(hn::Load(df, from.stride.data() + i), hn::Zero(df));
+        return out;
     }
 
     HWY_INLINE void end(std::size_t i, MF who, LaneEnd how) {
         if (hn::AllFalse(df_, who)) return;
         walking_ -= hn::CountTrue(df_, who);
-        store(columns_.state, i, who, hn::Set(di_, kEnded));
+        const VI state = hn::Load(di_, columns_.state.data() + i);
+        hn::Store(hn::IfThenElse(asInt(who), hn::Set(di_, kEnded), state), di_, columns_.state.data() + i);
         noteEnd(rays_, asInt(who), hn::Load(di_, columns_.slot.data() + i), how);
     }
 };

@@ -172,10 +172,9 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
     return hn::Lt(highest, hn::Neg(margin));
 }
 
-// The same for a column.
-HWY_INLINE MF columnBelow(const LaneScene& scene, VI realX, VI realY, VF out, VF tie) {
+// The same for the column of that number.
+HWY_INLINE MF columnBelow(const LaneScene& scene, VI index, VF out, VF tie) {
     const DF d;
-    const VI index = hn::Add(hn::Mul(realY, hn::Set(DI(), scene.stride)), realX);
     const VF height = hn::GatherIndex(d, scene.heights, index);
     const VF margin = hn::MulAdd(hn::Set(d, 2.0F), tie, hn::Set(d, 2e-6F));
     return hn::Lt(hn::Add(height, margin), hn::Sub(hn::Set(d, 1.0F), out));

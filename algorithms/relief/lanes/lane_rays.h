@@ -48,8 +48,9 @@ struct LaneAxisRays {
     alignas(64) std::array<float, kLaneSlots> inverse, base;
     alignas(64) std::array<float, kLaneSlots> run;  // with its sign: negative is mirrored
     alignas(64) std::array<float, kLaneSlots> rim;  // border: lambda at which the ray leaves the map
-    // Of the candidate: its cell within the period, and its distance n.
-    alignas(64) std::array<std::int32_t, kLaneSlots> hitCell, hitPlace;
+    // Of the candidate: its cell within the period, the first cell of its period where the map repeats, and its
+    // distance from `first` (cones: in cells of the map).
+    alignas(64) std::array<std::int32_t, kLaneSlots> hitCell, hitPeriod, hitPlace;
 };
 
 // Rays that begin their walks together.
@@ -101,7 +102,7 @@ struct LaneScene {
         : LaneScene(field, cones.highest, std::max(cones.nx, cones.ny)) {
         if (cones.nodes.empty()) return;
         nodes = cones.nodes.data();
-        nodeStride = cones.nx + 1;
+        nodeStride = cones.stride;
     }
 };
 

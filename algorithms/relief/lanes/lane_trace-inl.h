@@ -102,6 +102,19 @@ HWY_INLINE void noteCandidates(LaneRays& rays, MI chosen, VI slots, VI cellX, VI
         }
     }
 }
+// The candidates' periods, from their places n.
+template <Address kAddress>
+void periodsOfHits(const LaneScene& scene, std::size_t count, LaneAxisRays& rays) {
+    if constexpr (kAddress != Address::Repeat) return;
+    const DI di;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const VI along = hn::Add(hn::Load(di, rays.first.data() + i), hn::Load(di, rays.hitPlace.data() + i));
+        const MF back = hn::Lt(hn::Load(DF(), rays.run.data() + i), hn::Zero(DF()));
+        const VI real = hn::IfThenElse(asInt(back), hn::Sub(hn::Set(di, scene.mirror - 1), along), along);
+        hn::Store(hn::Sub(real, hn::Load(di, rays.hitCell.data() + i)), di, rays.hitPeriod.data() + i);
+    }
+}
+
 HWY_INLINE void noteEnd(LaneRays& rays, MI chosen, VI slots, LaneEnd end) {
     HWY_ALIGN std::int32_t slot[kLanes];
     const std::size_t count = hn::CountTrue(DI(), chosen);

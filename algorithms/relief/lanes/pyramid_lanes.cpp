@@ -355,7 +355,9 @@ void traceIn(const LaneScene& scene, const DepthPyramid& pyramid, const RayBlock
     scratch.othersCount = 0;
     setUpLanes<kAddress>(scene, given[0], given[1], given[2], given[3], scratch);
     PyramidKernel<kAddress, kSurface>(scene, pyramid, scratch).run();
-    settleLanes<kAddress, kSurface>(scene, given, 0, scratch.count, {}, {}, scratch, hits, first);
+    periodsOfHits<kAddress>(scene, scratch.count, scratch.x);
+    periodsOfHits<kAddress>(scene, scratch.count, scratch.y);
+    settleLanes<kAddress, kSurface>(scene, given, scratch, hits, first);
 }
 
 void tracePyramid(const LaneScene& scene, const DepthPyramid& pyramid, const RayBlock& rays, std::size_t first,

@@ -68,7 +68,7 @@ class QuadrantCones {
           x_{map.nx, wraps, (quadrant & 1) != 0},
           y_{map.ny, wraps, (quadrant & 2) != 0} {}
 
-    void build(LargeVector<std::uint32_t>& words, Work& work);
+    void build(std::uint32_t* words, Work& work);
 
   private:
     struct Scratch {
@@ -82,7 +82,7 @@ class QuadrantCones {
 
     void addLevel(Work& work);
     static std::vector<std::array<int, 3>> below(const QuadrantAxis& axis, int level, int belowCount, int count);
-    void buildTile(int x0, int y0, Scratch& scratch, LargeVector<std::uint32_t>& words) const;
+    void buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* words) const;
     void loadCells(int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
     bool steepenByLevel(int level, int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
     int blocksAcross(const QuadrantAxis& axis, int level) const { return ((axis.cells - 1) >> level) + 1; }
@@ -211,7 +211,7 @@ bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& ti
     return steepenByBlocks(rings, static_cast<float>(map_.highest), farther, tile) > 0;
 }
 
-void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, LargeVector<std::uint32_t>& words) const {
+void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* words) const {
     ConeTile tile;
     tile.width = std::min(kTileWidth, x_.cells - x0);
     tile.height = std::min(kTileHeight, y_.cells - y0);
@@ -239,7 +239,7 @@ void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, LargeVector<std:
     }
     for (int n = 0; n < tile.height; ++n) {
         packCones(tile, n, scratch.words.data());
-        std::uint32_t* row = words.data() + map_.index(0, y_.cellAt(y0 + n));
+        std::uint32_t* row = words + map_.index(0, y_.cellAt(y0 + n));
         const auto* from = scratch.words.data();
         if (x_.mirrored) {
             std::reverse_copy(from, from + tile.width, row + (x_.cells - x0 - tile.width));
@@ -249,10 +249,9 @@ void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, LargeVector<std:
     }
 }
 
-void QuadrantCones::build(LargeVector<std::uint32_t>& words, Work& work) {
+void QuadrantCones::build(std::uint32_t* words, Work& work) {
     const int farthest = std::max(x_.cells, y_.cells) - 2;  // largest gap
     while (farthest >= kFirstBlocks << (levels_.size() + 1)) addLevel(work);
-    words.resize(cells_.size());
     const auto tiles = [](int cells, int size) { return (cells + size - 1) / size; };
     work.arena().execute([&] {
         tbb::parallel_for(tbb::blocked_range2d<int>(0, tiles(y_.cells, kTileHeight), 0, tiles(x_.cells, kTileWidth)),
@@ -295,12 +294,11 @@ DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work)
 LargeVector<float> nodesOf(const HeightField& field, const PackedCones& map, Work& work) {
     const CellGrid grid(field);
     const FloatImage& heights = *field.sharedHeights();
-    const std::size_t pairs = place(map.nx) + 1;
-    LargeVector<float> nodes(2 * pairs * place(map.ny));
+    LargeVector<float> nodes(2 * map.quadrantWords());
     work.arena().execute([&] {
         tbb::parallel_for(0, map.ny, [&](int cy) {
             const auto before = heights.row(grid.y.nodeBefore(cy)), after = heights.row(grid.y.nodeAfter(cy));
-            float* to = nodes.data() + 2 * pairs * place(cy);
+            float* to = nodes.data() + 2 * map.index(0, cy);
             for (int cx = 0; cx <= map.nx; ++cx) {
                 const int i = cx < map.nx ? grid.x.nodeBefore(cx) : grid.x.nodeAfter(map.nx - 1);
                 *to++ = before[place(i)];
@@ -325,9 +323,12 @@ PackedCones buildPackedCones(const HeightField& field, Work& work) {
     const DepthImage depths = depthsOf(cells, map, work);
     const auto tiles = [](int size, int tile) { return (size + tile - 1) / tile; };
     work.progress().begin("map packed-cones", std::int64_t{4} * tiles(map.nx, kTileWidth) * tiles(map.ny, kTileHeight));
-    for (std::size_t quadrant = 0; quadrant < map.words.size(); ++quadrant) {
+    map.stride = field.surface() == Surface::Bilinear ? map.nx + 1 : map.nx;
+    constexpr std::size_t kQuadrants = 4;
+    map.words.resize(kQuadrants * map.quadrantWords());
+    for (std::size_t quadrant = 0; quadrant < kQuadrants; ++quadrant) {
         QuadrantCones cones(cells, depths, map, field.address() == Address::Repeat, static_cast<int>(quadrant));
-        cones.build(map.words[quadrant], work);
+        cones.build(map.words.data() + quadrant * map.quadrantWords(), work);
     }
     if (field.surface() == Surface::Bilinear) map.nodes = nodesOf(field, map, work);
     return map;
@@ -338,8 +339,8 @@ std::shared_ptr<const PackedCones> packedCones(const HeightField& field, MapCach
     std::string kind = "packed-cones/" + std::string(surfaceName(field.surface()));
     kind += field.address() == Address::Repeat ? "/repeat" : "/clamped";
     const CellGrid grid(field);
-    const std::size_t cells = static_cast<std::size_t>(grid.x.cells) * static_cast<std::size_t>(grid.y.cells);
-    checkMapMemory("packed-cones", 4 * cells * sizeof(std::uint32_t) + 2 * cells * sizeof(float), cache);
+    const std::size_t words = (place(grid.x.cells) + 1) * place(grid.y.cells);
+    checkMapMemory("packed-cones", words * (4 * sizeof(std::uint32_t) + 2 * sizeof(float)), cache);
     return cache.get<PackedCones>({kind, field.sharedHeights()}, work,
                                   [&](Work& w) { return buildPackedCones(field, w); });
 }

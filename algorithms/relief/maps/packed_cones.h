@@ -10,7 +10,6 @@
 // up the outermost cell for places beyond it is safe, for what can be seen from there is nearer to it.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -44,17 +43,21 @@ struct PackedCones {
     double highest = 0;  // of the cells' maxima
     double lowest = 0;
     double unit = 0;  // height = highest - depth * unit: at or above the true one; 0 if the relief is flat
-    // By quadrant: bit 0 the run in x is negative, bit 1 that in y (a run of 0 is not); row by row.
-    std::array<LargeVector<std::uint32_t>, 4> words;
+    // Quadrant after quadrant, each row by row: bit 0 of a quadrant's number says that the run in x is negative, bit 1
+    // that in y (a run of 0 is not).
+    LargeVector<std::uint32_t> words;
+    int stride = 0;  // words a row; nx + 1 on bilinear surfaces, so that a cell's words and nodes are of one number
     // Bilinear surfaces: the heights of a cell's nodes in one place, (i0, j0), (i0, j1), (i1, j0), (i1, j1) from
-    // 2 (cy (nx + 1) + cx) on; the nodes that it shares with the next cell of its row are stored once.
+    // 2 index(cx, cy) on; the nodes that it shares with the next cell of its row are stored once.
     LargeVector<float> nodes;
 
     std::size_t index(int cx, int cy) const {
-        return static_cast<std::size_t>(cy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(cx);
+        return static_cast<std::size_t>(cy) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(cx);
     }
+    std::size_t quadrantWords() const { return index(0, ny); }
+    const std::uint32_t* quadrant(std::size_t number) const { return words.data() + number * quadrantWords(); }
     double heightAt(std::uint32_t depth) const { return highest - depth * unit; }
-    std::size_t bytes() const { return 4 * words[0].size() * sizeof(std::uint32_t) + nodes.size() * sizeof(float); }
+    std::size_t bytes() const { return words.size() * sizeof(std::uint32_t) + nodes.size() * sizeof(float); }
 };
 
 // From the cache, or built in parallel, with progress; throws Cancelled, InputError beyond the cache's memory.

@@ -45,7 +45,7 @@ struct Need {
 
 Need needOf(const BruteCells& cells, const PackedCones& map, int x, int y, Quadrant quadrant) {
     constexpr int kFirstRing = 8;  // blocks
-    const std::uint32_t word = map.words[static_cast<std::size_t>(quadrant.index)][map.index(x, y)];
+    const std::uint32_t word = map.quadrant(static_cast<std::size_t>(quadrant.index))[map.index(x, y)];
     const double apex = map.heightAt(coneApexDepth(word));
     const auto kappa = static_cast<double>(coneSlope(word));
     Need need;
@@ -80,16 +80,14 @@ PackedCones built(const HeightField& field, int threads) {
 
 // The nodes of a cell lie together; a row's cells share them.
 void expectNodes(const HeightField& field, const PackedCones& map) {
-    const std::size_t words = 4U * static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny);
     const bool bilinear = field.surface() == Surface::Bilinear;
-    const std::size_t pairs = bilinear ? static_cast<std::size_t>(map.nx + 1) * static_cast<std::size_t>(map.ny) : 0;
-    ASSERT_EQ(map.bytes(), 4U * words + 8U * pairs);
+    const std::size_t row = static_cast<std::size_t>(map.nx) + (bilinear ? 1 : 0);
+    ASSERT_EQ(map.bytes(), row * static_cast<std::size_t>(map.ny) * (4U * 4U + (bilinear ? 8U : 0U)));
     if (!bilinear) return;
     const CellGrid grid(field);
     for (int y = 0; y < map.ny; ++y) {
         for (int x = 0; x < map.nx; ++x) {
-            const std::size_t at =
-                2 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(map.nx + 1) + static_cast<std::size_t>(x));
+            const std::size_t at = 2 * map.index(x, y);
             const int i0 = grid.x.nodeBefore(x), i1 = grid.x.nodeAfter(x);
             const int j0 = grid.y.nodeBefore(y), j1 = grid.y.nodeAfter(y);
             ASSERT_EQ(map.nodes[at], field.heights()(i0, j0)) << x << " " << y;
@@ -112,7 +110,7 @@ void expectLaw(const HeightField& field, int every) {
         for (int n = 0; n < cells.nx * cells.ny; n += every) {
             const int x = n % cells.nx;
             const int y = n / cells.nx;
-            const std::uint32_t word = map.words[static_cast<std::size_t>(q)][map.index(x, y)];
+            const std::uint32_t word = map.quadrant(static_cast<std::size_t>(q))[map.index(x, y)];
             const auto kappa = static_cast<double>(coneSlope(word));
             ASSERT_GE(kappa, static_cast<double>(std::numeric_limits<float>::min()));
             const auto highest = static_cast<double>(cells.highest(x, y));
@@ -167,11 +165,14 @@ TEST(PackedCones, OfAFlatReliefAreOpen) {
         const PackedCones map = built(HeightField(constantHeights(9, 5, 0.25F), surface), 1);
         EXPECT_EQ(map.unit, 0);
         EXPECT_EQ(map.heightAt(0), 0.25);
-        for (const auto& words : map.words) {
-            for (const std::uint32_t word : words) {
-                ASSERT_EQ(word & 0xFFFFF, 0U);
-                ASSERT_GE(coneSlope(word), std::numeric_limits<float>::min());
-                ASSERT_LE(coneSlope(word), kApexRounding);
+        for (int y = 0; y < map.ny; ++y) {
+            for (int x = 0; x < map.nx; ++x) {
+                for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
+                    const std::uint32_t word = map.quadrant(quadrant)[map.index(x, y)];
+                    ASSERT_EQ(word & 0xFFFFF, 0U);
+                    ASSERT_GE(coneSlope(word), std::numeric_limits<float>::min());
+                    ASSERT_LE(coneSlope(word), kApexRounding);
+                }
             }
         }
     }
