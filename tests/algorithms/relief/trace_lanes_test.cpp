@@ -175,6 +175,38 @@ TEST(Lanes, haveTheBitsOfTheScalarTextForAnyNumberOfRaysAndThreads) {
     }
 }
 
+// Rays that clear the edges of a stair by less than floats tell: the exact leaf refuses step after step, by the hundred
+// in one chunk.
+TEST(Lanes, haveTheBitsOfTheScalarTextWhereManyCellsAreRefused) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    constexpr int kSteps = 16, kTread = 8, kRows = 24;
+    constexpr double kClearance = 2e-7;  // of the height, at most
+    auto stair = std::make_shared<FloatImage>(kSteps * kTread, kRows);
+    for (int y = 0; y < kRows; ++y) {
+        for (int x = 0; x < stair->width(); ++x) (*stair)(x, y) = 1 - static_cast<float>(x / kTread + 1) / kSteps;
+    }
+    Random random(kSeed);
+    RayBlock rays;
+    for (int i = 0; i < 1500; ++i) {
+        ViewRay ray;
+        ray.a = stair->width();
+        ray.s0 = random.unit() * kClearance * ray.a;
+        ray.t0 = kRows * random.unit();
+        ray.b = random.below(4) == 0 ? 8 * random.unit() - 4 : 0;
+        // Some leave the stair early.
+        if (random.below(3) == 0) ray.a *= 1 + 0.5 * random.unit();
+        rays.push(ray);
+    }
+    MapCache cache;
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) {
+            for (const MethodChoice& method : jumps()) {
+                expectTwins(HeightField(stair, surface, address, 0.1), method, rays, cache);
+            }
+        }
+    }
+}
+
 TEST(Lanes, haveTheBitsOfTheScalarTextThroughVoxels) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const char* name : {"bricks", "spikes", "fractal"}) {
