@@ -72,7 +72,7 @@ TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
     openDuel(scenario);
     choose(0, QStringLiteral("max-pyramid"));
     DuelView* const view = window_->duel();
-    const Duel* const duel = view->duel();
+    const Duel* duel = view->duel();
     ASSERT_TRUE(duel->firstMoment()) << "four layers and yet exact: nothing is tested";
     view->first();
     EXPECT_EQ(this->scenario().step, 0);
@@ -85,6 +85,17 @@ TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
     const QString kind = QString::fromStdString(
         relief::sentence(relief::departureTitle(duel->judgements[0].kind), workspace_->style().language));
     EXPECT_TRUE(view->verdict().contains(kind)) << view->verdict().toStdString();
+    // It is shown from near, until somebody goes on; the projector does not lead away from it.
+    const double near = duel->closeUp();
+    EXPECT_EQ(view->shownUpTo(), near);
+    const std::size_t moment = view->moment();
+    for (const bool on : {true, false}) {
+        window_->setProjector(on);
+        waitForDuel();
+        EXPECT_EQ(view->moment(), moment);
+        EXPECT_EQ(view->shownUpTo(), near);
+    }
+    duel = view->duel();
     // The window's step leads as well.
     workspace_->chooseStep(1);
     EXPECT_EQ(duel->steps.moments[view->moment()][0], 1U);
@@ -94,12 +105,52 @@ TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
     const QModelIndex last = table->model()->index(table->model()->rowCount() - 1, 0);
     table->setCurrentIndex(last);
     EXPECT_EQ(this->scenario().step, static_cast<int>(duel->runs[0].steps.size()) - 1);
+    EXPECT_EQ(view->shownUpTo(), duel->within(near, view->moment()) ? near : 0);
     // Another pixel, another duel.
     const Duel* const before = duel;
     workspace_->choosePixel(30, 100);
     waitForDuel();
     EXPECT_NE(view->duel(), before);
     EXPECT_EQ(view->duel()->runs[0].steps, snapshot()->trace.steps);
+}
+
+TEST_F(DuelTest, WhatIsSeenFromNearHoldsTheDivergenceAndNothingBeyond) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"layers", {{"layers", "64"}}};
+    openDuel(scenario);
+    choose(0, QStringLiteral("max-pyramid"));
+    choose(1, QStringLiteral("offset"));
+    // A ray that comes deep enough for a part of it to be shown.
+    constexpr double kDeep = 0.35;
+    for (int x = 20; x < 190 && !(window_->duel()->duel()->exact.lambda > kDeep); x += 12) {
+        workspace_->choosePixel(x, 40 + x / 2);
+        waitForDuel();
+    }
+    const Duel& duel = *window_->duel()->duel();
+    ASSERT_GT(duel.exact.lambda, kDeep);
+    ASSERT_TRUE(duel.firstMoment());
+    DuelSource source = duel.source();
+    const ProfileFrame whole = duelFrame(source, {}, 500, 300);
+    source.upTo = duel.closeUp();
+    EXPECT_TRUE(duel.within(source.upTo, *duel.firstMoment()));
+    EXPECT_GE(source.upTo, duel.exact.lambda);
+    EXPECT_LE(source.upTo, 1);
+    const ProfileFrame near = duelFrame(source, {}, 500, 300);
+    EXPECT_LE(near.lambdaEnd, whole.lambdaEnd);
+    EXPECT_GE(near.lambdaEnd, std::min(source.upTo, whole.lambdaEnd));
+    // However little is shown, no step is drawn where it is not.
+    source.upTo = duel.exact.lambda / 1000;
+    const ProfileFrame little = duelFrame(source, {}, 500, 300);
+    ASSERT_LT(little.lambdaEnd, duel.exact.lambda);
+    const std::vector<std::size_t> first(duel.runs.size(), 0);
+    int steps = 0;
+    for (const Item& item : duelMarks(source, little, first).items) {
+        if (item.id.kind != ItemKind::Step) continue;
+        ++steps;
+        const auto& run = duel.runs[static_cast<std::size_t>(item.id.level)];
+        EXPECT_LE(duelPlace(run.steps[static_cast<std::size_t>(item.id.i)]), little.lambdaEnd);
+    }
+    EXPECT_GT(steps, 2);
 }
 
 }  // namespace

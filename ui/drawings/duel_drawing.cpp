@@ -42,11 +42,6 @@ LevelTint tintOf(std::size_t run) {
     return {static_cast<int>(run), 4};
 }
 
-// Where a step is marked: where the tracer was after it.
-double placeOf(const relief::Step& step) {
-    return step.decision == relief::Decision::Start ? step.lambdaIn : step.lambdaAfter;
-}
-
 class DuelMarks {
   public:
     DuelMarks(const DuelSource& source, const ProfileFrame& frame, const std::vector<std::size_t>& moment)
@@ -84,25 +79,26 @@ class DuelMarks {
     void track(std::size_t r) {
         const double y = trackY(r);
         drawing_.add({}, Role::Grid, Polyline{{{xAt(0), y}, {xAt(frame_.lambdaEnd), y}}, false});
+        name(r, y);  // before what is written along the track: that gives way
         departure(r, y);
         const auto& steps = run(r).steps;
         const std::size_t current = now(r);
         double last = -HUGE_VAL;
         for (std::size_t k = 0; k < steps.size(); ++k) {
-            const double x = xAt(placeOf(steps[k]));
+            const double x = xAt(duelPlace(steps[k]));
+            if (duelPlace(steps[k]) > frame_.lambdaEnd) break;
             if (k == current || (x - last) * frame_.zoom < kLeastGap) continue;
             last = x;
             add(r, stepId(r, k), Marker{{x, y}, runShape(r), kMark}, k > current ? Emphasis::Faint : Emphasis::Normal);
         }
-        if (run(r).hit.outcome == relief::Outcome::Hit) {
+        if (run(r).hit.outcome == relief::Outcome::Hit && run(r).hit.lambda <= frame_.lambdaEnd) {
             drawing_.add({ItemKind::Hit, static_cast<int>(r), 0, 0}, Role::Hit, Ring{{xAt(run(r).hit.lambda), y}, 6});
         }
         if (current < steps.size()) {
-            const double x = xAt(placeOf(steps[current]));
+            const double x = xAt(duelPlace(steps[current]));
             add(r, stepId(r, current), Marker{{x, y}, runShape(r), kNow}, Emphasis::Strong);
             text({x, y}, plainText(std::to_string(current + 1)), Anchor::Bottom, {0, -kNow / 2 + 1}, kNumberSize);
         }
-        name(r, y);
     }
 
     // Left of the track; over its end where there is no room for that.
@@ -122,7 +118,12 @@ class DuelMarks {
         const bool first = source_.first == r;
         drawing_.add({}, Role::Overshoot, Rectangle{box, true, 0, 3}, Emphasis::Faint);
         drawing_.add({}, Role::Overshoot, Rectangle{box, false, 0, 3}, first ? Emphasis::Strong : Emphasis::Normal);
-        text({(box.x0 + box.x1) / 2, y}, relief::departureTitle(fault.kind), Anchor::Top, {0, 5}, kNumberSize);
+        // Not over the tracks' names, nor beyond the plot.
+        constexpr double kHalfTitle = 45;
+        const double low = frame_.plot.x0 + kHalfTitle * unit_;
+        const double middle =
+            std::clamp((box.x0 + box.x1) / 2, low, std::max(low, frame_.plot.x1 - kHalfTitle * unit_));
+        text({middle, y}, relief::departureTitle(fault.kind), Anchor::Top, {0, 5}, kNumberSize);
     }
 
     void exactHit() {
@@ -137,7 +138,7 @@ class DuelMarks {
     void inSlice(std::size_t r) {
         const auto& steps = run(r).steps;
         if (now(r) < steps.size()) {
-            const double lambda = std::clamp(placeOf(steps[now(r)]), 0.0, frame_.lambdaEnd);
+            const double lambda = std::clamp(duelPlace(steps[now(r)]), 0.0, frame_.lambdaEnd);
             add(r, stepId(r, now(r)), Marker{frame_.onRay(lambda), runShape(r), kNow}, Emphasis::Strong);
         }
         const bool ended = now(r) + 1 >= steps.size();
@@ -169,6 +170,10 @@ class DuelMarks {
 
 }  // namespace
 
+double duelPlace(const relief::Step& step) {
+    return step.decision == relief::Decision::Start ? step.lambdaIn : step.lambdaAfter;
+}
+
 Shape runShape(std::size_t run) {
     constexpr std::array kShapes{Shape::Dot, Shape::TriangleDown, Shape::Diamond, Shape::Bar, Shape::Cross};
     return kShapes[run % kShapes.size()];
@@ -177,7 +182,12 @@ Shape runShape(std::size_t run) {
 ProfileFrame duelFrame(const DuelSource& source, const ProfileOptions& options, double width, double height) {
     constexpr double kLeastPlot = 58;
     const double room = std::min(tracksHeight(source), std::max(0.0, height - kLeastPlot));
-    ProfileFrame frame = profileFrame(source.profile, options, width, height - room);
+    ProfileSource profile = source.profile;
+    if (source.upTo > 0) {
+        profile.hit.outcome = relief::Outcome::Hit;
+        profile.hit.lambda = source.upTo;
+    }
+    ProfileFrame frame = profileFrame(profile, options, width, height - room);
     frame.plot.x0 = std::max(frame.plot.x0, namesWidth(source, width));
     frame.plot.y0 += room;
     frame.plot.y1 += room;

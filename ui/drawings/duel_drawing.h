@@ -18,6 +18,7 @@ struct DuelSource {
     const std::vector<relief::Judgement>* judgements = nullptr;
     relief::Hit exact;
     std::optional<std::size_t> first;  // the run that departs first
+    double upTo = 0;                   // lambda: the ray is shown as far as this, and a little more; 0: all of it
 
     std::size_t count() const { return runs == nullptr ? 0 : runs->size(); }
 };
@@ -28,6 +29,9 @@ ProfileFrame duelFrame(const DuelSource& source, const ProfileOptions& options, 
 // moment: the step at which each run stands. Steps have ids of ItemKind::Step, their run as level.
 Drawing duelMarks(const DuelSource& source, const ProfileFrame& frame, const std::vector<std::size_t>& moment);
 Drawing duelLegend(const DuelSource& source, double width, relief::Language language);
+
+// Where a step is marked: where the tracer was after it, lambda.
+double duelPlace(const relief::Step& step);
 
 // The sign of a run, beside its colour.
 Shape runShape(std::size_t run);

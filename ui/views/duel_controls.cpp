@@ -19,7 +19,7 @@ namespace reliefui {
 namespace {
 
 constexpr int kPlaces = 3;  // beside the scenario's own method
-constexpr int kShownLetters = 8;
+constexpr int kShownLetters = 6;
 constexpr int kColumnLetters = 21;
 constexpr int kDrawingLines = 26;
 constexpr int kLowDrawingLines = 16;

@@ -33,6 +33,27 @@ DuelSource Duel::source() const {
     return out;
 }
 
+double Duel::closeUp() const {
+    const auto moment = firstMoment();
+    if (!moment) return 0;
+    const relief::Judgement& fault = judgements[*first];
+    double end = std::max(fault.from, fault.to);
+    if (exact.outcome == relief::Outcome::Hit) end = std::max(end, exact.lambda);
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const std::size_t step = steps.moments[*moment][r];
+        if (step < runs[r].steps.size()) end = std::max(end, duelPlace(runs[r].steps[step]));
+    }
+    return std::min(end, 1.0);
+}
+
+bool Duel::within(double lambda, std::size_t moment) const {
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const std::size_t step = steps.moments[moment][r];
+        if (step < runs[r].steps.size() && duelPlace(runs[r].steps[step]) > lambda) return false;
+    }
+    return true;
+}
+
 std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,
                                      const std::vector<relief::MethodChoice>& rivals, relief::Work& work) {
     auto duel = std::make_shared<Duel>();

@@ -21,6 +21,10 @@ struct Duel {
     // The moment at which it does; nothing if all answer as exact does.
     std::optional<std::size_t> firstMoment() const;
     DuelSource source() const;
+    // How much of the ray shows that moment from near: lambda of the farthest of what matters at it; 0: all of it.
+    double closeUp() const;
+    // Whether at this moment all stand within it.
+    bool within(double lambda, std::size_t moment) const;
 };
 
 // Builds the maps that the methods need: may take seconds. Throws Cancelled, InputError.

@@ -119,6 +119,7 @@ void DuelView::addToMenu(QMenu& menu) {
 void DuelView::fillFigure(FigureRequest& request) const {
     request.duel = duel_;
     request.duelMoment = moment_;
+    request.duelUpTo = source_.upTo;
     request.profile = options_;
 }
 
@@ -185,20 +186,39 @@ void DuelView::letGo() {
 }
 
 void DuelView::adopt(std::shared_ptr<const Duel> duel) {
+    // Made anew for another style: where one stands in it stays.
+    const bool same = duel_ && duel_->snapshot == duel->snapshot && duel_->steps.moments == duel->steps.moments;
+    const double upTo = same ? source_.upTo : 0;
+    const std::size_t moment = same ? moment_ : 0;
     duel_ = std::move(duel);
     source_ = duel_->source();
+    source_.upTo = upTo;
     following_ = true;
     model_->show(duel_, workspace_->style());
     following_ = false;
     divergence_->setEnabled(duel_->first.has_value());
     showVerdict();
     shareRoom();
-    moment_ = 0;
+    moment_ = moment;
     redraw();
-    followStep(workspace_->scenario().step);
-    const auto moment = duel_->firstMoment();
-    if (jump_ && moment) goTo(*moment);
+    if (same) {
+        selectMoment();
+    } else {
+        followStep(workspace_->scenario().step);
+    }
+    if (jump_) goToDivergence();
     jump_ = false;
+}
+
+void DuelView::showUpTo(double lambda) {
+    if (source_.upTo == lambda) return;
+    source_.upTo = lambda;
+    canvas_->resetZoom();
+    redraw();
+}
+
+void DuelView::leaveCloseUp() {
+    if (source_.upTo > 0 && !duel_->within(source_.upTo, moment_)) showUpTo(0);
 }
 
 // The first to depart in a sentence, the others in two words; their sentences in the tool tip.
@@ -282,6 +302,7 @@ void DuelView::goTo(std::size_t moment) {
     workspace_->chooseStep(static_cast<int>(duel_->steps.moments[moment_][run]));
     table_->setCurrentIndex(model_->index(static_cast<int>(moment_), 0));
     following_ = false;
+    leaveCloseUp();
     redrawMarks();
 }
 
@@ -290,9 +311,8 @@ void DuelView::followStep(int step) {
     const bool other = duel_->snapshot->trace.fromFile;
     const std::size_t run = other ? duel_->runs.size() - 1 : 0;
     moment_ = duel_->steps.momentOf(run, static_cast<std::size_t>(std::max(step, 0)));
-    following_ = true;
-    table_->setCurrentIndex(model_->index(static_cast<int>(moment_), 0));
-    following_ = false;
+    selectMoment();
+    leaveCloseUp();
     redrawMarks();
 }
 
@@ -316,7 +336,20 @@ void DuelView::toDivergence() {
     // Asked for while it is being made: when it is there.
     jump_ = !duel_ || !settled();
     if (jump_) return;
-    if (const auto moment = duel_->firstMoment()) goTo(*moment);
+    goToDivergence();
+}
+
+void DuelView::goToDivergence() {
+    const auto moment = duel_->firstMoment();
+    if (!moment) return;
+    showUpTo(duel_->closeUp());
+    goTo(*moment);
+}
+
+void DuelView::selectMoment() {
+    following_ = true;
+    table_->setCurrentIndex(model_->index(static_cast<int>(moment_), 0));
+    following_ = false;
 }
 
 void DuelView::showEmpty(relief::MessageId why) {

@@ -31,6 +31,7 @@ class DuelView : public FigureView {
     const Duel* duel() const { return duel_.get(); }
     std::size_t moment() const { return moment_; }
     QString verdict() const;
+    double shownUpTo() const { return source_.upTo; }
     // Nothing is waited for.
     bool settled() const { return !stale_ && !job_->busy(); }
 
@@ -69,6 +70,10 @@ class DuelView : public FigureView {
     void redraw();       // another part is seen
     void redrawMarks();  // another moment
     void goTo(std::size_t moment);
+    void showUpTo(double lambda);  // from near; 0: the whole ray
+    void goToDivergence();
+    void selectMoment();  // in the table
+    void leaveCloseUp();  // where somebody has gone on beyond it
     void followStep(int step);
     void showChoosers();
     void showVerdict();

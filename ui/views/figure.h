@@ -58,6 +58,7 @@ struct FigureRequest {
     std::optional<Turntable> slabsCamera;  // from where the slabs are seen
     std::shared_ptr<const Duel> duel;      // of "duel"; null: no ray
     std::size_t duelMoment = 0;
+    double duelUpTo = 0;  // as DuelSource::upTo
 };
 
 // "charts", "compare", "distance", "drawn", "duel", "footprint", "pareto", "profile", "pyramid", "result", "rows",

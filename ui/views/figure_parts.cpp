@@ -144,7 +144,8 @@ void paintDuel(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
         return;
     }
     const Duel& duel = *request.duel;
-    const DuelSource source = duel.source();
+    DuelSource source = duel.source();
+    source.upTo = request.duelUpTo;
     const double unit = style.pixelsPerPoint();
     const Drawing legend = duelLegend(source, page.width() / unit - kMargins, style.language);
     const Box room = figureRoom(legend, page, style);
