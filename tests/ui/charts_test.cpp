@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QXmlStreamReader>
 
+#include "drawings/chart_parts.h"
 #include "drawings/charts_drawing.h"
 #include "errors.h"
 #include "measuring/measured_method.h"
@@ -195,6 +196,20 @@ TEST(Charts, HistogramsCountEveryRay) {
     EXPECT_NEAR(steps.yAt(10) - steps.yAt(1000), 2 * decade, 1e-9);
     EXPECT_LT(steps.yAt(1), steps.plot.y1) << "one ray is seen";
     const HistogramPicture errors = errorHistogram(data, {0, 0, 220, 140});
+    // The axis says what it counts, within its margin.
+    for (const HistogramPicture* picture : {&steps, &errors}) {
+        int said = 0;
+        for (const Item& item : picture->drawing.items) {
+            const auto* const label = std::get_if<Label>(&item.primitive);
+            if (label == nullptr || label->text.id != relief::MessageId::DrawChartRays) continue;
+            ++said;
+            for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
+                const std::string text = labelText(*label, language);
+                EXPECT_GE(label->at.x + label->offset.x - chart::textWidth(text, label->size), -1) << text;
+            }
+        }
+        EXPECT_EQ(said, 1);
+    }
     std::int64_t rays = 0;
     for (const HistogramBar& bar : errors.bars) rays += bar.rays;
     EXPECT_EQ(rays, data.rays);

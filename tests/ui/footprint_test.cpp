@@ -116,6 +116,26 @@ TEST_F(FootprintTest, DotsLieOnTheTexelsAndTheirAreasAreTheWeights) {
     EXPECT_GE(yellow, 4);
 }
 
+TEST_F(FootprintTest, TexelsAreNumberedAtTwoSides) {
+    openPane(filtered("bilinear"));
+    const int side = view()->shown()->across.size;
+    const Box seen = canvas()->visible();
+    int columns = 0;
+    int rows = 0;
+    for (const Item* item : marksOf<Label>(Role::Background)) {
+        const Label& label = std::get<Label>(item->primitive);
+        const bool above = label.anchor == Anchor::Top;
+        const double at = above ? label.at.x : label.at.y;
+        const int texel = static_cast<int>(std::floor(at));
+        EXPECT_EQ(labelText(label, relief::Language::English), std::to_string((texel % side + side) % side));
+        EXPECT_EQ(above ? label.at.y : label.at.x, above ? seen.y0 : seen.x0);
+        EXPECT_TRUE(seen.contains(label.at));
+        ++(above ? columns : rows);
+    }
+    EXPECT_GT(columns, 1);
+    EXPECT_GT(rows, 1);
+}
+
 TEST_F(FootprintTest, TheTextureIsThePictureTheFilterReads) {
     openPane(filtered("elliptical"));
     const PixelFootprint& f = *view()->shown();

@@ -289,6 +289,14 @@ TEST(ProfileDrawing, aTexelIsAsLongAcrossAsUpwards) {
     const double across = frame.plot.width() / (frame.lambdaEnd * frame.run);
     const double upwards = (frame.yAt(0) - frame.yAt(1)) / t.field.slabTexels();
     EXPECT_NEAR(across, upwards, 1e-9 * across);
+    // A short ray before a high slab is no stripe: its surroundings fill the pane.
+    t.trace({12, 40, 200, 0}, {"max-pyramid", {}});
+    t.source.hit = relief::Hit::at(t.source.ray, 0.01);
+    t.source.steps = nullptr;
+    const ProfileFrame wide = profileFrame(t.source, options, kWidth, kHeight);
+    EXPECT_GT(wide.plot.width(), 0.8 * kWidth);
+    EXPECT_NEAR(wide.plot.width() / (wide.lambdaEnd * wide.run), (wide.yAt(0) - wide.yAt(1)) / t.field.slabTexels(),
+                1e-9);
 }
 
 // Zoomed in, only what is seen is made, and all of it.

@@ -51,6 +51,14 @@ HistogramPicture emptyHistogram(const Box& room, std::int64_t most, Message titl
     }
     chart::line(picture.drawing, {picture.plot.x0, picture.plot.y0}, {picture.plot.x0, picture.plot.y1});
     chart::line(picture.drawing, {picture.plot.x0, picture.plot.y1}, {picture.plot.x1, picture.plot.y1});
+    // What the numbers count stands below them, in the corner that is free; small enough for it in either language.
+    Label counted;
+    counted.at = {picture.plot.x0, picture.plot.y1};
+    counted.text = Message(MessageId::DrawChartRays);
+    counted.anchor = Anchor::Right;
+    counted.offset = {-1, chart::kTick + 7};
+    counted.size = 0.68;
+    picture.drawing.add({}, Role::Legend, std::move(counted));
     return picture;
 }
 

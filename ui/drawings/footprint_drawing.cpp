@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawings/axis_ticks.h"
 #include "rendering/display.h"
 
 namespace reliefui {
@@ -136,6 +137,7 @@ class Marks {
         texels();
         outlines();
         if (chosen && *chosen < f_.log.texels.size()) highlight(f_.log.texels[*chosen]);
+        numbers();
         return std::move(out_);
     }
 
@@ -209,6 +211,40 @@ class Marks {
             }
         }
         for (const FootprintTexel* t : seen) dot(*t);
+    }
+
+    // Which texels of the level these are: along the upper and the left side of what is seen.
+    void numbers() {
+        constexpr double kAcross = 60;  // points between numbers
+        constexpr double kDown = 30;
+        const double unit = 1 / scale_;
+        const auto along = [&](double low, double high, double apart, const LevelAxis& axis, const auto& place) {
+            if (!(high > low)) return;
+            const int step = static_cast<int>(std::max(1.0, niceStep(high - low, (high - low) * scale_ / apart)));
+            for (const Run& run : runsOf(axis, low, high)) {
+                for (int n = 0; n < run.count && !run.rim; ++n) {
+                    const double at = run.start + n + 0.5;
+                    if ((run.first + n) % step != 0 || at < low || at > high) continue;
+                    Label label;
+                    label.text = plainText(std::to_string(run.first + n));
+                    label.size = 0.8;
+                    label.plate = true;
+                    label.yields = true;
+                    place(label, at);
+                    add(Role::Background, std::move(label));
+                }
+            }
+        };
+        along(seen_.x0 + kAcross / 2 * unit, seen_.x1, kAcross, f_.across, [&](Label& label, double at) {
+            label.at = {at, seen_.y0};
+            label.anchor = Anchor::Top;
+            label.offset = {0, 3};
+        });
+        along(seen_.y0 + 2 * kDown / 3 * unit, seen_.y1, kDown, f_.down, [&](Label& label, double at) {
+            label.at = {seen_.x0, at};
+            label.anchor = Anchor::Left;
+            label.offset = {4, 0};
+        });
     }
 
     void sightLine(const FootprintTexel& t, Emphasis emphasis) {

@@ -174,8 +174,13 @@ ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& opt
     frame.high = 1 + kHeadroom * (1 - frame.low);
     if (!options.trueAspect || frame.vertical) return frame;
     // Points a texel: whatever of both directions has less room for it.
-    const double across = frame.lambdaEnd * frame.run;
     const double upwards = (frame.high - frame.low) * source.field->slabTexels();
+    // A ray of a few texels before a deep slab would be a stripe: then more of its surroundings is shown.
+    if (!options.nearRay && upwards > 0) {
+        const double room = upwards * frame.plot.width() / frame.plot.height() / frame.run;
+        frame.lambdaEnd = std::min(std::max(frame.lambdaEnd, room), 1.0);
+    }
+    const double across = frame.lambdaEnd * frame.run;
     const double scale = std::min(frame.plot.width() / across, upwards > 0 ? frame.plot.height() / upwards : across);
     const Point middle = frame.plot.center();
     const double halfX = std::max(across * scale, kLeastSide) / 2;
