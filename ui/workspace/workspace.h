@@ -83,6 +83,8 @@ class Workspace : public QObject {
     void save(const QString& path);
     QString traceCommand() const;  // the `relief trace` line of the chosen pixel
     bool busy() const;
+    // Pictures of a scenario that is asked for are being read: it is not there yet.
+    bool loading() const { return pending_.has_value(); }
 
   public slots:
     void undo();
