@@ -1567,6 +1567,18 @@
 <context>
     <name>reliefui::MainWindow</name>
     <message>
+        <source>Start a&amp;new</source>
+        <translation>Почати з&amp;аново</translation>
+    </message>
+    <message>
+        <source>The pictures and the view of the first start</source>
+        <translation>Зображення та вигляд першого запуску</translation>
+    </message>
+    <message>
+        <source>Start anew</source>
+        <translation>Почати заново</translation>
+    </message>
+    <message>
         <source>&amp;Longest pauses…</source>
         <translation>Найдовші &amp;паузи…</translation>
     </message>
@@ -3079,6 +3091,46 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 </context>
 <context>
     <name>reliefui::ScenePanel</name>
+    <message>
+        <source>from the front</source>
+        <translation>спереду</translation>
+    </message>
+    <message>
+        <source>slanted</source>
+        <translation>похило</translation>
+    </message>
+    <message>
+        <source>grazing</source>
+        <translation>під ковзним кутом</translation>
+    </message>
+    <message>
+        <source>slanted, near</source>
+        <translation>похило, зблизька</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Вид</translation>
+    </message>
+    <message>
+        <source>Views that are asked for often; dragging in the picture gives any other</source>
+        <translation>Часто потрібні види; будь-який інший дає перетягування на зображенні</translation>
+    </message>
+    <message>
+        <source>presets…</source>
+        <translation>готові…</translation>
+    </message>
+    <message>
+        <source>defaults</source>
+        <translation>типові</translation>
+    </message>
+    <message>
+        <source>All options of the method as it has them by itself</source>
+        <translation>Усі параметри методу такими, якими він їх має сам</translation>
+    </message>
+    <message>
+        <source>Defaults of the method</source>
+        <translation>Типові параметри методу</translation>
+    </message>
     <message>
         <source>Pictures</source>
         <translation>Картинки</translation>

@@ -61,6 +61,8 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.version = true;
         } else if (argument == "--check-display") {
             parsed.checkDisplay = true;
+        } else if (argument == "--anew") {
+            parsed.anew = true;
         } else if (argument == "--log") {
             parsed.log = true;
         } else if (argument == "--screenshot") {
@@ -134,8 +136,10 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
 
   SCENARIO.json         what is looked at and how, as saved by the window
   PICTURE               a height map: PNG, JPEG, TIFF, EXR, HDR, ...
-                        (none: the stone wall that comes with the program)
+                        (none: what the last window showed; the first time the stone wall that comes with
+                        the program)
 
+  --anew                as the first time
   --size WxH            size of the window, pixels
   --screenshot FILE     open the window, save it as a PNG, and end
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display

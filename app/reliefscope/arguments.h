@@ -9,6 +9,7 @@ struct Arguments {
     bool help = false;
     bool version = false;
     bool checkDisplay = false;
+    bool anew = false;       // not where the last window left off
     bool log = false;        // what held the window is told at its end
     std::string file;        // scenario or picture; empty: the start
     std::string screenshot;  // where to; empty: none

@@ -22,6 +22,7 @@
 #include "windows/main_window.h"
 #include "windows/program.h"
 #include "workspace/language.h"
+#include "workspace/last_state.h"
 #include "workspace/pause_log.h"
 #include "workspace/snapshot_maker.h"
 #include "workspace/start_scenario.h"
@@ -62,6 +63,18 @@ Start chosenStart(const std::string& file, const std::string& datasets) {
         throw;
     }
     return start;
+}
+
+// Where the last window left off, if nothing else is asked for.
+Start startOfWindow(const Arguments& arguments, const std::string& datasets) {
+    if (arguments.file.empty() && arguments.screenshot.empty() && !arguments.anew) {
+        Start start;
+        if (const auto last = reliefui::lastState(start.pictures)) {
+            start.scenario = *last;
+            return start;
+        }
+    }
+    return chosenStart(arguments.file, datasets);
 }
 
 // The folder of the shipped pictures.
@@ -148,6 +161,10 @@ void takeDuel(reliefui::FigureRequest& request, const std::shared_ptr<const reli
     const std::size_t own = snapshot->trace.fromFile ? request.duel->runs.size() - 1 : 0;
     const auto step = static_cast<std::size_t>(std::max(snapshot->scenario.step, 0));
     request.duelMoment = request.duel->steps.momentOf(own, step);
+    if (request.duelMoment == request.duel->firstMoment()) request.duelUpTo = request.duel->closeUp();
+    // What is chosen for the profile is not meant for it.
+    request.profile = {};
+    request.profile.levels = reliefui::LevelsShown::None;
     request.profile.nearRay = true;
 }
 
@@ -197,7 +214,7 @@ int run(int count, char** values, const Arguments& arguments) {
     }
     if (arguments.checkDisplay) return 0;
     const std::string datasets = shippedPictures();
-    Start start = chosenStart(arguments.file, datasets);
+    Start start = startOfWindow(arguments, datasets);
 
     reliefui::prepareWindows();
     reliefui::Application application(count, values);
@@ -207,9 +224,11 @@ int run(int count, char** values, const Arguments& arguments) {
     // Reads and draws while the window is being made.
     workspace.start(start.scenario, std::move(start.pictures));
     reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
+    const bool shot = !arguments.screenshot.empty();
+    if (!shot && arguments.width == 0 && !arguments.anew) window.restoreLayout();
     const double fine = window.devicePixelRatioF();
     if (arguments.width > 0) window.resize(qRound(arguments.width / fine), qRound(arguments.height / fine));
-    if (!arguments.screenshot.empty()) {
+    if (shot) {
         reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
     }
     window.show();
@@ -220,6 +239,10 @@ int run(int count, char** values, const Arguments& arguments) {
         window.showLesson();
     });
     const int status = QApplication::exec();
+    if (!shot) {
+        reliefui::keepState(workspace.scenario());
+        window.keepLayout();
+    }
     constexpr std::size_t kPauses = 20;
     if (arguments.log) std::fprintf(stderr, "%s\n", reliefui::PauseLog::instance().text(kPauses).toUtf8().constData());
     return status;

@@ -71,7 +71,14 @@ class MainWindow : public QMainWindow {
     // One of the views that have no export of their own: "result", "steps", "skipped". pixels: the width of a PNG.
     void saveView(const QString& view, const QString& path, int pixels = 0);
 
+    // Size, panes and theme, from one window to the next, in the settings. A pane that fills the window and the
+    // projector's layout are not kept: what was there before them is.
+    void keepLayout() const;
+    void restoreLayout();
+
   public slots:
+    // The shipped pictures as they were the first time; can be undone.
+    void startAnew();
     void setProjector(bool on);
     void setLightTheme(bool on);
     void resetLayout();
@@ -182,6 +189,7 @@ class MainWindow : public QMainWindow {
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QAction* projector_ = nullptr;
+    QAction* light_ = nullptr;
     QAction* copyCommand_ = nullptr;
 };
 

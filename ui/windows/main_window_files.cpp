@@ -160,6 +160,10 @@ void MainWindow::remember(const QString& path) {
     settings.setValue(recentKey(), QStringList(files.mid(0, kMostRecent)));
 }
 
+void MainWindow::startAnew() {
+    workspace_->show(startScenario(datasets_.toStdString()), tr("Start anew"));
+}
+
 void MainWindow::fillRecent() {
     recent_->clear();
     const QStringList files = QSettings().value(recentKey()).toStringList();

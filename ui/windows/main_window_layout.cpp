@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QScreen>
+#include <QSettings>
 #include <QTimer>
 
 #include "views/drawn_view.h"
@@ -24,6 +25,16 @@ constexpr double kTraceWidth = 0.36;
 constexpr double kProjectorTraceWidth = 0.48;
 constexpr double kStepsHeight = 0.23;
 constexpr double kProjectorStepsHeight = 0.3;
+
+QString layoutKey() {
+    return QStringLiteral("window/panes");
+}
+QString placeKey() {
+    return QStringLiteral("window/place");
+}
+QString themeKey() {
+    return QStringLiteral("window/light");
+}
 
 }  // namespace
 
@@ -125,6 +136,11 @@ void MainWindow::showTimeOnly(bool only) {
         part->setVisible(!only);
     }
     steps->widget()->setMaximumHeight(only ? stepBar_->sizeHint().height() : QWIDGETSIZE_MAX);
+    if (!only) return;
+    // The room that it does not need any more is the pane's; when the layout knows of it.
+    QTimer::singleShot(0, this, [this, steps] {
+        if (filled_ != nullptr) resizeDocks({steps}, {stepBar_->sizeHint().height()}, Qt::Vertical);
+    });
 }
 
 void MainWindow::focusPane(std::size_t number) {
@@ -176,11 +192,29 @@ void MainWindow::setProjector(bool on) {
     }
 }
 
+void MainWindow::keepLayout() const {
+    const bool projector = workspace_->style().projector;
+    QSettings settings;
+    settings.setValue(layoutKey(), filled_ != nullptr ? beforeFill_ : projector ? beforeProjector_ : saveState());
+    settings.setValue(themeKey(), workspace_->style().theme == Theme::Light);
+    if (!projector) settings.setValue(placeKey(), saveGeometry());
+}
+
+void MainWindow::restoreLayout() {
+    const QSettings settings;
+    restoreGeometry(settings.value(placeKey()).toByteArray());
+    // After the share of the room that every window begins with.
+    QTimer::singleShot(0, this, [this] { restoreState(QSettings().value(layoutKey()).toByteArray()); });
+    light_->setChecked(settings.value(themeKey(), false).toBool());
+}
+
 void MainWindow::setLightTheme(bool on) {
+    if (on == (workspace_->style().theme == Theme::Light)) return;
     Style style = workspace_->style();
     style.theme = on ? Theme::Light : Theme::Dark;
     QApplication::setPalette(themePalette(style.theme));
     workspace_->setStyle(style);
+    light_->setChecked(on);
 }
 
 }  // namespace reliefui

@@ -64,6 +64,8 @@ void MainWindow::makeFileMenu() {
                                   tr("Open the colour picture of the relief"));
     connect(color, &QAction::triggered, this, &MainWindow::askColor);
     fillExamples(menu->addMenu(tr("&Examples")));
+    auto* const anew = addAction(menu, tr("Start a&new"), {}, tr("The pictures and the view of the first start"));
+    connect(anew, &QAction::triggered, this, &MainWindow::startAnew);
     recent_ = menu->addMenu(tr("&Recent files"));
     connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
     menu->addSeparator();
@@ -126,9 +128,9 @@ void MainWindow::makeViewMenu() {
     menu->addSeparator();
     auto* const whole = addAction(menu, tr("Show the &whole picture"), {}, tr("No zoom in the result (R there)"));
     connect(whole, &QAction::triggered, result_, &ResultView::resetZoom);
-    auto* const light = addAction(menu, tr("Ligh&t theme"), {}, tr("Dark on light instead of light on dark"));
-    light->setCheckable(true);
-    connect(light, &QAction::toggled, this, &MainWindow::setLightTheme);
+    light_ = addAction(menu, tr("Ligh&t theme"), {}, tr("Dark on light instead of light on dark"));
+    light_->setCheckable(true);
+    connect(light_, &QAction::toggled, this, &MainWindow::setLightTheme);
     projector_ =
         addAction(menu, tr("Pro&jector"), QKeySequence(Qt::Key_F11), tr("Full screen, large text, thick lines"));
     projector_->setCheckable(true);

@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "rendering/scene.h"
@@ -42,6 +43,28 @@ const std::vector<std::string>& scenes() {
 
 }  // namespace
 
+const std::vector<ViewPreset>& viewPresets() {
+    static const std::vector<ViewPreset> presets{{QT_TRANSLATE_NOOP("reliefui::ScenePanel", "from the front"), 85, 1.2},
+                                                 {QT_TRANSLATE_NOOP("reliefui::ScenePanel", "slanted"), 35, 1.2},
+                                                 {QT_TRANSLATE_NOOP("reliefui::ScenePanel", "grazing"), 10, 1},
+                                                 {QT_TRANSLATE_NOOP("reliefui::ScenePanel", "slanted, near"), 35, 0.4}};
+    return presets;
+}
+
+// A floor is looked at from above, a wall from its side; of a cube one sees three sides at once.
+relief::Camera presetCamera(const ViewPreset& preset, relief::SceneKind scene) {
+    constexpr double kRight = 90;
+    constexpr double kTurned = -30;
+    constexpr double kAbove = 4;
+    relief::Camera camera;
+    camera.distance = preset.distance;
+    const bool wall = scene == relief::SceneKind::Wall;
+    camera.elevation = wall ? kAbove : preset.angle;
+    camera.azimuth = wall ? preset.angle - kRight : kTurned;
+    if (scene == relief::SceneKind::Cube) camera.distance += 1;
+    return camera;
+}
+
 void changeNumber(Workspace& workspace, const std::string& name, double value, bool live) {
     relief::Scenario scenario = workspace.scenario();
     if (name == "elevation" || name == "azimuth" || name == "distance") scenario.camera = asOrbit(scenario.camera);
@@ -71,7 +94,9 @@ ScenePanel::ScenePanel(Workspace* workspace, QWidget* parent) : QWidget(parent),
     inside->addWidget(new PicturesBox(workspace, pictures));
     column->addWidget(pictures);
     addSurface(addGroup(column, tr("Relief")));
-    addNumbers(addGroup(column, tr("Camera")), {"elevation", "azimuth", "distance", "fov"});
+    QFormLayout* const camera = addGroup(column, tr("Camera"));
+    addViews(camera);
+    addNumbers(camera, {"elevation", "azimuth", "distance", "fov"});
     QFormLayout* const light = addGroup(column, tr("Light"));
     addNumbers(light, {"light-elevation", "light-azimuth", "ambient", "intensity"});
     addShadows(light);
@@ -139,6 +164,37 @@ void ScenePanel::addSurface(QFormLayout* form) {
     });
 }
 
+void ScenePanel::addViews(QFormLayout* form) {
+    auto* const box = addChoice(form, tr("View"), QStringLiteral("view-preset"),
+                                tr("Views that are asked for often; dragging in the picture gives any other"), {});
+    box->addItem(tr("presets…"));
+    for (const ViewPreset& preset : viewPresets()) box->addItem(tr(preset.name));
+    connect(box, qOverload<int>(&QComboBox::activated), this, [this, box](int item) {
+        box->setCurrentIndex(0);
+        if (item < 1) return;
+        relief::Scenario scenario = workspace_->scenario();
+        const double fov = scenario.camera.fov;
+        scenario.camera = presetCamera(viewPresets()[static_cast<std::size_t>(item - 1)], scenario.scene);
+        scenario.camera.fov = fov;
+        workspace_->change(scenario, tr("View"));
+    });
+}
+
+void ScenePanel::addDefaults(QFormLayout* form) {
+    defaults_ = new QToolButton(this);
+    defaults_->setObjectName(QStringLiteral("method-defaults"));
+    defaults_->setText(tr("defaults"));
+    defaults_->setToolTip(tr("All options of the method as it has them by itself"));
+    defaults_->setAccessibleName(defaults_->toolTip());
+    defaults_->setAutoRaise(true);
+    form->addRow(defaults_);
+    connect(defaults_, &QToolButton::clicked, this, [this] {
+        relief::Scenario scenario = workspace_->scenario();
+        scenario.method.options.clear();
+        workspace_->change(scenario, tr("Defaults of the method"));
+    });
+}
+
 void ScenePanel::addShadows(QFormLayout* form) {
     shadows_ = new QCheckBox(tr("Shadows"), this);
     shadows_->setObjectName(QStringLiteral("shadows"));
@@ -160,6 +216,7 @@ void ScenePanel::addMethod(QFormLayout* form) {
     guarantee_->setObjectName(QStringLiteral("guarantee"));
     options_ = new OptionsForm(this);
     form->addRow(options_);
+    addDefaults(form);
     connect(options_, &OptionsForm::settled, workspace_, &Workspace::settle);
     connect(options_, &OptionsForm::changed, this, [this](const QString& name, const QString& text, bool live) {
         relief::Scenario scenario = workspace_->scenario();
@@ -186,6 +243,8 @@ void ScenePanel::refresh() {
     help_->setText(tr("<b>%1</b>. %2").arg(QString::fromStdString(method.name), coreText(method.help)));
     help_->setToolTip(QString::fromStdString(method.source));
     options_->show(method, scenario.method);
+    defaults_->setVisible(!method.options.empty());
+    defaults_->setEnabled(!scenario.method.options.empty());
     refreshMethod();
 }
 

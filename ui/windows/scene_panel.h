@@ -12,6 +12,7 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QToolButton;
 class QVBoxLayout;
 
 namespace reliefui {
@@ -21,6 +22,15 @@ class OptionsForm;
 
 // Turns one number of the scenario; what a slider, a box or a test does.
 void changeNumber(Workspace& workspace, const std::string& name, double value, bool live);
+
+// A view that is asked for often: how steeply it looks at the relief's plane, degrees, and from how far.
+struct ViewPreset {
+    const char* name = "";  // tr() in "reliefui::ScenePanel"
+    double angle = 0;
+    double distance = 1;
+};
+const std::vector<ViewPreset>& viewPresets();
+relief::Camera presetCamera(const ViewPreset& preset, relief::SceneKind scene);
 
 // A control of that number that follows the workspace and changes it.
 NumberControl* makeNumberControl(Workspace* workspace, const std::string& name, QWidget* parent);
@@ -36,6 +46,8 @@ class ScenePanel : public QWidget {
     QComboBox* addChoice(QFormLayout* form, const QString& title, const QString& objectName, const QString& help,
                          const std::vector<std::string>& names);
     void addSurface(QFormLayout* form);
+    void addViews(QFormLayout* form);
+    void addDefaults(QFormLayout* form);
     void addShadows(QFormLayout* form);
     void addMethod(QFormLayout* form);
     void refresh();
@@ -46,6 +58,7 @@ class ScenePanel : public QWidget {
     QComboBox* address_ = nullptr;
     QComboBox* scene_ = nullptr;
     QCheckBox* shadows_ = nullptr;
+    QToolButton* defaults_ = nullptr;
     OptionsForm* options_ = nullptr;
     QLabel* help_ = nullptr;       // of the method
     QLabel* guarantee_ = nullptr;  // what it promises, where, and what it keeps in memory
