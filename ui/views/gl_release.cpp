@@ -1,6 +1,7 @@
 #include "views/gl_release.h"
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkRenderWindow.h>
 #include <QCoreApplication>
 #include <QResizeEvent>
 
@@ -35,6 +36,11 @@ class BeginAtOnce : public QObject {
 
 void releaseGl(QVTKOpenGLNativeWidget& widget) {
     if (widget.isVisible() || !widget.isValid()) return;
+    // While the context is there and current: told of its end by Qt alone, VTK leaves buffers and textures of text with
+    // those that share it, as long as the window lives.
+    widget.makeCurrent();
+    widget.renderWindow()->ReleaseGraphicsResources(widget.renderWindow());
+    widget.doneCurrent();
     const QSize before = widget.size();
     // Out of sight Qt would keep this to itself until the widget is shown.
     widget.resize(kLittle);
