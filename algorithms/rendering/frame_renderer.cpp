@@ -187,6 +187,11 @@ void overTiles(const Frame& frame, bool tellProgress, Work& work, const Body& bo
 
 std::shared_ptr<const TextureFilter> FrameRenderer::madeFilter(const FrameRequest& request, Work& work) {
     const bool levels = needsLevels(request.filter);
+    // Those of other pictures go, also where this filter needs none.
+    if (levels_ && (request.color ? levels_->picture() != request.color : greyOf_ != request.field.sharedHeights())) {
+        levels_.reset();
+        greyOf_.reset();
+    }
     if (!request.color && !levels) return nullptr;
     std::shared_ptr<const ColorImage> picture = request.color;
     if (!picture) {
@@ -210,8 +215,12 @@ std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& 
     const bool traces = tracer.description().kind == MethodKind::Tracer;
     // Only exact methods agree with the one cell; a base level is another relief.
     const bool flat = request.skip && tracer.guarantee() == Guarantee::Exact && tracer.baseLevel() == 0;
+    if (groundOf_ != request.field.sharedHeights()) {
+        ground_.reset();
+        groundOf_.reset();
+    }
     if (!traces || (!flat && !(request.bounded > 0))) return nullptr;
-    if (!ground_ || groundOf_ != request.field.sharedHeights()) {
+    if (!ground_) {
         ground_ = groundBounds(request.field, work);
         groundOf_ = request.field.sharedHeights();
     }

@@ -74,7 +74,7 @@ double pixelSeconds(const Frame& frame, Work& work) {
 }
 
 ProgressiveRenderer::ProgressiveRenderer(std::shared_ptr<MapCache> maps, double budget)
-    : full_(maps), small_(std::move(maps)), traced_(budget), lit_(budget), pace_(&traced_) {}
+    : maps_(std::move(maps)), full_(maps_), small_(maps_), traced_(budget), lit_(budget), pace_(&traced_) {}
 
 std::vector<MovingLevel> ProgressiveRenderer::levels(const FrameRequest& request, bool lit) const {
     const double pixels = static_cast<double>(request.width) * request.height;
@@ -109,6 +109,17 @@ MovingLevel ProgressiveRenderer::levelFor(const FrameRequest& request) {
     return all[static_cast<std::size_t>(pace_->level())];
 }
 
+// What the renderer of smaller pictures keeps of another relief is no help any more: it may be hundreds of megabytes.
+void ProgressiveRenderer::forgetSmall(const FrameRequest& shown) {
+    if (!drawnSmall_) return;
+    const bool same = drawnSmall_->field.sharedHeights() == shown.field.sharedHeights() &&
+                      drawnSmall_->color == shown.color && drawnSmall_->normals == shown.normals;
+    if (same) return;
+    small_ = FrameRenderer(maps_);
+    smallFrame_.reset();
+    drawnSmall_.reset();
+}
+
 ProgressiveRenderer::Picture ProgressiveRenderer::draw(const FrameRequest& request, const MovingLevel& level,
                                                        Work& work) {
     Picture picture;
@@ -118,7 +129,8 @@ ProgressiveRenderer::Picture ProgressiveRenderer::draw(const FrameRequest& reque
     picture.frame = renderer.render(*picture.request, work);
     picture.tracer = renderer.tracer();
     (level.factor == 1 ? fullFrame_ : smallFrame_) = picture.frame;
-    if (level.factor == 1) drawn_ = *picture.request;
+    (level.factor == 1 ? drawn_ : drawnSmall_) = *picture.request;
+    if (level.factor == 1) forgetSmall(request);
     return picture;
 }
 

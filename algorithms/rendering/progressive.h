@@ -70,9 +70,12 @@ class ProgressiveRenderer {
     std::vector<MovingLevel> levels(const FrameRequest& request, bool lit) const;
     FrameRenderer& rendererOf(const MovingLevel& level) { return level.factor == 1 ? full_ : small_; }
 
+    void forgetSmall(const FrameRequest& shown);
+
+    std::shared_ptr<MapCache> maps_;
     FrameRenderer full_, small_;
     std::shared_ptr<const Frame> fullFrame_, smallFrame_;  // that they made last
-    std::optional<FrameRequest> drawn_;                    // by full_
+    std::optional<FrameRequest> drawn_, drawnSmall_;       // by full_, by small_
     FramePace traced_, lit_;                               // where rays are traced; where only what follows changes
     FramePace* pace_;                                      // that was asked last
     bool keepFilter_ = false;

@@ -5,6 +5,23 @@
 
 namespace relief {
 
+namespace {
+
+// Of the maps, and of the heights that they keep alive: each once, for the entries of one height map stand together.
+template <class Entries>
+std::size_t heldBytes(const Entries& entries) {
+    std::size_t total = 0;
+    const FloatImage* last = nullptr;
+    for (const auto& [key, entry] : entries) {
+        total += entry.bytes;
+        if (key.heights.get() != last && key.heights) total += key.heights->bytes();
+        last = key.heights.get();
+    }
+    return total;
+}
+
+}  // namespace
+
 std::shared_ptr<const void> MapCache::find(const MapKey& key, Work& work, const std::function<Built(Work&)>& build) {
     std::unique_lock lock(mutex_);
     for (;;) {
@@ -51,25 +68,20 @@ void MapCache::keep(const MapKey& key, Built built) {
 }
 
 void MapCache::evict() {
-    std::size_t total = 0;
-    for (const auto& [key, entry] : entries_) total += entry.bytes;
-    while (total > budget_) {
+    while (heldBytes(entries_) > budget_) {
         auto oldest = entries_.end();
         for (auto it = entries_.begin(); it != entries_.end(); ++it) {
             if (!it->second.map || it->second.lastUse == clock_) continue;
             if (oldest == entries_.end() || it->second.lastUse < oldest->second.lastUse) oldest = it;
         }
         if (oldest == entries_.end()) return;
-        total -= oldest->second.bytes;
         entries_.erase(oldest);
     }
 }
 
 std::size_t MapCache::bytes() const {
     const std::lock_guard lock(mutex_);
-    std::size_t total = 0;
-    for (const auto& [key, entry] : entries_) total += entry.bytes;
-    return total;
+    return heldBytes(entries_);
 }
 
 void MapCache::clear() {

@@ -238,6 +238,29 @@ TEST(Progressive, lightLeavesTheFilterAlone) {
     EXPECT_TRUE(hurried.settled(request, work).frame->stages[static_cast<std::size_t>(Stage::Color)].reused);
 }
 
+// Neither the picture's renderer nor that of smaller ones holds on to what was looked at before.
+TEST(Progressive, ofAnotherReliefNothingIsKept) {
+    const auto maps = std::make_shared<MapCache>();
+    ProgressiveRenderer renderer(maps, 0);
+    Work work(2);
+    std::weak_ptr<const FloatImage> heights;
+    std::weak_ptr<const ColorImage> color;
+    {
+        const FrameRequest first = requestFor({"elliptical", {}});
+        heights = first.field.sharedHeights();
+        color = first.color;
+        renderer.settled(first, work);
+        EXPECT_GT(renderer.moving(first, work).level.factor, 1);
+    }
+    maps->clear();
+    EXPECT_FALSE(heights.expired());
+    EXPECT_FALSE(color.expired());
+    renderer.settled(requestFor({"bilinear", {}}), work);
+    maps->clear();
+    EXPECT_TRUE(heights.expired());
+    EXPECT_TRUE(color.expired());
+}
+
 // What the filter does is looked at: pictures become smaller, and keep it.
 TEST(Progressive, theFilterIsKeptWhereItIsLookedAt) {
     const FrameRequest request = requestFor(kFilters[0]);
