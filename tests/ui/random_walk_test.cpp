@@ -47,11 +47,11 @@ constexpr int kMostUndone = 100000;
 constexpr int kEmptiedMs = 4000;  // twice what the window waits after a pane is closed
 constexpr std::size_t kRemembered = 25;
 // What may stay when all is undone, besides the maps that the cache keeps within its budget: what the panes hold that
-// were opened, for a walk of a thousand steps opens all; Mesa keeps 30 to 80 a pane. Seen: 435 to 725.
+// were opened, for a walk of a thousand steps opens all; Mesa keeps 30 to 80 a pane. Seen: 307 to 511.
 constexpr double kOpenMegabytes = 1000;
-// And when the panes are closed. Seen: 130 to 190. The long walk is held to the same.
+// And when the panes are closed. Seen: 146 to 161. The long walk is held to the same.
 constexpr double kGrowthMegabytes = 400;
-// What may stay when the window is gone, maps included: nothing of ours. Seen: 20 to 32.
+// What may stay when the window is gone, maps included: nothing of ours. Seen: 10 to 56.
 constexpr double kLeftMegabytes = 150;
 
 QStringList& complaints() {
