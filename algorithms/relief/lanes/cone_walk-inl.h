@@ -332,7 +332,9 @@ class ConeKernel : WalkSlots<kAddress> {
         // All of them before the first is looked up: written as vectors, read lane by lane.
         alignas(64) WalkColumn<std::int32_t> cells;
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
-            hn::Store(cellNumber(map, columns, i), di_, cells.data() + i);
+            // Only of those: what others would read is not in the cache.
+            const MI who = hn::Eq(hn::Load(di_, columns.state.data() + i), hn::Set(di_, kAtLeaf));
+            hn::Store(hn::IfThenElseZero(who, cellNumber(map, columns, i)), di_, cells.data() + i);
         }
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
             on += leaves<kWide>(columns, i, cells.data() + i);
