@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "relief/lanes/cone_lanes.h"
+#include "relief/lanes/cone_rays.h"
 #include "relief/leaf.h"
 #include "relief/maps/cone_map.h"
 #include "relief/maps/distance_map.h"

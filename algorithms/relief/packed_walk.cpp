@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <hwy/cache_control.h>
 
@@ -21,22 +22,28 @@ struct Ground {
 
 class Walk {
   public:
-    Walk(const Ground& ground, const ViewRay& viewRay, const PackedStart& start)
-        : number_(start.ray),
+    // number: as the caller counts.
+    Walk(const Ground& ground, const ViewRay& viewRay, std::size_t number, double from, double until)
+        : number_(number),
           viewRay_(viewRay),
           ray_(ground.grid, viewRay),
           quadrant_(PackedConeAnyHit::quadrant(ray_)),
           run_(std::max(std::abs(ray_.x.run), std::abs(ray_.y.run))),
           end_(ray_.end(ground.grid)),
-          lambda_(start.from),
+          lambda_(from),
+          until_(until),
           left_(ray_.cellBound() + 2) {
         arrive(ground);
     }
 
     std::size_t number() const { return number_; }
     const Hit& hit() const { return hit_; }
+    // Not at a hit or a miss: where it is.
+    bool paused() const { return paused_; }
+    const AxisCell& x() const { return x_; }
+    const AxisCell& y() const { return y_; }
 
-    // A step; false: it has ended.
+    // A step; false: it has ended, or come to where it was to pause.
     bool step(const Ground& ground) {
         double after = out_;
         if (testing_) {
@@ -60,7 +67,8 @@ class Walk {
         if (!(lambda_ < end_)) return finish(Hit::none(Outcome::Miss));
         if (!(--left_ > 0)) return finish(Hit::none(Outcome::Limit));
         arrive(ground);
-        return true;
+        paused_ = lambda_ >= until_;
+        return !paused_;
     }
 
   private:
@@ -96,12 +104,30 @@ class Walk {
     GridRay ray_;
     std::size_t quadrant_;
     double run_, end_;
-    double lambda_, left_;  // steps
+    double lambda_, until_;
+    double left_;  // steps
     double out_ = 0;
     AxisCell x_, y_;
     bool testing_ = false;  // the cell itself is to be tested
+    bool paused_ = false;
     Hit hit_;
 };
+
+// All walks, each a step in turn; what has come to its end is given to end().
+template <class End>
+void walkAll(const Ground& ground, std::vector<Walk>& walks, const End& end) {
+    while (!walks.empty()) {
+        for (std::size_t n = 0; n < walks.size();) {
+            if (walks[n].step(ground)) {
+                ++n;
+                continue;
+            }
+            end(walks[n]);
+            walks[n] = walks.back();
+            walks.pop_back();
+        }
+    }
+}
 
 }  // namespace
 
@@ -115,20 +141,26 @@ void packedHits(const HeightField& field, const CellGrid& grid, const PackedCone
         if (!ray.finite() || GridRay(grid, ray).entersOutside(grid)) {
             hits.set(start.ray, Hit::none(Outcome::Miss));
         } else {
-            walks.emplace_back(ground, ray, start);
+            walks.emplace_back(ground, ray, start.ray, start.from, std::numeric_limits<double>::infinity());
         }
     }
-    while (!walks.empty()) {
-        for (std::size_t n = 0; n < walks.size();) {
-            if (walks[n].step(ground)) {
-                ++n;
-                continue;
-            }
-            hits.set(walks[n].number(), walks[n].hit());
-            walks[n] = walks.back();
-            walks.pop_back();
-        }
+    walkAll(ground, walks, [&](const Walk& walk) { hits.set(walk.number(), walk.hit()); });
+}
+
+void packedParts(const HeightField& field, const CellGrid& grid, const PackedCones& cones, const RayBlock& rays,
+                 std::vector<PackedPart>& parts) {
+    const Ground ground{field, grid, cones};
+    static thread_local std::vector<Walk> walks;
+    walks.clear();
+    for (std::size_t n = 0; n < parts.size(); ++n) {
+        walks.emplace_back(ground, rays[parts[n].ray], n, parts[n].from, parts[n].until);
     }
+    walkAll(ground, walks, [&](const Walk& walk) {
+        PackedPart& part = parts[walk.number()];
+        part.ended = !walk.paused();
+        part.hit = walk.hit();
+        part.x = walk.x(), part.y = walk.y();
+    });
 }
 
 }  // namespace relief

@@ -15,6 +15,16 @@ inline bool packedWalks(const CellGrid& grid, const ViewRay& ray) {
     return !ray.finite() || GridRay(grid, ray).inDomain();
 }
 
+// A part of a ray's way. Ended before `until`: with that hit or none; else it is in that cell from `until` on at least.
+struct PackedPart {
+    std::size_t ray;  // number in the block
+    double from;      // lambda before which it meets nothing
+    double until;
+    bool ended = false;
+    Hit hit{};
+    AxisCell x{}, y{};
+};
+
 struct PackedStart {
     std::size_t ray;  // number in the block
     double from;      // lambda before which it meets nothing
@@ -24,5 +34,9 @@ struct PackedStart {
 // and so they wait together.
 void packedHits(const HeightField& field, const CellGrid& grid, const PackedCones& cones, const RayBlock& rays,
                 const std::vector<PackedStart>& starts, HitBlock& hits);
+
+// The same for parts, of rays that enter the map.
+void packedParts(const HeightField& field, const CellGrid& grid, const PackedCones& cones, const RayBlock& rays,
+                 std::vector<PackedPart>& parts);
 
 }  // namespace relief

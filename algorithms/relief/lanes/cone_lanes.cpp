@@ -1,9 +1,8 @@
 #include "relief/lanes/cone_lanes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
-
-#include "relief/packed_walk.h"
 
 // Vectors in structures: not for the instruction sets without a fixed width.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -25,75 +24,18 @@ T& ofThread() {
     return *scratch;
 }
 
-// Rays whose cell the exact leaf refused, by themselves.
-struct Refused {
-    LaneRays rays;
-    alignas(64) std::array<std::array<double, kLaneSlots>, 4> columns;  // s0, t0, a, b
-    std::array<std::uint32_t, kLaneSlots> of;                           // which ray of the chunk it is
-    HitBlock found = HitBlock(kLaneSlots);
-    std::size_t count = 0;
-
-    // other: of the rays `from`, whose columns are given; it is the ray `number` of the chunk.
-    void add(const LaneRays& from, const double* const* given, const LaneRays::Other& other, std::uint32_t number) {
-        for (std::size_t c = 0; c < columns.size(); ++c) columns[c][count] = given[c][other.ray];
-        rays.x.hitCell[count] = from.x.hitCell[other.ray], rays.y.hitCell[count] = from.y.hitCell[other.ray];
-        rays.x.hitPeriod[count] = from.x.hitPeriod[other.ray], rays.y.hitPeriod[count] = from.y.hitPeriod[other.ray];
-        of[count++] = number;
-    }
-};
-
-bool isRefused(const LaneRays::Other& other) {
-    return other.end == LaneEnd::Scalar && other.from > 0;
-}
-
-// Rays that the exact leaf refuses go on behind their cells, together: they wait for memory together.
 template <Address kAddress, Surface kSurface>
-void goOn(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
-          std::size_t firstHit, LaneRays& scratch, WalkColumns& walk) {
-    // Fewer, or more often refused: one by one.
-    constexpr std::size_t kFew = 4;
-    constexpr int kMostTimes = 4;
-    Refused& refused = ofThread<Refused>();
-    LaneRays& rays = refused.rays;
-    const double* const columns[] = {refused.columns[0].data(), refused.columns[1].data(), refused.columns[2].data(),
-                                     refused.columns[3].data()};
-    const auto scalarBegin = std::partition(scratch.others.begin(),
-                                            scratch.others.begin() + static_cast<std::ptrdiff_t>(scratch.othersCount),
-                                            [](const LaneRays::Other& other) { return !isRefused(other); });
-    const auto settledCount = static_cast<std::size_t>(scalarBegin - scratch.others.begin());
-    if (scratch.othersCount - settledCount < kFew) return;
-    refused.count = 0;
-    for (std::size_t n = settledCount; n < scratch.othersCount; ++n) {
-        refused.add(scratch, given, scratch.others[n], scratch.others[n].ray);
+void goOnIn(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+            HitBlock& hits) {
+    rays.othersCount = 0;
+    rays.start.fill(scene.start);
+    for (LaneAxisRays* axis : {&rays.x, &rays.y}) {
+        hn::StoreU(hn::Zero(DI()), DI(), axis->hitCell.data() + rays.count);
+        hn::StoreU(hn::Zero(DI()), DI(), axis->hitPeriod.data() + rays.count);
     }
-    scratch.othersCount = settledCount;
-    for (int times = 0; refused.count > 0; ++times) {
-        rays.count = refused.count;
-        rays.othersCount = 0;
-        rays.start.fill(scene.start);
-        for (LaneAxisRays* axis : {&rays.x, &rays.y}) {
-            hn::StoreU(hn::Zero(DI()), DI(), axis->hitCell.data() + rays.count);
-            hn::StoreU(hn::Zero(DI()), DI(), axis->hitPeriod.data() + rays.count);
-        }
-        ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, true), columns, rays, true, walk).run();
-        settleLanes<kAddress, kSurface>(scene, columns, rays, refused.found, 0);
-        for (std::size_t n = 0; n < rays.count; ++n) {
-            const std::size_t i = firstHit + refused.of[n];
-            hits.lambda[i] = refused.found.lambda[n];
-            hits.s[i] = refused.found.s[n];
-            hits.t[i] = refused.found.t[n];
-        }
-        refused.count = 0;
-        for (std::size_t n = 0; n < rays.othersCount; ++n) {
-            const LaneRays::Other other = rays.others[n];
-            const std::uint32_t number = refused.of[other.ray];
-            if (isRefused(other) && times + 1 < kMostTimes) {
-                refused.add(rays, columns, other, number);
-            } else {
-                scratch.others[scratch.othersCount++] = {number, other.end, other.from};
-            }
-        }
-    }
+    hn::StoreU(hn::Zero(DI()), DI(), rays.within.data() + rays.count);
+    ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, true), given, rays, true, ofThread<WalkColumns>()).run();
+    settleLanes<kAddress, kSurface>(scene, given, rays, hits, 0);
 }
 
 template <Address kAddress, Surface kSurface>
@@ -113,16 +55,16 @@ void traceConesIn(const LaneScene& scene, const PackedCones& cones, const double
     }
     ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, scattered), given, scratch, false, walk).run();
     settleLanes<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
-    goOn<kAddress, kSurface>(scene, cones, given, hits, firstHit, scratch, walk);
 }
 
-void traceCones(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
-                std::size_t firstHit, LaneRays& scratch) {
+// body<address, surface>() of the scene's.
+template <class Body>
+void forScene(const LaneScene& scene, const Body& body) {
     const auto with = [&]<Address kAddress>() {
         if (scene.surface == Surface::Bilinear) {
-            traceConesIn<kAddress, Surface::Bilinear>(scene, cones, given, hits, firstHit, scratch);
+            body.template operator()<kAddress, Surface::Bilinear>();
         } else {
-            traceConesIn<kAddress, Surface::Columns>(scene, cones, given, hits, firstHit, scratch);
+            body.template operator()<kAddress, Surface::Columns>();
         }
     };
     switch (scene.address) {
@@ -135,6 +77,20 @@ void traceCones(const LaneScene& scene, const PackedCones& cones, const double* 
     }
 }
 
+void traceCones(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
+                std::size_t firstHit, LaneRays& scratch) {
+    forScene(scene, [&]<Address kAddress, Surface kSurface>() {
+        traceConesIn<kAddress, kSurface>(scene, cones, given, hits, firstHit, scratch);
+    });
+}
+
+void goOn(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+          HitBlock& hits) {
+    forScene(scene, [&]<Address kAddress, Surface kSurface>() {
+        goOnIn<kAddress, kSurface>(scene, cones, given, rays, hits);
+    });
+}
+
 }  // namespace relief::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -142,11 +98,13 @@ HWY_AFTER_NAMESPACE();
 namespace relief {
 
 HWY_EXPORT(traceCones);
+HWY_EXPORT(goOn);
 
 void traceConeLanes(const LaneScene& scene, const PackedCones& cones, const RayBlock& rays, std::size_t first,
                     std::size_t last, HitBlock& hits, LaneRays& scratch) {
     assert(last - first <= kLaneChunk);
     scratch.count = last - first;
+    scratch.behind = rays.size() - last;
     if (scratch.count == 0) return;
     const double* const given[] = {rays.s0.data() + first, rays.t0.data() + first, rays.a.data() + first,
                                    rays.b.data() + first};
@@ -154,25 +112,10 @@ void traceConeLanes(const LaneScene& scene, const PackedCones& cones, const RayB
     std::fill_n(hits.outcome.data() + first, scratch.count, Outcome::Hit);
 }
 
-void traceByCones(const HeightField& field, const LaneScene& scene, const PackedCones& cones, const RayBlock& rays,
-                  std::size_t first, std::size_t last, HitBlock& hits, std::vector<std::size_t>& flat) {
-    static thread_local std::vector<PackedStart> starts;
-    const auto rest = [&](std::size_t begin, const LaneRays& scratch) {
-        starts.clear();
-        for (std::size_t n = 0; n < scratch.othersCount; ++n) {
-            const LaneRays::Other& other = scratch.others[n];
-            if (other.end != LaneEnd::Scalar) continue;
-            const std::size_t i = begin + other.ray;
-            packedWalks(scene.grid, rays[i]) ? starts.push_back({i, other.from}) : flat.push_back(i);
-        }
-        packedHits(field, scene.grid, cones, rays, starts, hits);
-    };
-    traceChunks(
-        first, last, hits,
-        [&](std::size_t begin, std::size_t end, LaneRays& scratch) {
-            traceConeLanes(scene, cones, rays, begin, end, hits, scratch);
-        },
-        rest);
+void goOnConeLanes(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                   HitBlock& hits) {
+    assert(rays.count <= kLaneChunk);
+    if (rays.count > 0) HWY_DYNAMIC_DISPATCH(goOn)(scene, cones, given, rays, hits);
 }
 
 }  // namespace relief

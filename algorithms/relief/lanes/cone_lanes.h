@@ -9,13 +9,13 @@
 namespace relief {
 
 // Rays [first, last) of the block, at most kLaneChunk, into the same places of hits. scratch.others tells afterwards
-// which rays are left to the scalar text (LaneEnd::Scalar) or miss; the others are done.
+// which rays miss or are left over; the others are done.
 void traceConeLanes(const LaneScene& scene, const PackedCones& cones, const RayBlock& rays, std::size_t first,
                     std::size_t last, HitBlock& hits, LaneRays& scratch);
 
-// Rays [first, last) of the block, any number, what lanes leave over included. Rays flatter than the domain of
-// exactness that lanes leave over are added to `flat`, and their hits are not set.
-void traceByCones(const HeightField& field, const LaneScene& scene, const PackedCones& cones, const RayBlock& rays,
-                  std::size_t first, std::size_t last, HitBlock& hits, std::vector<std::size_t>& flat);
+// Rays that go on, whose columns s0, t0, a, b are given: the first rays.count, in the cells hitCell and hitPeriod of
+// rays.{x,y} or behind them (rays.within). Their hits in this order; rays.others as above.
+void goOnConeLanes(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                   HitBlock& hits);
 
 }  // namespace relief

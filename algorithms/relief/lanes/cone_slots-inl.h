@@ -27,6 +27,8 @@ inline constexpr std::size_t kFloatWords = 1U << 22U;
 // otherwise is set up with care.
 inline constexpr double kLeastRun = 1e-5;
 inline constexpr double kOffLine = 1e-9;
+// Rays are asked for that long before they are taken.
+inline constexpr std::size_t kRaysAhead = 2 * kLaneChunk;
 // Cones met a little early: more than the error of an approximate reciprocal and all rounding.
 inline constexpr float kSteeper = 1 + 0x1p-10F;
 
@@ -93,8 +95,8 @@ struct WalkMap {
 template <Address kAddress>
 class WalkSlots {
   public:
-    // given: s0, t0, a, b of the chunk's rays. again: they go on behind the cells rays.{x,y}.hitCell, which were
-    // refused.
+    // given: s0, t0, a, b of the chunk's rays. again: they go on in the cells rays.{x,y}.hitCell or behind them
+    // (rays.within).
     WalkSlots(const LaneScene& scene, const WalkMap& map, const double* const* given, LaneRays& rays, bool again,
               WalkColumns& columns)
         : scene_(scene),
@@ -153,6 +155,7 @@ class WalkSlots {
                 columns[c] = rest[c].data();
             }
         }
+        askForRays(from);
         const double begin = rays_.start[from / kLaneGroup];
         MI starting = hn::FirstN(di_, count);
         Entry x, y;
@@ -179,6 +182,16 @@ class WalkSlots {
         hn::StoreU(hn::IfThenElse(starting, hn::Set(di_, kWalking), hn::Set(di_, kEnded)), di_,
                    columns_.state.data() + to);
         walking_ += hn::CountTrue(di_, starting);
+    }
+
+    // Rays are read once, in order, but column by column and a chunk at a time, which the processor does not foresee.
+    HWY_INLINE void askForRays(std::size_t from) const {
+        if (from + kRaysAhead + kLanes > end_ + rays_.behind) return;
+        for (std::size_t c = 0; c < 4; ++c) {
+            for (std::size_t i = 0; i < kLanes; i += kLineOfDoubles) {
+                __builtin_prefetch(given_[c] + from + kRaysAhead + i, 0, 2);  // to the second cache
+            }
+        }
     }
 
     // Not Iota of the number: that is written lane by lane.

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "relief/lanes/cone_lanes.h"
+#include "relief/lanes/cone_rays.h"
 #include "relief/tracers.h"
 
 namespace relief {

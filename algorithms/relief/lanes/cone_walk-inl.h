@@ -81,14 +81,16 @@ class ConeKernel : WalkSlots<kAddress> {
         compact();
     }
 
-    // New rays; those whose cell was refused leave it.
+    // New rays; those that go on behind their cell leave it.
     template <bool kWide>
     HWY_INLINE void fillAndGoOn() {
         const std::size_t before = used_;
         fill();
         if (HWY_LIKELY(!again_)) return;
         for (std::size_t i = before; i < used_; i += kLanes) {
-            const MF who = asFloat(hn::Eq(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kWalking)));
+            const VI within = hn::GatherIndex(di_, rays_.within.data(), hn::Load(di_, columns_.slot.data() + i));
+            const MI walking = hn::Eq(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kWalking));
+            const MF who = asFloat(hn::And(walking, hn::Eq(within, hn::Zero(di_))));
             const Stay at = stay(columns_, i);
             moveOn<kWide>(columns_, i, at.x, at.y, who, at.out);
         }
@@ -254,7 +256,7 @@ class ConeKernel : WalkSlots<kAddress> {
         const MF both = hn::And(who, near);
         const MF clear = hn::And(sideClear(i, at, both, true), sideClear(i, at, both, false));
         bad = hn::And(who, hn::Or(bad, hn::AndNot(clear, both)));
-        end(i, bad, LaneEnd::Scalar);
+        end(i, bad, LaneEnd::Unclear);
         who = hn::AndNot(bad, who);
         const MF moveX = hn::Or(both, hn::Le(at.x.cross, at.y.cross));
         const MF moveY = hn::Or(both, hn::Le(at.y.cross, at.x.cross));

@@ -38,8 +38,9 @@ inline constexpr auto kPackedLanes = [] {
     return all;
 }();
 
-// What becomes of a ray in lanes.
-enum class LaneEnd : std::int32_t { Candidate, Miss, Scalar };
+// What becomes of a ray in lanes. Refused: the candidate is no hit, it goes on behind its cell. Unclear: near a corner
+// or an end of the map, float does not tell where it goes.
+enum class LaneEnd : std::int32_t { Candidate, Miss, Scalar, Refused, Unclear };
 
 struct LaneAxisRays {
     // Set up from the rays.
@@ -53,6 +54,8 @@ struct LaneAxisRays {
     alignas(64) std::array<std::int32_t, kLaneSlots> hitCell, hitPeriod, hitPlace;
 };
 
+// Numbers of a line of the cache.
+inline constexpr std::size_t kLineOfDoubles = 8;
 // Rays that begin their walks together.
 inline constexpr std::size_t kLaneGroup = 16;
 
@@ -61,13 +64,16 @@ struct LaneRays {
     std::array<double, kLaneSlots / kLaneGroup + 1> start;  // lambda at which a group begins: nothing is hit before
     alignas(64) std::array<float, kLaneSlots> begin;        // the same, a ray
     alignas(64) std::array<float, kLaneSlots> tie;
-    alignas(64) std::array<std::int32_t, kLaneSlots> end;  // LaneEnd; Candidate while it is walked
+    alignas(64) std::array<std::int32_t, kLaneSlots> end;     // LaneEnd; Candidate while it is walked
+    alignas(64) std::array<std::int32_t, kLaneSlots> within;  // rays that go on: 1 in their cell, 0 behind it
     std::size_t count = 0;
+    std::size_t behind = 0;  // rays of the block that follow the chunk
     // Rays of the chunk, by their number in it, that were not hits, and what became of them.
     struct Other {
         std::uint32_t ray;
         LaneEnd end;
-        double from;  // lambda before which nothing is met
+        double from;   // lambda before which nothing is met
+        double until;  // Unclear: from there on float tells again; infinite: hardly before its end
     };
     std::array<Other, kLaneSlots> others;
     std::size_t othersCount = 0;
@@ -122,7 +128,7 @@ void traceChunks(std::size_t first, std::size_t last, HitBlock& hits, const Kern
         bool left = false;
         for (std::size_t n = 0; n < scratch.othersCount; ++n) {
             const LaneRays::Other& other = scratch.others[n];
-            left = left || other.end == LaneEnd::Scalar;
+            left = left || other.end != LaneEnd::Miss;
             if (other.end == LaneEnd::Miss) hits.set(begin + other.ray, Hit::none(Outcome::Miss));
         }
         if (left) rest(begin, scratch);
@@ -136,7 +142,7 @@ void traceInLanes(const T& tracer, const RayBlock& rays, std::size_t first, std:
         NullSink sink;
         for (std::size_t n = 0; n < scratch.othersCount; ++n) {
             const std::size_t i = begin + scratch.others[n].ray;
-            if (scratch.others[n].end == LaneEnd::Scalar) hits.set(i, tracer.trace(rays[i], sink));
+            if (scratch.others[n].end != LaneEnd::Miss) hits.set(i, tracer.trace(rays[i], sink));
         }
     });
 }

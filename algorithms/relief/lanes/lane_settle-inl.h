@@ -38,6 +38,7 @@ class Settling {
     void run(HitBlock& hits, std::size_t firstHit) {
         for (std::size_t from = 0; from < count_; from += kTogether) {
             const std::size_t to = std::min(from + kTogether, count_);
+            askForHits(from + kTogether, hits, firstHit);
             for (std::size_t i = from; i < to; i += kHalfLanes) stays(i, i - from);
             for (std::size_t i = from; i < to; i += kHalfLanes) gaps(i, i - from);
             for (std::size_t i = from; i < to; i += kHalfLanes) meet(i, i - from, hits, firstHit);
@@ -49,6 +50,13 @@ class Settling {
     static constexpr std::size_t kTogether = 64;
     using Row = std::array<double, kTogether>;
     static constexpr std::size_t kOriginX = 0, kOriginY = 1, kRunX = 2, kRunY = 3;
+
+    // The places of the next rays' hits: they are written without having been read.
+    HWY_INLINE void askForHits(std::size_t from, HitBlock& hits, std::size_t firstHit) const {
+        for (std::size_t i = from; i < std::min(from + kTogether, count_); i += kLineOfDoubles) {
+            for (auto* column : {&hits.lambda, &hits.s, &hits.t}) __builtin_prefetch(column->data() + firstHit + i, 1);
+        }
+    }
 
     // The given column c from ray i on, a whole vector.
     HWY_INLINE const double* column(std::size_t c, std::size_t i) const {
@@ -140,8 +148,8 @@ class Settling {
         std::copy_n(values, count_ - i, to + i);
     }
 
-    // Those from ray i on that are no hits; the refused go on from where they surely have met nothing: walks come to a
-    // cell at most so much later, cells, than the ray does.
+    // Those from ray i on that are no hits. Whatever has been walked has surely met nothing up to its cell: walks come
+    // to a cell at most so much later, cells, than the ray does. Past the corner, by as much, float tells cells apart.
     HWY_NOINLINE void noteOthers(std::size_t i, VD end, MD refused) {
         const DD d;
         constexpr double kLate = 0x1p-16;
@@ -150,14 +158,18 @@ class Settling {
         const VD in = hn::Min(hn::Max(stay.inX, stay.inY), hn::Min(stay.outX, stay.outY));
         const VD late =
             hn::MulAdd(hn::Add(hn::Abs(x.inverse), hn::Abs(y.inverse)), hn::Set(d, kLate), hn::Set(d, kLate));
-        const VD from = hn::Sub(in, late);
-        HWY_ALIGN double ends[kHalfLanes], starts[kHalfLanes];
-        hn::Store(hn::IfThenElse(refused, hn::Set(d, static_cast<double>(LaneEnd::Scalar)), end), d, ends);
-        hn::Store(hn::IfThenElseZero(hn::And(refused, hn::Gt(from, hn::Zero(d))), from), d, starts);
+        const VD first = hn::Min(stay.outX, stay.outY), last = hn::Max(stay.outX, stay.outY);
+        const MD corner = hn::Lt(hn::Sub(last, first), late);
+        const auto code = [&](LaneEnd which) { return hn::Set(d, static_cast<double>(which)); };
+        const MD walked = hn::Or(refused, hn::Eq(end, code(LaneEnd::Unclear)));
+        HWY_ALIGN double ends[kHalfLanes], starts[kHalfLanes], untils[kHalfLanes];
+        hn::Store(hn::IfThenElse(refused, code(LaneEnd::Refused), end), d, ends);
+        hn::Store(hn::IfThenElseZero(walked, hn::Max(hn::Sub(in, late), hn::Zero(d))), d, starts);
+        hn::Store(hn::IfThenElse(corner, hn::Add(last, late), hn::Inf(d)), d, untils);
         for (std::size_t n = 0; n < std::min(kHalfLanes, count_ - i); ++n) {
             if (ends[n] == 0) continue;
             rays_.others[rays_.othersCount++] = {static_cast<std::uint32_t>(i + n), static_cast<LaneEnd>(ends[n]),
-                                                 starts[n]};
+                                                 starts[n], untils[n]};
         }
     }
 

@@ -7,7 +7,7 @@
 namespace relief {
 
 // Rays [first, last) of the block, at most kLaneChunk, into the same places of hits. scratch.others tells afterwards
-// which rays are left to the scalar text (LaneEnd::Scalar) or miss; the others are done.
+// which rays miss (LaneEnd::Miss) or are left to the scalar text; the others are done.
 void tracePyramidLanes(const LaneScene& scene, const DepthPyramid& pyramid, const RayBlock& rays, std::size_t first,
                        std::size_t last, HitBlock& hits, LaneRays& scratch);
 

@@ -6,6 +6,7 @@
 
 #include "fields.h"
 #include "relief/lanes/cone_lanes.h"
+#include "relief/leaf.h"
 
 namespace relief::test {
 namespace {
@@ -16,6 +17,7 @@ constexpr std::size_t kRays = 300;
 constexpr int kWide = 512;
 constexpr std::size_t kManyRays = 60000;
 constexpr std::size_t kLeastRefused = 30;
+constexpr std::size_t kLeastUnclear = 30;
 
 RayBlock walkable(const HeightField& field, std::size_t count, std::uint64_t seed) {
     Random random(seed);
@@ -65,6 +67,45 @@ TEST(PackedWalk, findsTheHitFromAnyPlaceBeforeIt) {
     }
 }
 
+// A part ends with the hit of `exact`, or in the cell where the ray is from `until` on.
+TEST(PackedWalk, partsEndAtTheHitOrWhereTheRayIs) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    const Heights heights = randomHeights(37, 24, kSeed);
+    for (const Address address : allAddresses()) {
+        const HeightField field(heights, Surface::Bilinear, address, 0.9);
+        SCOPED_TRACE(describe(field));
+        Work work(1);
+        const PackedCones cones = buildPackedCones(field, work);
+        const CellGrid grid(field);
+        const RayBlock rays = walkable(field, kRays, kSeed);
+        const HitBlock exact = exactHits(field, rays);
+        Random random(kSeed);
+        std::vector<PackedPart> parts;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (!GridRay(grid, rays[i]).entersOutside(grid)) parts.push_back({i, 0, random.unit()});
+        }
+        packedParts(field, grid, cones, rays, parts);
+        std::size_t ended = 0;
+        for (const PackedPart& part : parts) {
+            SCOPED_TRACE("ray " + std::to_string(part.ray));
+            ended += part.ended ? 1 : 0;
+            if (part.ended) {
+                ASSERT_TRUE(sameBits(part.hit, exact[part.ray]));
+                continue;
+            }
+            const GridRay ray(grid, rays[part.ray]);
+            const Stay stay = cellStay(grid, ray, part.x, part.y);
+            EXPECT_LT(stay.in, stay.out);
+            EXPECT_GT(stay.out, part.until);
+            if (exact.outcome[part.ray] == Outcome::Hit) {
+                EXPECT_LE(stay.in, exact.lambda[part.ray]);
+            }
+        }
+        EXPECT_GT(ended, 0U);
+        EXPECT_LT(ended, parts.size());
+    }
+}
+
 TEST(PackedWalk, lanesLeaveRaysBeforeTheirHits) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const Address address : allAddresses()) {
@@ -77,21 +118,23 @@ TEST(PackedWalk, lanesLeaveRaysBeforeTheirHits) {
         const LaneScene scene(field, cones);
         const auto scratch = std::make_unique<LaneRays>();
         HitBlock hits(rays.size());
-        std::size_t refused = 0;
+        std::size_t refused = 0, unclear = 0;
         for (std::size_t first = 0; first < rays.size(); first += kLaneChunk) {
             const std::size_t last = std::min(first + kLaneChunk, rays.size());
             traceConeLanes(scene, cones, rays, first, last, hits, *scratch);
             for (std::size_t n = 0; n < scratch->othersCount; ++n) {
                 const LaneRays::Other& other = scratch->others[n];
                 const std::size_t i = first + other.ray;
-                if (other.end != LaneEnd::Scalar || !(other.from > 0)) continue;
-                ++refused;
+                if (other.end != LaneEnd::Refused && other.end != LaneEnd::Unclear) continue;
+                ++(other.end == LaneEnd::Refused ? refused : unclear);
+                EXPECT_LT(other.from, other.until);
                 if (exact.outcome[i] == Outcome::Hit) {
                     ASSERT_LE(other.from, exact.lambda[i]) << "ray " << i;
                 }
             }
         }
         EXPECT_GE(refused, kLeastRefused) << "the law is not tried";
+        EXPECT_GE(unclear, kLeastUnclear) << "the law is not tried";
     }
 }
 

@@ -1,0 +1,16 @@
+// All rays of a block by packed cones: in lanes, and what lanes leave over.
+#pragma once
+
+#include <vector>
+
+#include "relief/lanes/lane_rays.h"
+#include "relief/maps/packed_cones.h"
+
+namespace relief {
+
+// Rays [first, last) of the block, any number, what lanes leave over included. Rays flatter than the domain of
+// exactness that lanes leave over are added to `flat`, and their hits are not set.
+void traceByCones(const HeightField& field, const LaneScene& scene, const PackedCones& cones, const RayBlock& rays,
+                  std::size_t first, std::size_t last, HitBlock& hits, std::vector<std::size_t>& flat);
+
+}  // namespace relief
