@@ -2,13 +2,15 @@
 // views of the floor as a frame's tiles give them, and random rays; relief depth 0.1.
 //   relief_peers [--methods NAME,...] [--maps NAME[:SEED]|FILE,...] [--sizes N,...] [--views DEGREES|random,...]
 //                [--rays N] [--rounds N] [--threads N] [--address border|clamp|repeat] [--depth D] [--distance D]
-//                [--azimuth A] [--fov A] [--lowest A] [--seed S] [--embree CONFIG]
+//                [--azimuth A] [--fov A] [--lowest A] [--seed S] [--lanes AVX3|AVX2|SSE4|...] [--embree CONFIG]
 //                [--shapes triangles,grid] [-o FILE.csv|json]
 // A ratio is our rate over that of the fastest of Embree's variants (triangles, grid; packets of 1, 8, 16; told that
 // rays are coherent or not) in the same round; the median of the rounds. Exit status 1 if a method of ours that
 // promises the exact hit gave another.
+#include <algorithm>
 #include <iostream>
 
+#include "mapping/rows/row_lanes.h"
 #include "peer_table.h"
 #include "tracer_peers.h"
 
@@ -59,6 +61,13 @@ PeerOptions parse(int argc, char** argv) {
             options.view.lowest = number();
         } else if (word == "--seed") {
             options.view.seed = static_cast<std::uint64_t>(number());
+        } else if (word == "--lanes") {
+            const auto targets = laneTargets();
+            const auto target = std::find_if(targets.begin(), targets.end(),
+                                             [&](std::int64_t each) { return value == laneTargetName(each); });
+            if (target == targets.end()) unknown("instruction set of this machine", value);
+            forceLaneTarget(*target);
+            options.lanes = value;
         } else if (word == "--embree") {
             options.embree = value;
         } else if (word == "--shapes") {

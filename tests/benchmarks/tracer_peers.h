@@ -22,6 +22,7 @@ struct PeerOptions {
     Address address = Address::Border;  // as Embree's mesh ends; else the mesh is as large as the rays reach
     double reliefDepth = 0.1;
     std::vector<EmbreeShape> shapes{EmbreeShape::Triangles, EmbreeShape::Grid};
+    std::string lanes;   // the only instruction set that ours may use; empty: the best
     std::string embree;  // further settings of its device, such as isa=avx2
     std::string output;  // rows with the columns of relief bench tracers
 };

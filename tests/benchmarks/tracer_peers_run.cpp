@@ -144,7 +144,8 @@ class Comparison {
         }
         printCells(cells_, out_);
         out_ << "\n"
-             << cpuText() << ", " << options_.threads << " thread(s), " << compilerText() << ", " << commitText()
+             << cpuText() << ", " << options_.threads << " thread(s), "
+             << (options_.lanes.empty() ? "" : "ours with " + options_.lanes + " only, ") << compilerText() << ", " << commitText()
              << ", " << embreeText() << (options_.embree.empty() ? "" : " (" + options_.embree + ")") << ", "
              << addressName(options_.address) << ", relief depth " << numberText(options_.reliefDepth) << ", camera "
              << numberText(options_.view.distance) << " texture widths off, azimuth "
