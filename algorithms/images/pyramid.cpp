@@ -1,6 +1,8 @@
 #include "images/pyramid.h"
 
 #include <algorithm>
+#include <bit>
+#include <set>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -80,6 +82,36 @@ FloatImage meansOf(const Image<double>& sums, int l, const FloatImage& base, boo
     return level;
 }
 
+// summedLevel() at one texel of level l, in its order.
+double sumAt(const FloatImage& base, int l, int x, int y) {
+    if (l == 0) return static_cast<double>(base(x, y));
+    const auto size = [l](int whole) { return static_cast<int>(((std::int64_t{whole} - 1) >> (l - 1)) + 1); };
+    double sum = 0;
+    for (int j = 2 * y; j < std::min(2 * y + 2, size(base.height())); ++j) {
+        const bool pair = 2 * x + 1 < size(base.width());
+        sum += pair ? sumAt(base, l - 1, 2 * x, j) + sumAt(base, l - 1, 2 * x + 1, j) : sumAt(base, l - 1, 2 * x, j);
+    }
+    return sum;
+}
+
+// Texel (x, y) of level l, from the level below or, means, from level 0.
+float valueAt(PyramidKind kind, const FloatImage& base, const FloatImage& below, int l, int x, int y) {
+    if (kind == PyramidKind::Mean) {
+        const std::int64_t count = covered(x, l, base.width()) * covered(y, l, base.height());
+        return static_cast<float>(sumAt(base, l, x, y) / static_cast<double>(count));
+    }
+    const int right = std::min(2 * x + 1, below.width() - 1), lower = std::min(2 * y + 1, below.height() - 1);
+    const auto choose = [kind](float a, float b) {
+        const bool second = kind == PyramidKind::Max ? a < b : b < a;
+        return second ? b : a;
+    };
+    return choose(choose(below(2 * x, 2 * y), below(right, 2 * y)), choose(below(2 * x, lower), below(right, lower)));
+}
+
+bool sameBits(float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
 }  // namespace
 
 int Pyramid::levelCount(int width, int height) {
@@ -118,6 +150,44 @@ Pyramid::Pyramid(PyramidKind kind, std::shared_ptr<const FloatImage> shared, Wor
             keep(chosenLevel(below, tell, work, [](float a, float b) { return b < a ? b : a; }));
         }
     }
+}
+
+Pyramid Pyramid::edited(const Pyramid& before, FloatImage base) {
+    Pyramid pyramid = edited(before, std::make_shared<const FloatImage>(std::move(base)));
+    pyramid.ownsBase_ = true;
+    return pyramid;
+}
+
+Pyramid Pyramid::edited(const Pyramid& before, std::shared_ptr<const FloatImage> base) {
+    const FloatImage &now = *base, &old = before.level(0);
+    assert(now.width() == old.width() && now.height() == old.height());
+    std::set<std::pair<int, int>> texels;  // that may have changed
+    for (int y = 0; y < now.height(); ++y) {
+        for (int x = 0; x < now.width(); ++x) {
+            if (!sameBits(now(x, y), old(x, y))) texels.emplace(x, y);
+        }
+    }
+    Pyramid pyramid;
+    pyramid.kind_ = before.kind_;
+    pyramid.levels_ = before.levels_;
+    pyramid.levels_.front() = std::move(base);
+    for (int l = 1; l < before.levels() && !texels.empty(); ++l) {
+        std::set<std::pair<int, int>> above, changed;
+        for (const auto& [x, y] : texels) above.emplace(x / 2, y / 2);
+        FloatImage level = before.level(l);
+        for (const auto& [x, y] : above) {
+            const float value = valueAt(before.kind_, now, pyramid.level(l - 1), l, x, y);
+            if (sameBits(value, level(x, y))) continue;
+            level(x, y) = value;
+            changed.emplace(x, y);
+        }
+        if (!changed.empty()) {
+            pyramid.levels_[static_cast<std::size_t>(l)] = std::make_shared<const FloatImage>(std::move(level));
+        }
+        // Means are not made of means: one may change above one that is rounded to the same.
+        texels = before.kind_ == PyramidKind::Mean ? above : changed;
+    }
+    return pyramid;
 }
 
 std::size_t Pyramid::bytes() const {

@@ -27,6 +27,11 @@ class Pyramid {
     // Level 0 is the picture that is given, shared with whoever else has it.
     Pyramid(PyramidKind kind, std::shared_ptr<const FloatImage> base, Work& work);
 
+    // The pyramid of a picture that is `before`'s but for some texels: what stands above those is made anew, levels in
+    // which nothing changes are shared. Equal bits to one built. For few texels: a mean takes all that it covers.
+    static Pyramid edited(const Pyramid& before, std::shared_ptr<const FloatImage> base);
+    static Pyramid edited(const Pyramid& before, FloatImage base);
+
     PyramidKind kind() const { return kind_; }
     int levels() const { return static_cast<int>(levels_.size()); }
     const FloatImage& level(int l) const { return *levels_[static_cast<std::size_t>(l)]; }

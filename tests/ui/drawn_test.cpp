@@ -16,6 +16,7 @@
 #include "views/profile_view.h"
 #include "views/pyramid_view.h"
 #include "window_fixture.h"
+#include "workspace/snapshot_maker.h"
 
 namespace reliefui {
 
@@ -50,6 +51,30 @@ TEST(Drawn, TheGridIsWhatTheTracerGetsAndTheRayLiesOnIt) {
     EXPECT_EQ(endOfRay(picture), (Point{0.5 + 0.75 * 1.5, 0.25 + 0.75 * 0.5}));
     EXPECT_EQ(drawnTexelAt(picture, source.relief, {2.4, 1.9}), (std::pair{2, 1}));
     EXPECT_FALSE(drawnTexelAt(picture, source.relief, {3.1, 0.5}));
+}
+
+// What an edit leaves as it was is shared, not made again.
+TEST(Drawn, AnEditSharesTheLevelsThatStay) {
+    constexpr int kSide = 16;
+    relief::Scenario scenario;
+    scenario.width = 40;
+    scenario.height = 30;
+    scenario.pictures.drawn = {kSide, kSide, std::vector<double>(kSide * kSide, 0.5)};
+    scenario.pictures.drawn.heights[0] = 0.75;
+    SnapshotMaker maker;
+    relief::Work work;
+    const auto before = maker.make({scenario}, work);
+    // Lower than its neighbours: no maximum changes, minima and means do.
+    scenario.pictures.drawn.heights[5 * kSide + 5] = 0.25;
+    const auto after = maker.make({scenario}, work);
+    const relief::Pyramid &oldMaxima = before->maxima->pyramid, &maxima = after->maxima->pyramid;
+    ASSERT_EQ(maxima.levels(), oldMaxima.levels());
+    for (int l = 1; l < maxima.levels(); ++l) EXPECT_EQ(&maxima.level(l), &oldMaxima.level(l)) << "level " << l;
+    for (int l = 1; l < after->minima->levels(); ++l) {
+        EXPECT_NE(&after->minima->level(l), &before->minima->level(l)) << "level " << l;
+    }
+    EXPECT_EQ(after->minima->level(after->minima->levels() - 1)(0, 0), 0.25F);
+    EXPECT_EQ(after->means->level(1)(2, 2), 0.4375F);
 }
 
 TEST(Drawn, TheProfileShowsTheRayFromTheSide) {

@@ -28,6 +28,21 @@ bool sameFrame(const relief::Scenario& a, const relief::Scenario& b) {
 // Texels up to which all pyramids are at hand; a larger picture's would take a gigabyte that nobody looks at.
 constexpr std::size_t kAllLevels = std::size_t{1} << 24;
 
+// Texels of reliefs that are made by hand.
+constexpr std::size_t kByHand = std::size_t{32} * 32;
+
+std::shared_ptr<const relief::Pyramid> pyramidOf(relief::PyramidKind kind, const relief::HeightField& field,
+                                                 const relief::Pyramid* before, relief::MapCache& maps,
+                                                 relief::Work& work) {
+    const char* name = kind == relief::PyramidKind::Min ? "min-pyramid" : "mean-pyramid";
+    return maps.get<relief::Pyramid>({name, field.sharedHeights()}, work, [&](relief::Work& w) {
+        const bool edit = before != nullptr && before->level(0).width() == field.width() &&
+                          before->level(0).height() == field.height();
+        return edit ? relief::Pyramid::edited(*before, field.sharedHeights())
+                    : relief::Pyramid(kind, field.sharedHeights(), w);
+    });
+}
+
 using Clock = std::chrono::steady_clock;
 
 double buildSeconds(relief::Work& work) {
@@ -96,6 +111,7 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     snapshot->scenario = scenario;
     snapshot->assets = store_.load(scenario.pictures, work);
     const relief::FrameRequest asked = request(order, snapshot->assets);
+    makePyramids(asked.field, work);
     const bool coarser = order.moving && !full_.is(scenario, snapshot->assets);
     level_ = coarser ? renderer_.levelFor(asked) : relief::MovingLevel{0, asked.filter};
     snapshot->coarse = level_.number > 0;
@@ -124,6 +140,16 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     return snapshot;
 }
 
+void SnapshotMaker::makePyramids(const relief::HeightField& field, relief::Work& work) {
+    if (field.heights().size() > kByHand) {
+        small_ = {};
+        return;
+    }
+    small_.maxima = relief::maxPyramidMap(field, *maps_, work, small_.maxima.get());
+    small_.minima = pyramidOf(relief::PyramidKind::Min, field, small_.minima.get(), *maps_, work);
+    small_.means = pyramidOf(relief::PyramidKind::Mean, field, small_.means.get(), *maps_, work);
+}
+
 // The pixel's ray, its footprint, and what the panes show of the relief.
 void SnapshotMaker::describe(Snapshot& snapshot, const SnapshotOrder& order, relief::Work& work) {
     const relief::Scenario& scenario = order.scenario;
@@ -146,15 +172,13 @@ void SnapshotMaker::describe(Snapshot& snapshot, const SnapshotOrder& order, rel
     const relief::HeightField& field = request.field;
     snapshot.maxima = relief::maxPyramidMap(field, *maps_, work);
     snapshot.maps = maps_;
-    const auto levels = [&](relief::PyramidKind kind, const char* name) -> std::shared_ptr<const relief::Pyramid> {
+    const auto levels = [&](relief::PyramidKind kind) -> std::shared_ptr<const relief::Pyramid> {
         const bool small = field.heights().pixels().size() <= kAllLevels;
         if (!small && order.levels != kind) return nullptr;
-        return maps_->get<relief::Pyramid>({name, field.sharedHeights()}, work, [&](relief::Work& w) {
-            return relief::Pyramid(kind, field.sharedHeights(), w);
-        });
+        return pyramidOf(kind, field, nullptr, *maps_, work);
     };
-    snapshot.minima = levels(relief::PyramidKind::Min, "min-pyramid");
-    snapshot.means = levels(relief::PyramidKind::Mean, "mean-pyramid");
+    snapshot.minima = levels(relief::PyramidKind::Min);
+    snapshot.means = levels(relief::PyramidKind::Mean);
 }
 
 }  // namespace reliefui

@@ -51,6 +51,8 @@ class SnapshotMaker {
     // Whether it was drawn, and not there already.
     bool draw(Shown& shown, const SnapshotOrder& order, const relief::FrameRequest& request,
               const relief::Assets& assets, relief::Work& work);
+    // Its pyramids, of a small relief with what an edit leaves shared.
+    void makePyramids(const relief::HeightField& field, relief::Work& work);
     void describe(Snapshot& snapshot, const SnapshotOrder& order, relief::Work& work);
     const OtherFiles* otherFiles(const relief::Scenario& scenario);
 
@@ -62,6 +64,11 @@ class SnapshotMaker {
     Shown full_;
     Shown coarse_;
     FilteredPicture filtered_;
+    struct Pyramids {
+        std::shared_ptr<const relief::MaxPyramidMap> maxima;
+        std::shared_ptr<const relief::Pyramid> minima, means;
+    };
+    Pyramids small_;  // of the small relief that was drawn last
 };
 
 }  // namespace reliefui

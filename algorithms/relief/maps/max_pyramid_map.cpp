@@ -23,17 +23,23 @@ FloatImage cellMaxima(const HeightField& field, Work& work) {
     return maxima;
 }
 
-std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work) {
+std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work,
+                                                   const MaxPyramidMap* before) {
     // Clamp and border share their cells; columns do so in every addressing.
     std::string kind = "max-pyramid/columns";
     if (field.surface() == Surface::Bilinear) {
         kind = field.address() == Address::Repeat ? "max-pyramid/bilinear/repeat" : "max-pyramid/bilinear/clamped";
     }
     return cache.get<MaxPyramidMap>({kind, field.sharedHeights()}, work, [&](Work& w) {
+        const CellGrid grid(field);
+        const bool edit = before != nullptr && before->pyramid.level(0).width() == grid.x.cells &&
+                          before->pyramid.level(0).height() == grid.y.cells;
         // A column's largest height is its own.
         if (field.surface() == Surface::Columns) {
+            if (edit) return MaxPyramidMap{Pyramid::edited(before->pyramid, field.sharedHeights())};
             return MaxPyramidMap{Pyramid(PyramidKind::Max, field.sharedHeights(), w)};
         }
+        if (edit) return MaxPyramidMap{Pyramid::edited(before->pyramid, cellMaxima(field, w))};
         return MaxPyramidMap{Pyramid(PyramidKind::Max, cellMaxima(field, w), w)};
     });
 }

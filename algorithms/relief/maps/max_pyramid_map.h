@@ -20,7 +20,9 @@ struct MaxPyramidMap {
 
 // The largest height that the surface in each cell touches: level 0.
 FloatImage cellMaxima(const HeightField& field, Work& work);
-// From the cache, or built (O(cells), in parallel).
-std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work);
+// From the cache, or built (O(cells), in parallel). before: of heights that differ in few texels; with as many cells,
+// levels that do not change are shared with it.
+std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work,
+                                                   const MaxPyramidMap* before = nullptr);
 
 }  // namespace relief

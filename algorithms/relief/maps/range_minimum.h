@@ -32,7 +32,7 @@ class RangeMinimum {
     float least(int line, int first, int last) const {
         const int width = levels_.front().width();
         const int count = std::min(last - first + 1, width);
-        const int level = std::bit_width(static_cast<unsigned>(count)) - 1;
+        const int level = static_cast<int>(std::bit_width(static_cast<unsigned>(count))) - 1;
         const FloatImage& table = levels_[static_cast<std::size_t>(level)];
         const int second = (first + count - (1 << level)) % width;
         return std::min(table(first, line), table(second, line));

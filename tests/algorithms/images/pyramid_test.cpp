@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -150,6 +151,50 @@ TEST(Addressing, WrapsClampsAndKeepsTheBorder) {
     EXPECT_EQ(addressIndex(-3, 4, Address::Clamp), 0);
     EXPECT_EQ(addressIndex(9, 4, Address::Clamp), 3);
     EXPECT_EQ(addressIndex(std::int64_t{1} << 40, 4, Address::Border), 3);
+}
+
+bool sameTexels(const FloatImage& a, const FloatImage& b) {
+    return std::ranges::equal(a.pixels(), b.pixels());
+}
+
+// An edit gives the bits of one built, and shares every level in which nothing changed.
+TEST(Pyramid, EditsShareWhatDoesNotChange) {
+    constexpr unsigned kSeed = 20261122;
+    std::printf("seed %u\n", kSeed);
+    std::mt19937 generator(kSeed);
+    Work work(1);
+    for (const auto& [width, height] : {std::pair{8, 8}, {32, 32}, {13, 5}, {1, 9}, {1, 1}}) {
+        for (const PyramidKind kind : {PyramidKind::Max, PyramidKind::Min, PyramidKind::Mean}) {
+            auto heights = std::make_shared<const FloatImage>(noise(width, height));
+            Pyramid before(kind, heights, work);
+            std::size_t shared = 0;
+            for (int n = 0; n < 50; ++n) {
+                FloatImage next = *heights;
+                // None, one or a few texels.
+                for (unsigned k = generator() % 4; k > 0; --k) {
+                    const auto x = static_cast<int>(generator() % static_cast<unsigned>(width));
+                    const auto y = static_cast<int>(generator() % static_cast<unsigned>(height));
+                    next(x, y) = static_cast<float>(generator() % 1000) / 1000.0F;
+                }
+                heights = std::make_shared<const FloatImage>(std::move(next));
+                const Pyramid edited = Pyramid::edited(before, heights);
+                const Pyramid built(kind, heights, work);
+                ASSERT_EQ(edited.levels(), built.levels());
+                EXPECT_EQ(edited.kind(), kind);
+                EXPECT_EQ(edited.bytes(), built.bytes());
+                EXPECT_EQ(&edited.level(0), heights.get());
+                for (int l = 0; l < built.levels(); ++l) {
+                    ASSERT_TRUE(sameTexels(edited.level(l), built.level(l))) << "level " << l;
+                    const bool same = sameTexels(edited.level(l), before.level(l));
+                    if (l == 0) continue;
+                    EXPECT_EQ(&edited.level(l) == &before.level(l), same) << "level " << l;
+                    shared += same ? 1 : 0;
+                }
+                before = edited;
+            }
+            EXPECT_EQ(shared > 0, before.levels() > 1);
+        }
+    }
 }
 
 }  // namespace

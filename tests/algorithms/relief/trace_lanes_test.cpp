@@ -159,7 +159,7 @@ TEST(Lanes, haveTheBitsOfTheScalarTextOnAwkwardSizes) {
 TEST(Lanes, haveTheBitsOfTheScalarTextForAnyNumberOfRaysAndThreads) {
     const HeightField field(randomHeights(60, 60, kSeed));
     MapCache cache;
-    for (const std::size_t count : {0, 1, 2, 7, 15, 16, 17, 31, 511, 512, 513, 1030}) {
+    for (const std::size_t count : {0U, 1U, 2U, 7U, 15U, 16U, 17U, 31U, 511U, 512U, 513U, 1030U}) {
         const RayBlock rays = awkwardRays(field, kSeed, count);
         for (const MethodChoice& method : jumps()) expectTwins(field, method, rays, cache);
     }
