@@ -145,10 +145,10 @@ class Comparison {
         printCells(cells_, out_);
         out_ << "\n"
              << cpuText() << ", " << options_.threads << " thread(s), "
-             << (options_.lanes.empty() ? "" : "ours with " + options_.lanes + " only, ") << compilerText() << ", " << commitText()
-             << ", " << embreeText() << (options_.embree.empty() ? "" : " (" + options_.embree + ")") << ", "
-             << addressName(options_.address) << ", relief depth " << numberText(options_.reliefDepth) << ", camera "
-             << numberText(options_.view.distance) << " texture widths off, azimuth "
+             << (options_.lanes.empty() ? "" : "ours with " + options_.lanes + " only, ") << compilerText() << ", "
+             << commitText() << ", " << embreeText() << (options_.embree.empty() ? "" : " (" + options_.embree + ")")
+             << ", " << addressName(options_.address) << ", relief depth " << numberText(options_.reliefDepth)
+             << ", camera " << numberText(options_.view.distance) << " texture widths off, azimuth "
              << numberText(options_.view.azimuth) << ", field of view " << numberText(options_.view.fov)
              << ", random rays from " << numberText(options_.view.lowest) << " degrees\n";
         if (!options_.output.empty()) writeRows();
