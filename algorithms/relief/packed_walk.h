@@ -15,7 +15,8 @@ inline bool packedWalks(const CellGrid& grid, const ViewRay& ray) {
     return !ray.finite() || GridRay(grid, ray).inDomain();
 }
 
-// A part of a ray's way. Ended before `until`: with that hit or none; else it is in that cell from `until` on at least.
+// A part of a ray's way. Ended: with that hit or none, which a step that began before `until` has found. Else it is in
+// that cell, no earlier than at `until`.
 struct PackedPart {
     std::size_t ray;  // number in the block
     double from;      // lambda before which it meets nothing

@@ -13,7 +13,7 @@ namespace {
 // Fewer do not go on in lanes, nor do those that come back more often.
 constexpr std::size_t kFew = 4;
 constexpr int kMostTimes = 4;
-// As many wait for each other: vectors are full, and what the cache holds of their ways is not all lost.
+// As many wait for each other at most: vectors are full, and what the cache holds of their ways is not all lost.
 constexpr std::size_t kTogether = 256;
 
 // Rays that go on in lanes, by themselves.

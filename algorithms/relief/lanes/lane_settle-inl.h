@@ -183,7 +183,7 @@ class Settling {
 };
 
 // The hits of the candidates among the chunk's rays, to `hits` from firstHit on; a candidate that the leaf refuses is
-// left to the scalar text. Rays that are no hits are added to rays.others.
+// LaneEnd::Refused. Rays that are no hits are added to rays.others.
 template <Address kAddress, Surface kSurface>
 HWY_NOINLINE void settleLanes(const LaneScene& scene, const double* const* given, LaneRays& rays, HitBlock& hits,
                               std::size_t firstHit) {

@@ -67,42 +67,48 @@ TEST(PackedWalk, findsTheHitFromAnyPlaceBeforeIt) {
     }
 }
 
+// From a place before the hit, some way on.
+void partsOf(const HeightField& field) {
+    SCOPED_TRACE(describe(field));
+    Work work(1);
+    const PackedCones cones = buildPackedCones(field, work);
+    const CellGrid grid(field);
+    const RayBlock rays = walkable(field, kRays, kSeed);
+    const HitBlock exact = exactHits(field, rays);
+    Random random(kSeed);
+    std::vector<PackedPart> parts;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (GridRay(grid, rays[i]).entersOutside(grid)) continue;
+        const double from = exact.outcome[i] == Outcome::Hit ? random.unit() * exact.lambda[i] : 0;
+        parts.push_back({i, from, from + random.unit() * (1 - from)});
+    }
+    packedParts(field, grid, cones, rays, parts);
+    std::size_t ended = 0;
+    for (const PackedPart& part : parts) {
+        SCOPED_TRACE("ray " + std::to_string(part.ray));
+        ended += part.ended ? 1 : 0;
+        if (part.ended) {
+            ASSERT_TRUE(sameBits(part.hit, exact[part.ray]));
+            continue;
+        }
+        const GridRay ray(grid, rays[part.ray]);
+        const Stay stay = cellStay(grid, ray, part.x, part.y);
+        EXPECT_LT(stay.in, stay.out);
+        EXPECT_GT(stay.out, part.until);
+        if (exact.outcome[part.ray] == Outcome::Hit) {
+            EXPECT_LE(stay.in, exact.lambda[part.ray]);
+        }
+    }
+    EXPECT_GT(ended, 0U);
+    EXPECT_LT(ended, parts.size());
+}
+
 // A part ends with the hit of `exact`, or in the cell where the ray is from `until` on.
 TEST(PackedWalk, partsEndAtTheHitOrWhereTheRayIs) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     const Heights heights = randomHeights(37, 24, kSeed);
-    for (const Address address : allAddresses()) {
-        const HeightField field(heights, Surface::Bilinear, address, 0.9);
-        SCOPED_TRACE(describe(field));
-        Work work(1);
-        const PackedCones cones = buildPackedCones(field, work);
-        const CellGrid grid(field);
-        const RayBlock rays = walkable(field, kRays, kSeed);
-        const HitBlock exact = exactHits(field, rays);
-        Random random(kSeed);
-        std::vector<PackedPart> parts;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!GridRay(grid, rays[i]).entersOutside(grid)) parts.push_back({i, 0, random.unit()});
-        }
-        packedParts(field, grid, cones, rays, parts);
-        std::size_t ended = 0;
-        for (const PackedPart& part : parts) {
-            SCOPED_TRACE("ray " + std::to_string(part.ray));
-            ended += part.ended ? 1 : 0;
-            if (part.ended) {
-                ASSERT_TRUE(sameBits(part.hit, exact[part.ray]));
-                continue;
-            }
-            const GridRay ray(grid, rays[part.ray]);
-            const Stay stay = cellStay(grid, ray, part.x, part.y);
-            EXPECT_LT(stay.in, stay.out);
-            EXPECT_GT(stay.out, part.until);
-            if (exact.outcome[part.ray] == Outcome::Hit) {
-                EXPECT_LE(stay.in, exact.lambda[part.ray]);
-            }
-        }
-        EXPECT_GT(ended, 0U);
-        EXPECT_LT(ended, parts.size());
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) partsOf(HeightField(heights, surface, address, 0.9));
     }
 }
 
