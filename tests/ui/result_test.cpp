@@ -152,6 +152,15 @@ TEST_F(WindowTest, DraggingDoesNotWaitForASlowFilter) {
     EXPECT_TRUE(seen);
     workspace_->cancel();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !workspace_->busy(); }, 20000));
+    // At whatever moment of a moving picture, also when nothing of it looks for the end any more.
+    for (int n = 0; n < 40; ++n) {
+        slow.camera.azimuth -= 1;
+        workspace_->change(slow, QStringLiteral("test"), QStringLiteral("drag"), true);
+        QTest::qWait(3 * n);
+        workspace_->cancel();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace_->busy(); }, 20000)) << "after " << 3 * n << " ms";
+        slow = scenario();
+    }
 }
 
 TEST_F(WindowTest, WheelMovesTheCameraAndSettles) {

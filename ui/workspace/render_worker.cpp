@@ -83,6 +83,8 @@ void RenderWorker::cancel() {
     const std::lock_guard lock(mutex_);
     std::optional<RenderJob> dropped;
     dropped.swap(nextRender_);
+    // Its coarse picture may be on the way still.
+    if (!dropped) dropped.swap(toRefine_);
     toRefine_.reset();
     if (dropped) post([this, version = dropped->version] { listener_.failure({version, {}}); });
     if (nextLoad_) post([this, id = nextLoad_->id] { listener_.loaded({id, {}, {}, {}, true}); });
@@ -229,6 +231,8 @@ void RenderWorker::drawMoving(const RenderJob& job, SnapshotOrder order, relief:
     post([this, snapshot] { listener_.snapshot(snapshot); });
     const std::lock_guard lock(mutex_);
     patient_ = false;
+    // Cancelled when nothing looked for it any more: the coarse picture stays.
+    if (userCancel_) return post([this, version = job.version] { listener_.failure({version, {}}); });
     if (!snapshot->coarse || nextRender_) return;
     toRefine_ = job;
     refineAt_ = Clock::now() + (resting_ ? std::chrono::milliseconds(0) : kRest);

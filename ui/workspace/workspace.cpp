@@ -116,6 +116,8 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
 
 void Workspace::requestRender(bool live) {
     waiting_ = true;
+    asked_.emplace_back(version_, past_);
+    if (asked_.size() > kMostAsked) asked_.pop_front();
     worker_->render({scenario_, version_, layer_, toLastStep_, live, levels_});
     tellBusy();
 }
@@ -322,6 +324,14 @@ void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
         if (!snapshot_->coarse) waiting_ = false;
         good_ = past_;
         goodVersion_ = version_;
+        asked_.clear();
+    } else {
+        // Of a change that others have followed: what is gone back to, should they be cancelled.
+        while (!asked_.empty() && asked_.front().first < snapshot_->version) asked_.pop_front();
+        if (!asked_.empty() && asked_.front().first == snapshot_->version) {
+            good_ = std::move(asked_.front().second);
+            goodVersion_ = snapshot_->version;
+        }
     }
     Q_EMIT snapshotChanged();
     // A step was chosen while the worker was busy: it stays chosen.
@@ -347,14 +357,10 @@ void Workspace::goBack() {
     scenario_ = past_.current().scenario;
     Q_EMIT panesChanged();
     const bool shown = snapshot_ && snapshot_->version == goodVersion_;
-    if (shown) {
-        version_ = goodVersion_;
-        Q_EMIT scenarioChanged();
-        return;
-    }
-    version_ = ++lastVersion_;
+    version_ = shown ? goodVersion_ : ++lastVersion_;
+    asked_.clear();
     Q_EMIT scenarioChanged();
-    requestRender(false);
+    if (!shown) requestRender(false);
 }
 
 void Workspace::save(const QString& path) {

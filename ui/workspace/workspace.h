@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -142,7 +143,10 @@ class Workspace : public QObject {
     bool guessing_ = false;
     Style style_;
     History past_;
-    History good_;  // as it was when window and scenario last agreed
+    History good_;  // as it was for what is shown
+    // As it was for what the worker was asked, the latest; older than what is shown: none.
+    static constexpr std::size_t kMostAsked = 32;
+    std::deque<std::pair<std::uint64_t, History>> asked_;
     std::uint64_t goodVersion_ = 0;
     std::optional<Pending> pending_;
     std::uint64_t lastLoad_ = 0;
