@@ -18,10 +18,9 @@ HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
 // Of this thread. Not in its own storage: that is set aside for every thread from the start.
-template <class T>
-T& ofThread() {
-    static thread_local const auto scratch = std::make_unique<T>();
-    return *scratch;
+WalkColumns& columnsOfThread() {
+    static thread_local const auto columns = std::make_unique<WalkColumns>();
+    return *columns;
 }
 
 template <Address kAddress, Surface kSurface>
@@ -34,14 +33,14 @@ void goOnIn(const LaneScene& scene, const PackedCones& cones, const double* cons
         hn::StoreU(hn::Zero(DI()), DI(), axis->hitPeriod.data() + rays.count);
     }
     hn::StoreU(hn::Zero(DI()), DI(), rays.within.data() + rays.count);
-    ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, true), given, rays, true, ofThread<WalkColumns>()).run();
+    ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, true), given, rays, true, columnsOfThread()).run();
     settleLanes<kAddress, kSurface>(scene, given, rays, hits, 0);
 }
 
 template <Address kAddress, Surface kSurface>
 void traceConesIn(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                   std::size_t firstHit, LaneRays& scratch) {
-    WalkColumns& walk = ofThread<WalkColumns>();
+    WalkColumns& walk = columnsOfThread();
     scratch.start.fill(scene.start);
     scratch.othersCount = 0;
     bool scattered = true;
