@@ -12,6 +12,7 @@
 #define HWY_TARGET_INCLUDE "filtering/elliptical_lanes.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
+#include "filtering/lane_bilinear-inl.h"
 #include "filtering/lane_texels-inl.h"
 #include "filtering/lane_weights-inl.h"
 
@@ -40,6 +41,7 @@ struct Footprints {
     V spanAt, spanFall;    // half a row's span: sqrt(spanAt - spanFall V^2)
     V acrossRow, downRow;  // r^2 / R^2 ... of the Gaussian's exponent: -(acrossRow (U - middle)^2 + downRow V^2)
     V firstRow, rows;      // whole numbers
+    V small;               // 1 of pixels with nothing to average: bilinear, no rows
 };
 
 // left: 1 for pixels that are left out.
@@ -109,13 +111,16 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     const auto small = hn::And(first0, hn::Lt(largest, set(job.smallSquare)));
     const auto below = hn::RebindMask(d, hn::Lt(f.level, setI(job.top)));
     const auto valid = hn::Gt(hn::Load(d, chunk.valid + first), zero);
-    const auto served = hn::AndNot(small, hn::And(hn::And(usual, below), hn::And(valid, hn::Or(whole, inside))));
+    const auto near = hn::And(hn::And(usual, below), valid);
+    const auto averaged = hn::And(hn::AndNot(small, near), hn::Or(whole, inside));
+    const auto bilinear = hn::And(small, near);
+    f.small = hn::IfThenElseZero(bilinear, one);
 
-    f.firstRow = hn::IfThenElseZero(served, hn::Ceil(hn::Sub(hn::Sub(f.restT, highest), set(0.5F))));
+    f.firstRow = hn::IfThenElseZero(averaged, hn::Ceil(hn::Sub(hn::Sub(f.restT, highest), set(0.5F))));
     const V lastRow = hn::Floor(hn::Sub(hn::Add(f.restT, highest), set(0.5F)));
-    f.rows = hn::IfThenElseZero(served, hn::Add(hn::Sub(lastRow, f.firstRow), one));
+    f.rows = hn::IfThenElseZero(averaged, hn::Add(hn::Sub(lastRow, f.firstRow), one));
     alignas(64) std::int32_t flags[kLanes];
-    hn::Store(hn::IfThenElse(hn::RebindMask(di, served), setI(0), setI(1)), di, flags);
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, hn::Or(averaged, bilinear)), setI(0), setI(1)), di, flags);
     for (std::size_t k = 0; k < kLanes; ++k) left[k] = static_cast<std::uint8_t>(flags[k]);
     return f;
 }
@@ -239,6 +244,17 @@ class SpanSums {
     Span<Weight> spans_[kSpansAhead];
 };
 
+// Colours of the small ones, whose sums are empty.
+HWY_INLINE void readSmall(const LaneJob& job, const Footprints& f, Sums& sums) {
+    const D d;
+    PointSums read{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    addBilinear(*job.levels, f, f.restS, f.restT, f.small, read);
+    sums.red = hn::Add(sums.red, read.red);
+    sums.green = hn::Add(sums.green, read.green);
+    sums.blue = hn::Add(sums.blue, read.blue);
+    sums.total = hn::Add(sums.total, f.small);
+}
+
 template <class Weight, bool kLog>
 void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, std::uint8_t* left,
                   Color* HWY_RESTRICT colors, FootprintCounts& counts) {
@@ -258,14 +274,17 @@ void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
         if (repeat) row = hn::IfThenElseZero(hn::Lt(row, f.height), row);
     }
     spans.sumSpans();
-    const Sums& sums = spans.sums;
+    Sums sums = spans.sums;
+    const auto small = hn::Gt(f.small, hn::Zero(d));
+    if (!hn::AllFalse(d, small)) readSmall(job, f, sums);
     const V per = hn::Mul(sums.total, set(kLaneWhite));
-    alignas(64) float red[kLanes], green[kLanes], blue[kLanes], total[kLanes], read[kLanes];
+    alignas(64) float red[kLanes], green[kLanes], blue[kLanes], total[kLanes], read[kLanes], smallOnes[kLanes];
     hn::Store(hn::Div(sums.red, per), d, red);
     hn::Store(hn::Div(sums.green, per), d, green);
     hn::Store(hn::Div(sums.blue, per), d, blue);
     hn::Store(sums.total, d, total);
-    hn::Store(spans.texels, d, read);
+    hn::Store(hn::IfThenElse(small, set(4), spans.texels), d, read);
+    hn::Store(f.small, d, smallOnes);
     for (std::size_t k = 0; k < kLanes; ++k) {
         if (first + k >= chunk.count || left[k] != 0) continue;
         if (!(total[k] > 0)) {
@@ -273,7 +292,7 @@ void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
             continue;
         }
         colors[k] = {red[k], green[k], blue[k]};
-        ++counts.footprints;
+        ++(smallOnes[k] > 0 ? counts.bilinear : counts.footprints);
         counts.texels += static_cast<std::int64_t>(read[k]);
     }
 }

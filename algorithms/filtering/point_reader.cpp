@@ -14,7 +14,7 @@
 #define HWY_TARGET_INCLUDE "filtering/point_reader.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "filtering/lane_texels-inl.h"
+#include "filtering/lane_bilinear-inl.h"
 
 #ifndef RELIEF_POINT_READER_ONCE
 #define RELIEF_POINT_READER_ONCE
@@ -35,18 +35,6 @@ inline constexpr float kTapSpacing = 2.0F;
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
-
-struct PointSums {
-    V red, green, blue;
-
-    HWY_INLINE void add(VU redGreen, VU blueOnly, V w) {
-        const DI d;
-        const VU low = hn::And(redGreen, hn::Set(DU(), 0xFFFFU));
-        red = hn::Add(red, hn::Mul(w, toFloat(hn::BitCast(d, low))));
-        green = hn::Add(green, hn::Mul(w, toFloat(hn::BitCast(d, hn::ShiftRight<16>(redGreen)))));
-        blue = hn::Add(blue, hn::Mul(w, toFloat(hn::BitCast(d, blueOnly))));
-    }
-};
 
 // As PointReader::taps, in texels of the level.
 struct TapLanes {
@@ -124,38 +112,8 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
 }
 
 HWY_INLINE void addTap(const LaneJob& job, const TapLanes& f, V offset, V weight, PointSums& sums) {
-    const DI di;
-    const bool repeat = job.levels->address == Address::Repeat;
-    const V s = hn::Sub(hn::Add(f.restS, hn::Mul(offset, f.stepS)), set(0.5F));
-    const V t = hn::Sub(hn::Add(f.restT, hn::Mul(offset, f.stepT)), set(0.5F));
-    const V floorS = hn::Floor(s), floorT = hn::Floor(t);
-    const V shareS = hn::Sub(s, floorS), shareT = hn::Sub(t, floorT);
-    VI column = hn::Add(f.cellS, toInt(floorS)), row = hn::Add(f.cellT, toInt(floorT));
-    VI next = hn::Add(row, setI(1));
-    if (repeat) {
-        const auto out = [&](VI i, VI size) HWY_ATTR { return hn::Or(hn::Lt(i, setI(0)), hn::Not(hn::Lt(i, size))); };
-        if (!hn::AllFalse(di, out(column, f.width))) column = wrapped(column, f.width);
-        if (!hn::AllFalse(di, hn::Or(out(row, f.height), out(next, f.height)))) {
-            row = wrapped(row, f.height);
-            next = wrapped(next, f.height);
-        }
-    } else {
-        column = hn::Max(hn::Min(column, f.width), setI(-1));
-        const VI last = hn::Sub(f.height, setI(1));
-        row = hn::Max(hn::Min(row, last), setI(0));
-        next = hn::Max(hn::Min(next, last), setI(0));
-    }
-    const V right = hn::Mul(weight, shareS), onLeft = hn::Sub(weight, right);
-    const V lowerRight = hn::Mul(right, shareT), lowerLeft = hn::Mul(onLeft, shareT);
-    alignas(64) std::int32_t at[kLanes];
-    const auto add = [&](VI in, V w0, V w1) HWY_ATTR {
-        hn::Store(hn::Add(hn::Add(f.origin, hn::Mul(in, f.stride)), column), di, at);
-        const Pair pair = loadPair(job.levels->texels.data(), at);
-        sums.add(pair.redGreen0, pair.blue0, w0);
-        sums.add(pair.redGreen1, pair.blue1, w1);
-    };
-    add(row, hn::Sub(onLeft, lowerLeft), hn::Sub(right, lowerRight));
-    add(next, lowerLeft, lowerRight);
+    const V s = hn::Add(f.restS, hn::Mul(offset, f.stepS)), t = hn::Add(f.restT, hn::Mul(offset, f.stepT));
+    addBilinear(*job.levels, f, s, t, weight, sums);
 }
 
 // Asks for the texels under the middle of each footprint, which lie somewhere else for each: they come while other
