@@ -222,10 +222,14 @@ HWY_INLINE ExactGaps exactGaps(const ExactNodes& h, const ExactAxis& x, const Ex
     return gaps;
 }
 
-// Lambda, and where there is a hit at all.
-HWY_INLINE MD exactMeeting(const ExactGaps& gaps, VD in, VD out, VD& lambda) {
+// Where there is a hit at all; then it is at the share above / below of the way from in to out, at most 1.
+struct ExactShare {
+    VD above, below;
+    MD hit;
+};
+HWY_INLINE ExactShare exactShare(const ExactGaps& gaps, VD in, VD out) {
     const DD d;
-    const VD zero = hn::Zero(d), one = hn::Set(d, 1.0), c = gaps.bend;
+    const VD zero = hn::Zero(d), c = gaps.bend;
     const MD stays = hn::Lt(in, out);
     const MD atEntry = hn::Not(hn::Lt(gaps.in, zero));
     // leaf_detail::firstRoot
@@ -239,11 +243,13 @@ HWY_INLINE MD exactMeeting(const ExactGaps& gaps, VD in, VD out, VD& lambda) {
     const MD rising = hn::Ge(b, zero);
     const VD above = hn::IfThenElse(rising, hn::Mul(hn::Set(d, -2.0), gaps.in), hn::Sub(root, b));
     const VD below = hn::IfThenElse(rising, hn::Add(b, root), hn::Mul(hn::Set(d, 2.0), c));
+    return {hn::IfThenZeroElse(atEntry, above), hn::IfThenElse(atEntry, hn::Set(d, 1.0), below),
+            hn::And(stays, hn::Or(atEntry, hn::Not(none)))};
+}
+HWY_INLINE VD exactMeeting(VD above, VD below, VD in, VD out) {
     const VD w = hn::Div(above, below);
-    const VD share = stdMin(one, w);
-    const VD met = hn::Add(in, hn::Mul(share, hn::Sub(out, in)));
-    lambda = hn::IfThenElse(atEntry, in, stdMin(met, out));
-    return hn::And(stays, hn::Or(atEntry, hn::Not(none)));
+    const VD share = stdMin(hn::Set(DD(), 1.0), w);
+    return stdMin(hn::Add(in, hn::Mul(share, hn::Sub(out, in))), out);
 }
 
 // The same for columns.

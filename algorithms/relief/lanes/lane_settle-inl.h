@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// leafHit() for the candidates of a chunk, each of its parts for several vectors before the next: the parts are long
+// leafHit() for the candidates of a chunk, in four parts, each some rays behind the part before it: the parts are long
 // chains, of roots and quotients, and those of different rays then overlap.
 template <Address kAddress, Surface kSurface>
 class Settling {
@@ -36,24 +36,34 @@ class Settling {
     }
 
     void run(HitBlock& hits, std::size_t firstHit) {
-        for (std::size_t from = 0; from < count_; from += kTogether) {
-            const std::size_t to = std::min(from + kTogether, count_);
-            askForHits(from + kTogether, hits, firstHit);
-            for (std::size_t i = from; i < to; i += kHalfLanes) stays(i, i - from);
-            for (std::size_t i = from; i < to; i += kHalfLanes) gaps(i, i - from);
-            for (std::size_t i = from; i < to; i += kHalfLanes) meet(i, i - from, hits, firstHit);
+        const std::size_t end = hwy::RoundUpTo(count_, kHalfLanes);
+        for (std::size_t i = 0; i < end + 3 * kApart; i += kHalfLanes) {
+            const auto from = [&](std::size_t parts) { return i - parts * kApart; };
+            const auto due = [&](std::size_t parts) { return i >= parts * kApart && from(parts) < end; };
+            if (due(0)) {
+                if (i % kAsked == 0) askForHits(i + kAsked, hits, firstHit);
+                stays(i);
+            }
+            if (due(1)) gaps(from(1));
+            if (due(2)) shares(from(2));
+            if (due(3)) meet(from(3), hits, firstHit);
         }
     }
 
   private:
-    // Rays; their rows stay in the first cache.
-    static constexpr std::size_t kTogether = 64;
-    using Row = std::array<double, kTogether>;
+    // Rays between the parts; rows hold those that are under way, and stay in the first cache.
+    static constexpr std::size_t kApart = 16, kUnderWay = 4 * kApart;
+    static constexpr std::size_t kAsked = 64;
+    using Row = std::array<double, kUnderWay>;
     static constexpr std::size_t kOriginX = 0, kOriginY = 1, kRunX = 2, kRunY = 3;
+    static_assert(kHalfLanes <= kApart && kApart % kHalfLanes == 0);
+
+    HWY_INLINE static void keep(VD v, std::size_t i, Row& row) { hn::Store(v, DD(), row.data() + i % kUnderWay); }
+    HWY_INLINE static VD kept(std::size_t i, const Row& row) { return hn::Load(DD(), row.data() + i % kUnderWay); }
 
     // The places of the next rays' hits: they are written without having been read.
     HWY_INLINE void askForHits(std::size_t from, HitBlock& hits, std::size_t firstHit) const {
-        for (std::size_t i = from; i < std::min(from + kTogether, count_); i += kLineOfDoubles) {
+        for (std::size_t i = from; i < std::min(from + kAsked, count_); i += kLineOfDoubles) {
             for (auto* column : {&hits.lambda, &hits.s, &hits.t}) __builtin_prefetch(column->data() + firstHit + i, 1);
         }
     }
@@ -94,37 +104,64 @@ class Settling {
         return stay;
     }
 
-    HWY_INLINE void stays(std::size_t i, std::size_t at) {
-        const DD d;
-        ExactAxis x, y;
-        const ExactStay stay = stayOf(i, x, y);
-        hn::Store(entryOf(stay), d, in_.data() + at);
-        hn::Store(exitOf(stay), d, out_.data() + at);
+    // An axis as the gaps need it.
+    struct AxisRows {
+        alignas(64) Row start, run, index;
+        alignas(64) Row base;  // where the map repeats
+    };
+    HWY_INLINE static void keepAxis(const ExactAxis& axis, std::size_t i, AxisRows& rows) {
+        keep(axis.start, i, rows.start);
+        keep(axis.run, i, rows.run);
+        keep(axis.index, i, rows.index);
+        if constexpr (kAddress == Address::Repeat) keep(axis.base, i, rows.base);
+    }
+    HWY_INLINE static ExactAxis keptAxis(std::size_t i, const AxisRows& rows) {
+        ExactAxis axis;
+        axis.start = kept(i, rows.start);
+        axis.run = kept(i, rows.run);
+        axis.index = kept(i, rows.index);
+        axis.base = kAddress == Address::Repeat ? kept(i, rows.base) : hn::Zero(DD());
+        return axis;
     }
 
-    HWY_INLINE void gaps(std::size_t i, std::size_t at) {
+    HWY_INLINE void stays(std::size_t i) {
+        ExactAxis x, y;
+        const ExactStay stay = stayOf(i, x, y);
+        keep(entryOf(stay), i, in_);
+        keep(exitOf(stay), i, out_);
+        if constexpr (kSurface == Surface::Bilinear) keepAxis(x, i, x_), keepAxis(y, i, y_);
+    }
+
+    HWY_INLINE void gaps(std::size_t i) {
         if constexpr (kSurface == Surface::Bilinear) {
-            const DD d;
-            ExactAxis x, y;
-            axes(i, plain(i), x, y);
+            const ExactAxis x = keptAxis(i, x_), y = keptAxis(i, y_);
             const ExactNodes nodes = exactNodes<kAddress>(scene_, x.index, y.index, pairs_.data() + i);
-            const ExactGaps gaps = exactGaps(nodes, x, y, hn::Load(d, in_.data() + at), hn::Load(d, out_.data() + at));
-            hn::Store(gaps.in, d, gapIn_.data() + at);
-            hn::Store(gaps.out, d, gapOut_.data() + at);
-            hn::Store(gaps.bend, d, bend_.data() + at);
+            const ExactGaps gaps = exactGaps(nodes, x, y, kept(i, in_), kept(i, out_));
+            keep(gaps.in, i, gapIn_);
+            keep(gaps.out, i, gapOut_);
+            keep(gaps.bend, i, bend_);
         }
     }
 
-    HWY_INLINE void meet(std::size_t i, std::size_t at, HitBlock& hits, std::size_t firstHit) {
+    HWY_INLINE void shares(std::size_t i) {
+        if constexpr (kSurface == Surface::Bilinear) {
+            const ExactGaps gaps{kept(i, gapIn_), kept(i, gapOut_), kept(i, bend_)};
+            const ExactShare share = exactShare(gaps, kept(i, in_), kept(i, out_));
+            keep(share.above, i, above_);
+            keep(share.below, i, below_);
+            hn::StoreMaskBits(DD(), share.hit, hit_.data() + i % kUnderWay);
+        }
+    }
+
+    HWY_INLINE void meet(std::size_t i, HitBlock& hits, std::size_t firstHit) {
         const DD d;
         const DHI di;
-        const VD in = hn::Load(d, in_.data() + at), out = hn::Load(d, out_.data() + at);
+        const VD in = kept(i, in_), out = kept(i, out_);
         VD lambda;
         MD hit;
         if constexpr (kSurface == Surface::Bilinear) {
-            const ExactGaps gaps{hn::Load(d, gapIn_.data() + at), hn::Load(d, gapOut_.data() + at),
-                                 hn::Load(d, bend_.data() + at)};
-            hit = exactMeeting(gaps, in, out, lambda);
+            lambda = exactMeeting(kept(i, above_), kept(i, below_), in, out);
+            hit = hn::LoadMaskBits(d, hit_.data() + i % kUnderWay);
         } else {
             const auto cell = [&](const LaneAxisRays& axis) {
                 return hn::PromoteTo(d, hn::LoadU(di, axis.hitCell.data() + i));
@@ -179,7 +216,10 @@ class Settling {
     LaneRays& rays_;
     std::array<std::array<double, kHalfLanes>, 4> rest_{};
     alignas(64) std::array<std::int32_t, kLaneSlots> pairs_;
-    alignas(64) Row in_, out_, gapIn_, gapOut_, bend_;
+    AxisRows x_, y_;
+    alignas(64) Row in_, out_, gapIn_, gapOut_, bend_, above_, below_;
+    // A mask's bits where its vector begins; eight bytes are read of it.
+    std::array<std::uint8_t, kUnderWay + 8> hit_;
 };
 
 // The hits of the candidates among the chunk's rays, to `hits` from firstHit on; a candidate that the leaf refuses is

@@ -43,14 +43,15 @@ HWY_INLINE MI asInt(MF m) {
 // The chosen lanes to the front, for several vectors: made once.
 #if HWY_TARGET <= HWY_AVX3 || HWY_TARGET == HWY_SCALAR
 struct Packing {
-    explicit Packing(MI chosen) : chosen_(chosen) {}
+    explicit Packing(MI chosen) : indices_(hn::Compress(hn::Iota(DI(), 0), chosen)) {}
     template <class V>
     HWY_INLINE V operator()(V v) const {
-        return hn::Compress(v, hn::RebindMask(hn::DFromV<V>(), chosen_));
+        const hn::DFromV<V> d;
+        return hn::TableLookupLanes(v, hn::IndicesFromVec(d, indices_));
     }
 
   private:
-    MI chosen_;
+    VI indices_;
 };
 #else
 // Not Compress: with g++ 12 it copies its table to the stack each time it is called.
