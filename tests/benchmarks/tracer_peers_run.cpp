@@ -277,8 +277,10 @@ class Comparison {
             if (method->tracer->guarantee() == Guarantee::Exact && cell.wrong > 0) kept_ = false;
             // No difference of models: one of the two was given something else.
             if (differs > kMostDiffer) kept_ = false;
+            const BenchRow row = ourRow(*method, subject);
+            cell.bytes = sizeof(float) * row.readsMean;
             cells_.push_back(cell);
-            keepRow(name, field, subject, ourRow(*method, subject), method->rates, method->hits);
+            keepRow(name, field, subject, row, method->rates, method->hits);
         }
     }
 

@@ -71,7 +71,7 @@ void printMeans(const std::string& title, const std::vector<PeerCell>& cells, co
 
 // How much slower a ray is on the largest map than on the smallest.
 void printGrowth(const std::vector<PeerCell>& cells, std::ostream& out) {
-    std::vector<TableRow> rows{{"map", "view", "method", "sizes", "growth", "Embree's"}};
+    std::vector<TableRow> rows{{"map", "view", "method", "sizes", "growth", "Embree's", "bytes a ray"}};
     for (const PeerCell& small : cells) {
         const PeerCell* large = nullptr;
         bool least = true;
@@ -84,9 +84,13 @@ void printGrowth(const std::vector<PeerCell>& cells, std::ostream& out) {
         rows.push_back({small.map, viewText(small.view), small.method,
                         std::to_string(small.size) + " to " + std::to_string(large->size),
                         readable(small.rate / large->rate, kDigits),
-                        readable(small.bestRate / large->bestRate, kDigits)});
+                        readable(small.bestRate / large->bestRate, kDigits),
+                        readable(small.bytes, kDigits) + " to " + readable(large->bytes, kDigits)});
     }
-    if (rows.size() > 1) out << "\nTime of a ray on the largest map over that on the smallest\n" << textTable(rows, 3);
+    if (rows.size() == 1) return;
+    out << "\nTime of a ray on the largest map over that on the smallest; bytes of maps and heights that our scalar text "
+           "reads a ray\n"
+        << textTable(rows, 3);
 }
 
 }  // namespace
