@@ -88,7 +88,8 @@ void printGrowth(const std::vector<PeerCell>& cells, std::ostream& out) {
                         readable(small.bytes, kDigits) + " to " + readable(large->bytes, kDigits)});
     }
     if (rows.size() == 1) return;
-    out << "\nTime of a ray on the largest map over that on the smallest; bytes of maps and heights that our scalar text "
+    out << "\nTime of a ray on the largest map over that on the smallest; bytes of maps and heights that our scalar "
+           "text "
            "reads a ray\n"
         << textTable(rows, 3);
 }
