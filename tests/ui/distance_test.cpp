@@ -1,21 +1,17 @@
-// The distance map's pane: what it shows is what the maps hold; spheres and cones are those of the records.
+// The distance map's pane: what it shows is what the maps hold.
 #include <cmath>
 #include <set>
 
-#include <QComboBox>
-#include <QDir>
-#include <QLabel>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QToolButton>
 
+#include "distance_fixture.h"
 #include "drawings/ray_geometry.h"
 #include "relief/maps/map_choice.h"
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
 #include "views/result_painting.h"
-#include "views/step_table.h"
-#include "window_fixture.h"
 
 namespace reliefui {
 
@@ -23,64 +19,8 @@ namespace {
 
 using relief::StoredValues;
 
-constexpr int kPatienceMs = 20000;
-
-class DistanceTest : public WindowTest {
-  protected:
-    void openPane(const relief::Scenario& scenario) {
-        openWindow(scenario);
-        QTest::keyClick(window_.get(), Qt::Key_7);
-        QTest::qWait(100);
-        ASSERT_TRUE(view()->isVisible());
-        ASSERT_NO_FATAL_FAILURE(settle());
-        ASSERT_NE(view()->shown(), nullptr) << view()->problem().toStdString();
-    }
-    void settle() {
-        // What a changed option asks for comes at once; what a new picture asks for, with it.
-        QTest::qWait(20);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled(); }, kPatienceMs)) << "no map in time";
-    }
-    void show(const DistanceOptions& options) {
-        view()->setOptions(options);
-        ASSERT_NO_FATAL_FAILURE(settle());
-    }
-    DistanceView* view() { return window_->distance(); }
-    DrawingCanvas* canvas() { return view()->canvas(); }
-    template <class Widget>
-    Widget* control(const char* name) {
-        return view()->findChild<Widget*>(QString::fromLatin1(name));
-    }
-    relief::StoredMap map(const std::string& kind) {
-        relief::Work work;
-        relief::MapCache cache;
-        DistanceOptions options;
-        options.kind = kind;
-        const MapOptions wanted = mapOptions(options, *snapshot()).front();
-        return relief::buildMap(kind, wanted.options, snapshot()->request->field, cache, work);
-    }
-};
-
-relief::Scenario walled(const char* method, relief::OptionValues options = {}) {
-    relief::Scenario scenario = smallScenario();
-    scenario.pictures.recipe = "city";
-    scenario.reliefDepth = 0.2;
-    scenario.camera.elevation = 20;
-    scenario.method = {method, std::move(options)};
-    return scenario;
-}
-
 int distance(QColor a, QColor b) {
     return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
-}
-
-// Of the drawing's items of this kind.
-template <class Primitive>
-std::vector<const Item*> itemsOf(const Drawing& drawing, Role role) {
-    std::vector<const Item*> found;
-    for (const Item& item : drawing.items) {
-        if (item.role == role && std::holds_alternative<Primitive>(item.primitive)) found.push_back(&item);
-    }
-    return found;
 }
 
 TEST_F(DistanceTest, EachPixelHasTheColourOfItsVoxel) {
@@ -245,7 +185,7 @@ TEST_F(DistanceTest, ABuildIsCancelledAndAskedForAgain) {
     view()->setOptions(options);
     // The window goes on while the map is built.
     auto* const waiting = control<QWidget>("distance-waiting");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return waiting->isVisible(); }, kPatienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return waiting->isVisible(); }, kDistancePatienceMs));
     ASSERT_FALSE(view()->settled());
     QTest::keyClick(window_.get(), Qt::Key_Escape);
     settle();
@@ -274,142 +214,6 @@ TEST_F(DistanceTest, HoverReadsTheVoxel) {
         << text.toStdString();
     EXPECT_TRUE(text.contains(QString::number(static_cast<double>(value), 'f', 2))) << text.toStdString();
     EXPECT_TRUE(text.contains(QStringLiteral("texels")));
-}
-
-TEST_F(DistanceTest, SpheresAreCutByTheSlice) {
-    for (const char* const method : {"distance-conservative", "distance"}) {
-        openPane(walled(method, {{"layers", "16"}}));
-        const auto& steps = snapshot()->trace.steps;
-        DistanceOptions options;
-        options.axis = SliceAxis::Y;
-        show(options);
-        int seen = 0;
-        for (std::size_t k = 0; k < steps.size(); ++k) {
-            const DistanceSource source = distanceSource(*snapshot(), {});
-            const StepBody body = stepBody(source.walk, *source.field, *source.maxima, source.ray, steps[k]);
-            if (!body || body.radius < 0.5) continue;
-            // The tracer went on to where the ray leaves the sphere.
-            const double perLambda = std::hypot(source.ray.a, source.ray.b, source.field->slabTexels());
-            EXPECT_NEAR(body.lambda + body.radius / perLambda, steps[k].lambdaAfter, 1e-6);
-            workspace_->chooseStep(static_cast<int>(k));
-            settle();
-            DistanceFrame frame = view()->shown()->frame;
-            const Place3 center = placeOnRay(source, body.lambda);
-            for (const double off : {0.0, 0.6 * body.radius, 1.2 * body.radius}) {
-                frame.plane = center[1] + off;
-                // Nothing is clipped.
-                constexpr double kFar = 1e4;
-                frame.plot = {-kFar, -kFar, kFar, kFar};
-                frame.window = {-kFar / frame.scale, -kFar / frame.scale, 0, 0};
-                const Drawing marks = distanceMarks(source, frame, static_cast<int>(k));
-                Box extent;
-                for (const Item* const item : itemsOf<Polyline>(marks, Role::Empty)) {
-                    if (item->id.i != static_cast<std::int64_t>(k)) continue;
-                    for (const Point& p : std::get<Polyline>(item->primitive).points) {
-                        extent = extent.joined({p.x, p.y, p.x, p.y});
-                    }
-                }
-                if (off > body.radius) {
-                    EXPECT_TRUE(extent.empty());
-                    continue;
-                }
-                const double diameter = 2 * std::sqrt(body.radius * body.radius - off * off) * frame.scale;
-                EXPECT_NEAR(extent.width(), diameter, 1e-6 * diameter);
-                EXPECT_NEAR(extent.height(), diameter, 1e-6 * diameter) << "a circle is round";
-                ++seen;
-            }
-        }
-        EXPECT_GT(seen, 0) << method;
-    }
-}
-
-// The ray leaves the empty cone where the tracer went on; and the relief stays outside of the cone.
-TEST_F(DistanceTest, ConesEndWhereTheStepsDo) {
-    openPane(walled("cone", {{"sectors", "8"}}));
-    const DistanceSource source = distanceSource(*snapshot(), {});
-    int seen = 0;
-    for (const relief::Step& step : snapshot()->trace.steps) {
-        const StepBody body = stepBody(source.walk, *source.field, *source.maxima, source.ray, step);
-        if (!body) continue;
-        const double run = std::hypot(source.ray.a, source.ray.b);
-        const double way = (step.lambdaAfter - body.lambda) * run;
-        EXPECT_NEAR(1 - step.lambdaAfter, body.apex + body.slope * way, 1e-6);
-        EXPECT_TRUE(body.holds(source.ray.a, source.ray.b));
-        EXPECT_FALSE(body.holds(-source.ray.a, -source.ray.b));
-        const Place3 over = placeOnRay(source, body.lambda);
-        for (double angle = body.from; angle < body.to; angle += 0.05) {
-            for (double r = 0; r < 20; r += 0.25) {
-                const double height = source.field->at(over[0] + r * std::cos(angle), over[1] + r * std::sin(angle));
-                EXPECT_LE(height, body.apex + body.slope * r + 1e-6);
-            }
-        }
-        ++seen;
-    }
-    EXPECT_GT(seen, 0);
-    ASSERT_NE(view()->shown(), nullptr);
-    EXPECT_TRUE(view()->shown()->frame.slopes);
-    EXPECT_EQ(view()->shown()->frame.sectors, 8);
-    EXPECT_TRUE(control<QComboBox>("distance-sector")->isVisible());
-    // Another sector has other slopes.
-    const auto before = view()->shown()->slice.values;
-    DistanceOptions options;
-    options.sector = (view()->shown()->frame.sector + 4) % 8;
-    show(options);
-    EXPECT_FALSE(*before == *view()->shown()->slice.values);
-}
-
-TEST_F(DistanceTest, ConesAreCutFromTheSideAndFromAbove) {
-    openPane(walled("cone"));
-    const DistanceSource source = distanceSource(*snapshot(), {});
-    DistanceOptions options;
-    options.kind = "euclidean";
-    for (const SliceAxis axis : {SliceAxis::X, SliceAxis::Z}) {
-        options.axis = axis;
-        int cones = 0;
-        for (std::size_t k = 0; k < snapshot()->trace.steps.size(); ++k) {
-            const relief::Step& step = snapshot()->trace.steps[k];
-            const StepBody body = stepBody(source.walk, *source.field, *source.maxima, source.ray, step);
-            if (!body) continue;
-            workspace_->chooseStep(static_cast<int>(k));
-            show(options);
-            ASSERT_NE(view()->shown(), nullptr);
-            const DistanceFrame& frame = view()->shown()->frame;
-            const Place3 over = placeOnRay(source, body.lambda);
-            const Drawing marks = distanceMarks(source, frame, static_cast<int>(k));
-            for (const Item* const item : itemsOf<Polyline>(marks, Role::Empty)) {
-                if (item->id.i != static_cast<std::int64_t>(k)) continue;
-                // Every point of the line lies on the cone.
-                for (const Point& p : std::get<Polyline>(item->primitive).points) {
-                    const Place3 place = fromSlice(axis, frame.slab, frame.plane, frame.uvAt(p));
-                    const double away = std::hypot(place[0] - over[0], place[1] - over[1]);
-                    // Between its points the line of a circle lies a little inside.
-                    EXPECT_NEAR(place[2] / frame.slab, body.apex + body.slope * away, 0.01);
-                }
-                ++cones;
-            }
-        }
-        EXPECT_GT(cones, 0) << static_cast<int>(axis);
-    }
-}
-
-// A distance is no height: neither in words nor in the 3-D trace.
-TEST_F(DistanceTest, StepsAreToldByTheirDistances) {
-    openPane(walled("distance-conservative"));
-    std::set<relief::Decision> told;
-    for (std::size_t k = 0; k < snapshot()->trace.steps.size(); ++k) {
-        const relief::Step& step = snapshot()->trace.steps[k];
-        workspace_->chooseStep(static_cast<int>(k));
-        const QString sentence = window_->steps()->sentence();
-        if (step.decision == relief::Decision::Advance) {
-            const QString distance = QString::number(step.value, 'f', 2) + QStringLiteral(" texels");
-            EXPECT_TRUE(sentence.contains(distance)) << sentence.toStdString();
-        }
-        if (step.decision == relief::Decision::Test) {
-            EXPECT_FALSE(sentence.contains(QStringLiteral("-1"))) << sentence.toStdString();
-        }
-        told.insert(step.decision);
-    }
-    EXPECT_TRUE(told.contains(relief::Decision::Advance));
 }
 
 TEST_F(DistanceTest, EveryMapOfEveryAddressingIsShown) {

@@ -3,6 +3,8 @@
 #include <set>
 
 #include <QApplication>
+#include <QFile>
+#include <QXmlStreamReader>
 
 #include "workspace/start_scenario.h"
 
@@ -73,6 +75,21 @@ int colorsIn(const QImage& image) {
         for (int x = 0; x < image.width(); ++x) colors.insert(image.pixel(x, y));
     }
     return static_cast<int>(colors.size());
+}
+
+bool validFigure(const QString& file) {
+    if (file.endsWith(QStringLiteral("png"))) return colorsIn(QImage(file)) > 20;
+    QFile data(file);
+    if (!data.open(QIODevice::ReadOnly)) return false;
+    const QByteArray bytes = data.readAll();
+    if (file.endsWith(QStringLiteral("pdf"))) return bytes.startsWith("%PDF") && bytes.trimmed().endsWith("%%EOF");
+    QXmlStreamReader xml(bytes);
+    int texts = 0;
+    while (!xml.atEnd()) {
+        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == QStringLiteral("text")) ++texts;
+        if (xml.name() == QStringLiteral("image")) return false;
+    }
+    return !xml.hasError() && texts > 10;
 }
 
 }  // namespace reliefui

@@ -44,5 +44,7 @@ class WindowTest : public ::testing::Test {
 
 // How many colours an image has: 1 is a blank one.
 int colorsIn(const QImage& image);
+// Whether it is a whole PNG or PDF, or an SVG of words and lines without any picture in it.
+bool validFigure(const QString& file);
 
 }  // namespace reliefui

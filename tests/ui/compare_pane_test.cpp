@@ -1,0 +1,319 @@
+// The compare pane's use as a person would, and the program.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QWheelEvent>
+
+#include "drawings/chart_parts.h"
+#include "drawings/compare_drawing.h"
+#include "measuring/picture_error.h"
+#include "scenario/scenario.h"
+#include "views/compare_view.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kPatienceMs = 60000;
+
+class ComparePane : public WindowTest {
+  protected:
+    void openPane(std::vector<relief::MethodChoice> others = {{"layers", {{"layers", "8"}}}, {"exact", {}}}) {
+        relief::Scenario scenario = smallScenario();
+        scenario.camera.elevation = 30;
+        scenario.comparison.others = std::move(others);
+        openWindow(scenario);
+        QTest::keyClick(window_.get(), Qt::Key_1, Qt::AltModifier);
+        settle();
+    }
+    void settle() {
+        QTest::qWait(100);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return pane()->settled() && !workspace_->busy(); }, kPatienceMs));
+    }
+    CompareView* pane() { return window_->compare(); }
+    ComparePictures* pictures() { return pane()->pictures(); }
+    const ComparedMethod& method(std::size_t n) { return pane()->view()->methods[n]; }
+    // A pixel of which two methods show clearly different colours, away from the ring around the chosen one.
+    relief::PixelChoice whereTheyDiffer(const QImage& a, const QImage& b) {
+        int most = 0;
+        relief::PixelChoice best;
+        for (int y = 0; y < a.height(); ++y) {
+            for (int x = 0; x < a.width(); ++x) {
+                if (std::hypot(x - scenario().pixel->x, y - scenario().pixel->y) < 25) continue;
+                const int by = std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+                if (by > most) most = by, best = {x, y};
+            }
+        }
+        EXPECT_GT(most, 30);
+        return best;
+    }
+    void zoomAt(QPointF at, int notches) {
+        QWheelEvent wheel(at, pictures()->mapToGlobal(at.toPoint()), {}, {0, 120 * notches}, Qt::NoButton,
+                          Qt::ControlModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(pictures(), &wheel);
+    }
+    QColor colorAt(std::size_t n, relief::PixelChoice pixel) {
+        const auto at = pictures()->pixelIn(n, pixel);
+        if (!at) return {};
+        return grab(pictures()).pixelColor(at->toPoint());
+    }
+};
+
+TEST_F(ComparePane, ItMeasuresWhatItShows) {
+    openPane();
+    ASSERT_NE(pane()->view(), nullptr);
+    ASSERT_EQ(pane()->view()->methods.size(), 3u);
+    EXPECT_EQ(method(0).frame, snapshot()->frame);
+    EXPECT_GT(colorsIn(grab(pictures())), 100);
+    // The same numbers as by the core alone.
+    relief::Work work;
+    relief::FrameRequest request = *snapshot()->request;
+    const auto alone = [&](const relief::MethodChoice& choice) {
+        request.method = choice;
+        relief::FrameRenderer renderer(std::make_shared<relief::MapCache>());
+        return renderer.render(request, work);
+    };
+    const auto exact = alone({"exact", {}});
+    for (std::size_t n = 0; n < 3; ++n) {
+        const auto frame = alone(method(n).method);
+        ASSERT_TRUE(std::ranges::equal(frame->light->color.pixels(), method(n).frame->light->color.pixels()));
+        relief::FloatImage flip;
+        const relief::PictureError error =
+            relief::pictureError(exact->light->color, frame->light->color, relief::kPixelsPerDegree, flip, work);
+        EXPECT_EQ(error.rmse, method(n).error->rmse);
+        EXPECT_EQ(error.flip, method(n).error->flip);
+        EXPECT_TRUE(std::ranges::equal(flip.pixels(), method(n).flip->pixels()));
+        EXPECT_EQ(method(n).equal, n != 1) << "max-pyramid and exact agree bit by bit, eight layers do not";
+        const double l1 = std::accumulate(method(n).l1->pixels().begin(), method(n).l1->pixels().end(), 0.0);
+        EXPECT_EQ(l1 > 0, n == 1);
+        // Steps: the mean over the rays that were timed.
+        const relief::RayBlock rays = relief::sampledRays(*snapshot()->frame, kComparedRays);
+        ASSERT_EQ(rays.size(), pane()->view()->rays);
+        relief::HitBlock hits;
+        relief::BlockCounts counts;
+        method(n).tracer->trace(rays, hits, counts, work);
+        const double steps = std::accumulate(hits.steps.begin(), hits.steps.end(), 0.0) / double(rays.size());
+        ASSERT_TRUE(method(n).steps && method(n).rate);
+        EXPECT_NEAR(*method(n).steps, steps, 1e-9 * steps);
+        EXPECT_GT(*method(n).rate, 0);
+    }
+}
+
+TEST_F(ComparePane, PicturesAreRightAndZoomTogether) {
+    openPane();
+    const relief::PixelChoice pixel = whereTheyDiffer(method(0).picture, method(1).picture);
+    const QPointF home = *pictures()->pixelIn(1, pixel);
+    zoomAt(home, 20);
+    // Under the pointer stays what was there, in its own tile and at the same place of the others.
+    const QPointF zoomed = *pictures()->pixelIn(1, pixel);
+    EXPECT_LT(std::hypot(zoomed.x() - home.x(), zoomed.y() - home.y()), 40);
+    for (std::size_t n = 0; n < 3; ++n) {
+        EXPECT_EQ(colorAt(n, pixel).rgb(), method(n).picture.pixelColor(pixel.x, pixel.y).rgb()) << n;
+    }
+    EXPECT_NE(colorAt(0, pixel), colorAt(1, pixel));
+    QTest::keyClick(pictures(), Qt::Key_R);
+    EXPECT_EQ(*pictures()->pixelIn(1, pixel), home);
+}
+
+TEST_F(ComparePane, AClickChoosesThePixelAndThePointerReadsAllMethods) {
+    openPane();
+    const relief::PixelChoice pixel{40, 100};
+    const QPointF there = *pictures()->pixelIn(2, pixel);
+    const double scale = pictures()->pixelIn(2, {pixel.x + 1, pixel.y})->x() - there.x();
+    const double near = 0.5 / scale + 1;  // a click is on a whole pixel of the screen
+    QTest::mouseClick(pictures(), Qt::LeftButton, {}, there.toPoint());
+    waitForFull();
+    ASSERT_TRUE(scenario().pixel);
+    EXPECT_NEAR(scenario().pixel->x, pixel.x, near);
+    EXPECT_NEAR(scenario().pixel->y, pixel.y, near);
+    EXPECT_EQ(snapshot()->trace.pixel, *scenario().pixel) << "all panes answer for it";
+    const ComparedView* const before = pane()->view();
+    settle();
+    EXPECT_EQ(pane()->view(), before) << "another pixel is no reason to render anew";
+    QTest::mouseMove(pictures(), pictures()->pixelIn(0, pixel)->toPoint() + QPoint(3, 0));
+    QTest::mouseMove(pictures(), pictures()->pixelIn(0, pixel)->toPoint());
+    QTest::qWait(50);
+    for (const char* const name : {"A max-pyramid", "B layers", "C exact", "FLIP"}) {
+        EXPECT_TRUE(pane()->readout().contains(QString::fromLatin1(name))) << pane()->readout().toStdString();
+    }
+}
+
+TEST_F(ComparePane, TheDividerIsDraggedAndUndone) {
+    openPane({{"layers", {{"layers", "8"}}}});
+    pane()->setMode(relief::CompareMode::Swipe);
+    settle();
+    const relief::PixelChoice pixel = whereTheyDiffer(method(0).picture, method(1).picture);
+    // Only one of the two is seen at a time.
+    EXPECT_NE(pictures()->pixelIn(0, pixel).has_value(), pictures()->pixelIn(1, pixel).has_value());
+    const relief::Scenario before = scenario();
+    const Box room = pictures()->layoutNow().rooms[0];
+    const double unit = workspace_->style().pixelsPerPoint();
+    const auto drag = [&](double from, double to) {
+        const int y = pictures()->height() / 3;
+        const auto at = [&](double share) { return QPoint(int((6 + room.x0 + share * room.width()) * unit), y); };
+        QTest::mousePress(pictures(), Qt::LeftButton, {}, at(from));
+        QTest::mouseMove(pictures(), at((from + to) / 2));
+        QMouseEvent move(QEvent::MouseMove, at(to), Qt::LeftButton, Qt::LeftButton, {});
+        QApplication::sendEvent(pictures(), &move);
+        QTest::mouseRelease(pictures(), Qt::LeftButton, {}, at(to));
+    };
+    drag(0.5, 0.95);
+    settle();
+    ASSERT_EQ(scenario().comparison.dividers.size(), 1u);
+    EXPECT_NEAR(scenario().comparison.dividers[0], 0.95, 0.02);
+    EXPECT_EQ(scenario().camera, before.camera) << "the divider moves, not the camera";
+    workspace_->undo();
+    settle();
+    EXPECT_EQ(scenario(), before);
+    workspace_->redo();
+    settle();
+    EXPECT_NEAR(pictures()->layoutNow().dividers[0], 0.95, 0.02);
+}
+
+TEST_F(ComparePane, DifferencesAreShownInTheColoursOfTheirScale) {
+    openPane();
+    pane()->setMode(relief::CompareMode::Difference);
+    for (const auto measure : {relief::CompareMeasure::L1, relief::CompareMeasure::Flip}) {
+        pane()->setMeasure(measure);
+        settle();
+        const bool l1 = measure == relief::CompareMeasure::L1;
+        const relief::PixelChoice pixel = whereTheyDiffer(method(0).picture, method(1).picture);
+        const relief::FloatImage& errors = l1 ? *method(1).l1 : *method(1).flip;
+        const double high = l1 ? pane()->view()->l1High : pane()->view()->flipHigh;
+        const Rgba expected = Style().mapped(ColorMap::Count, double(errors(pixel.x, pixel.y)) / high);
+        QTest::keyClick(pictures(), Qt::Key_R);
+        zoomAt(*pictures()->pixelIn(1, pixel), 20);
+        EXPECT_EQ(colorAt(1, pixel).rgb(), qRgb(expected.r, expected.g, expected.b));
+        const Rgba none = Style().mapped(ColorMap::Count, 0);
+        EXPECT_EQ(colorAt(0, pixel).rgb(), qRgb(none.r, none.g, none.b));
+    }
+    // Against A, which is the reference now, and eight layers as wrong as before.
+    const double before = method(1).error->flip;
+    pane()->setReference(relief::CompareReference::MethodA);
+    settle();
+    EXPECT_EQ(pane()->view()->reference, "A max-pyramid");
+    EXPECT_EQ(method(1).error->flip, before);
+    EXPECT_TRUE(method(0).equal);
+}
+
+TEST_F(ComparePane, FlickerShowsOneAtATimeAndLettersChoose) {
+    openPane();
+    pane()->setMode(relief::CompareMode::Flicker);
+    settle();
+    const std::size_t first = pictures()->shown();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return pictures()->shown() != first; }, 5000));
+    QTest::keyClick(pictures(), Qt::Key_B);
+    EXPECT_EQ(pictures()->shown(), 1u);
+    QTest::qWait(1200);
+    EXPECT_EQ(pictures()->shown(), 1u) << "stands still";
+    EXPECT_FALSE(pictures()->pixelIn(0, {10, 10}));
+    EXPECT_TRUE(pictures()->pixelIn(1, {100, 75}));
+}
+
+TEST_F(ComparePane, MethodsAreAddedSwappedAndUndoneToTheSameBits) {
+    openPane({});
+    EXPECT_EQ(pane()->view(), nullptr) << "nothing to compare with";
+    EXPECT_GT(colorsIn(grab(pictures())), 1) << "and it says so";
+    pane()->addMethod();
+    settle();
+    ASSERT_EQ(pane()->view()->methods.size(), 2u);
+    pane()->setMethod(1, QStringLiteral("offset"));
+    settle();
+    const relief::Scenario before = scenario();
+    const QImage a = method(0).picture;
+    const QImage b = method(1).picture;
+    ASSERT_NE(a, b);
+    pane()->swapWithA(1);
+    settle();
+    EXPECT_EQ(scenario().method.name, "offset");
+    EXPECT_EQ(method(0).picture, b);
+    EXPECT_EQ(method(1).picture, a);
+    pane()->removeMethod();
+    settle();
+    EXPECT_EQ(pane()->view(), nullptr);
+    workspace_->undo();
+    workspace_->undo();
+    settle();
+    EXPECT_EQ(scenario(), before);
+    EXPECT_EQ(method(0).picture, a);
+    EXPECT_EQ(method(1).picture, b);
+    // Saved and reopened it is the same.
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("compared.json"));
+    workspace_->save(file);
+    pane()->removeMethod();
+    settle();
+    workspace_->open(file);
+    settle();
+    EXPECT_EQ(scenario(), before);
+    EXPECT_EQ(method(1).picture, b);
+}
+
+TEST_F(ComparePane, TheCameraIsTurnedFromHere) {
+    openPane();
+    const relief::Camera before = scenario().camera;
+    const QPoint from = pictures()->pixelIn(1, {100, 75})->toPoint();
+    QTest::mousePress(pictures(), Qt::LeftButton, {}, from);
+    bool coarse = false;
+    for (int n = 1; n <= 12; ++n) {
+        QMouseEvent move(QEvent::MouseMove, from + QPoint(6 * n, 0), Qt::LeftButton, Qt::LeftButton, {});
+        QApplication::sendEvent(pictures(), &move);
+        QTest::qWait(30);
+        coarse = coarse || (pane()->view() != nullptr && pane()->view()->coarse);
+    }
+    QTest::mouseRelease(pictures(), Qt::LeftButton, {}, from + QPoint(72, 0));
+    settle();
+    EXPECT_NE(scenario().camera, before);
+    EXPECT_FALSE(pane()->view()->coarse);
+    EXPECT_TRUE(pane()->view()->of(*snapshot()));
+    EXPECT_EQ(method(0).frame, snapshot()->frame);
+}
+
+TEST_F(ComparePane, ItIsExportedAsItIsShown) {
+    openPane();
+    const QTemporaryDir folder;
+    const QString png = folder.filePath(QStringLiteral("compare.png"));
+    saveFigure(pane(), png, 1234);
+    const QImage image(png);
+    EXPECT_NEAR(image.width(), 1234, 1);
+    EXPECT_GT(colorsIn(image), 100);
+    for (const char* const ending : {"svg", "pdf"}) {
+        const QString file = folder.filePath(QStringLiteral("compare.") + QString::fromLatin1(ending));
+        saveFigure(pane(), file);
+        EXPECT_GT(QFileInfo(file).size(), 5000);
+    }
+    EXPECT_EQ(pane()->image(600).width(), 600);
+}
+
+// By the program, without a display.
+TEST(Compare, TheProgramExportsIt) {
+    const QTemporaryDir folder;
+    relief::Scenario scenario = smallScenario();
+    scenario.comparison.others = {{"layers", {{"layers", "8"}}}};
+    const auto run = [&](const QString& name) {
+        const QString file = folder.filePath(QStringLiteral("s.json"));
+        relief::saveScenario(file.toStdString(), scenario);
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.remove(QStringLiteral("DISPLAY"));
+        environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
+        process.setProcessEnvironment(environment);
+        process.start(QStringLiteral(RELIEFSCOPE), {file, QStringLiteral("--export"), QStringLiteral("compare"),
+                                                    QStringLiteral("-o"), folder.filePath(name)});
+        process.waitForFinished(60000);
+        EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+        return QImage(folder.filePath(name));
+    };
+    EXPECT_GT(colorsIn(run(QStringLiteral("two.png"))), 100);
+    scenario.comparison.others.clear();
+    EXPECT_GT(colorsIn(run(QStringLiteral("none.png"))), 1) << "says that there is nothing to compare with";
+}
+
+}  // namespace
+
+}  // namespace reliefui

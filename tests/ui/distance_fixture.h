@@ -1,0 +1,57 @@
+// The distance map's pane, open on a relief with walls.
+#pragma once
+
+#include "relief/maps/map_choice.h"
+#include "views/distance_view.h"
+#include "views/drawing_canvas.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+inline constexpr int kDistancePatienceMs = 20000;
+
+class DistanceTest : public WindowTest {
+  protected:
+    void openPane(const relief::Scenario& scenario) {
+        openWindow(scenario);
+        QTest::keyClick(window_.get(), Qt::Key_7);
+        QTest::qWait(100);
+        ASSERT_TRUE(view()->isVisible());
+        ASSERT_NO_FATAL_FAILURE(settle());
+        ASSERT_NE(view()->shown(), nullptr) << view()->problem().toStdString();
+    }
+    void settle() {
+        // What a changed option asks for comes at once; what a new picture asks for, with it.
+        QTest::qWait(20);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled(); }, kDistancePatienceMs)) << "no map in time";
+    }
+    void show(const DistanceOptions& options) {
+        view()->setOptions(options);
+        ASSERT_NO_FATAL_FAILURE(settle());
+    }
+    DistanceView* view() { return window_->distance(); }
+    DrawingCanvas* canvas() { return view()->canvas(); }
+    template <class Widget>
+    Widget* control(const char* name) {
+        return view()->findChild<Widget*>(QString::fromLatin1(name));
+    }
+    relief::StoredMap map(const std::string& kind) {
+        relief::Work work;
+        relief::MapCache cache;
+        DistanceOptions options;
+        options.kind = kind;
+        const MapOptions wanted = mapOptions(options, *snapshot()).front();
+        return relief::buildMap(kind, wanted.options, snapshot()->request->field, cache, work);
+    }
+};
+
+inline relief::Scenario walled(const char* method, relief::OptionValues options = {}) {
+    relief::Scenario scenario = smallScenario();
+    scenario.pictures.recipe = "city";
+    scenario.reliefDepth = 0.2;
+    scenario.camera.elevation = 20;
+    scenario.method = {method, std::move(options)};
+    return scenario;
+}
+
+}  // namespace reliefui
