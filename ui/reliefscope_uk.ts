@@ -2440,6 +2440,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>%1: клавіша %2 — перейти сюди, подвійне клацання — на все вікно</translation>
     </message>
     <message>
+        <source>Drag it to another place, or out of the window</source>
+        <translation>Перетягніть на інше місце або за межі вікна</translation>
+    </message>
+    <message>
         <source>Close this pane; the menu View, Panes opens it again</source>
         <translation>Закрити цю панель; меню «Вигляд», «Панелі» відкриє її знову</translation>
     </message>
@@ -3567,6 +3571,22 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Keep the current step in the middle</source>
         <translation>Тримати поточний крок посередині</translation>
+    </message>
+    <message>
+        <source>steps by decision</source>
+        <translation>кроки за рішенням</translation>
+    </message>
+    <message>
+        <source>steps by level</source>
+        <translation>кроки за рівнем</translation>
+    </message>
+    <message>
+        <source>steps by phase</source>
+        <translation>кроки за фазою</translation>
+    </message>
+    <message>
+        <source>What the colours of the steps say</source>
+        <translation>Що означають кольори кроків</translation>
     </message>
     <message>
         <source>heights × %1</source>

@@ -34,6 +34,11 @@ const std::vector<std::string>& chartsPaneShown() {
     return names;
 }
 
+const std::vector<std::string>& tracePaneColors() {
+    static const std::vector<std::string> names{"decision", "level", "phase"};
+    return names;
+}
+
 void checkPaneName(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
     std::string all;
@@ -55,6 +60,7 @@ void checkPanes(const PaneStates& panes, const std::string& subject) {
     inRange(subject, "pixels", panes.rows.pixels, 0, static_cast<double>(kWidestRow));
     checkPaneName("charts", panes.charts.shown, chartsPaneShown());
     parseErrorMeasure(panes.charts.error, "error");
+    checkPaneName("colors", panes.trace.colors, tracePaneColors());
     inRange(subject, "heights", panes.trace.heights, kLeastHeights, kMostHeights);
 }
 

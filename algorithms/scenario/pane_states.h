@@ -20,7 +20,7 @@ struct PyramidPane {
 
 struct ProfilePane {
     bool allLevels = false;
-    bool nearRay = false;
+    bool nearRay = true;
     bool trueAspect = false;
     bool operator==(const ProfilePane&) const = default;
 };
@@ -59,7 +59,8 @@ struct ChartsPane {
 };
 
 struct TracePane {
-    double heights = 1;  // exaggerated so many times, 0.25 to 4
+    std::string colors = "decision";  // of tracePaneColors()
+    double heights = 1;               // exaggerated so many times, 0.25 to 4
     bool follow = false;
     bool operator==(const TracePane&) const = default;
 };
@@ -81,6 +82,7 @@ inline constexpr std::size_t kMostRowVariants = 4;  // what can be told apart
 void checkPaneName(const std::string& what, const std::string& name, const std::vector<std::string>& known);
 const std::vector<std::string>& pyramidPaneLevels();
 const std::vector<std::string>& chartsPaneShown();
+const std::vector<std::string>& tracePaneColors();
 
 // Throws InputError for the first value that is unknown or out of range.
 void checkPanes(const PaneStates& panes, const std::string& subject);

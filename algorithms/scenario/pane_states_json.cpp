@@ -96,6 +96,10 @@ void readPanes(JsonReader reader, PaneStates& panes) {
     if (reader.has("charts")) readCharts(reader.child("charts"), panes.charts);
     if (reader.has("trace")) {
         JsonReader part = reader.child("trace");
+        part.named("colors", [&](const std::string& name) {
+            checkPaneName("colors", name, tracePaneColors());
+            panes.trace.colors = name;
+        });
         part.read("heights", panes.trace.heights);
         part.read("follow", panes.trace.follow);
         part.finish();
@@ -132,7 +136,8 @@ Json panesJson(const PaneStates& panes) {
                           {"maps", panes.charts.maps}};
     }
     if (panes.trace != standard.trace) {
-        json["trace"] = {{"heights", panes.trace.heights}, {"follow", panes.trace.follow}};
+        json["trace"] = {
+            {"colors", panes.trace.colors}, {"heights", panes.trace.heights}, {"follow", panes.trace.follow}};
     }
     return json;
 }

@@ -187,7 +187,6 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     }
     Start start = chosenStart(arguments.file, shippedPictures());
     reliefui::takePanes(request, start.scenario.panes);
-    request.trace.exaggeration = start.scenario.panes.trace.heights;
     takeArguments(request, arguments);
     reliefui::prepareFigures();
     QApplication application(count, values);

@@ -12,6 +12,7 @@
 #include "drawings/pyramid_drawing.h"
 #include "drawings/qpainter_painter.h"
 #include "drawings/ray_geometry.h"
+#include "images/files.h"
 #include "images/reliefs.h"
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/tracers.h"
@@ -236,6 +237,33 @@ TEST(QPainterPainter, figuresHoldWordsInBothLanguages) {
         EXPECT_TRUE(text.contains(QString::fromStdString(relief::sentence(skipped, language))));
         EXPECT_FALSE(text.contains('{'));
         EXPECT_GT(text.count("<text"), 10);
+    }
+}
+
+double lightness(Rgba color) {
+    const auto linear = [](std::uint8_t c) { return static_cast<double>(relief::linearFromSrgb(c / 255.0F)); };
+    const double y = 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+    return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;  // CIE L*
+}
+
+// Levels are told apart by lightness alone, from each to the next by about as much; each is seen on its ground.
+TEST(Style, levelsGoDownInEvenSteps) {
+    constexpr int kLevels = 11;
+    Style style;
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        style.theme = theme;
+        double least = 100;
+        double most = 0;
+        for (int level = 0; level < kLevels; ++level) {
+            const double here = lightness(style.levelLine({level, kLevels}));
+            EXPECT_GT(std::abs(here - lightness(style.background())), 25) << level;
+            if (level == 0) continue;
+            const double step = lightness(style.levelLine({level - 1, kLevels})) - here;
+            least = std::min(least, step);
+            most = std::max(most, step);
+        }
+        EXPECT_GT(least, 2.5);
+        EXPECT_LT(most, 1.4 * least);
     }
 }
 

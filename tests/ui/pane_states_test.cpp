@@ -1,4 +1,5 @@
 // What is chosen in the panes is part of the scenario: undone, saved, opened again.
+#include <QComboBox>
 #include <QFile>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -44,6 +45,7 @@ class PaneStates : public WindowTest {
         window_->charts()->setMeasure(relief::ErrorMeasure::Max);
         window_->charts()->setLive(false);
         window_->trace()->setExaggeration(2);
+        window_->trace()->setColors(QStringLiteral("level"));
     }
     // What the panes themselves go by.
     void expectPanesAsTheScenarioSays() {
@@ -53,6 +55,8 @@ class PaneStates : public WindowTest {
         EXPECT_EQ(window_->footprint()->options().neighbours, panes.footprint.neighbours);
         EXPECT_EQ(window_->profile()->options().levels == LevelsShown::All, panes.profile.allLevels);
         EXPECT_EQ(window_->profile()->options().trueAspect, panes.profile.trueAspect);
+        const auto* const colors = window_->trace()->findChild<QComboBox*>(QStringLiteral("trace-colors"));
+        EXPECT_EQ(colors->currentData().toString().toStdString(), panes.trace.colors);
         EXPECT_EQ(window_->pyramid()->parts().size(), panes.pyramid.levels == "all" ? 3U : 1U);
     }
 };

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkCoordinate.h>
+#include <vtkRenderer.h>
 
 #include "views/result_painting.h"
 #include "views/trace3d_view.h"
@@ -48,6 +50,92 @@ TEST_F(WindowTest, TheTraceIsColouredByDecision) {
             break;
         }
     }
+}
+
+// Light makes a colour darker, but no other one.
+bool isLit(QColor seen, Rgba color) {
+    constexpr double kOff = 26;
+    const double along = seen.red() * color.r + seen.green() * color.g + seen.blue() * color.b;
+    const double light = along / (color.r * color.r + color.g * color.g + color.b * color.b);
+    return light > 0.6 && light < 1.1 && std::abs(seen.red() - light * color.r) < kOff &&
+           std::abs(seen.green() - light * color.g) < kOff && std::abs(seen.blue() - light * color.b) < kOff;
+}
+
+int pixelsOf(const QImage& image, Rgba color) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == toColor(color) ? 1 : 0;
+    }
+    return count;
+}
+
+// Above the legend.
+int litPixels(const QImage& image, Rgba color) {
+    int count = 0;
+    for (int y = 0; y < image.height() * 8 / 10; ++y) {
+        for (int x = 0; x < image.width(); ++x) count += isLit(image.pixelColor(x, y), color) ? 1 : 0;
+    }
+    return count;
+}
+
+// On the chosen step's stretch of the ray, beside its words.
+QPoint onStretch(MainWindow& window, const Snapshot& snapshot, const relief::Step& step) {
+    const TraceScene scene(snapshot, 1);
+    vtkRenderer* const renderer = window.trace()->renderer();
+    const Place at = scene.onRay(step.lambdaIn + 0.25 * (step.lambdaOut - step.lambdaIn));
+    auto place = vtkSmartPointer<vtkCoordinate>::New();
+    place->SetCoordinateSystemToWorld();
+    place->SetValue(at[0], at[1], at[2]);
+    const int* const pixel = place->GetComputedDisplayValue(renderer);
+    return {pixel[0], canvasOf(window)->height() - 1 - pixel[1]};
+}
+
+TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseAndSaysWhatIsWhich) {
+    relief::Scenario scenario = smallScenario();
+    for (const relief::MethodChoice& method :
+         {relief::MethodChoice{"max-pyramid", {}}, relief::MethodChoice{"layers-bisection", {{"layers", "8"}}}}) {
+        scenario.method = method;
+        openWindow(scenario);
+        const auto& steps = snapshot()->trace.steps;
+        const Style& style = workspace_->style();
+        constexpr Role kOfPhase[] = {Role::Start, Role::Searched, Role::Refined};
+        for (const char* const by : {"level", "phase"}) {
+            window_->trace()->setColors(QString::fromLatin1(by));
+            const int levels = snapshot()->maxima->pyramid.levels();
+            int right = 0;
+            int probes = 0;
+            for (std::size_t k = 0; k < steps.size(); ++k) {
+                if (steps[k].lambdaOut - steps[k].lambdaIn < 0.02) continue;
+                workspace_->chooseStep(static_cast<int>(k));
+                const QImage shown = grab(canvasOf(*window_));
+                // The sheets of layers lie over the ray: there it is any place beside the legend.
+                const Rgba color = std::string(by) == "level" ? style.levelLine({steps[k].level, levels})
+                                                              : style.color(kOfPhase[static_cast<int>(steps[k].phase)]);
+                const QPoint at = onStretch(*window_, *snapshot(), steps[k]);
+                const bool sheets = method.name != "max-pyramid";
+                right += isLit(shown.pixelColor(at), color) || (sheets && litPixels(shown, color) > 60) ? 1 : 0;
+                ++probes;
+                const int patch = pixelsOf(shown, color);
+                EXPECT_GT(patch, 40) << method.name << " " << by << ": step " << k << " is not in the legend";
+            }
+            ASSERT_GT(probes, 2);
+            // The relief hides some.
+            EXPECT_GE(right, probes * 2 / 3) << method.name << " " << by << ": " << right << " of " << probes;
+        }
+        window_.reset();
+        workspace_.reset();
+    }
+}
+
+TEST_F(WindowTest, TheTraceIsExportedInTheColoursOfThePane) {
+    openWindow(smallScenario());
+    const auto& steps = snapshot()->trace.steps;
+    const QImage byDecision = window_->trace()->image(900);
+    window_->trace()->setColors(QStringLiteral("level"));
+    const QImage byLevel = window_->trace()->image(900);
+    const Rgba color = workspace_->style().levelLine({steps.front().level, snapshot()->maxima->pyramid.levels()});
+    EXPECT_EQ(pixelsOf(byDecision, color), 0);
+    EXPECT_GT(pixelsOf(byLevel, color), 40);
 }
 
 TEST_F(WindowTest, TheTraceTurnsZoomsAndFitsAgain) {

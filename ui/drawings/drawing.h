@@ -72,6 +72,7 @@ enum class Role : std::uint8_t {
     Advanced,
     Tested,
     Refined,
+    Searched,  // whatever was decided: the phase between start and refinement
     Limit,
     Hit,
     Miss,

@@ -61,6 +61,15 @@ void LegendRows::line(Role role, const Message& what, LevelTint tint, double len
     text({at.x + length + 4, at.y}, what);
 }
 
+void LegendRows::swatch(Role role, const Message& what, LevelTint tint) {
+    constexpr double kWide = 12;
+    constexpr double kHigh = 8;
+    const Point at = place(kWide + 4 + textRoom(what) + kBetween);
+    const Box patch{at.x, at.y - kHigh / 2, at.x + kWide, at.y + kHigh / 2};
+    add(role, Rectangle{patch, true, 0, 0}, tint, Emphasis::Strong);
+    text({at.x + kWide + 4, at.y}, what);
+}
+
 void LegendRows::ramp(ColorMap map, const Message& what) {
     static constexpr int kRampCells = 64;
     constexpr double kBar = 56;

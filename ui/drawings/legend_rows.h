@@ -19,6 +19,8 @@ class LegendRows {
     void text(Point at, relief::Message message);
     // A short line of this role, and what it is.
     void line(Role role, const relief::Message& what, LevelTint tint = {}, double length = 18);
+    // A patch of its colour, and what it is.
+    void swatch(Role role, const relief::Message& what, LevelTint tint = {});
     // The colours of a map, and what they are of.
     void ramp(ColorMap map, const relief::Message& what);
     // A mark of a decision, and its name; one entry for each that is `seen`.

@@ -34,8 +34,8 @@ constexpr std::array<Rgba, 10> kCividis{{{0x00, 0x22, 0x4E, 255},
                                          {0xE1, 0xCC, 0x55, 255},
                                          {0xFE, 0xE8, 0x38, 255}}};
 constexpr std::array<Rgba, 2> kGrey{{{0x10, 0x10, 0x10, 255}, {0xF8, 0xF8, 0xF8, 255}}};
-// Levels: from fine (light) to coarse (dark blue), one hue.
-constexpr std::array<Rgba, 3> kLevels{{{0xDE, 0xEB, 0xF7, 255}, {0x6B, 0xAE, 0xD6, 255}, {0x08, 0x30, 0x6B, 255}}};
+// Levels: from fine (light) to coarse (dark blue), one hue; the middle has the mean of the ends' lightness.
+constexpr std::array<Rgba, 3> kLevels{{{0xDE, 0xEB, 0xF7, 255}, {0x42, 0x92, 0xC6, 255}, {0x08, 0x30, 0x6B, 255}}};
 
 // Around white, safe for colour-blind eyes.
 constexpr std::array<Rgba, 5> kAroundZero{
@@ -82,6 +82,8 @@ Rgba Style::color(Role role) const {
             return kOrange;
         case Role::Refined:
             return kYellow;
+        case Role::Searched:
+            return kBlue;
         case Role::Neighbour:
             return kSkyBlue;
         case Role::Weight:
@@ -209,7 +211,8 @@ Stroke Style::stroke(const Item& item) const {
     own.color.a = alpha;
     // Coarse ones are wider: seen also where a fine one of the same height lies on them.
     constexpr double kWider = 1.0;
-    own.width *= 1 + kWider * item.tint.level / std::max(item.tint.levels - 1, 1);
+    const auto* const patch = std::get_if<Rectangle>(&item.primitive);
+    if (patch == nullptr || !patch->fill) own.width *= 1 + kWider * item.tint.level / std::max(item.tint.levels - 1, 1);
     return own;
 }
 
@@ -225,6 +228,7 @@ Rgba Style::stream(int number) const {
 }
 
 Rgba Style::color(const Item& item) const {
+    if (item.role == Role::Plateau) return levelLine(item.tint);
     if (item.role == Role::Series || item.role == Role::SeriesDashed) return series(item.tint.level);
     if (item.role == Role::Stream) return stream(item.tint.level);
     // What it lies on does not change with the theme.
@@ -241,8 +245,8 @@ Rgba Style::fill(const Item& item) const {
 
 Rgba Style::levelLine(const LevelTint& tint) const {
     // The ends of the map are nearly white and nearly black.
-    constexpr double kDarkFrom = 0.16;
-    constexpr double kDarkTo = 0.68;
+    constexpr double kDarkFrom = 0.08;
+    constexpr double kDarkTo = 0.62;
     constexpr double kLightFrom = 0.40;
     constexpr double kLightTo = 1.0;
     const double t = tint.levels > 1 ? static_cast<double>(tint.level) / (tint.levels - 1) : 0.0;

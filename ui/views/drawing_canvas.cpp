@@ -3,18 +3,16 @@
 #include <cmath>
 
 #include <vtkContextActor.h>
-#include <vtkContextItem.h>
 #include <vtkContextScene.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include "drawings/vtk_context_painter.h"
+#include "views/drawing_item.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -27,32 +25,6 @@ constexpr double kFar = 0.5;       // least
 constexpr double kClickReach = 4;  // pixels that a click may move
 
 }  // namespace
-
-// What the canvas shows, painted when VTK asks.
-class DrawingItem : public vtkContextItem {
-  public:
-    // The macro takes no semicolon of its own.
-    vtkTypeMacro(DrawingItem, vtkContextItem) static DrawingItem* New();
-
-    bool Paint(vtkContext2D* context) override {
-        painter.begin(context, renderer, width, height);
-        for (const auto& layer : layers) painter.paint(*layer, map, style);
-        if (legend) painter.paint(*legend, legendMap, style);
-        painter.end(renderer->GetVTKWindow());
-        return true;
-    }
-
-    std::vector<std::shared_ptr<const Drawing>> layers;
-    std::shared_ptr<const Drawing> legend;
-    ViewMap map;
-    ViewMap legendMap;
-    Style style;
-    vtkRenderer* renderer = nullptr;
-    int width = 0;
-    int height = 0;
-    VtkContextPainter painter;
-};
-vtkStandardNewMacro(DrawingItem);
 
 struct DrawingCanvas::Scene {
     vtkNew<vtkGenericOpenGLRenderWindow> window;

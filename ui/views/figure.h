@@ -14,6 +14,7 @@
 #include "drawings/profile_drawing.h"
 #include "drawings/pyramid_drawing.h"
 #include "drawings/rows_drawing.h"
+#include "drawings/step_colors.h"
 #include "drawings/style.h"
 #include "views/turntable.h"
 #include "workspace/snapshot.h"
@@ -34,6 +35,7 @@ std::optional<RowsPlace> rowsPlace(const Snapshot& snapshot);
 // The heights are drawn so many times as high; without a camera it is seen from the side of the ray.
 struct TraceOptions {
     double exaggeration = 1;
+    StepColors colors = StepColors::Decision;
     std::optional<Turntable> camera;
 };
 

@@ -54,6 +54,8 @@ void takePanes(FigureRequest& request, const relief::PaneStates& panes) {
     takeProfile(request.profile, panes.profile);
     request.distance = distanceOptions(panes.distance);
     request.rows = rowsOptions(panes.rows);
+    request.trace.exaggeration = panes.trace.heights;
+    request.trace.colors = stepColors(panes.trace.colors);
     request.footprint.neighbours = panes.footprint.neighbours;
 }
 

@@ -38,6 +38,7 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
     connect(workspace_, &Workspace::panesChanged, this, &ProfileView::adopt);
     connect(workspace_, &Workspace::stepChanged, this, &ProfileView::refreshStep);
     connect(workspace_, &Workspace::styleChanged, this, &ProfileView::refresh);
+    takeProfile(options_, pane_);
     adopt();
     refresh();
 }

@@ -10,6 +10,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -69,6 +70,14 @@ SlabScene::~SlabScene() = default;
 
 vtkRenderer* SlabScene::renderer() const {
     return renderer_;
+}
+
+void SlabScene::addTo(vtkRenderWindow* window) const {
+    window->AddRenderer(renderer_);
+}
+
+void SlabScene::takeFrom(vtkRenderWindow* window) const {
+    window->RemoveRenderer(renderer_);
 }
 
 void SlabScene::layOut(const PyramidParts& parts, double width, double height) {

@@ -16,6 +16,7 @@
 #include "views/turntable.h"
 
 class vtkProp;
+class vtkRenderWindow;
 class vtkRenderer;
 
 namespace reliefui {
@@ -28,6 +29,8 @@ class SlabScene {
     SlabScene& operator=(const SlabScene&) = delete;
 
     vtkRenderer* renderer() const;
+    void addTo(vtkRenderWindow* window) const;
+    void takeFrom(vtkRenderWindow* window) const;
     // The slabs: made anew with the map, the ray's surroundings or the style (in the pixels of the window), for a view
     // of this size in pixels. Whether they stand in the piles of before.
     bool show(const PyramidParts& parts, const Style& style, double width, double height);

@@ -50,9 +50,10 @@ class Quiet {
     int before_;
 };
 
-// fill: what is drawn into the renderer, in this style, for this aspect (width over height).
-QImage imageOf(vtkRenderer* renderer, const FigureRequest& request, const QSize& size,
-               const std::function<void(const Style& style, double aspect)>& fill) {
+// A picture that puts itself into a window: addTo, takeFrom. fill: what is drawn, in this style, on so many pixels.
+template <class Picture>
+QImage imageOf(const Picture& picture, const FigureRequest& request, const QSize& size,
+               const std::function<void(const Style& style, const QSize& pixels)>& fill) {
     QSize drawn = size;
     if (std::max(size.width(), size.height()) > kLargestSide)
         drawn.scale(kLargestSide, kLargestSide, Qt::KeepAspectRatio);
@@ -70,15 +71,15 @@ QImage imageOf(vtkRenderer* renderer, const FigureRequest& request, const QSize&
     window->SetFrameBlitModeToNoBlit();
     window->SetMultiSamples(0);
     window->SetSize(drawn.width(), drawn.height());
-    window->AddRenderer(renderer);
+    picture.addTo(window);
     window->OpenGLInitContext();
     // The loader of functions, which knows GLX only, makes VTK believe that there is nothing to be asked of the
     // context.
     window->OpenGLInitState();
-    fill(style, static_cast<double>(size.width()) / std::max(1, size.height()));
+    fill(style, drawn);
     window->Render();
     const QImage image = pixelsOf(window, drawn);
-    window->RemoveRenderer(renderer);
+    picture.takeFrom(window);
     window->Finalize();
     QImage result = drawn == size ? image : image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     const auto dots = static_cast<int>(std::lround(size.width() / request.widthMm * 1000));
@@ -91,14 +92,16 @@ QImage imageOf(vtkRenderer* renderer, const FigureRequest& request, const QSize&
 
 QImage traceImage(const Snapshot& snapshot, const FigureRequest& request, const QSize& size) {
     TracePicture picture;
-    return imageOf(picture.renderer(), request, size, [&](const Style& style, double aspect) {
+    return imageOf(picture, request, size, [&](const Style& style, const QSize& pixels) {
+        picture.setSize(pixels);
+        picture.setColors(request.trace.colors);
         picture.show(std::make_shared<const Snapshot>(snapshot), style, request.trace.exaggeration);
         picture.showStep(snapshot.scenario.step);
         if (request.trace.camera) {
             picture.camera = *request.trace.camera;
         } else {
             constexpr double kRoom = 0.85;  // for words at the sides
-            picture.fit(kRoom * aspect);
+            picture.fit(kRoom);
         }
         picture.place();
     });
@@ -106,7 +109,8 @@ QImage traceImage(const Snapshot& snapshot, const FigureRequest& request, const 
 
 QImage slabsImage(const Snapshot& snapshot, const FigureRequest& request, const QSize& size) {
     SlabScene scene;
-    return imageOf(scene.renderer(), request, size, [&](const Style& style, double aspect) {
+    return imageOf(scene, request, size, [&](const Style& style, const QSize& pixels) {
+        const double aspect = static_cast<double>(pixels.width()) / std::max(1, pixels.height());
         const double points = request.widthMm / kMmPerPoint;
         const PyramidParts parts = pyramidParts(snapshot, request.pyramid, points, points / aspect);
         scene.show(parts, style, points * style.screenPixelsPerPoint, points / aspect * style.screenPixelsPerPoint);

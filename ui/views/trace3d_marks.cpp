@@ -27,8 +27,13 @@ constexpr double kLater = 0.45;  // opacity of the steps after the chosen one
 
 }  // namespace
 
-TraceMarks::TraceMarks(const TraceScene& scene, const relief::HeightField& field, const Style& style)
-    : scene_(scene), field_(field), style_(style), radius_(kRadius * scene.diagonal() * (style.projector ? 1.7 : 1)) {}
+TraceMarks::TraceMarks(const TraceScene& scene, const relief::HeightField& field, const Style& style,
+                       const StepPaint& paint)
+    : scene_(scene),
+      field_(field),
+      style_(style),
+      paint_(paint),
+      radius_(kRadius * scene.diagonal() * (style.projector ? 1.7 : 1)) {}
 
 vtkSmartPointer<vtkActor> TraceMarks::line(vtkSmartPointer<vtkPolyData> data, Role role, double width) const {
     auto actor = actorOf(data);
@@ -72,7 +77,7 @@ vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>&
         const Place from = scene_.onRay(std::min(step.lambdaIn, scene_.end));
         const Place to = scene_.onRay(step.decision == relief::Decision::Refine ? out : std::min(out, scene_.end));
         tubes.add(between(from, to, kGap), between(from, to, 1 - kGap), (kSleeve + kWiden * nested) * radius_,
-                  style_.color(roleOf(step.decision)));
+                  paint_.color(step, style_));
     }
     auto actor = actorOf(tubes.take());
     lightLittle(actor);
@@ -83,7 +88,7 @@ vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>&
 vtkSmartPointer<vtkActor> TraceMarks::stretch(const relief::Step& step) const {
     const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
     Tubes tubes;
-    tubes.add(scene_.onRay(step.lambdaIn), scene_.onRay(out), kChosen * radius_, style_.color(roleOf(step.decision)));
+    tubes.add(scene_.onRay(step.lambdaIn), scene_.onRay(out), kChosen * radius_, paint_.color(step, style_));
     auto actor = actorOf(tubes.take());
     lightLittle(actor);
     return actor;
@@ -130,7 +135,7 @@ TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const MapWalk& wal
     const auto z = [&](double height) { return std::max(scene_.bottom, std::min(height, 1.0) * scene_.scale); };
     if (namesVoxel(walk, step)) {
         const VoxelBox voxel = voxelBox(walk, field_, step);
-        return {voxel.sides, z(voxel.low), z(voxel.high), roleOf(step.decision)};
+        return {voxel.sides, z(voxel.low), z(voxel.high), paint_.color(step, style_)};
     }
     double height = step.value;
     if (walk && step.level == 0 && !valueIsHeight(walk, step)) {
@@ -140,7 +145,7 @@ TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const MapWalk& wal
         const auto j = static_cast<int>(std::clamp<std::int64_t>(step.j - grid.y.firstName, 0, cells.height() - 1));
         height = static_cast<double>(cells(i, j));
     }
-    return {placeOf(walk, field_, step, scene_.baseLevel), scene_.bottom, z(height), roleOf(step.decision)};
+    return {placeOf(walk, field_, step, scene_.baseLevel), scene_.bottom, z(height), paint_.color(step, style_)};
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::box(const Prism& prism) const {
@@ -166,7 +171,7 @@ vtkSmartPointer<vtkActor> TraceMarks::box(const Prism& prism) const {
     auto actor = actorOf(data);
     actor->GetProperty()->SetLighting(false);
     actor->GetProperty()->SetOpacity(0.26);
-    paintIn(actor, style_.color(prism.role));
+    paintIn(actor, prism.color);
     return actor;
 }
 
@@ -175,7 +180,7 @@ vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const Prism& prism) const {
     const Box b = whole.cut(scene_.patch);
     Tubes tubes;
     if (b.width() > 0 && b.height() > 0) {
-        const Rgba color = style_.color(prism.role);
+        const Rgba color = prism.color;
         // A side where the patch ends is no side of the texel.
         const bool left = b.x0 == whole.x0;
         const bool right = b.x1 == whole.x1;

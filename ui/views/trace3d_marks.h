@@ -1,5 +1,5 @@
-// What the 3-D trace draws over the relief: the ray, its stretches in the colours of the decisions, the box of a step,
-// the hit, and words.
+// What the 3-D trace draws over the relief: the ray, its stretches in the colours of the steps, the box of a step, the
+// hit, and words.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include "drawings/step_body.h"
+#include "drawings/step_colors.h"
 #include "drawings/style.h"
 #include "views/trace3d_scene.h"
 
@@ -19,7 +20,8 @@ namespace reliefui {
 
 class TraceMarks {
   public:
-    TraceMarks(const TraceScene& scene, const relief::HeightField& field, const Style& style);
+    TraceMarks(const TraceScene& scene, const relief::HeightField& field, const Style& style,
+               const StepPaint& paint = {});
 
     vtkSmartPointer<vtkActor> line(vtkSmartPointer<vtkPolyData> data, Role role, double width) const;
     vtkSmartPointer<vtkActor> ray() const;  // a tube from a little above the slab to its end
@@ -36,7 +38,7 @@ class TraceMarks {
         Box sides;  // texels; those beyond the patch are cut off
         double low = 0;
         double high = 0;  // Z
-        Role role = Role::Frame;
+        Rgba color;
     };
     Prism prism(const relief::Step& step, const MapWalk& walk, const relief::MaxPyramidMap& maxima) const;
     vtkSmartPointer<vtkActor> box(const Prism& prism) const;
@@ -52,6 +54,7 @@ class TraceMarks {
     const TraceScene& scene_;
     const relief::HeightField& field_;
     const Style& style_;
+    StepPaint paint_;
     double radius_;  // of the ray
 };
 

@@ -4,16 +4,20 @@
 #include <cmath>
 
 #include <vtkCamera.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
 #include <vtkLight.h>
 #include <vtkPlane.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
 #include "drawings/vtk_text.h"
 #include "scenario/step_sentence.h"
+#include "views/drawing_item.h"
 #include "views/trace3d_bodies.h"
 #include "views/trace3d_marks.h"
 #include "views/trace3d_samples.h"
@@ -53,13 +57,31 @@ QString stepWords(const relief::Step& step, const StepBody& body, const MapWalk&
 
 }  // namespace
 
-TracePicture::TracePicture() : renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+TracePicture::TracePicture()
+    : renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      legendRenderer_(vtkSmartPointer<vtkRenderer>::New()),
+      legendActor_(vtkSmartPointer<vtkContextActor>::New()),
+      legend_(vtkSmartPointer<DrawingItem>::New()) {
     renderer_->UseFXAAOn();
     renderer_->SetAutomaticLightCreation(false);
     addLight(renderer_);
+    legend_->renderer = legendRenderer_;
+    legendActor_->GetScene()->SetRenderer(legendRenderer_);
+    legendActor_->GetScene()->AddItem(legend_);
+    legendRenderer_->AddActor(legendActor_);
 }
 
 TracePicture::~TracePicture() = default;
+
+void TracePicture::addTo(vtkRenderWindow* window) const {
+    window->AddRenderer(renderer_);
+    window->AddRenderer(legendRenderer_);
+}
+
+void TracePicture::takeFrom(vtkRenderWindow* window) const {
+    window->RemoveRenderer(renderer_);
+    window->RemoveRenderer(legendRenderer_);
+}
 
 vtkRenderer* TracePicture::renderer() const {
     return renderer_;
@@ -134,11 +156,51 @@ void TracePicture::addWords(const QString& words) {
 void TracePicture::clear(const Style& style) {
     style_ = style;
     const Rgba ground = style.background();
-    renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
+    for (vtkRenderer* const part : {renderer_.Get(), legendRenderer_.Get()}) {
+        part->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
+    }
     renderer_->RemoveAllViewProps();
     stepProps_.clear();
     scene_.reset();
     topLabel_ = nullptr;
+    layLegend();
+}
+
+void TracePicture::setSize(const QSize& pixels) {
+    size_ = pixels;
+    layLegend();
+}
+
+StepPaint TracePicture::paint() const {
+    return {colors_, shown_ && shown_->maxima ? shown_->maxima->pyramid.levels() : 1};
+}
+
+// Below the relief. Where it would take too much, it is left out.
+void TracePicture::layLegend() {
+    constexpr double kMargin = 6;  // points
+    constexpr double kMost = 0.3;  // of the height
+    relief_ = 1;
+    legend_->legend.reset();
+    if (scene_ && !size_.isEmpty()) {
+        const double unit = style_.pixelsPerPoint();
+        const PixelTrace& trace = shown_->trace;
+        auto drawing =
+            std::make_shared<Drawing>(traceLegend(trace.steps, trace.hit.outcome == relief::Outcome::Hit, paint(),
+                                                  size_.width() / unit - 2 * kMargin, style_.language));
+        const double high = std::ceil((drawing->bounds.height() + kMargin) * unit);
+        if (high < kMost * size_.height()) {
+            relief_ = 1 - high / size_.height();
+            legend_->legend = std::move(drawing);
+            legend_->style = style_;
+            legend_->legendMap = {unit, kMargin * unit, kMargin * unit / 2};
+            legend_->width = size_.width();
+            legend_->height = static_cast<int>(high);
+        }
+    }
+    legendActor_->GetScene()->SetDirty(true);
+    legendRenderer_->SetDraw(relief_ < 1);
+    legendRenderer_->SetViewport(0, 0, 1, relief_ < 1 ? 1 - relief_ : 1);
+    renderer_->SetViewport(0, 1 - relief_, 1, 1);
 }
 
 void TracePicture::forget() {
@@ -157,13 +219,14 @@ void TracePicture::show(std::shared_ptr<const Snapshot> snapshot, const Style& s
         return;
     }
     scene_ = std::make_unique<TraceScene>(*shown_, exaggeration);
+    layLegend();
     addRelief();
     addRay();
 }
 
 void TracePicture::addStep(const relief::Step& step, std::size_t number) {
     const Style& style = style_;
-    const TraceMarks marks(*scene_, shown_->request->field, style);
+    const TraceMarks marks(*scene_, shown_->request->field, style, paint());
     for (const bool later : {false, true}) {
         stepProps_.push_back(marks.stretches(shown_->trace.steps, number, later));
     }
@@ -183,7 +246,7 @@ void TracePicture::addStep(const relief::Step& step, std::size_t number) {
     // Samples of layers are shown as sheets; those of a map have their spheres or cones.
     const std::vector<relief::Step> none;
     for (const auto& mark :
-         sampleMarks(*scene_, walk.interpolated ? none : shown_->trace.steps, number, style, marks.radius())) {
+         sampleMarks(*scene_, walk.interpolated ? none : shown_->trace.steps, number, paint(), style, marks.radius())) {
         stepProps_.push_back(mark);
     }
     stepProps_.push_back(marks.words(body ? aboveBody(*scene_, *shown_, body) : marks.labelPlace(step),
@@ -194,6 +257,7 @@ void TracePicture::addStep(const relief::Step& step, std::size_t number) {
 void TracePicture::showStep(int step) {
     for (const auto& prop : stepProps_) renderer_->RemoveViewProp(prop);
     stepProps_.clear();
+    layLegend();
     if (!scene_ || shown_->trace.steps.empty()) return;
     const auto& steps = shown_->trace.steps;
     const auto at = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(steps.size()) - 1));
@@ -208,7 +272,7 @@ void TracePicture::follow(int step) {
 }
 
 // Keeps the direction of the view, at the distance that shows the patch.
-void TracePicture::showAll(double aspect) {
+void TracePicture::showAll(double room) {
     if (!scene_) return;
     const Box& p = scene_->patch;
     std::vector<Place> places;
@@ -217,10 +281,11 @@ void TracePicture::showAll(double aspect) {
             for (const double t : {p.y0, p.y1}) places.push_back({s, -t, z});
         }
     }
-    camera.fit(places, aspect);
+    const double aspect = size_.isEmpty() ? 1 : size_.width() / (relief_ * size_.height());
+    camera.fit(places, room * aspect);
 }
 
-void TracePicture::fit(double aspect) {
+void TracePicture::fit(double room) {
     if (!scene_) return;
     const double length = std::hypot(scene_->path.run.x, scene_->path.run.y);
     // Across the ray, a little from behind it, so that it runs through the picture from left to right.
@@ -228,7 +293,7 @@ void TracePicture::fit(double aspect) {
     const double dx = length > 0 ? scene_->path.run.x / length : 1;
     const double dy = length > 0 ? -scene_->path.run.y / length : 0;
     camera.lookAlong(-dy + kBehind * dx, dx + kBehind * dy);
-    showAll(aspect);
+    showAll(room);
 }
 
 void TracePicture::place() {

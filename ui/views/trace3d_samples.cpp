@@ -106,7 +106,8 @@ std::vector<double> sheetLambdas(const std::vector<relief::Step>& steps, std::si
 }
 
 std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, const std::vector<relief::Step>& steps,
-                                                   std::size_t chosen, const Style& style, double radius) {
+                                                   std::size_t chosen, const StepPaint& paint, const Style& style,
+                                                   double radius) {
     constexpr std::size_t kMostStems = 200;
     std::vector<vtkSmartPointer<vtkActor>> marks;
     if (std::none_of(steps.begin(), steps.end(), isPoint)) return marks;
@@ -117,7 +118,7 @@ std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, cons
     marks.push_back(sheets(scene, lambdas, advanced, 0.05));
     marks.push_back(rims(scene, lambdas, advanced, 0.25 * radius));
     const relief::Step& step = steps[chosen];
-    const Rgba color = style.color(roleOf(step.decision));
+    const Rgba color = paint.color(step, style);
     if (isLayer(steps, chosen)) {
         marks.push_back(sheets(scene, {step.lambdaOut}, color, 0.22));
         marks.push_back(rims(scene, {step.lambdaOut}, color, 0.6 * radius));
@@ -127,7 +128,7 @@ std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, cons
     for (std::size_t k = first; k <= chosen; ++k) {
         if (!isPoint(steps[k]) || !readsHeight(steps[k].decision)) continue;
         const double wide = (k == chosen ? 2.0 : 1.0) * radius;
-        addStem(stems, scene, readAt(steps, k), steps[k].value, wide, style.color(roleOf(steps[k].decision)));
+        addStem(stems, scene, readAt(steps, k), steps[k].value, wide, paint.color(steps[k], style));
     }
     const bool shifted = isPoint(step) && step.decision == Decision::Hit && readAt(steps, chosen) < step.lambdaAfter;
     if (shifted && chosen > 0 && steps[chosen - 1].decision == Decision::Start) {

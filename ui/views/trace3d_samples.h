@@ -7,7 +7,7 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
-#include "drawings/style.h"
+#include "drawings/step_colors.h"
 #include "views/trace3d_scene.h"
 
 namespace reliefui {
@@ -22,6 +22,7 @@ std::vector<double> sheetLambdas(const std::vector<relief::Step>& steps, std::si
 
 // Of the steps up to and around the chosen one; nothing where no step looked at a point.
 std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, const std::vector<relief::Step>& steps,
-                                                   std::size_t chosen, const Style& style, double radius);
+                                                   std::size_t chosen, const StepPaint& paint, const Style& style,
+                                                   double radius);
 
 }  // namespace reliefui

@@ -75,8 +75,8 @@ TraceScene::TraceScene(const Snapshot& snapshot, double exaggeration)
 double TraceScene::foot() const {
     constexpr int kLooks = 64;
     constexpr double kUnder = 0.06;   // of the slab
-    constexpr double kHighest = 0.8;  // of the block's width
-    constexpr double kDeep = 0.15;    // the same, under the ray
+    constexpr double kHighest = 0.5;  // of the block's width
+    constexpr double kDeep = 0.1;     // the same, under the ray
     double low = 1;
     for (int j = 0; j <= kLooks; ++j) {
         for (int i = 0; i <= kLooks; ++i) {

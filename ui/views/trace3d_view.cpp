@@ -47,7 +47,7 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     widget_->setEnableHiDPI(false);
     widget_->setFocusPolicy(Qt::StrongFocus);
     window_->SetMultiSamples(0);
-    window_->AddRenderer(picture_.renderer());
+    picture_.addTo(window_);
     widget_->setRenderWindow(window_);
     widget_->interactor()->SetInteractorStyle(nullptr);
     widget_->installEventFilter(this);
@@ -84,6 +84,7 @@ std::shared_ptr<const Snapshot> Trace3dView::figureSnapshot() const {
 
 void Trace3dView::fillFigure(FigureRequest& request) const {
     request.trace.exaggeration = pane_.heights;
+    request.trace.colors = stepColors(pane_.colors);
     request.trace.camera = picture_.camera;
 }
 
@@ -103,6 +104,17 @@ void Trace3dView::makeBar(QHBoxLayout* bar) {
     heights_->setAccessibleName(heights_->toolTip());
     connect(heights_, QOverload<int>::of(&QComboBox::activated), this,
             [this](int row) { setExaggeration(heights_->itemData(row).toDouble()); });
+    colors_ = new QComboBox(this);
+    colors_->setObjectName(QStringLiteral("trace-colors"));
+    const std::vector<std::string>& names = relief::tracePaneColors();
+    for (const QString& text : {tr("steps by decision"), tr("steps by level"), tr("steps by phase")}) {
+        colors_->addItem(text, QString::fromStdString(names[static_cast<std::size_t>(colors_->count())]));
+    }
+    colors_->setToolTip(tr("What the colours of the steps say"));
+    colors_->setAccessibleName(colors_->toolTip());
+    connect(colors_, QOverload<int>::of(&QComboBox::activated), this,
+            [this](int row) { setColors(colors_->itemData(row).toString()); });
+    bar->addWidget(colors_);
     bar->addWidget(heights_);
     bar->addWidget(follow_);
     bar->addWidget(fitButton);
@@ -117,8 +129,8 @@ Style Trace3dView::deviceStyle() const {
     return style;
 }
 
-double Trace3dView::aspect() const {
-    return static_cast<double>(std::max(1, widget_->width())) / std::max(1, widget_->height());
+void Trace3dView::takeSize() {
+    picture_.setSize(widget_->size() * widget_->devicePixelRatioF());
 }
 
 void Trace3dView::refresh() {
@@ -136,9 +148,11 @@ void Trace3dView::refresh() {
     if (same && wasStale) showStep(workspace_->scenario().step);
     if (same) return;
     note_->clear();
+    takeSize();
+    picture_.setColors(stepColors(pane_.colors));
     picture_.show(snapshot, deviceStyle(), pane_.heights);
     if (picture_.scene() == nullptr) return render();
-    placed_ ? picture_.showAll(aspect()) : picture_.fit(aspect());
+    placed_ ? picture_.showAll() : picture_.fit();
     placed_ = true;
     showStep(workspace_->scenario().step);
 }
@@ -172,7 +186,7 @@ void Trace3dView::showStep(int step) {
 }
 
 void Trace3dView::fit() {
-    picture_.fit(aspect());
+    picture_.fit();
     render();
 }
 
@@ -187,21 +201,33 @@ void Trace3dView::adopt() {
     const relief::TracePane before = std::exchange(pane_, workspace_->scenario().panes.trace);
     follow_->setChecked(pane_.follow);
     heights_->setCurrentIndex(heights_->findData(pane_.heights));
+    colors_->setCurrentIndex(colors_->findData(QString::fromStdString(pane_.colors)));
+    picture_.setColors(stepColors(pane_.colors));
     if (pane_.heights != before.heights) {
         picture_.forget();
         refresh();
     }
-    if (pane_.follow == before.follow) return;
-    if (!pane_.follow) picture_.showAll(aspect());
+    if (pane_.follow == before.follow && pane_.colors == before.colors) return;
+    if (before.follow && !pane_.follow) picture_.showAll();
     showStep(workspace_->scenario().step);
 }
 
 void Trace3dView::setFollowing(bool on) {
-    change({pane_.heights, on});
+    relief::TracePane pane = pane_;
+    pane.follow = on;
+    change(pane);
 }
 
 void Trace3dView::setExaggeration(double n) {
-    change({n, pane_.follow});
+    relief::TracePane pane = pane_;
+    pane.heights = n;
+    change(pane);
+}
+
+void Trace3dView::setColors(const QString& by) {
+    relief::TracePane pane = pane_;
+    pane.colors = by.toStdString();
+    change(pane);
 }
 
 bool Trace3dView::handleMouse(QMouseEvent* event) {
@@ -221,8 +247,8 @@ bool Trace3dView::handleMouse(QMouseEvent* event) {
     const QPointF by = event->localPos() - last_;
     last_ = event->localPos();
     const bool turns = (event->buttons() & Qt::LeftButton) != 0 && (event->modifiers() & Qt::ShiftModifier) == 0;
-    turns ? picture_.camera.turn(by.x(), by.y(), widget_->height())
-          : picture_.camera.move(by.x(), by.y(), widget_->height());
+    const double height = picture_.relief() * widget_->height();
+    turns ? picture_.camera.turn(by.x(), by.y(), height) : picture_.camera.move(by.x(), by.y(), height);
     render();
     return true;
 }
@@ -262,7 +288,8 @@ bool Trace3dView::handleKey(QKeyEvent* event) {
             return false;
     }
     if (dx != 0 || dy != 0) {
-        shift ? picture_.camera.move(dx, dy, widget_->height()) : picture_.camera.turn(dx, dy, widget_->height());
+        const double height = picture_.relief() * widget_->height();
+        shift ? picture_.camera.move(dx, dy, height) : picture_.camera.turn(dx, dy, height);
     }
     render();
     return true;
@@ -276,7 +303,7 @@ bool Trace3dView::eventFilter(QObject* watched, QEvent* event) {
             return handleMouse(static_cast<QMouseEvent*>(event));
         case QEvent::Wheel: {
             const auto* const wheel = static_cast<QWheelEvent*>(event);
-            const double half = widget_->height() / 2.0;
+            const double half = picture_.relief() * widget_->height() / 2.0;
             picture_.camera.zoom(std::pow(1.2, wheel->angleDelta().y() / 120.0),
                                  (wheel->position().x() - widget_->width() / 2.0) / half,
                                  (half - wheel->position().y()) / half);
@@ -291,7 +318,8 @@ bool Trace3dView::eventFilter(QObject* watched, QEvent* event) {
             openMenu(widget_->rect().center());
             return true;
         case QEvent::Resize:
-            if (!pane_.follow) picture_.showAll(aspect());
+            takeSize();
+            if (!pane_.follow) picture_.showAll();
             render();
             return false;
         default:

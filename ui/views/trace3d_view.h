@@ -1,6 +1,6 @@
-// The relief around the chosen ray in three dimensions: the ray, its stretches coloured by decision, the box of the
-// current step's texel, the hit. Drag turns, right drag moves, wheel zooms at the pointer, R fits; arrows,
-// Shift+arrows, plus and minus do the same.
+// The relief around the chosen ray in three dimensions: the ray, its stretches coloured by decision, level or phase,
+// the box of the current step's texel, the hit. Drag turns, right drag moves, wheel zooms at the pointer, R fits;
+// arrows, Shift+arrows, plus and minus do the same.
 #pragma once
 
 #include <memory>
@@ -32,9 +32,10 @@ class Trace3dView : public FigureView {
     vtkRenderer* renderer() const;
 
   public slots:
-    void fit();                      // the whole patch, seen from the side of the ray
-    void setFollowing(bool on);      // the camera keeps its eye on the end of the current step
-    void setExaggeration(double n);  // of heights
+    void fit();                         // the whole patch, seen from the side of the ray
+    void setFollowing(bool on);         // the camera keeps its eye on the end of the current step
+    void setExaggeration(double n);     // of heights
+    void setColors(const QString& by);  // of the steps, as of relief::tracePaneColors()
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -54,13 +55,14 @@ class Trace3dView : public FigureView {
     bool handleKey(QKeyEvent* event);
     void render();
     void renderNow();
-    double aspect() const;
+    void takeSize();
     Style deviceStyle() const;
 
     QVTKOpenGLNativeWidget* widget_;
     QLabel* note_;
     QToolButton* follow_ = nullptr;
     QComboBox* heights_ = nullptr;
+    QComboBox* colors_ = nullptr;
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     TracePicture picture_;
     QPointF pressed_;

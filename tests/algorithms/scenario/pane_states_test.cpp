@@ -12,12 +12,12 @@ namespace {
 PaneStates allOther() {
     PaneStates panes;
     panes.pyramid = {"all", true, false, true};
-    panes.profile = {true, true, true};
+    panes.profile = {true, false, true};
     panes.distance = {"refined", "euclidean", "z", 3, 2, false, false};
     panes.footprint = {8};
     panes.rows = {{"direct", "subspan:error=0.25"}, 3840, true, false};
     panes.charts = {"histograms", "p9999", false, true};
-    panes.trace = {2, true};
+    panes.trace = {"level", 2, true};
     return panes;
 }
 
@@ -62,6 +62,7 @@ TEST(PaneStates, whatIsUnknownIsRefusedWithItsLine) {
     refused("\"rows\": {\n\n\"variants\": [\"direkt\"]}", "line 5", "direkt");
     refused("\"charts\": {\"error\": \"worst\"}", "line 3", "worst");
     refused("\"charts\": {\"shwon\": \"all\"}", "line 3", "shwon");
+    refused("\"trace\": {\"colors\": \"height\"}", "line 3", "height");
     refused("\"footprint\": {\"neighbours\": \"four\"}", "line 3", "neighbours");
     refused("\"pane\": {}", "line 3", "pane");
 }
@@ -75,6 +76,7 @@ TEST(PaneStates, valuesOutOfRangeAreRefused) {
     refused([](PaneStates& p) { p.footprint.neighbours = 5; });
     refused([](PaneStates& p) { p.distance.slice = -1; });
     refused([](PaneStates& p) { p.trace.heights = 100; });
+    refused([](PaneStates& p) { p.trace.colors = "colour"; });
     refused([](PaneStates& p) { p.rows.pixels = -3; });
     refused([](PaneStates& p) { p.rows.variants.assign(kMostRowVariants + 1, "direct"); });
     EXPECT_NO_THROW(checkScenario(Scenario{}, "s.json"));
