@@ -229,6 +229,44 @@ TEST_F(WindowTest, PanesAreClosedAndOpenedAgain) {
     EXPECT_TRUE(dock->isHidden());
 }
 
+// In windows of their own, with contexts of OpenGL of their own, and back.
+TEST_F(WindowTest, PanesLeaveTheWindowAndComeBack) {
+    openWindow(smallScenario());
+    auto* const pyramid = window_->findChild<QDockWidget*>(QStringLiteral("pyramid-pane"));
+    auto* const trace = window_->findChild<QDockWidget*>(QStringLiteral("trace-pane"));
+    for (int round = 0; round < 2; ++round) {
+        for (QDockWidget* const dock : {pyramid, trace}) dock->setFloating(true);
+        QTest::qWait(100);
+        EXPECT_NE(pyramid->window(), window_.get());
+        const QImage before = grab(window_->trace());
+        EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
+        EXPECT_GT(colorsIn(before), 30);
+        workspace_->chooseStep(scenario().step > 2 ? 1 : 4);
+        EXPECT_NE(grab(window_->trace()), before) << "it follows the step";
+        // Shortcuts are the window's.
+        const int step = scenario().step;
+        pyramid->activateWindow();
+        QTest::keyClick(window_->pyramid()->canvas(), Qt::Key_Period);
+        EXPECT_EQ(scenario().step, step + 1);
+        for (QDockWidget* const dock : {pyramid, trace}) dock->setFloating(false);
+        QTest::qWait(100);
+        EXPECT_EQ(pyramid->window(), window_.get());
+        EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
+        EXPECT_GT(colorsIn(grab(window_->trace())), 30);
+    }
+    // One that fills the window is in it, and goes where it was.
+    trace->setFloating(true);
+    trace->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"))->click();
+    QTest::qWait(100);
+    EXPECT_FALSE(trace->isFloating());
+    EXPECT_GT(window_->trace()->width(), window_->width() - 20);
+    trace->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"))->click();
+    QTest::qWait(100);
+    EXPECT_TRUE(trace->isFloating());
+    window_->resetLayout();
+    EXPECT_FALSE(trace->isFloating());
+}
+
 TEST_F(WindowTest, TheDuelLeavesItsDrawingTheRoom) {
     relief::Scenario scenario = smallScenario();
     scenario.comparison.others = {{"layers", {}}, {"offset", {}}};

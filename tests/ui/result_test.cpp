@@ -3,8 +3,10 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QWheelEvent>
 
 #include "relief/tracers.h"
+#include "views/pixel_values.h"
 #include "views/result_painting.h"
 #include "window_fixture.h"
 #include "workspace/snapshot_maker.h"
@@ -203,6 +205,39 @@ TEST_F(WindowTest, LayersAreDrawn) {
     waitForFull();
     const auto& steps = snapshot()->frame->hits->hits.steps;
     EXPECT_EQ(snapshot()->layer.high, *std::max_element(steps.begin(), steps.end()));
+}
+
+// Zoomed in so far that a pixel holds words, it says what it holds.
+TEST_F(WindowTest, LargePixelsHaveTheirValues) {
+    openWindow(smallScenario());
+    ResultView* const view = window_->result();
+    const QPointF at = onScreen(60, 70);
+    const auto zoomTo = [&](double side) {
+        for (int k = 0; k < 60 && onScreen(61, 70).x() - onScreen(60, 70).x() < side; ++k) {
+            QWheelEvent wheel(at, view->mapToGlobal(at.toPoint()), {}, {0, 120}, Qt::NoButton, Qt::ControlModifier,
+                              Qt::NoScrollPhase, false);
+            QApplication::sendEvent(view, &wheel);
+        }
+    };
+    const auto colorsOfPixel = [&](int x, int y) {
+        const QRect pixel(onScreen(x, y) - QPoint(8, 12), QSize(16, 24));
+        return colorsIn(grab(view).copy(pixel));
+    };
+    zoomTo(30);
+    EXPECT_EQ(colorsOfPixel(60, 70), 1);
+    zoomTo(64);
+    EXPECT_GT(colorsOfPixel(60, 70), 4);
+    const QColor color = snapshot()->picture.pixelColor(60, 70);
+    EXPECT_EQ(pixelValues(*snapshot(), 60, 70).join(' '),
+              QStringLiteral("R %1 G %2 B %3").arg(color.red()).arg(color.green()).arg(color.blue()));
+    for (int l = 1; l < kLayers; ++l) {
+        workspace_->setLayer(static_cast<Layer>(l));
+        waitForFull();
+        const QStringList values = pixelValues(*snapshot(), 60, 70);
+        if (!snapshot()->layer.applies) continue;
+        ASSERT_FALSE(values.isEmpty()) << l;
+        EXPECT_GT(colorsOfPixel(60, 70), 2) << l << ": " << values.join(' ').toStdString();
+    }
 }
 
 TEST_F(WindowTest, TheErrorLayerIsTheCores) {

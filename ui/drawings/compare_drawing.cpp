@@ -220,8 +220,8 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
 
 void addScale(LegendRows& rows, const CompareSource& source) {
     const bool flip = source.measure == relief::CompareMeasure::Flip;
-    rows.ramp(ColorMap::Count,
-              Message(flip ? MessageId::DrawCompareFlip : MessageId::DrawCompareL1, {{"high", figures(source.high)}}));
+    rows.ramp(ColorMap::Count, Message(flip ? MessageId::DrawCompareFlip : MessageId::DrawCompareL1,
+                                       {{"high", (flip ? "" : "≥ ") + figures(source.high)}}));
 }
 
 }  // namespace

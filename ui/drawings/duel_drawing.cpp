@@ -19,6 +19,7 @@ constexpr double kTrack = 26;
 constexpr double kAboveTracks = 4;
 constexpr double kMark = 6;
 constexpr double kNow = 11;
+constexpr double kRing = 6;
 constexpr double kLeastGap = 4;  // between marks
 constexpr double kNameSize = 0.9;
 constexpr double kNumberSize = 0.8;
@@ -92,12 +93,16 @@ class DuelMarks {
             add(r, stepId(r, k), Marker{{x, y}, runShape(r), kMark}, k > current ? Emphasis::Faint : Emphasis::Normal);
         }
         if (run(r).hit.outcome == relief::Outcome::Hit && run(r).hit.lambda <= frame_.lambdaEnd) {
-            drawing_.add({ItemKind::Hit, static_cast<int>(r), 0, 0}, Role::Hit, Ring{{xAt(run(r).hit.lambda), y}, 6});
+            drawing_.add({ItemKind::Hit, static_cast<int>(r), 0, 0}, Role::Hit,
+                         Ring{{xAt(run(r).hit.lambda), y}, kRing});
         }
         if (current < steps.size()) {
             const double x = xAt(duelPlace(steps[current]));
             add(r, stepId(r, current), Marker{{x, y}, runShape(r), kNow}, Emphasis::Strong);
-            text({x, y}, plainText(std::to_string(current + 1)), Anchor::Bottom, {0, -kNow / 2 + 1}, kNumberSize);
+            // Above the ring where it is the hit.
+            const bool hit = steps[current].decision == relief::Decision::Hit;
+            text({x, y}, plainText(std::to_string(current + 1)), Anchor::Bottom, {0, hit ? -kRing - 1 : 1 - kNow / 2},
+                 kNumberSize);
         }
     }
 
@@ -123,7 +128,7 @@ class DuelMarks {
         const double low = frame_.plot.x0 + kHalfTitle * unit_;
         const double middle =
             std::clamp((box.x0 + box.x1) / 2, low, std::max(low, frame_.plot.x1 - kHalfTitle * unit_));
-        text({middle, y}, relief::departureTitle(fault.kind), Anchor::Top, {0, 5}, kNumberSize);
+        text({middle, box.y1}, relief::departureTitle(fault.kind), Anchor::Top, {0, 1.5}, kNumberSize);
     }
 
     void exactHit() {

@@ -41,6 +41,16 @@ double niceCeil(double value) {
     return 10 * power;
 }
 
+// Few pixels, as at edges, differ by far more than all others: those have the end of the scale.
+double mostOf(const relief::FloatImage& image) {
+    constexpr double kMost = 0.99;
+    std::vector<float> values(image.pixels().begin(), image.pixels().end());
+    if (values.empty()) return 0;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(kMost * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return static_cast<double>(*at > 0 ? *at : *std::max_element(at, values.end()));
+}
+
 float largest(const relief::FloatImage& image) {
     const auto& pixels = image.pixels();
     return pixels.empty() ? 0 : *std::max_element(pixels.begin(), pixels.end());
@@ -182,7 +192,7 @@ void Comparer::measure(ComparedView& view, const relief::Frame& reference, relie
         method.equal = method.frame.get() == &reference || std::ranges::equal(right.pixels(), test.pixels());
         method.flip = std::make_shared<const relief::FloatImage>(std::move(map));
         method.l1 = l1Errors(right, test);
-        l1 = std::max(l1, static_cast<double>(largest(*method.l1)));
+        l1 = std::max(l1, mostOf(*method.l1));
         flip = std::max(flip, static_cast<double>(largest(*method.flip)));
     }
     view.l1High = niceCeil(l1);

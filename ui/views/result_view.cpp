@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "views/pixel_values.h"
 #include "views/result_painting.h"
 #include "workspace/pause_log.h"
 
@@ -54,6 +55,7 @@ void ResultView::paintOverlays(QPainter& painter) const {
     const auto snapshot = workspace()->snapshot();
     const Style& style = workspace()->style();
     const int margin = 8;
+    paintPixelValues(painter, *snapshot, pictureIn(rect()), rect(), style);
     paintLegend(&painter, snapshot->layer, QPoint(margin, height() - margin), style);
     if (!snapshot->scenario.pixel) return;
     const relief::PixelChoice pixel = *snapshot->scenario.pixel;
@@ -62,6 +64,7 @@ void ResultView::paintOverlays(QPainter& painter) const {
 
     // In the upper corner that is further from the pixel.
     const QSize magnifier = magnifierSize(style, width());
+    if (scale() * kMagnified > magnifier.width()) return;  // larger already
     if (magnifier.width() * 2 > width() || magnifier.height() * 2 > height()) return;
     const bool left = at.x() > width() / 2.0;
     const QPoint corner(left ? margin : width() - margin - magnifier.width(), margin);

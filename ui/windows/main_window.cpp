@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStatusBar>
@@ -68,7 +69,8 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     setDockNestingEnabled(true);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-    resize(1600, 1000);
+    // As much as there is, where the screen is small or all is drawn large.
+    resize(QSize(1600, 1000).boundedTo(QApplication::primaryScreen()->availableSize()));
 
     closed_ = new QTimer(this);
     closed_->setSingleShot(true);
@@ -122,8 +124,8 @@ QDockWidget* MainWindow::addPane(const PaneName& name, const QString& objectName
                                  Qt::DockWidgetArea area) {
     auto* const dock = new QDockWidget(name.tab, this);
     dock->setObjectName(objectName);
-    // Not floating: a pane of OpenGL does not survive the move to a window of its own everywhere.
-    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
+                      QDockWidget::DockWidgetFloatable);
     PaneTitle* const title = titleOf(name.title, dock);
     title->setClosable();
     connect(title, &PaneTitle::closeRequested, this, [this, dock] { closePane(dock); });

@@ -44,6 +44,9 @@ void MainWindow::resetLayout() {
     QDockWidget* const pyramid = panes_[2].dock;
     QDockWidget* const steps = panes_[3].dock;
     QDockWidget* const scene = panes_[4].dock;
+    for (const Pane& pane : panes_) {
+        if (pane.dock != nullptr) pane.dock->setFloating(false);
+    }
     addDockWidget(Qt::RightDockWidgetArea, trace);
     addDockWidget(Qt::RightDockWidgetArea, pyramid);
     addDockWidget(Qt::BottomDockWidgetArea, steps);
@@ -72,13 +75,13 @@ void MainWindow::gatherPanes() {
     QDockWidget* const trace = panes_[1].dock;
     QDockWidget* front = trace;
     for (const Pane& pane : panes_) {
-        if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden()) continue;
+        if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden() || pane.dock->isFloating()) continue;
         if (dockWidgetArea(pane.dock) != Qt::RightDockWidgetArea) continue;
         const bool seen = !pane.dock->visibleRegion().isEmpty();
         if (seen && (front == trace || pane.dock->isAncestorOf(QApplication::focusWidget()))) front = pane.dock;
     }
     for (const Pane& pane : panes_) {
-        if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden()) continue;
+        if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden() || pane.dock->isFloating()) continue;
         if (dockWidgetArea(pane.dock) == Qt::RightDockWidgetArea) tabifyDockWidget(trace, pane.dock);
     }
     front->raise();
@@ -115,6 +118,8 @@ void MainWindow::fill(QWidget* pane) {
     if (filled_ == nullptr) {
         beforeFill_ = saveState();
         filled_ = pane;
+        auto* const dock = qobject_cast<QDockWidget*>(pane);
+        if (dock != nullptr) dock->setFloating(false);
         const bool time = pane != steps && !steps->isHidden();
         for (const Pane& other : panes_) {
             other.whole->setVisible(other.whole == pane || (time && other.dock == steps));

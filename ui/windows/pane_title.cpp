@@ -31,6 +31,7 @@ PaneTitle::PaneTitle(const QString& title, const QString& shortcut, QWidget* par
 }
 
 void PaneTitle::setClosable() {
+    setToolTip(toolTip() + '\n' + tr("Drag it to another place, or out of the window"));
     auto* const close = new QToolButton(this);
     close->setObjectName(QStringLiteral("pane-close"));
     close->setText(QStringLiteral("×"));

@@ -16,7 +16,7 @@ class PaneTitle : public QWidget {
 
     // Controls of the pane, at the right.
     void addControl(QWidget* control);
-    // Shows the button that closes the pane.
+    // Of a pane that can be moved: shows the button that closes it.
     void setClosable();
     // A line beside the name.
     void setNote(const QString& note);
