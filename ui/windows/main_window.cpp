@@ -70,7 +70,8 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     // As much as there is, where the screen is small or all is drawn large.
-    resize(QSize(1600, 1000).boundedTo(QApplication::primaryScreen()->availableSize()));
+    const QSize room = QSize(1600, 1000).boundedTo(QApplication::primaryScreen()->availableSize());
+    resize(room);
 
     closed_ = new QTimer(this);
     closed_->setSingleShot(true);
@@ -86,6 +87,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     addToolBar(topBar_);
     makeMessages();
     resetLayout();
+    resize(room);  // panes wanted more until they stood behind each other
     result_->setFocus();
 
     connect(workspace_, &Workspace::scenarioChanged, this, &MainWindow::refreshTitles);

@@ -23,6 +23,7 @@ namespace {
 constexpr double kSceneWidth = 0.20;
 constexpr double kTraceWidth = 0.36;
 constexpr double kProjectorTraceWidth = 0.48;
+constexpr double kTraceHeight = 0.56;  // of what it has together with the pane below it
 constexpr double kStepsHeight = 0.23;
 constexpr double kProjectorStepsHeight = 0.3;
 
@@ -109,7 +110,9 @@ void MainWindow::shareRoom() {
     const auto part = [](double of, double share) { return static_cast<int>(of * share); };
     resizeDocks({scene, trace}, {part(width(), kSceneWidth), part(width(), kTraceWidth)}, Qt::Horizontal);
     resizeDocks({steps}, {part(height(), kStepsHeight)}, Qt::Vertical);
-    resizeDocks({trace, pyramid}, {1000, 800}, Qt::Vertical);
+    // Of the room there is: what asks for more makes the window larger, perhaps than the screen.
+    const int room = trace->height() + pyramid->height();
+    resizeDocks({trace, pyramid}, {part(room, kTraceHeight), part(room, 1 - kTraceHeight)}, Qt::Vertical);
 }
 
 // A pane fills the window; only time stays below it, so that one can go on stepping.
