@@ -246,6 +246,7 @@ TEST_F(WindowTest, PanesLeaveTheWindowAndComeBack) {
         // Shortcuts are the window's.
         const int step = scenario().step;
         pyramid->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(pyramid));
         QTest::keyClick(window_->pyramid()->canvas(), Qt::Key_Period);
         EXPECT_EQ(scenario().step, step + 1);
         for (QDockWidget* const dock : {pyramid, trace}) dock->setFloating(false);
