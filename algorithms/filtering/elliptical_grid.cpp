@@ -213,6 +213,11 @@ void GridKernel::colorPoints(Tile& tile, FootprintCounts& counts) const {
         const Color& color = tile.colors[n];
         tile.color[points.slots[n]] = {{color.r, color.g, color.b, 1}};
     }
+    if (!tile.logging) return;
+    const PointBlock& block = tile.footprints;
+    for (std::size_t n = 0; n < points.count; ++n) {
+        tile.read.push_back({points.slots[n], {block.s[n], block.t[n]}, block.jacobian(n)});
+    }
 }
 
 void GridKernel::sumEdges(const FilterBlock& block, Tile& tile, std::span<Color> colors,
@@ -244,8 +249,11 @@ void GridKernel::filterTile(const FilterBlock& block, Tile& tile, std::span<Colo
     if (tile.edges.empty()) return;
     if (wantCentres(block, tile.edges, kTileHalo, tile, counts, work)) findAround(tile);
     askPoints(block, tile);
+    tile.read.clear();
+    tile.logging = log != nullptr;
+    takeCentres(tile, counts);
+    takeMeans(tile);
     takePoints(tile, counts, work);
-    colorPoints(tile, counts);
     sumEdges(block, tile, colors, counts);
     if (log == nullptr) return;
     log->footprint = plain_.footprint(scaled(block[0].jacobian, tile.scale), block[0].place * tile.scale);

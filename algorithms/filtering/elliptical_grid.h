@@ -4,9 +4,10 @@
 // whose hit and those of its eight neighbours lie on a plane is plain filtering with the Jacobian of that plane, which
 // is the neighbours' difference: no ray is traced for it but the picture's own. Elsewhere the lattice's points within
 // the pixel's weights are looked at: traced, but where all four centres round a point lie on smooth ground its hit is
-// taken between theirs. Each hit is read with a small footprint on the tangent plane there (point_reader.h), and the
-// pixel is the mean of these colours, weighed by its Gaussian at the points. Rays and colours are made once for all
-// pixels of a tile that need them. Points that meet nothing are left out.
+// taken between theirs. Where the four centres' colours are even, as good as the same, a point's colour is taken
+// between theirs, without a ray and without reading. Each hit is read with a small footprint on the tangent plane there
+// (point_reader.h), and the pixel is the mean of these colours, weighed by its Gaussian at the points. Rays and colours
+// are made once for all pixels of a tile that need them. Points that meet nothing are left out.
 //
 // A point hangs on the picture's view and its place alone, not on who asks: equal bits in any company and for any
 // number of threads. Pixels of no view, with hits that are not exact, or next to the horizon go to elliptical_rays.h.
@@ -15,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "filtering/elliptical_rays.h"
@@ -55,14 +57,18 @@ class GridKernel {
     void filterPlain(Tile& tile, std::span<Color> colors, FootprintCounts& counts, FootprintLog* log) const;
     void findWhole(Tile& tile) const;
     void askPoints(const FilterBlock& block, Tile& tile) const;
+    void askCentres(Tile& tile) const;
     static void orderCells(Tile& tile);
     template <class Wanted>
     void pushPoints(Tile& tile, std::size_t k, const Wanted& wanted) const;
     void follow(Tile& tile, std::size_t k) const;
+    void takeCentres(Tile& tile, FootprintCounts& counts) const;
+    void takeMeans(Tile& tile) const;
     void takePoints(Tile& tile, FootprintCounts& counts, Work& work) const;
     void tracePoints(Tile& tile, FootprintCounts& counts, Work& work) const;
     void colorPoints(Tile& tile, FootprintCounts& counts) const;
     void sumEdges(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts) const;
+    std::vector<std::pair<std::size_t, float>> summedSlots(const FilterQuery& query, const Tile& tile) const;
     void logPoints(const FilterQuery& query, const Tile& tile, FootprintLog& log) const;
 
     EllipticalKernel plain_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "filtering/grid_tile.h"
 #include "relief/block_work.h"
@@ -30,6 +31,25 @@ void GridKernel::findWhole(Tile& tile) const {
     }
 }
 
+// And the centres round all points that are asked for.
+void GridKernel::askCentres(Tile& tile) const {
+    const auto row = static_cast<std::ptrdiff_t>(tile.width);
+    const std::size_t cells = tile.cells(), reach = static_cast<std::size_t>(row + 1);
+    tile.even.assign(cells, 0);
+    std::uint16_t* centres = tile.even.data();
+    for (std::size_t k = 1; k < lattice_.places.size(); ++k) {
+        // A square's corners lie before it and in the row above.
+        const std::uint16_t* own = tile.asked.data() + lattice_.squareOf(k, row);
+        const std::uint16_t* above = own - row;
+        for (std::size_t c = reach; c < cells - reach; ++c) {
+            const auto here = static_cast<std::ptrdiff_t>(c);
+            const int any = own[here] | own[here - 1] | above[here] | above[here - 1];
+            centres[c] |= static_cast<std::uint16_t>(any >> k & 1);
+        }
+    }
+    for (std::size_t c = 0; c < cells; ++c) tile.asked[c] |= centres[c];
+}
+
 // Bits of the points in each cell that the edges sum, and of those whose hits follow from the centres'.
 void GridKernel::askPoints(const FilterBlock& block, Tile& tile) const {
     const auto row = static_cast<std::ptrdiff_t>(tile.width);
@@ -55,6 +75,7 @@ void GridKernel::askPoints(const FilterBlock& block, Tile& tile) const {
         const auto bit = static_cast<std::uint16_t>(1U << term.point);
         for (std::size_t c = reach; c < cells - reach; ++c) asked[c] |= static_cast<std::uint16_t>(edge[c] & bit);
     }
+    askCentres(tile);
     findWhole(tile);
     for (std::size_t k = 1; k < lattice_.places.size(); ++k) {
         const std::uint16_t* whole = tile.whole.data() - lattice_.squareOf(k, row);
@@ -128,15 +149,59 @@ void GridKernel::follow(Tile& tile, std::size_t k) const {
     }
 }
 
-// All points that the edges sum, with what they meet; tile.points has those that meet something.
-void GridKernel::takePoints(Tile& tile, FootprintCounts& counts, Work& work) const {
+// The centres that are asked for, with their colours.
+void GridKernel::takeCentres(Tile& tile, FootprintCounts& counts) const {
     orderCells(tile);
+    tile.points.clear();
+    follow(tile, 0);
+    colorPoints(tile, counts);
+    for (std::size_t c = 0; c < tile.centre.size(); ++c) {
+        std::vector<float>& column = tile.centre[c];
+        column.assign(tile.cells() + kCellSlack, std::numeric_limits<float>::infinity());
+        for (std::size_t n = 0; n < tile.points.count; ++n) {
+            column[tile.order[tile.which[n]].cell] = tile.colors[n][static_cast<int>(c)];
+        }
+    }
+}
+
+// The points whose colours follow from the centres': no longer asked for.
+void GridKernel::takeMeans(Tile& tile) const {
+    const std::size_t points = lattice_.places.size(), cells = tile.cells();
+    const auto row = static_cast<std::size_t>(tile.width), reach = row + 1;
+    tile.even.resize(cells + kCellSlack);
+    tile.mean.assign(cells, 0);
+    findEven({tile.centre[0].data(), tile.centre[1].data(), tile.centre[2].data()}, row, cells - reach,
+             tile.even.data());
+    for (std::size_t k = 1; k < points; ++k) {
+        const std::ptrdiff_t square = lattice_.squareOf(k, tile.width);
+        const auto bit = static_cast<std::uint16_t>(1U << k);
+        std::array<float, 4> share;
+        for (std::size_t n = 0; n < share.size(); ++n) share[n] = static_cast<float>(lattice_.shares[k][n]);
+        for (std::size_t c = reach; c < cells - reach; ++c) {
+            const auto at = c - static_cast<std::size_t>(square);
+            if ((tile.asked[c] & tile.even[at] & bit) == 0) continue;
+            tile.mean[c] |= bit;
+            const PointColor* p = tile.color.data() + at * points;
+            const PointColor *q = p + points, *r = p + row * points, *s = r + points;
+            PointColor& out = tile.color[c * points + k];
+            for (std::size_t n = 0; n < 4; ++n) {
+                out.channel[n] = (share[0] * p->channel[n] + share[1] * q->channel[n]) +
+                                 (share[2] * r->channel[n] + share[3] * s->channel[n]);
+            }
+        }
+    }
+    for (std::size_t c = 0; c < cells; ++c) tile.asked[c] &= static_cast<std::uint16_t>(~tile.mean[c]);
+}
+
+// The other points that the edges sum, with what they meet; tile.points has those that meet something.
+void GridKernel::takePoints(Tile& tile, FootprintCounts& counts, Work& work) const {
     tile.points.clear();
     for (std::size_t k = 1; k < lattice_.places.size(); ++k) {
         pushPoints(tile, k, [&](std::size_t cell) { return (tile.asked[cell] & ~tile.follows[cell]) >> k & 1; });
     }
     tracePoints(tile, counts, work);
-    for (std::size_t k = 0; k < lattice_.places.size(); ++k) follow(tile, k);
+    for (std::size_t k = 1; k < lattice_.places.size(); ++k) follow(tile, k);
+    colorPoints(tile, counts);
 }
 
 // What tile.points meet; without those that meet nothing.

@@ -19,7 +19,8 @@ namespace relief {
 struct FootprintScene {
     const PixelView* view;
     const SlopeScene* slopes;
-    double blur, perS, perT;
+    PointBlur blur;
+    double perS, perT;
 };
 
 // What sumPoints is given.
@@ -28,6 +29,12 @@ struct SumJob {
     std::span<const std::int32_t> base, offset;
     const float* weight;
     PointColor* sums;
+};
+
+// What findEven is given.
+struct EvenJob {
+    std::array<const float*, 3> channel;
+    std::size_t row, count;
 };
 
 // Texels by which a centre's ray may lie outside the polygon by rounding.
@@ -54,6 +61,10 @@ using M = hn::Mask<D>;
 
 struct Point {
     V s, t;
+};
+
+struct Linear {
+    double perY, perX, at;
 };
 
 // Of float, as many lanes as there are.
@@ -144,6 +155,15 @@ HWY_INLINE void layWith(const FootprintScene& scene, const SlopeAt& slopeAt, con
     const double uyX = m.sy * m.qx - m.sx * m.qy, uy1 = m.sy * m.q1 - m.s1 * m.qy;
     const double vyX = m.ty * m.qx - m.tx * m.qy, vy1 = m.ty * m.q1 - m.t1 * m.qy;
     const V one = set(1), perS = set(scene.perS), perT = set(scene.perT);
+    // Along the blur's x and y: constants but for the place, of both derivatives.
+    const PointBlur& blur = scene.blur;
+    const auto blurred = [](double perY, double at1, double perX, double at2, double share, double other) HWY_ATTR {
+        return Linear{share * perY, other * perX, share * at1 + other * at2};
+    };
+    const Linear toUx = blurred(uxY, ux1, uyX, uy1, blur.xx, blur.xy),
+                 toVx = blurred(vxY, vx1, vyX, vy1, blur.xx, blur.xy);
+    const Linear toUy = blurred(uxY, ux1, uyX, uy1, blur.xy, blur.yy),
+                 toVy = blurred(vxY, vx1, vyX, vy1, blur.xy, blur.yy);
     const std::size_t count = points.size();
     for (std::size_t i = 0; i < count; i += kLanes) {
         const std::size_t here = std::min(kLanes, count - i);
@@ -151,10 +171,12 @@ HWY_INLINE void layWith(const FootprintScene& scene, const SlopeAt& slopeAt, con
         const V q = hn::Add(hn::Add(hn::Mul(set(m.qx), x), hn::Mul(set(m.qy), y)), set(m.q1));
         const V run = set(view.runPerTexel);
         const V below = hn::Add(one, hn::Mul(load(hits.lambda.data() + i, here), run));
-        const V factor = hn::Div(hn::Mul(set(scene.blur), below), hn::Mul(q, q));
-        const auto along = [&](double per, double at, V place)
-                               HWY_ATTR { return hn::Mul(factor, hn::Add(hn::Mul(set(per), place), set(at))); };
-        V ux = along(uxY, ux1, y), vx = along(vxY, vx1, y), uy = along(uyX, uy1, x), vy = along(vyX, vy1, x);
+        const V factor = hn::Div(below, hn::Mul(q, q));
+        const auto along = [&](const Linear& line) HWY_ATTR {
+            const V linear = hn::Add(hn::Mul(set(line.perY), y), hn::Mul(set(line.perX), x));
+            return hn::Mul(factor, hn::Add(linear, set(line.at)));
+        };
+        V ux = along(toUx), vx = along(toVx), uy = along(toUy), vy = along(toVy);
         const Point place{load(hits.s.data() + i, here), load(hits.t.data() + i, here)};
         if constexpr (kSloping) {
             // The ray's run, from where it is below the eye.
@@ -199,6 +221,25 @@ void betweenCentres(const double* cells, std::size_t row, std::size_t count, con
     }
 }
 
+void findEven(const EvenJob& job, std::uint16_t* even) {
+    const DF d;
+    const hn::RebindToSigned<DF> di;
+    const hn::Rebind<std::int16_t, DF> dh;
+    const VF most = hn::Set(d, kEvenColors), share = hn::Set(d, kEvenShare);
+    for (std::size_t c = 0; c < job.count; c += kFloats) {
+        auto all = hn::Set(di, -1);
+        for (const float* column : job.channel) {
+            const auto at = [&](std::size_t off) HWY_ATTR { return hn::LoadU(d, column + c + off); };
+            const VF p = at(0), q = at(1), r = at(job.row), s = at(job.row + 1);
+            const VF low = hn::Min(hn::Min(p, q), hn::Min(r, s)), high = hn::Max(hn::Max(p, q), hn::Max(r, s));
+            // Infinity less itself is no number, which fails.
+            const auto within = hn::Le(hn::Sub(high, low), hn::Min(most, hn::Mul(share, high)));
+            all = hn::IfThenElseZero(hn::RebindMask(di, within), all);
+        }
+        hn::StoreU(hn::DemoteTo(dh, all), dh, reinterpret_cast<std::int16_t*>(even + c));
+    }
+}
+
 void sumPoints(const SumJob& job) {
     using DC = hn::CappedTag<float, 4>;
     const DC d;
@@ -230,6 +271,9 @@ void gridFootprints(const FootprintScene& scene, const PointHits& hits, PointBlo
 void gridBetween(const double* cells, std::size_t row, std::size_t count, const double* shares, double* out) {
     grid::betweenCentres(cells, row, count, shares, out);
 }
+void gridEven(const EvenJob& job, std::uint16_t* even) {
+    grid::findEven(job, even);
+}
 void gridSums(const SumJob& job) {
     grid::sumPoints(job);
 }
@@ -244,6 +288,7 @@ HWY_EXPORT(gridSurroundings);
 HWY_EXPORT(gridRays);
 HWY_EXPORT(gridFootprints);
 HWY_EXPORT(gridBetween);
+HWY_EXPORT(gridEven);
 HWY_EXPORT(gridSums);
 
 void findSurroundings(const CellHits& cells, std::uint16_t* out) {
@@ -258,7 +303,7 @@ void raysThrough(const PixelView& view, std::span<const double> x, std::span<con
     HWY_DYNAMIC_DISPATCH(gridRays)(view, x.data(), y.data(), x.size(), out);
 }
 
-void layFootprints(const PixelView& view, const SlopeScene* slopes, double blur, glm::dvec2 scale,
+void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointBlur& blur, glm::dvec2 scale,
                    const PointHits& hits, PointBlock& points) {
     assert(hits.x.size() == points.size() && hits.lambda.size() >= points.size());
     const FootprintScene scene{&view, slopes, blur, scale.x, scale.y};
@@ -268,6 +313,10 @@ void layFootprints(const PixelView& view, const SlopeScene* slopes, double blur,
 void betweenCentres(const double* cells, std::size_t row, std::size_t count, const std::array<double, 4>& shares,
                     double* out) {
     HWY_DYNAMIC_DISPATCH(gridBetween)(cells, row, count, shares.data(), out);
+}
+
+void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, std::uint16_t* even) {
+    HWY_DYNAMIC_DISPATCH(gridEven)({channel, row, count}, even);
 }
 
 void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,

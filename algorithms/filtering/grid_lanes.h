@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 
 #include "filtering/pixel_view.h"
+#include "filtering/point_lattice.h"
 #include "filtering/point_reader.h"
 #include "relief/ray.h"
 #include "relief/slope_scene.h"
@@ -26,7 +27,7 @@ inline constexpr unsigned kAllLines = 15;
 // Second differences of neighbouring hits over the first, at most: on planes, smooth lines, straight lines; and the
 // same in texels of the picture, which is not seen.
 inline constexpr double kMostBend = 0.1;
-inline constexpr double kMostSmoothBend = 0.25;
+inline constexpr double kMostSmoothBend = 0.32;
 inline constexpr double kMostStraightBend = 0.07;
 inline constexpr double kUnseenBend = 0.05;
 // Hits at one height, but for rounding to float: level ground, which keeps the pixel's own bits.
@@ -59,15 +60,21 @@ struct PointHits {
     std::span<const double> lambda, s, t;
 };
 
-// Footprints of blur pixels on the surface's tangent plane at each hit, into `points`, texels of the picture. slopes:
+// Footprints of that blur on the surface's tangent plane at each hit, into `points`, texels of the picture. slopes:
 // null: on level ground (columns).
-void layFootprints(const PixelView& view, const SlopeScene* slopes, double blur, glm::dvec2 scale,
+void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointBlur& blur, glm::dvec2 scale,
                    const PointHits& hits, PointBlock& points);
 
 // Red, green, blue, and 1 where something was met; else all 0.
 struct alignas(16) PointColor {
     float channel[4] = {0, 0, 0, 0};
 };
+// Whether the colours of four centres differ so little that those of points between are taken as their mean: by so
+// much of white at most in each channel, and by no more than that part of the brightest, for in the dark less is seen.
+inline constexpr float kEvenColors = 1.0F / 64, kEvenShare = 0.25F;
+// Of each cell [0, count), all bits or none: whether the centres' colours of the cells c, c + 1, c + row, c + row + 1
+// are so. Infinite where they are not known; kCellSlack more at all columns' ends.
+void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, std::uint16_t* even);
 // sums[n] = sum over k, in their order, of weight[k] * colors[base[n] + offset[k]].
 void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,
                std::span<const float> weight, std::span<PointColor> sums);

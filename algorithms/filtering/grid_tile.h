@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -59,6 +60,13 @@ struct GridPoints {
     }
 };
 
+// What was read for a point, and where it is kept.
+struct ReadPoint {
+    std::uint32_t slot;
+    glm::dvec2 place;
+    Jacobian jacobian;
+};
+
 // A cell, and where it is in the tile.
 struct OrderedCell {
     std::uint32_t cell;
@@ -92,6 +100,8 @@ struct GridKernel::Tile {
     // Of cells, all bits or none: edges, and squares whose hits follow from their corners'. Then a bit a point: whether
     // some edge sums it, and whether its hit follows from centres'.
     std::vector<std::uint16_t> edge, whole, asked, follows;
+    // Squares whose corners' colours are even, and the points that take theirs from these, a bit a point.
+    std::vector<std::uint16_t> even, mean;
     std::vector<PointColor> color;  // of a cell's points, one after the other
     GridPoints points;              // that are asked for; before them, centres that are not known
     std::vector<OrderedCell> order;
@@ -101,6 +111,9 @@ struct GridKernel::Tile {
     RayBlock rays;
     HitBlock hits;
     PointBlock footprints;
+    std::array<std::vector<float>, 3> centre;  // of cells, red, green, blue; infinite where nothing is known
+    bool logging = false;
+    std::vector<ReadPoint> read;  // for the log alone
     // Pixels that are plain, and with what; the others.
     FilterBlock plain;
     std::vector<std::size_t> plainOf, edges;

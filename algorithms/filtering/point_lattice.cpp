@@ -4,16 +4,20 @@
 #include <cassert>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 namespace relief {
 
 namespace {
 
 // Of the pixel's weights: their sigma at the points, and how far out points count, pixels (less than a cell and a
 // half: kLatticeHalo).
-constexpr double kPointSigma = 0.52;
+constexpr double kPointSigma = 0.54;
 constexpr double kPointReach = 1.1;
 // Of a point's footprint, over the points' spacing.
-constexpr double kBlurPerSpacing = 0.3;
+constexpr double kBlurPerSpacing = 0.29;
+// Places along a side of a pixel by which the shape of the points' cells is measured.
+constexpr int kShapeSide = 32;
 
 double square(glm::dvec2 v) {
     return v.x * v.x + v.y * v.y;
@@ -27,6 +31,29 @@ double nearest(int points, int turn) {
         least = std::min(least, square({off(k), off(k * turn)}));
     }
     return least;
+}
+
+// Of a symmetric matrix with determinant 1.
+PointBlur root(const PointBlur& m) {
+    const double per = 1 / std::sqrt(m.xx + m.yy + 2);
+    return {(m.xx + 1) * per, m.xy * per, (m.yy + 1) * per};
+}
+
+// The blur of size 1 half as long drawn out as the places are that are nearer to a point than to any other.
+PointBlur shapeOf(const std::vector<glm::dvec2>& points) {
+    PointBlur second;
+    for (int n = 0; n < kShapeSide * kShapeSide; ++n) {
+        const glm::dvec2 place = (glm::dvec2(n % kShapeSide, n / kShapeSide) + 0.5) / double{kShapeSide};
+        glm::dvec2 nearest(2);
+        for (const glm::dvec2& point : points) {
+            // Modulo whole pixels.
+            const glm::dvec2 off = place - point - glm::round(place - point);
+            if (square(off) < square(nearest)) nearest = off;
+        }
+        second.xx += nearest.x * nearest.x, second.xy += nearest.x * nearest.y, second.yy += nearest.y * nearest.y;
+    }
+    const double per = 1 / std::sqrt(second.xx * second.yy - second.xy * second.xy);
+    return root(root({second.xx * per, second.xy * per, second.yy * per}));
 }
 
 }  // namespace
@@ -48,7 +75,9 @@ PointLattice PointLattice::of(int points) {
         const double u = at.x < 0 ? at.x + 1 : at.x, v = at.y < 0 ? at.y + 1 : at.y;
         lattice.shares.push_back({(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v});
     }
-    lattice.blur = kBlurPerSpacing / std::sqrt(points);
+    const PointBlur shape = shapeOf(lattice.places);
+    const double blur = kBlurPerSpacing / std::sqrt(points);
+    lattice.blur = {blur * shape.xx, blur * shape.xy, blur * shape.yy};
     for (int dy = -kLatticeHalo; dy <= kLatticeHalo; ++dy) {
         for (int dx = -kLatticeHalo; dx <= kLatticeHalo; ++dx) {
             for (int k = 0; k < points; ++k) {

@@ -13,6 +13,11 @@ namespace relief {
 inline constexpr int kLatticeHalo = 1;
 inline constexpr int kMostPoints = 16;
 
+// Of each point's footprint: its covariance is the square of this symmetric matrix, pixels.
+struct PointBlur {
+    double xx = 0, xy = 0, yy = 0;
+};
+
 // Points of a lattice in a pixel, and those that a pixel sums, of the cells around. Variances in pixels^2.
 struct PointLattice {
     struct Term {
@@ -23,7 +28,7 @@ struct PointLattice {
     std::vector<glm::dvec2> places;  // from the cell's centre, (-1/2, 1/2] both; the first is the centre
     std::vector<Term> terms;
     std::vector<float> weights;  // the terms' own
-    double blur = 0;             // of each point's footprint, pixels
+    PointBlur blur;
     // Of the four centres round each point, row after row: what they count between them.
     std::vector<std::array<double, 4>> shares;
 

@@ -33,6 +33,13 @@ inline FrameRequest requestOf(const HeightField& field, const Picture& picture, 
     return request;
 }
 
+// The random picture about its middle, by so much less.
+inline Picture faintPicture(int width, int height, float contrast) {
+    auto picture = std::make_shared<ColorImage>(*randomPicture(width, height, kSeed));
+    for (Color& color : picture->pixels()) color = Color(0.5F) + contrast * (color - Color(0.5F));
+    return picture;
+}
+
 // A frame with what its pixels ask, in its order.
 struct Asked {
     Work work{1};

@@ -1,6 +1,9 @@
 // The grid's arithmetic in lanes: planes and edges among hits, rays and footprints of points.
 #include "filtering/grid_lanes.h"
 
+#include <algorithm>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "grid_cases.h"
@@ -83,19 +86,57 @@ TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
             PointBlock points;
             points.resize(count);
             const SlopeScene slopes(field);
-            layFootprints(view, &slopes, 0.5, {2, 3}, {x, y, asked.block.lambda, asked.block.s, asked.block.t}, points);
+            const PointBlur blur{0.5, 0.125, 0.25};
+            layFootprints(view, &slopes, blur, {2, 3}, {x, y, asked.block.lambda, asked.block.s, asked.block.t},
+                          points);
             for (std::size_t i = 0; i < count; ++i) {
                 ASSERT_EQ(rays[i], asked.block.rays[i]) << i;
-                const Jacobian j = asked.block[i].jacobian;
+                const Jacobian pixel = asked.block[i].jacobian;
+                // Of the pixel's footprint blurred, its x.
+                const Jacobian j{blur.xx * pixel.ux + blur.xy * pixel.uy, blur.xx * pixel.vx + blur.xy * pixel.vy, 0,
+                                 0};
                 const auto [slopeS, slopeT] = field.slope(asked.block.s[i], asked.block.t[i]);
                 const double facing = std::max(1.0, 1 + rays.a[i] * slopeS + rays.b[i] * slopeT);
                 const double alongX = (slopeS * j.ux + slopeT * j.vx) / facing;
-                const double size = std::abs(j.ux) + std::abs(j.vx) + std::abs(rays.a[i] * alongX);
-                ASSERT_NEAR(points.ux[i], 0.5 * 2 * (j.ux - rays.a[i] * alongX), kRelative * size) << i;
-                ASSERT_NEAR(points.vx[i], 0.5 * 3 * (j.vx - rays.b[i] * alongX), 2 * kRelative * size) << i;
+                const double size = std::abs(pixel.ux) + std::abs(pixel.vx) + std::abs(pixel.uy) + std::abs(pixel.vy) +
+                                    std::abs(rays.a[i] * alongX);
+                ASSERT_NEAR(points.ux[i], 2 * (j.ux - rays.a[i] * alongX), kRelative * size) << i;
+                ASSERT_NEAR(points.vx[i], 3 * (j.vx - rays.b[i] * alongX), 2 * kRelative * size) << i;
                 ASSERT_EQ(points.t[i], 3 * asked.block.t[i]);
             }
         }
+    }
+}
+
+TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
+    constexpr std::size_t kRow = 21, kCells = 7 * kRow, kCount = kCells - kRow - 1;
+    Random random(kSeed);
+    std::array<std::vector<float>, 3> channel;
+    for (auto& column : channel) {
+        column.assign(kCells + kCellSlack, 0.5F);
+        for (float& color : column) color += static_cast<float>(random.between(0, 1.3 * kEvenColors));
+        // In the dark.
+        for (std::size_t c = 0; c < 2 * kRow; ++c) column[c] = 0.05F * column[c];
+        column[3 * kRow + 5] = std::numeric_limits<float>::infinity();
+    }
+    for (std::size_t c = 5 * kRow; c < kCells; ++c) channel[0][c] = std::numeric_limits<float>::infinity();
+    std::vector<std::uint16_t> expected;
+    for (std::size_t c = 0; c < kCount; ++c) {
+        bool all = true;
+        for (const auto& column : channel) {
+            const auto [low, high] = std::minmax({column[c], column[c + 1], column[c + kRow], column[c + kRow + 1]});
+            all = all && high - low <= std::min(kEvenColors, kEvenShare * high);
+        }
+        expected.push_back(all ? 0xFFFF : 0);
+    }
+    EXPECT_GT(std::count(expected.begin(), expected.end(), 0xFFFF), 5);
+    EXPECT_GT(std::count(expected.begin(), expected.end(), 0), 5);
+    for (const std::int64_t target : laneTargets()) {
+        const ForcedTarget forced(target);
+        std::vector<std::uint16_t> even(kCells + kCellSlack, 7);
+        findEven({channel[0].data(), channel[1].data(), channel[2].data()}, kRow, kCount, even.data());
+        even.resize(kCount);
+        EXPECT_EQ(even, expected) << laneTargetName(target);
     }
 }
 
