@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <QApplication>
+#include <QFileInfo>
 
 #include "arguments.h"
 #include "errors.h"
@@ -231,12 +232,14 @@ int run(int count, char** values, const Arguments& arguments) {
         reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
     }
     window.show();
-    // A lesson's pane comes to the front, when its pictures are there.
+    // A lesson's pane comes to the front, when its pictures are there; a file is among the recent ones.
+    const QString file = shot ? QString() : QString::fromStdString(arguments.file);
     auto first = std::make_shared<QMetaObject::Connection>();
-    *first = QObject::connect(&workspace, &reliefui::Workspace::snapshotChanged, &window, [first, &window] {
-        QObject::disconnect(*first);
-        window.showLesson();
-    });
+    *first = QObject::connect(
+        &workspace, &reliefui::Workspace::snapshotChanged, &window, [first, file, &window, &workspace] {
+            QObject::disconnect(*first);
+            file.isEmpty() ? window.showLesson() : workspace.opened(QFileInfo(file).absoluteFilePath());
+        });
     const int status = QApplication::exec();
     if (!shot) {
         reliefui::keepState(workspace.scenario());
