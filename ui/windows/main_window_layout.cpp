@@ -23,7 +23,7 @@ namespace {
 constexpr double kSceneWidth = 0.20;
 constexpr double kTraceWidth = 0.36;
 constexpr double kProjectorTraceWidth = 0.48;
-constexpr double kTraceHeight = 0.56;  // of what it has together with the pane below it
+constexpr double kTraceHeight = 5.0 / 9;  // of what it has together with the pane below it
 constexpr double kStepsHeight = 0.23;
 constexpr double kProjectorStepsHeight = 0.3;
 
