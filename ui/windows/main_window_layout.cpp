@@ -23,6 +23,7 @@ namespace {
 constexpr double kSceneWidth = 0.20;
 constexpr double kTraceWidth = 0.36;
 constexpr double kProjectorTraceWidth = 0.48;
+constexpr int kLowWindow = 850;           // points
 constexpr double kTraceHeight = 5.0 / 9;  // of what it has together with the pane below it
 constexpr double kStepsHeight = 0.23;
 constexpr double kProjectorStepsHeight = 0.3;
@@ -110,8 +111,8 @@ void MainWindow::shareRoom() {
     const auto part = [](double of, double share) { return static_cast<int>(of * share); };
     resizeDocks({scene, trace}, {part(width(), kSceneWidth), part(width(), kTraceWidth)}, Qt::Horizontal);
     resizeDocks({steps}, {part(height(), kStepsHeight)}, Qt::Vertical);
-    // Of the room there is: what asks for more makes the window larger, perhaps than the screen.
-    const int room = trace->height() + pyramid->height();
+    // In low windows of the room there is: what asks for more makes the window larger, perhaps than the screen.
+    const int room = height() < kLowWindow ? trace->height() + pyramid->height() : 2 * height();
     resizeDocks({trace, pyramid}, {part(room, kTraceHeight), part(room, 1 - kTraceHeight)}, Qt::Vertical);
 }
 
