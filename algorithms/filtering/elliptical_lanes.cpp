@@ -19,15 +19,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-struct Sums {
-    V red, green, blue, total;
+struct Sums : PointSums {
+    V total;
 
     HWY_INLINE void add(VU redGreen, VU blueOnly, V w) {
-        const DI d;
-        const VU low = hn::And(redGreen, hn::Set(DU(), 0xFFFFU));
-        red = hn::Add(red, hn::Mul(w, toFloat(hn::BitCast(d, low))));
-        green = hn::Add(green, hn::Mul(w, toFloat(hn::BitCast(d, hn::ShiftRight<16>(redGreen)))));
-        blue = hn::Add(blue, hn::Mul(w, toFloat(hn::BitCast(d, blueOnly))));
+        PointSums::add(redGreen, blueOnly, w);
         total = hn::Add(total, w);
     }
 };
