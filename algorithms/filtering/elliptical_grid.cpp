@@ -43,7 +43,8 @@ GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel al
       alone_(std::move(alone)),
       tracer_(std::move(tracer)),
       twin_(std::move(twin)),
-      lattice_(PointLattice::of(points)) {
+      lattice_(PointLattice::of(points)),
+      bounds_(boundsFor(points)) {
     const HeightField& field = tracer_->field();
     if (field.surface() != Surface::Bilinear) return;
     slopes_ = twin_ ? SlopeScene(field, twin_->cones()) : SlopeScene(field);
@@ -159,7 +160,7 @@ bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size
 
 void GridKernel::findAround(Tile& tile) const {
     findSurroundings({tile.width, tile.height, tile.rough.s.data(), tile.rough.t.data(), tile.rough.lambda.data()},
-                     tile.around.data());
+                     bounds_, tile.around.data());
 }
 
 // The pixels that lie on planes, with the planes' Jacobians; the others are edges.

@@ -77,6 +77,7 @@ class GridKernel {
     std::shared_ptr<const Tracer> tracer_;
     std::shared_ptr<const ConeTwin> twin_;
     PointLattice lattice_;
+    float bounds_;                      // of what is smooth and even: boundsFor()
     std::optional<SlopeScene> slopes_;  // of bilinear relief
 };
 

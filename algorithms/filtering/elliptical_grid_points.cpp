@@ -170,7 +170,7 @@ void GridKernel::takeMeans(Tile& tile) const {
     const auto row = static_cast<std::size_t>(tile.width), reach = row + 1;
     tile.even.resize(cells + kCellSlack);
     tile.mean.assign(cells, 0);
-    findEven({tile.centre[0].data(), tile.centre[1].data(), tile.centre[2].data()}, row, cells - reach,
+    findEven({tile.centre[0].data(), tile.centre[1].data(), tile.centre[2].data()}, row, cells - reach, bounds_,
              tile.even.data());
     for (std::size_t k = 1; k < points; ++k) {
         const std::ptrdiff_t square = lattice_.squareOf(k, tile.width);

@@ -35,6 +35,7 @@ struct SumJob {
 struct EvenJob {
     std::array<const float*, 3> channel;
     std::size_t row, count;
+    float most;
 };
 
 // Texels by which a centre's ray may lie outside the polygon by rounding.
@@ -73,12 +74,13 @@ using VF = hn::Vec<DF>;
 constexpr std::size_t kFloats = hn::MaxLanes(DF());
 
 // Of the cells [at, at + kFloats).
-HWY_INLINE void surroundingsOf(const CellHits& cells, std::size_t at, std::uint16_t* out) {
+HWY_INLINE void surroundingsOf(const CellHits& cells, float bounds, std::size_t at, std::uint16_t* out) {
     const DF d;
     const auto row = static_cast<std::size_t>(cells.width);
-    const auto shared = [&](double share) HWY_ATTR { return hn::Set(d, static_cast<float>(share * share)); };
-    const VF unseen = shared(2 * kUnseenBend), plane = shared(kMostBend);
-    const VF smooth = shared(kMostSmoothBend), straight = shared(kMostStraightBend);
+    const auto squared = [&](double x) HWY_ATTR { return hn::Set(d, static_cast<float>(x * x)); };
+    // Of bends; bounds: of second differences.
+    const auto bound = [&](double x) HWY_ATTR { return squared(x * static_cast<double>(bounds)); };
+    const VF farthest = squared(2 * kNear), nearest = squared(2 * kLeastNear);
     const auto load = [&](const float* column, std::size_t i) HWY_ATTR { return hn::LoadU(d, column + i); };
     const auto square = [&](VF x, VF y) HWY_ATTR { return hn::Add(hn::Mul(x, x), hn::Mul(y, y)); };
     const VF s = load(cells.s, at), t = load(cells.t, at), height = load(cells.lambda, at);
@@ -94,10 +96,16 @@ HWY_INLINE void surroundingsOf(const CellHits& cells, std::size_t at, std::uint1
         // Four times the squares of half the first, of half the second difference. NaN fails.
         const VF step = square(hn::Sub(s1, s0), hn::Sub(t1, t0));
         const VF bend = square(hn::Sub(hn::Add(s1, s0), twiceS), hn::Sub(hn::Add(t1, t0), twiceT));
-        const auto within = [&](VF share) HWY_ATTR { return hn::Le(bend, hn::Add(hn::Mul(share, step), unseen)); };
-        onPlane = hn::And(onPlane, within(plane));
-        bits = hn::Add(bits, hn::IfThenElseZero(within(smooth), hn::Set(d, bit)));
-        bits = hn::Add(bits, hn::IfThenElseZero(within(straight), hn::Set(d, float{kStraight} * bit)));
+        const auto within = [&](const Bend& most, auto near, double nearShare) HWY_ATTR {
+            const VF share = hn::IfThenElse(near, bound(nearShare), bound(most.share));
+            return hn::Le(bend, hn::Add(hn::Mul(share, step), bound(2 * most.unseen)));
+        };
+        const auto near = hn::Le(step, farthest);
+        onPlane = hn::And(onPlane, within(kPlaneBend, hn::And(near, hn::Ge(step, nearest)), kNearPlaneBend));
+        const auto smooth = within(kSmoothBend, near, kNearSmoothBend);
+        const auto straight = within(kStraightBend, near, kStraightBend.share);
+        bits = hn::Add(bits, hn::IfThenElseZero(smooth, hn::Set(d, bit)));
+        bits = hn::Add(bits, hn::IfThenElseZero(straight, hn::Set(d, float{kStraight} * bit)));
         bit *= 2;
         const VF up = hn::Sub(load(cells.lambda, at + way), height),
                  down = hn::Sub(load(cells.lambda, at - way), height);
@@ -110,11 +118,11 @@ HWY_INLINE void surroundingsOf(const CellHits& cells, std::size_t at, std::uint1
 }
 
 // Row after row in one go; the ends of rows, which have no neighbours, are put right afterwards.
-void findSurroundings(const CellHits& cells, std::uint16_t* out) {
+void findSurroundings(const CellHits& cells, float bounds, std::uint16_t* out) {
     static_assert(kFloats <= kCellSlack);
     const auto width = static_cast<std::size_t>(cells.width), height = static_cast<std::size_t>(cells.height);
     const std::size_t last = width * (height - 1);
-    for (std::size_t at = width + 1; at < last; at += kFloats) surroundingsOf(cells, at, out);
+    for (std::size_t at = width + 1; at < last; at += kFloats) surroundingsOf(cells, bounds, at, out);
     std::fill_n(out, width, std::uint16_t{0});
     std::fill_n(out + last, width, std::uint16_t{0});
     for (std::size_t at = width; at < last; at += width) out[at] = out[at + width - 1] = 0;
@@ -225,7 +233,7 @@ void findEven(const EvenJob& job, std::uint16_t* even) {
     const DF d;
     const hn::RebindToSigned<DF> di;
     const hn::Rebind<std::int16_t, DF> dh;
-    const VF most = hn::Set(d, kEvenColors), share = hn::Set(d, kEvenShare);
+    const VF most = hn::Set(d, job.most), share = hn::Set(d, kEvenShare);
     for (std::size_t c = 0; c < job.count; c += kFloats) {
         auto all = hn::Set(di, -1);
         for (const float* column : job.channel) {
@@ -259,8 +267,8 @@ void sumPoints(const SumJob& job) {
 }  // namespace grid
 
 // As the tables of targets want them.
-void gridSurroundings(const CellHits& cells, std::uint16_t* out) {
-    grid::findSurroundings(cells, out);
+void gridSurroundings(const CellHits& cells, float bounds, std::uint16_t* out) {
+    grid::findSurroundings(cells, bounds, out);
 }
 void gridRays(const PixelView& view, const double* x, const double* y, std::size_t count, double* const* out) {
     grid::raysThrough(view, x, y, count, out);
@@ -291,8 +299,8 @@ HWY_EXPORT(gridBetween);
 HWY_EXPORT(gridEven);
 HWY_EXPORT(gridSums);
 
-void findSurroundings(const CellHits& cells, std::uint16_t* out) {
-    HWY_DYNAMIC_DISPATCH(gridSurroundings)(cells, out);
+void findSurroundings(const CellHits& cells, float bounds, std::uint16_t* out) {
+    HWY_DYNAMIC_DISPATCH(gridSurroundings)(cells, bounds, out);
 }
 
 void raysThrough(const PixelView& view, std::span<const double> x, std::span<const double> y, RayBlock& rays,
@@ -315,8 +323,9 @@ void betweenCentres(const double* cells, std::size_t row, std::size_t count, con
     HWY_DYNAMIC_DISPATCH(gridBetween)(cells, row, count, shares.data(), out);
 }
 
-void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, std::uint16_t* even) {
-    HWY_DYNAMIC_DISPATCH(gridEven)({channel, row, count}, even);
+void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
+              std::uint16_t* even) {
+    HWY_DYNAMIC_DISPATCH(gridEven)({channel, row, count, bounds * kEvenColors}, even);
 }
 
 void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,

@@ -2,6 +2,7 @@
 // the rays of points, and their footprints. Same bits on every instruction set, for any number of values at once.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -24,12 +25,22 @@ enum Surroundings : std::uint16_t { kSmooth = 1, kStraight = 16, kOnPlane = 256,
 enum Line : std::uint8_t { kAcross, kDown, kFalling, kRising };
 inline constexpr unsigned kAllLines = 15;
 
-// Second differences of neighbouring hits over the first, at most: on planes, smooth lines, straight lines; and the
-// same in texels of the picture, which is not seen.
-inline constexpr double kMostBend = 0.1;
-inline constexpr double kMostSmoothBend = 0.32;
-inline constexpr double kMostStraightBend = 0.07;
-inline constexpr double kUnseenBend = 0.05;
+// Second differences of neighbouring hits over the first, at most: on planes, smooth lines, straight lines; and half
+// the second difference in texels of the picture that is not seen.
+struct Bend {
+    double share, unseen;
+};
+inline constexpr Bend kPlaneBend{0.1, 0.05}, kSmoothBend{0.32, 0.3}, kStraightBend{0.07, 0.1};
+// Where hits are no farther apart, texels, little hides between them, and more may be bent. Planes from kLeastNear on:
+// plain filtering blurs what is magnified more than points do.
+inline constexpr double kNear = 5, kLeastNear = 1;
+inline constexpr double kNearPlaneBend = 0.15, kNearSmoothBend = 0.4;
+// Of all bounds, and of kEvenColors: for lattices of more points than these they fall with the points' number, so that
+// what more points show is not lost to them.
+inline constexpr int kUsualPoints = 3;
+inline float boundsFor(int points) {
+    return static_cast<float>(kUsualPoints) / static_cast<float>(std::max(points, kUsualPoints));
+}
 // Hits at one height, but for rounding to float: level ground, which keeps the pixel's own bits.
 inline constexpr float kLevelHeight = 0x1p-23F;
 
@@ -42,8 +53,8 @@ struct CellHits {
     const float *s = nullptr, *t = nullptr, *lambda = nullptr;
 };
 
-// Of all cells but the outermost, which are set to 0.
-void findSurroundings(const CellHits& cells, std::uint16_t* out);
+// Of all cells but the outermost, which are set to 0; bounds: of each, so much.
+void findSurroundings(const CellHits& cells, float bounds, std::uint16_t* out);
 
 // The view's rays through the places (x, y) of the picture into rays[first ...], the polygon going on beyond its edges;
 // for pixels' centres the picture's own rays, which never lie outside by more than rounding.
@@ -73,8 +84,9 @@ struct alignas(16) PointColor {
 // much of white at most in each channel, and by no more than that part of the brightest, for in the dark less is seen.
 inline constexpr float kEvenColors = 1.0F / 64, kEvenShare = 0.25F;
 // Of each cell [0, count), all bits or none: whether the centres' colours of the cells c, c + 1, c + row, c + row + 1
-// are so. Infinite where they are not known; kCellSlack more at all columns' ends.
-void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, std::uint16_t* even);
+// are so, by `bounds` of kEvenColors. Infinite where they are not known; kCellSlack more at all columns' ends.
+void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
+              std::uint16_t* even);
 // sums[n] = sum over k, in their order, of weight[k] * colors[base[n] + offset[k]].
 void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,
                std::span<const float> weight, std::span<PointColor> sums);

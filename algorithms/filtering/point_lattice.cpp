@@ -12,7 +12,7 @@ namespace {
 
 // Of the pixel's weights: their sigma at the points, and how far out points count, pixels (less than a cell and a
 // half: kLatticeHalo).
-constexpr double kPointSigma = 0.54;
+constexpr double kPointSigma = 0.545;
 constexpr double kPointReach = 1.1;
 // Of a point's footprint, over the points' spacing.
 constexpr double kBlurPerSpacing = 0.29;

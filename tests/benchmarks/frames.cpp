@@ -1,8 +1,8 @@
-// relief_frames [SECONDS] [PICTURE [ELEVATION [FILTER]]] [--budget MS] [-o FILE.csv|json]: frames a second of the
-// shipped pictures at 800 x 600 while the camera turns: traced exactly, filtered anisotropically with regard to the
-// relief, lit, with shadows and without. Each view for SECONDS (default 2); a row a view: the median frame, the tenth
-// fastest and the tenth slowest, and each stage's milliseconds, of all threads together (median). PICTURE: the
-// beginning of its folder's name; that one alone.
+// relief_frames [SECONDS] [PICTURE [ELEVATION [FILTER]]] [--budget MS] [--no-shadows] [-o FILE.csv|json]: frames a
+// second of the shipped pictures at 800 x 600 while the camera turns: traced exactly, filtered anisotropically with
+// regard to the relief, lit, with shadows and without. Each view for SECONDS (default 2); a row a view: the median
+// frame, the tenth fastest and the tenth slowest, and each stage's milliseconds, of all threads together (median).
+// PICTURE: the beginning of its folder's name; that one alone.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -120,6 +120,9 @@ int main(int argc, char** argv) {
         budget = std::atof(option[1].c_str()) / 1000;
         given.erase(option, option + 2);
     }
+    const auto lit = std::find(given.begin(), given.end(), "--no-shadows");
+    const std::vector<bool> shadowsToo = lit == given.end() ? std::vector<bool>{false, true} : std::vector<bool>{false};
+    if (lit != given.end()) given.erase(lit);
     given.resize(std::max<std::size_t>(given.size(), 4));
     const double seconds = given[0].empty() ? 2 : std::atof(given[0].c_str());
     const std::vector<double> elevations =
@@ -137,7 +140,7 @@ int main(int argc, char** argv) {
         const auto maps = std::make_shared<MapCache>();
         for (const double elevation : elevations) {
             for (const std::string& filter : filters) {
-                for (const bool shadows : {false, true}) {
+                for (const bool shadows : shadowsToo) {
                     FrameRequest request{HeightField(heights)};
                     request.color = color;
                     request.camera.elevation = elevation;

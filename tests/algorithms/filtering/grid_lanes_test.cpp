@@ -32,7 +32,7 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
             }
         }
         std::vector<std::uint16_t> first(cells + kCellSlack), again(first);
-        findSurroundings({kWidth, kHeight, s.data(), t.data(), lambda.data()}, first.data());
+        findSurroundings({kWidth, kHeight, s.data(), t.data(), lambda.data()}, 1, first.data());
         first.resize(cells);
         const auto at = [&](int x, int y) { return unsigned{first[static_cast<std::size_t>(y * kWidth + x)]}; };
         const unsigned across = (kSmooth | kStraight) << kAcross, down = (kSmooth | kStraight) << kDown;
@@ -60,11 +60,41 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
         for (const std::int64_t target : laneTargets()) {
             const ForcedTarget forced(target);
             again.assign(cells + kCellSlack, 7);
-            findSurroundings({kWidth, kHeight, s.data(), t.data(), lambda.data()}, again.data());
+            findSurroundings({kWidth, kHeight, s.data(), t.data(), lambda.data()}, 1, again.data());
             again.resize(cells);
             EXPECT_EQ(again, first) << c.name << ' ' << laneTargetName(target);
         }
     }
+}
+
+// The same bend: a plane and smooth where hits lie near each other; by lower bounds neither.
+TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
+    constexpr int kSide = 5;
+    constexpr auto kMiddle = static_cast<std::size_t>(kSide * kSide / 2);
+    const auto middle = [&](float texels, float fold, float bounds) {
+        std::vector<float> s(kSide * kSide + kCellSlack), t(s), lambda(s);
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const auto n = static_cast<std::size_t>(i);
+            const auto across = static_cast<float>(i % kSide - 2);
+            s[n] = texels * across * (across > 0 ? fold : 1);
+            t[n] = texels * static_cast<float>(i / kSide);
+            lambda[n] = 0.1F * across;
+        }
+        std::vector<std::uint16_t> found(kSide * kSide + kCellSlack);
+        findSurroundings({kSide, kSide, s.data(), t.data(), lambda.data()}, bounds, found.data());
+        return unsigned{found[kMiddle]};
+    };
+    // Second differences over the first: 0.13, 0.375.
+    EXPECT_NE(middle(2, 1.3F, 1) & kOnPlane, 0U);
+    EXPECT_EQ(middle(10, 1.3F, 1) & kOnPlane, 0U);
+    EXPECT_EQ(middle(2, 1.3F, boundsFor(5)) & kOnPlane, 0U);
+    EXPECT_NE(middle(3, 2.2F, 1) & kSmooth, 0U);
+    EXPECT_EQ(middle(10, 2.2F, 1) & kSmooth, 0U);
+    EXPECT_EQ(middle(3, 2.2F, boundsFor(5)) & kSmooth, 0U);
+    EXPECT_EQ(boundsFor(2), 1.0F);
+    // Magnified, only what is flat.
+    EXPECT_NE(middle(0.7F, 1.2F, 1) & kOnPlane, 0U);
+    EXPECT_EQ(middle(0.7F, 1.4F, 1) & kOnPlane, 0U);
 }
 
 // Rays and footprints of points against the text of single pixels.
@@ -134,7 +164,7 @@ TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
     for (const std::int64_t target : laneTargets()) {
         const ForcedTarget forced(target);
         std::vector<std::uint16_t> even(kCells + kCellSlack, 7);
-        findEven({channel[0].data(), channel[1].data(), channel[2].data()}, kRow, kCount, even.data());
+        findEven({channel[0].data(), channel[1].data(), channel[2].data()}, kRow, kCount, 1, even.data());
         even.resize(kCount);
         EXPECT_EQ(even, expected) << laneTargetName(target);
     }

@@ -257,8 +257,8 @@ TEST(Grid, weightsAreThePixels) {
     for (std::size_t n = 0; n < lattice.terms.size(); ++n) {
         const PointLattice::Term& term = lattice.terms[n];
         const glm::dvec2 at = glm::dvec2(term.dx, term.dy) + lattice.places[static_cast<std::size_t>(term.point)];
-        // Sigma 0.54 pixels, as the notes say.
-        EXPECT_NEAR(lattice.weights[n], std::exp(-glm::dot(at, at) / (2 * 0.54 * 0.54)), 1e-6);
+        // Sigma 0.545 pixels, as the notes say.
+        EXPECT_NEAR(lattice.weights[n], std::exp(-glm::dot(at, at) / (2 * 0.545 * 0.545)), 1e-6);
     }
     // And they are what sums are made with.
     const std::vector<PointColor> colors{{{1, 2, 3, 1}}, {{0, 0, 0, 0}}, {{4, 8, 16, 1}}};
