@@ -53,11 +53,11 @@ GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel al
 // The cells around the tile's pixels, these known.
 void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
     const std::size_t cells = tile.cells();
-    tile.s.assign(cells, kNothing);
+    tile.s.assign(cells + kCellSlack, kNothing);
     tile.rough.s.assign(cells + kCellSlack, std::numeric_limits<float>::quiet_NaN());
     reserve(tile.rough.t, cells + kCellSlack);
     reserve(tile.rough.lambda, cells + kCellSlack);
-    reserve(tile.t, cells);
+    reserve(tile.t, cells + kCellSlack);
     reserve(tile.lambda, cells);
     reserve(tile.around, cells + kCellSlack);
     reserve(tile.color, cells * lattice_.places.size());
@@ -202,22 +202,24 @@ void GridKernel::filterPlain(Tile& tile, std::span<Color> colors, FootprintCount
     for (std::size_t n = 0; n < tile.plainOf.size(); ++n) colors[tile.plainOf[n]] = tile.colors[n];
 }
 
-void GridKernel::colorPoints(Tile& tile, FootprintCounts& counts) const {
+// Behind tile.footprints those of tile.points.
+void GridKernel::layPoints(Tile& tile) const {
     const GridPoints& points = tile.points;
     const auto all = [&](const std::vector<double>& column) { return part(column, 0, points.count); };
-    tile.footprints.resize(points.count);
+    const std::size_t before = tile.footprints.size();
     layFootprints(*tile.view, slopes_ ? &*slopes_ : nullptr, lattice_.blur, tile.scale,
                   {all(points.x), all(points.y), all(points.lambda), all(points.s), all(points.t)}, tile.footprints);
-    reserve(tile.colors, points.count);
-    reader_.read(tile.footprints, {tile.colors.data(), points.count}, counts);
-    for (std::size_t n = 0; n < points.count; ++n) {
-        const Color& color = tile.colors[n];
-        tile.color[points.slots[n]] = {{color.r, color.g, color.b, 1}};
-    }
-    if (!tile.logging) return;
+    reserve(tile.slots, tile.footprints.size());
+    std::copy_n(points.slots.begin(), points.count, tile.slots.begin() + static_cast<std::ptrdiff_t>(before));
+}
+
+// The colours of tile.footprints.
+void GridKernel::readPoints(Tile& tile, FootprintCounts& counts) const {
     const PointBlock& block = tile.footprints;
-    for (std::size_t n = 0; n < points.count; ++n) {
-        tile.read.push_back({points.slots[n], {block.s[n], block.t[n]}, block.jacobian(n)});
+    reader_.read(block, {tile.slots.data(), block.size()}, tile.color.data(), counts);
+    if (!tile.logging) return;
+    for (std::size_t n = 0; n < block.size(); ++n) {
+        tile.read.push_back({tile.slots[n], {block.s[n], block.t[n]}, block.jacobian(n)});
     }
 }
 

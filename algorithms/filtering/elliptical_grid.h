@@ -61,12 +61,13 @@ class GridKernel {
     static void orderCells(Tile& tile);
     template <class Wanted>
     void pushPoints(Tile& tile, std::size_t k, const Wanted& wanted) const;
-    void follow(Tile& tile, std::size_t k) const;
+    void follow(Tile& tile, std::size_t k, PointBlock& out) const;
+    void layPoints(Tile& tile) const;
     void takeCentres(Tile& tile, FootprintCounts& counts) const;
     void takeMeans(Tile& tile) const;
     void takePoints(Tile& tile, FootprintCounts& counts, Work& work) const;
     void tracePoints(Tile& tile, FootprintCounts& counts, Work& work) const;
-    void colorPoints(Tile& tile, FootprintCounts& counts) const;
+    void readPoints(Tile& tile, FootprintCounts& counts) const;
     void sumEdges(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts) const;
     std::vector<std::pair<std::size_t, float>> summedSlots(const FilterQuery& query, const Tile& tile) const;
     void logPoints(const FilterQuery& query, const Tile& tile, FootprintLog& log) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "filtering/grid_follow.h"
 #include "filtering/grid_tile.h"
 #include "relief/block_work.h"
 #include "relief/look_up_point.h"
@@ -50,7 +51,7 @@ void GridKernel::askCentres(Tile& tile) const {
     for (std::size_t c = 0; c < cells; ++c) tile.asked[c] |= centres[c];
 }
 
-// Bits of the points in each cell that the edges sum, and of those whose hits follow from the centres'.
+// Bits of the points in each cell that the edges sum, and of those whose footprints follow from the centres'.
 void GridKernel::askPoints(const FilterBlock& block, Tile& tile) const {
     const auto row = static_cast<std::ptrdiff_t>(tile.width);
     const auto points = static_cast<std::int32_t>(lattice_.places.size());
@@ -63,8 +64,8 @@ void GridKernel::askPoints(const FilterBlock& block, Tile& tile) const {
         tile.base.push_back(static_cast<std::int32_t>(cell) * points);
     }
     tile.offset.clear();
-    tile.asked.assign(cells, 0);
-    tile.follows.assign(cells, 1);
+    tile.asked.assign(cells + kCellSlack, 0);
+    tile.follows.assign(cells + kCellSlack, 0);
     // Edges keep kTileHalo cells from the rim.
     const auto reach = static_cast<std::size_t>(row + 1);
     for (const PointLattice::Term& term : lattice_.terms) {
@@ -77,6 +78,9 @@ void GridKernel::askPoints(const FilterBlock& block, Tile& tile) const {
     }
     askCentres(tile);
     findWhole(tile);
+    // Centres on smooth ground have footprints by their neighbours.
+    constexpr unsigned kCross = (kStraight << kAcross) | (kStraight << kDown);
+    for (std::size_t c = 0; c < cells; ++c) tile.follows[c] = (tile.around[c] & kCross) == kCross ? 1 : 0;
     for (std::size_t k = 1; k < lattice_.places.size(); ++k) {
         const std::uint16_t* whole = tile.whole.data() - lattice_.squareOf(k, row);
         std::uint16_t* follows = tile.follows.data();
@@ -119,48 +123,42 @@ void GridKernel::pushPoints(Tile& tile, std::size_t k, const Wanted& wanted) con
     out.count += count;
 }
 
-// Behind tile.points those k-th points whose hits follow from the centres': their own, or between the four round them.
-void GridKernel::follow(Tile& tile, std::size_t k) const {
-    GridPoints& out = tile.points;
-    const std::size_t first = out.count, points = lattice_.places.size();
-    const auto asked = [&](std::size_t cell) { return (tile.asked[cell] & tile.follows[cell]) >> k & 1; };
-    if (k > 0) {
-        pushPoints(tile, k, asked);
-    } else {
-        pushPoints(tile, 0, [&](std::size_t cell) { return asked(cell) & (std::isnan(tile.s[cell]) ? 0 : 1); });
-        for (std::size_t cell = 0; cell < tile.cells(); ++cell) {
-            if (asked(cell) && std::isnan(tile.s[cell])) tile.color[cell * points] = {};
-        }
-    }
-    const auto row = static_cast<std::size_t>(tile.width), cells = tile.cells();
+// Behind `out` those k-th points whose hits follow from the centres', with their slots in tile.slots.
+void GridKernel::follow(Tile& tile, std::size_t k, PointBlock& out) const {
+    const auto row = static_cast<std::size_t>(tile.width), reach = row + 1;
     const auto square = static_cast<std::size_t>(lattice_.squareOf(k, tile.width));
-    std::array<const double*, 3> from{tile.lambda.data(), tile.s.data(), tile.t.data()};
-    if (k > 0) {
-        reserve(tile.between, 3 * cells);
-        for (std::size_t c = 0; c < from.size(); ++c) {
-            double* between = tile.between.data() + c * cells;
-            betweenCentres(from[c], row, cells - row - 1, lattice_.shares[k], between);
-            from[c] = between;
-        }
-    }
-    for (std::size_t n = first; n < out.count; ++n) {
-        const std::size_t at = tile.order[tile.which[n - first]].cell - square;
-        out.lambda[n] = from[0][at], out.s[n] = from[1][at], out.t[n] = from[2][at];
-    }
+    followPoints(
+        {tile.s.data(), tile.t.data(), row, reach, tile.cells() - reach, tile.asked.data(), tile.follows.data(), k,
+         lattice_.places.size(), square, lattice_.shares[k], lattice_.blur, tile.scale},
+        out, tile.slots);
 }
 
 // The centres that are asked for, with their colours.
 void GridKernel::takeCentres(Tile& tile, FootprintCounts& counts) const {
     orderCells(tile);
+    tile.footprints.resize(0);
+    follow(tile, 0, tile.footprints);
     tile.points.clear();
-    follow(tile, 0);
-    colorPoints(tile, counts);
-    for (std::size_t c = 0; c < tile.centre.size(); ++c) {
-        std::vector<float>& column = tile.centre[c];
+    const auto points = static_cast<std::uint32_t>(lattice_.places.size());
+    pushPoints(tile, 0, [&](std::size_t cell) {
+        return tile.asked[cell] & ~tile.follows[cell] & (std::isnan(tile.s[cell]) ? 0 : 1);
+    });
+    GridPoints& met = tile.points;
+    for (std::size_t n = 0; n < met.count; ++n) {
+        const std::size_t cell = met.slots[n] / points;
+        met.lambda[n] = tile.lambda[cell], met.s[n] = tile.s[cell], met.t[n] = tile.t[cell];
+    }
+    layPoints(tile);
+    for (std::size_t cell = 0; cell < tile.cells(); ++cell) {
+        if ((tile.asked[cell] & 1) != 0 && std::isnan(tile.s[cell])) tile.color[cell * points] = {};
+    }
+    readPoints(tile, counts);
+    for (std::vector<float>& column : tile.centre) {
         column.assign(tile.cells() + kCellSlack, std::numeric_limits<float>::infinity());
-        for (std::size_t n = 0; n < tile.points.count; ++n) {
-            column[tile.order[tile.which[n]].cell] = tile.colors[n][static_cast<int>(c)];
-        }
+    }
+    for (std::size_t n = 0; n < tile.footprints.size(); ++n) {
+        const auto& channel = tile.color[tile.slots[n]].channel;
+        for (std::size_t c = 0; c < tile.centre.size(); ++c) tile.centre[c][tile.slots[n] / points] = channel[c];
     }
 }
 
@@ -200,8 +198,10 @@ void GridKernel::takePoints(Tile& tile, FootprintCounts& counts, Work& work) con
         pushPoints(tile, k, [&](std::size_t cell) { return (tile.asked[cell] & ~tile.follows[cell]) >> k & 1; });
     }
     tracePoints(tile, counts, work);
-    for (std::size_t k = 1; k < lattice_.places.size(); ++k) follow(tile, k);
-    colorPoints(tile, counts);
+    tile.footprints.resize(0);
+    layPoints(tile);
+    for (std::size_t k = 1; k < lattice_.places.size(); ++k) follow(tile, k, tile.footprints);
+    readPoints(tile, counts);
 }
 
 // What tile.points meet; without those that meet nothing.

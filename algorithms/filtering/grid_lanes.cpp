@@ -172,7 +172,10 @@ HWY_INLINE void layWith(const FootprintScene& scene, const SlopeAt& slopeAt, con
                  toVx = blurred(vxY, vx1, vyX, vy1, blur.xx, blur.xy);
     const Linear toUy = blurred(uxY, ux1, uyX, uy1, blur.xy, blur.yy),
                  toVy = blurred(vxY, vx1, vyX, vy1, blur.xy, blur.yy);
-    const std::size_t count = points.size();
+    const std::size_t count = hits.x.size(), before = points.size();
+    const hn::Rebind<float, D> df;
+    points.resize(before + count);
+    static_assert(kLanes <= kPointSlack);
     for (std::size_t i = 0; i < count; i += kLanes) {
         const std::size_t here = std::min(kLanes, count - i);
         const V x = load(hits.x.data() + i, here), y = load(hits.y.data() + i, here);
@@ -199,12 +202,15 @@ HWY_INLINE void layWith(const FootprintScene& scene, const SlopeAt& slopeAt, con
             ux = hn::Sub(ux, hn::Mul(a, alongX)), vx = hn::Sub(vx, hn::Mul(b, alongX));
             uy = hn::Sub(uy, hn::Mul(a, alongY)), vy = hn::Sub(vy, hn::Mul(b, alongY));
         }
-        store(hn::Mul(place.s, perS), points.s.data() + i, here);
-        store(hn::Mul(place.t, perT), points.t.data() + i, here);
-        store(hn::Mul(ux, perS), points.ux.data() + i, here);
-        store(hn::Mul(vx, perT), points.vx.data() + i, here);
-        store(hn::Mul(uy, perS), points.uy.data() + i, here);
-        store(hn::Mul(vy, perT), points.vy.data() + i, here);
+        // Columns go on behind the last.
+        const auto narrow = [&](V value, std::vector<float>& to)
+                                HWY_ATTR { hn::StoreU(hn::DemoteTo(df, value), df, to.data() + before + i); };
+        hn::StoreU(hn::Mul(place.s, perS), D(), points.s.data() + before + i);
+        hn::StoreU(hn::Mul(place.t, perT), D(), points.t.data() + before + i);
+        narrow(hn::Mul(ux, perS), points.ux);
+        narrow(hn::Mul(vx, perT), points.vx);
+        narrow(hn::Mul(uy, perS), points.uy);
+        narrow(hn::Mul(vy, perT), points.vy);
     }
 }
 void layFootprints(const FootprintScene& scene, const PointHits& hits, PointBlock& points) {
@@ -217,16 +223,6 @@ void layFootprints(const FootprintScene& scene, const PointHits& hits, PointBloc
             hits, points);
     slopes::withSlopes(*scene.slopes,
                        [&](const auto& slopeAt) HWY_ATTR { layWith<true>(scene, slopeAt, hits, points); });
-}
-
-void betweenCentres(const double* cells, std::size_t row, std::size_t count, const double* shares, double* out) {
-    for (std::size_t c = 0; c < count; c += kLanes) {
-        const std::size_t here = std::min(kLanes, count - c);
-        const auto part = [&](std::size_t at, double share)
-                              HWY_ATTR { return hn::Mul(set(share), load(cells + c + at, here)); };
-        const V above = hn::Add(part(0, shares[0]), part(1, shares[1]));
-        store(hn::Add(above, hn::Add(part(row, shares[2]), part(row + 1, shares[3]))), out + c, here);
-    }
 }
 
 void findEven(const EvenJob& job, std::uint16_t* even) {
@@ -276,9 +272,6 @@ void gridRays(const PixelView& view, const double* x, const double* y, std::size
 void gridFootprints(const FootprintScene& scene, const PointHits& hits, PointBlock& points) {
     grid::layFootprints(scene, hits, points);
 }
-void gridBetween(const double* cells, std::size_t row, std::size_t count, const double* shares, double* out) {
-    grid::betweenCentres(cells, row, count, shares, out);
-}
 void gridEven(const EvenJob& job, std::uint16_t* even) {
     grid::findEven(job, even);
 }
@@ -295,7 +288,6 @@ namespace relief {
 HWY_EXPORT(gridSurroundings);
 HWY_EXPORT(gridRays);
 HWY_EXPORT(gridFootprints);
-HWY_EXPORT(gridBetween);
 HWY_EXPORT(gridEven);
 HWY_EXPORT(gridSums);
 
@@ -313,14 +305,9 @@ void raysThrough(const PixelView& view, std::span<const double> x, std::span<con
 
 void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointBlur& blur, glm::dvec2 scale,
                    const PointHits& hits, PointBlock& points) {
-    assert(hits.x.size() == points.size() && hits.lambda.size() >= points.size());
+    assert(hits.lambda.size() >= hits.x.size() && hits.s.size() >= hits.x.size());
     const FootprintScene scene{&view, slopes, blur, scale.x, scale.y};
     HWY_DYNAMIC_DISPATCH(gridFootprints)(scene, hits, points);
-}
-
-void betweenCentres(const double* cells, std::size_t row, std::size_t count, const std::array<double, 4>& shares,
-                    double* out) {
-    HWY_DYNAMIC_DISPATCH(gridBetween)(cells, row, count, shares.data(), out);
 }
 
 void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,

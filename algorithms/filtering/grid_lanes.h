@@ -61,25 +61,17 @@ void findSurroundings(const CellHits& cells, float bounds, std::uint16_t* out);
 void raysThrough(const PixelView& view, std::span<const double> x, std::span<const double> y, RayBlock& rays,
                  std::size_t first);
 
-// Rows of cells one after the other: out[c] = the mean of cells c, c + 1, c + row, c + row + 1 with these shares.
-void betweenCentres(const double* cells, std::size_t row, std::size_t count, const std::array<double, 4>& shares,
-                    double* out);
-
 // Hits between pixels' centres, and what is asked of them. All columns of one length.
 struct PointHits {
     std::span<const double> x, y;  // places in the picture
     std::span<const double> lambda, s, t;
 };
 
-// Footprints of that blur on the surface's tangent plane at each hit, into `points`, texels of the picture. slopes:
+// Footprints of that blur on the surface's tangent plane at each hit, behind `points`, texels of the picture. slopes:
 // null: on level ground (columns).
 void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointBlur& blur, glm::dvec2 scale,
                    const PointHits& hits, PointBlock& points);
 
-// Red, green, blue, and 1 where something was met; else all 0.
-struct alignas(16) PointColor {
-    float channel[4] = {0, 0, 0, 0};
-};
 // Whether the colours of four centres differ so little that those of points between are taken as their mean: by so
 // much of white at most in each channel, and by no more than that part of the brightest, for in the dark less is seen.
 inline constexpr float kEvenColors = 1.0F / 64, kEvenShare = 0.25F;

@@ -107,10 +107,10 @@ struct GridKernel::Tile {
     std::vector<OrderedCell> order;
     int orderWidth = 0, orderHeight = 0;
     std::vector<std::uint32_t> which;
-    std::vector<double> between;
     RayBlock rays;
     HitBlock hits;
-    PointBlock footprints;
+    PointBlock footprints;                     // that are read,
+    std::vector<std::uint32_t> slots;          // and where they go
     std::array<std::vector<float>, 3> centre;  // of cells, red, green, blue; infinite where nothing is known
     bool logging = false;
     std::vector<ReadPoint> read;  // for the log alone

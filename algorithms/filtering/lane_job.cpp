@@ -43,10 +43,11 @@ void LaneChunk::fill(const LaneJob& job, std::size_t begin, std::size_t from) {
             !placed(job.t[i] * job.perT, job.height, repeat, wholeT[k], restT[k])) {
             none(k);
         }
-        ux[k] = static_cast<float>(job.ux[i] * job.perS);
-        vx[k] = static_cast<float>(job.vx[i] * job.perT);
-        uy[k] = static_cast<float>(job.uy[i] * job.perS);
-        vy[k] = static_cast<float>(job.vy[i] * job.perT);
+        const auto footprint = [&](const double* column, std::size_t n, double per) {
+            return column == nullptr ? job.narrow[n][i] : static_cast<float>(column[i] * per);
+        };
+        ux[k] = footprint(job.ux, 0, job.perS), vx[k] = footprint(job.vx, 1, job.perT);
+        uy[k] = footprint(job.uy, 2, job.perS), vy[k] = footprint(job.vy, 3, job.perT);
     }
     for (std::size_t k = count; k < (count + kMostLanes - 1) / kMostLanes * kMostLanes; ++k) {
         none(k);

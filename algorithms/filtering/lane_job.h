@@ -61,6 +61,7 @@ struct LaneJob {
 
     const double *s = nullptr, *t = nullptr;
     const double *ux = nullptr, *vx = nullptr, *uy = nullptr, *vy = nullptr;
+    std::array<const float*, 4> narrow{};  // the same, where ux is null: texels of level 0
     std::size_t count = 0;
     double perS = 1, perT = 1;
     Color* colors = nullptr;

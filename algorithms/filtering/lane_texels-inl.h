@@ -124,13 +124,15 @@ inline void fillChunk(const LaneJob& job, std::size_t begin, LaneChunk& chunk) {
         const auto t = placeLanes(job.t + i, job.perT, job.height, repeat, chunk.wholeT + k, chunk.restT + k);
         const VH valid = hn::IfThenElseZero(hn::And(s, t), hn::Set(d, 1.0));
         hn::StoreU(hn::DemoteTo(df, valid), df, chunk.valid + k);
-        const auto narrow = [&](const double* from, double per, float* to) HWY_ATTR {
-            hn::StoreU(hn::DemoteTo(df, hn::Mul(hn::LoadU(d, from + i), hn::Set(d, per))), df, to + k);
+        const auto narrow = [&](const double* from, std::size_t n, double per, float* to) HWY_ATTR {
+            hn::StoreU(from == nullptr ? hn::LoadU(df, job.narrow[n] + i)
+                                       : hn::DemoteTo(df, hn::Mul(hn::LoadU(d, from + i), hn::Set(d, per))),
+                       df, to + k);
         };
-        narrow(job.ux, job.perS, chunk.ux);
-        narrow(job.vx, job.perT, chunk.vx);
-        narrow(job.uy, job.perS, chunk.uy);
-        narrow(job.vy, job.perT, chunk.vy);
+        narrow(job.ux, 0, job.perS, chunk.ux);
+        narrow(job.vx, 1, job.perT, chunk.vx);
+        narrow(job.uy, 2, job.perS, chunk.uy);
+        narrow(job.vy, 3, job.perT, chunk.vy);
     }
     chunk.fill(job, begin, k);
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kPointSigma = 0.545;
 constexpr double kPointReach = 1.1;
 // Of a point's footprint, over the points' spacing.
-constexpr double kBlurPerSpacing = 0.29;
+constexpr double kBlurPerSpacing = 0.295;
 // Places along a side of a pixel by which the shape of the points' cells is measured.
 constexpr int kShapeSide = 32;
 

@@ -133,7 +133,8 @@ HWY_INLINE void fetchTexels(const LaneJob& job, const TapLanes& f) {
 }
 
 void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, const TapLanes& f,
-                const std::uint8_t* left, Color* HWY_RESTRICT colors, FootprintCounts& counts) {
+                const std::uint8_t* left, const std::uint32_t* HWY_RESTRICT slots, PointColor* HWY_RESTRICT colors,
+                FootprintCounts& counts) {
     const D d;
     const V zero = hn::Zero(d), one = set(1);
     PointSums sums{zero, zero, zero};
@@ -145,19 +146,18 @@ void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, c
         addTap(job, f, offset, hn::IfThenElseZero(active, one), sums);
     }
     const V per = hn::Mul(hn::Max(f.count, one), set(kLaneWhite));
-    alignas(64) float red[kLanes], green[kLanes], blue[kLanes], taps[kLanes];
+    alignas(64) float red[kLanes], green[kLanes], blue[kLanes];
     hn::Store(hn::Div(sums.red, per), d, red);
     hn::Store(hn::Div(sums.green, per), d, green);
     hn::Store(hn::Div(sums.blue, per), d, blue);
-    hn::Store(f.count, d, taps);
+    // What is left out has no taps.
+    counts.texels += 4 * static_cast<std::int64_t>(hn::GetLane(hn::SumOfLanes(d, f.count)));
     for (std::size_t k = 0; k < kLanes && first + k < chunk.count; ++k) {
-        if (left[k] != 0) continue;
-        colors[k] = {red[k], green[k], blue[k]};
-        counts.texels += 4 * static_cast<std::int64_t>(taps[k]);
+        if (left[k] == 0) colors[slots[k]] = {{red[k], green[k], blue[k], 1}};
     }
 }
 
-void readPoints(const LaneJob& job, FootprintCounts& counts) {
+void readPoints(const LaneJob& job, const std::uint32_t* slots, PointColor* colors, FootprintCounts& counts) {
     LaneChunk chunk;
     TapLanes taps[kLanePixels / kLanes];
     std::uint8_t left[kLanePixels];
@@ -168,7 +168,7 @@ void readPoints(const LaneJob& job, FootprintCounts& counts) {
             fetchTexels(job, taps[k / kLanes]);
         }
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
-            readVector(job, chunk, k, taps[k / kLanes], left + k, job.colors + begin + k, counts);
+            readVector(job, chunk, k, taps[k / kLanes], left + k, slots + begin + k, colors, counts);
         }
         std::copy_n(left, chunk.count, job.left + begin);
     }
@@ -206,23 +206,24 @@ Color PointReader::color(glm::dvec2 place, const PointTaps& taps) const {
     return sum / static_cast<float>(taps.count);
 }
 
-void PointReader::read(const PointBlock& points, std::span<Color> colors, FootprintCounts& counts) const {
-    assert(colors.size() == points.size());
+void PointReader::read(const PointBlock& points, std::span<const std::uint32_t> slots, PointColor* colors,
+                       FootprintCounts& counts) const {
+    assert(slots.size() == points.size());
     static thread_local std::vector<std::uint8_t> left;
     left.assign(points.size(), 1);
     if (lanes_) {
         LaneJob job = laneJob(*lanes_, {});
         job.s = points.s.data(), job.t = points.t.data();
-        job.ux = points.ux.data(), job.vx = points.vx.data();
-        job.uy = points.uy.data(), job.vy = points.vy.data();
+        job.narrow = {points.ux.data(), points.vx.data(), points.uy.data(), points.vy.data()};
         job.count = points.size();
-        job.colors = colors.data(), job.left = left.data();
-        HWY_DYNAMIC_DISPATCH(readPoints)(job, counts);
+        job.left = left.data();
+        HWY_DYNAMIC_DISPATCH(readPoints)(job, slots.data(), colors, counts);
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (left[i] == 0) continue;
         const PointTaps taps = this->taps(points.jacobian(i));
-        colors[i] = color({points.s[i], points.t[i]}, taps);
+        const Color found = color({points.s[i], points.t[i]}, taps);
+        colors[slots[i]] = {{found.r, found.g, found.b, 1}};
         counts.texels += std::int64_t{4} * taps.count;
     }
 }

@@ -23,20 +23,35 @@ namespace relief {
 
 inline constexpr int kMostTaps = 8;
 
-// Texels of level 0; all columns of one length.
+// Texels of level 0; all columns of one length, at least kPointSlack longer than there are points.
+inline constexpr std::size_t kPointSlack = 16;
 struct PointBlock {
     std::vector<double> s, t;
-    std::vector<double> ux, vx, uy, vy;
+    std::vector<float> ux, vx, uy, vy;
 
-    std::size_t size() const { return s.size(); }
+    std::size_t size() const { return count_; }
+    // What was there stays; the columns never become shorter.
     void resize(std::size_t count) {
-        for (auto* column : {&s, &t, &ux, &vx, &uy, &vy}) column->resize(count);
+        count_ = count;
+        const std::size_t least = count + kPointSlack;
+        if (s.size() >= least) return;
+        for (auto* column : {&s, &t}) column->resize(least);
+        for (auto* column : {&ux, &vx, &uy, &vy}) column->resize(least);
     }
     void set(std::size_t i, glm::dvec2 place, const Jacobian& j) {
         s[i] = place.x, t[i] = place.y;
-        ux[i] = j.ux, vx[i] = j.vx, uy[i] = j.uy, vy[i] = j.vy;
+        ux[i] = static_cast<float>(j.ux), vx[i] = static_cast<float>(j.vx);
+        uy[i] = static_cast<float>(j.uy), vy[i] = static_cast<float>(j.vy);
     }
     Jacobian jacobian(std::size_t i) const { return {ux[i], vx[i], uy[i], vy[i]}; }
+
+  private:
+    std::size_t count_ = 0;
+};
+
+// Red, green, blue, and 1 where something was met; else all 0.
+struct alignas(16) PointColor {
+    float channel[4] = {0, 0, 0, 0};
 };
 
 // What is read for a point: taps at centre + (n - (count - 1) / 2) step.
@@ -56,8 +71,9 @@ class PointReader {
 
     const ColorLevels& levels() const { return *levels_; }
     Address address() const { return address_; }
-    // colors: of the block's length. counts: texels alone.
-    void read(const PointBlock& points, std::span<Color> colors, FootprintCounts& counts) const;
+    // Each point's colour into colors[its slot]. counts: texels alone.
+    void read(const PointBlock& points, std::span<const std::uint32_t> slots, PointColor* colors,
+              FootprintCounts& counts) const;
     Color color(glm::dvec2 place, const PointTaps& taps) const;
     PointTaps taps(const Jacobian& j) const;
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "filtering/grid_follow.h"
 #include "grid_cases.h"
 
 namespace relief::test {
@@ -99,7 +100,7 @@ TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
 
 // Rays and footprints of points against the text of single pixels.
 TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
-    constexpr double kRelative = 1e-12;  // another order of the same products
+    constexpr double kRelative = 1e-7;  // rounding to float
     for (const Address address : {Address::Repeat, Address::Border}) {
         const HeightField field = reliefOf("city", address);
         const Asked asked(requestOf(field, randomPicture(64, 48, kSeed), grid()));
@@ -114,7 +115,6 @@ TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
             RayBlock rays(count);
             raysThrough(view, x, y, rays, 0);
             PointBlock points;
-            points.resize(count);
             const SlopeScene slopes(field);
             const PointBlur blur{0.5, 0.125, 0.25};
             layFootprints(view, &slopes, blur, {2, 3}, {x, y, asked.block.lambda, asked.block.s, asked.block.t},
@@ -170,22 +170,58 @@ TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
     }
 }
 
-TEST(GridLanes, betweenCentresIsTheirMean) {
-    constexpr std::size_t kRow = 7, kCells = 5 * kRow, kCount = kCells - kRow - 1;
+// Places and footprints of points that follow, where they are asked for, against one by one.
+TEST(GridLanes, pointsFollowFromCentres) {
+    constexpr std::size_t kRow = 9, kCells = 6 * kRow, kFirst = kRow + 1, kLast = kCells - kRow - 1;
     Random random(kSeed);
-    std::vector<double> cells(kCells);
-    for (double& cell : cells) cell = random.between(-1, 1);
+    std::vector<double> s(kCells + kCellSlack), t(s);
+    for (std::size_t c = 0; c < kCells; ++c) s[c] = random.between(-1, 1), t[c] = random.between(-1, 1);
+    std::vector<std::uint16_t> asked(kCells + kCellSlack), follows(asked);
+    for (std::size_t c = kFirst; c < kLast; ++c) {
+        asked[c] = static_cast<std::uint16_t>(random.between(0, 8));
+        follows[c] = static_cast<std::uint16_t>(random.between(0, 8));
+    }
     const std::array<double, 4> shares{0.5, 0.125, 0.25, 0.0625};
-    for (const std::int64_t target : laneTargets()) {
-        const ForcedTarget forced(target);
-        std::vector<double> out(kCount + 1, 7);
-        betweenCentres(cells.data(), kRow, kCount, shares, out.data());
-        for (std::size_t c = 0; c < kCount; ++c) {
-            const double expected = shares[0] * cells[c] + shares[1] * cells[c + 1] +
-                                    (shares[2] * cells[c + kRow] + shares[3] * cells[c + kRow + 1]);
-            ASSERT_EQ(out[c], expected) << c << ' ' << laneTargetName(target);
+    const PointBlur blur{0.5, 0.125, 0.25};
+    for (const std::size_t point : {std::size_t{0}, std::size_t{2}}) {
+        const std::size_t square = point == 0 ? 0 : kRow + 1;
+        const FollowJob job{s.data(), t.data(), kRow,   kFirst, kLast, asked.data(), follows.data(),
+                            point,    3,        square, shares, blur,  {2, 3}};
+        // Of a column at cell c: the value, and its differences across and down.
+        const auto expected = [&](const std::vector<double>& column, std::size_t c) -> std::array<double, 3> {
+            const double* x = column.data() + c;
+            if (point == 0) return {x[0], (x[1] - x[-1]) / 2, (x[kRow] - *(x - kRow)) / 2};
+            x -= square;
+            const double p = x[0], q = x[1], r = x[kRow], w = x[kRow + 1];
+            return {shares[0] * p + shares[1] * q + (shares[2] * r + shares[3] * w),
+                    (shares[0] + shares[1]) * (q - p) + (shares[2] + shares[3]) * (w - r),
+                    (shares[0] + shares[2]) * (r - p) + (shares[1] + shares[3]) * (w - q)};
+        };
+        for (const std::int64_t target : laneTargets()) {
+            const ForcedTarget forced(target);
+            PointBlock points;
+            points.resize(1);
+            std::vector<std::uint32_t> slots;
+            followPoints(job, points, slots);
+            std::size_t n = 1;
+            for (std::size_t c = kFirst; c < kLast; ++c) {
+                if ((asked[c] & follows[c] & (1U << point)) == 0) continue;
+                ASSERT_LT(n, points.size());
+                const auto [atS, acrossS, downS] = expected(s, c);
+                const auto [atT, acrossT, downT] = expected(t, c);
+                ASSERT_EQ(slots[n], c * 3 + point) << laneTargetName(target);
+                ASSERT_EQ(points.s[n], 2 * atS);
+                ASSERT_EQ(points.t[n], 3 * atT);
+                constexpr double kRounding = 1e-6;
+                ASSERT_NEAR(points.ux[n], 2 * (blur.xx * acrossS + blur.xy * downS), kRounding);
+                ASSERT_NEAR(points.uy[n], 2 * (blur.xy * acrossS + blur.yy * downS), kRounding);
+                ASSERT_NEAR(points.vx[n], 3 * (blur.xx * acrossT + blur.xy * downT), kRounding);
+                ASSERT_NEAR(points.vy[n], 3 * (blur.xy * acrossT + blur.yy * downT), kRounding);
+                ++n;
+            }
+            EXPECT_EQ(n, points.size()) << laneTargetName(target);
+            EXPECT_GT(n, 5U);
         }
-        EXPECT_EQ(out[kCount], 7);
     }
 }
 

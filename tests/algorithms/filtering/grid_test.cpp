@@ -296,15 +296,18 @@ TEST(PointReader, lanesAreNearTheTwin) {
             if (i % 23 == 0) j = {0, 0, 0, 0};
             points.set(i, place, j);
         }
-        std::vector<Color> got(kPoints), expected(kPoints);
+        std::vector<PointColor> got(kPoints), expected(kPoints);
         FootprintCounts counts;
-        lanes.read(points, got, counts);
-        twin.read(points, expected, counts);
+        // Each into a slot of its own.
+        std::vector<std::uint32_t> slots(kPoints);
+        for (std::size_t i = 0; i < kPoints; ++i) slots[i] = static_cast<std::uint32_t>((i * 7) % kPoints);
+        lanes.read(points, slots, got.data(), counts);
+        twin.read(points, slots, expected.data(), counts);
         int apart = 0;
         for (std::size_t i = 0; i < kPoints; ++i) {
             double difference = 0;
-            for (int k = 0; k < 3; ++k) {
-                difference = std::max(difference, std::abs(double{got[i][k]} - double{expected[i][k]}));
+            for (int k = 0; k < 4; ++k) {
+                difference = std::max(difference, std::abs(double{got[i].channel[k]} - expected[i].channel[k]));
             }
             // Not finite: neither.
             apart += difference <= kTapRounding ? 0 : 1;
@@ -312,10 +315,12 @@ TEST(PointReader, lanesAreNearTheTwin) {
         EXPECT_LE(apart, kOtherSide * kPoints) << c.width << 'x' << c.height;
         for (const std::int64_t target : laneTargets()) {
             const ForcedTarget forced(target);
-            std::vector<Color> again(kPoints);
-            lanes.read(points, again, counts);
+            std::vector<PointColor> again(kPoints);
+            lanes.read(points, slots, again.data(), counts);
             for (std::size_t i = 0; i < kPoints; ++i) {
-                ASSERT_EQ(again[i], got[i]) << laneTargetName(target) << ' ' << i;
+                for (int k = 0; k < 4; ++k) {
+                    ASSERT_EQ(again[i].channel[k], got[i].channel[k]) << laneTargetName(target) << ' ' << i;
+                }
             }
         }
     }

@@ -1,0 +1,149 @@
+#include "filtering/grid_follow.h"
+
+// Vectors in arrays: not for the instruction sets without a fixed width.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "filtering/grid_follow.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+#include "relief/lanes/lane_rays.h"
+
+#ifndef RELIEF_GRID_FOLLOW_ONCE
+#define RELIEF_GRID_FOLLOW_ONCE
+namespace relief {
+
+// Where the next points go; a vector more may be written.
+struct FollowOut {
+    double *s, *t;
+    float *ux, *vx, *uy, *vy;
+    std::uint32_t* slots;
+};
+
+}  // namespace relief
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+namespace follow {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<double, 8>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+constexpr std::size_t kLanes = hn::MaxLanes(D());
+static_assert(kLanes <= kPointSlack);
+
+HWY_INLINE V set(double x) {
+    return hn::Set(D(), x);
+}
+
+// Whether each of the cells from c on is asked for its point and has it follow.
+HWY_INLINE M wanted(const FollowJob& job, std::size_t c) {
+    const hn::Rebind<std::uint16_t, D> narrow;
+    const hn::Rebind<std::uint32_t, D> wide;
+    const hn::RebindToUnsigned<D> whole;
+    const auto bit = hn::Set(narrow, static_cast<std::uint16_t>(1U << job.point));
+    const auto both = hn::And(hn::LoadU(narrow, job.asked + c), hn::LoadU(narrow, job.follows + c));
+    const auto bits = hn::PromoteTo(whole, hn::PromoteTo(wide, hn::And(both, bit)));
+    return hn::RebindMask(D(), hn::Ne(bits, hn::Zero(whole)));
+}
+
+// The chosen lanes to the front. Not Compress: with g++ 12 it copies its table to the stack each time it is called.
+struct Packing {
+    explicit Packing(M chosen) {
+        std::uint8_t bits[8];
+        hn::StoreMaskBits(D(), chosen, bits);
+        const hn::Rebind<std::uint8_t, D> bytes;
+        const hn::Rebind<std::int32_t, D> wide;
+        const auto lanes = hn::LoadU(bytes, kPackedLanes[bits[0]].data());
+        indices_ = hn::PromoteTo(hn::RebindToSigned<D>(), hn::PromoteTo(wide, lanes));
+    }
+    HWY_INLINE V operator()(V v) const { return hn::TableLookupLanes(v, hn::IndicesFromVec(D(), indices_)); }
+
+  private:
+    hn::Vec<hn::RebindToSigned<D>> indices_;
+};
+
+// A coordinate of points, and its differences along the picture.
+struct Coordinate {
+    V at, alongX, alongY;
+};
+HWY_INLINE Coordinate centre(const FollowJob& job, const double* column, std::size_t c) {
+    const D d;
+    const auto half = [&](std::size_t way) HWY_ATTR {
+        return hn::Mul(set(0.5), hn::Sub(hn::LoadU(d, column + c + way), hn::LoadU(d, column + c - way)));
+    };
+    return {hn::LoadU(d, column + c), half(1), half(job.row)};
+}
+HWY_INLINE Coordinate between(const FollowJob& job, const double* column, std::size_t c) {
+    const D d;
+    const double* from = column + c - job.square;
+    const V p = hn::LoadU(d, from), q = hn::LoadU(d, from + 1);
+    const V r = hn::LoadU(d, from + job.row), w = hn::LoadU(d, from + job.row + 1);
+    const auto mixed = [](V a, double ofA, V b, double ofB)
+                           HWY_ATTR { return hn::Add(hn::Mul(set(ofA), a), hn::Mul(set(ofB), b)); };
+    const auto& share = job.shares;
+    const V above = mixed(p, share[0], q, share[1]), below = mixed(r, share[2], w, share[3]);
+    return {hn::Add(above, below), mixed(hn::Sub(q, p), share[0] + share[1], hn::Sub(w, r), share[2] + share[3]),
+            mixed(hn::Sub(r, p), share[0] + share[2], hn::Sub(w, q), share[1] + share[3])};
+}
+
+template <bool kCentre>
+std::size_t points(const FollowJob& job, const FollowOut& out) {
+    const D d;
+    const hn::Rebind<float, D> df;
+    const hn::Rebind<std::int32_t, D> di;
+    const PointBlur& blur = job.blur;
+    const V perSlot = set(static_cast<double>(job.points)), point = set(static_cast<double>(job.point));
+    std::size_t count = 0;
+    for (std::size_t c = job.first; c < job.last; c += kLanes) {
+        const M mask = wanted(job, c);
+        if (hn::AllFalse(d, mask)) continue;
+        const Packing packed(mask);
+        const auto coordinate = [&](const double* column, double scale, double* at, float* u, float* v) HWY_ATTR {
+            const Coordinate x = kCentre ? centre(job, column, c) : between(job, column, c);
+            const auto along = [&](double ofX, double ofY) HWY_ATTR {
+                const V sum = hn::Add(hn::Mul(set(ofX * scale), x.alongX), hn::Mul(set(ofY * scale), x.alongY));
+                return hn::DemoteTo(df, packed(sum));
+            };
+            hn::StoreU(packed(hn::Mul(x.at, set(scale))), d, at + count);
+            hn::StoreU(along(blur.xx, blur.xy), df, u + count);
+            hn::StoreU(along(blur.xy, blur.yy), df, v + count);
+        };
+        coordinate(job.s, job.scale.x, out.s, out.ux, out.uy);
+        coordinate(job.t, job.scale.y, out.t, out.vx, out.vy);
+        const V slot = hn::Add(hn::Mul(hn::Iota(d, static_cast<double>(c)), perSlot), point);
+        hn::StoreU(hn::DemoteTo(di, packed(slot)), di, reinterpret_cast<std::int32_t*>(out.slots + count));
+        count += hn::CountTrue(d, mask);
+    }
+    return count;
+}
+
+}  // namespace follow
+
+std::size_t gridFollow(const FollowJob& job, const FollowOut& out) {
+    return job.point == 0 ? follow::points<true>(job, out) : follow::points<false>(job, out);
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace relief {
+
+HWY_EXPORT(gridFollow);
+
+void followPoints(const FollowJob& job, PointBlock& out, std::vector<std::uint32_t>& slots) {
+    const std::size_t before = out.size(), most = before + (job.last - job.first);
+    out.resize(most);
+    if (slots.size() < most + kPointSlack) slots.resize(most + kPointSlack);
+    const FollowOut to{out.s.data() + before,  out.t.data() + before,  out.ux.data() + before, out.vx.data() + before,
+                       out.uy.data() + before, out.vy.data() + before, slots.data() + before};
+    out.resize(before + HWY_DYNAMIC_DISPATCH(gridFollow)(job, to));
+}
+
+}  // namespace relief
+#endif
