@@ -49,7 +49,7 @@ void traceConesIn(const LaneScene& scene, const PackedCones& cones, const double
         const std::size_t common = commonQuadrant(given[2], given[3], scratch.count);
         if (common < kQuadrants) {
             leadBeams<kAddress>(scene, cones, static_cast<std::uint32_t>(common), given, scratch);
-            scattered = std::max(std::abs(given[2][0]), std::abs(given[3][0])) > kShortWay;
+            scattered = false;
         }
     }
     ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, scattered), given, scratch, false, walk).run();

@@ -17,10 +17,9 @@ namespace relief::HWY_NAMESPACE {
 inline constexpr std::size_t kWalkSlots = 256;
 // Jumps end this part of a cell early, and by the rounding of places: the cell that is found is not too far on.
 inline constexpr float kShorterJump = 1e-3F;
-// Words of a quadrant that are more than the second cache holds.
-inline constexpr std::size_t kLargeMap = 1U << 18U;
-// Rays side by side that go no farther, texels, find the words that their neighbours have read.
-inline constexpr double kShortWay = 256;
+// Words of a quadrant that the second cache does not hold, though what neighbouring rays read of them; and of which it
+// does not hold that either.
+inline constexpr std::size_t kLargeMap = 1U << 19U, kVeryLargeMap = 1U << 21U;
 // Ways of fewer words are found in float (kWhole).
 inline constexpr std::size_t kFloatWords = 1U << 22U;
 // Rays as most are: run at least so far, texels, and begin so far from lines at least, texels; whatever begins
@@ -71,11 +70,11 @@ struct WalkMap {
     std::int32_t quadrant = 0;            // words of one
     std::int32_t stride = 0;              // words of a row
     float unit = 0, top = 0;
-    bool large = false;  // words are asked for before they are needed
-    bool wide = false;   // a way of that many words may not be a float
+    bool asksForNodes = false, asksForWords = false;  // before they are needed
+    bool wide = false;                                // a way of that many words may not be a float
 
     WalkMap() = default;
-    // scattered: the rays do not find the words that others of them have read.
+    // scattered: the rays are not those of neighbouring pixels, which find words that others of them have read.
     WalkMap(const PackedCones& cones, bool scattered) {
         const std::size_t size = cones.quadrantWords();
         words = reinterpret_cast<const std::int32_t*>(cones.words.data());
@@ -85,7 +84,8 @@ struct WalkMap {
         // Rounded up in the product and sum by less than the margin.
         constexpr double kRounding = 0x1p-20;
         top = static_cast<float>(1 - cones.highest - kRounding);
-        large = size >= kLargeMap && scattered;
+        asksForNodes = size >= kLargeMap;
+        asksForWords = size >= (scattered ? kLargeMap : kVeryLargeMap);
         wide = size >= kFloatWords;
     }
 };
@@ -175,6 +175,7 @@ class WalkSlots {
         const VI quadrant = hn::Add(ofQuadrant(x.back, map_.quadrant), ofQuadrant(y.back, 2 * map_.quadrant));
         const VI index = hn::Add(hn::Add(hn::Mul(y.cell, hn::Set(di_, map_.stride)), x.cell), quadrant);
         hn::StoreU(index, di_, columns_.index.data() + to);
+        if (map_.asksForWords) askFor<1>(map_.words, columns_.index.data() + to);
         hn::StoreU(hn::Mul(hn::Max(x.run, y.run), hn::Set(df_, kSteeper)), df_, columns_.steep.data() + to);
         hn::StoreU(rim, df_, columns_.rim.data() + to);
         hn::StoreU(hn::Add(margins, margins), df_, columns_.tie.data() + to);
@@ -182,6 +183,15 @@ class WalkSlots {
         hn::StoreU(hn::IfThenElse(starting, hn::Set(di_, kWalking), hn::Set(di_, kEnded)), di_,
                    columns_.state.data() + to);
         walking_ += hn::CountTrue(di_, starting);
+    }
+
+    // Into the second cache alone: on its way into the first one each line holds one of few buffers. kSize: from one
+    // number's to the next.
+    template <std::size_t kSize, class T>
+    HWY_INLINE static void askFor(const T* memory, const std::int32_t* numbers) {
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            __builtin_prefetch(memory + kSize * static_cast<std::size_t>(numbers[k]), 0, 2);
+        }
     }
 
     // Rays are read once, in order, but column by column and a chunk at a time, which the processor does not foresee.

@@ -9,8 +9,6 @@
 #define RELIEF_CONE_WALK_INL_H
 #endif
 
-#include <hwy/cache_control.h>
-
 #include "relief/lanes/cone_slots-inl.h"
 #include "relief/lanes/lane_leaf-inl.h"
 
@@ -178,7 +176,7 @@ class ConeKernel : WalkSlots<kAddress> {
         const VF free = hn::Max(hn::Sub(apex, at.out), hn::Zero(df));
         const VF jump = hn::MulAdd(free, hn::ApproximateReciprocal(steepness), at.out);
         moveOn<kWide>(columns, i, at.x, at.y, on, jump);
-        if (map.large) prefetch(map, columns.index.data() + i);
+        if (map.asksForWords) Slots::template askFor<1>(map.words, columns.index.data() + i);
         return hn::CountTrue(df, leaf);
     }
 
@@ -188,10 +186,6 @@ class ConeKernel : WalkSlots<kAddress> {
         const VF place = hn::MulSub(jump, hn::Load(df, column.run.data() + i), hn::Load(df, column.place.data() + i));
         const VF whole = hn::Sub(hn::Add(place, hn::Set(df, kWhole)), hn::Set(df, kWhole));
         return hn::Max(hn::IfThenElse(moves, hn::Add(n, hn::Set(df, 1.0F)), n), whole);
-    }
-
-    HWY_INLINE static void prefetch(const WalkMap& map, const std::int32_t* index) {
-        for (std::size_t k = 0; k < kLanes; ++k) hwy::Prefetch(map.words + index[k]);
     }
 
     // To the cell where the jump ends, the next one at least. The jump ends no earlier than the cell is left.
@@ -337,6 +331,9 @@ class ConeKernel : WalkSlots<kAddress> {
             // Only of those: what others would read is not in the cache.
             const MI who = hn::Eq(hn::Load(di_, columns.state.data() + i), hn::Set(di_, kAtLeaf));
             hn::Store(hn::IfThenElseZero(who, cellNumber(map, columns, i)), di_, cells.data() + i);
+            if (kSurface == Surface::Bilinear && map.asksForNodes) {
+                Slots::template askFor<2>(scene_.nodes, cells.data() + i);
+            }
         }
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
             on += leaves<kWide>(columns, i, cells.data() + i);
@@ -379,6 +376,7 @@ class ConeKernel : WalkSlots<kAddress> {
         const VI after = hn::IfThenElse(asInt(on), hn::Set(di, kWalking), hn::Set(di, kEnded));
         hn::Store(hn::IfThenElse(whoI, after, state), di, columns.state.data() + i);
         moveOn<kWide>(columns, i, at.x, at.y, on, at.out);
+        if (map_.asksForWords) Slots::template askFor<1>(map_.words, columns.index.data() + i);
         return hn::CountTrue(df, on);
     }
     // The axis as the leaf knows it: by the line before the cell.
