@@ -141,8 +141,10 @@ class WalkSlots {
         next_ += taken;
         used_ += taken;
         hn::StoreU(hn::Set(di_, kEnded), di_, columns_.state.data() + used_);
-        // The words of the vector behind the last are read.
-        hn::Store(hn::Zero(di_), di_, columns_.index.data() + hwy::RoundUpTo(used_, kLanes));
+        // The words of the two vectors behind the last are read, and the state of the first of them.
+        const std::size_t behind = hwy::RoundUpTo(used_, kLanes);
+        hn::Store(hn::Set(di_, kEnded), di_, columns_.state.data() + behind);
+        for (const std::size_t i : {behind, behind + kLanes}) hn::Store(hn::Zero(di_), di_, columns_.index.data() + i);
     }
 
     // Rays [from, from + count) of the chunk to the slots from `to` on.

@@ -140,44 +140,57 @@ class ConeKernel : WalkSlots<kAddress> {
         return out;
     }
 
-    // A cone step of all that walk.
+    // Where a step leads: found while the vector before goes there.
+    struct Planned {
+        Axis x, y;
+        VF jump;
+        MF on;
+    };
+
+    // A cone step of all that walk. Its parts follow each other vector by vector: each by itself is a chain, and so three
+    // vectors' are under way.
     template <bool kWide>
     HWY_NOINLINE void stepOfAll() {
         // Copies, for vectors that are stored might be those members.
         const WalkMap map = map_;
         WalkColumns& columns = columns_;
         std::size_t waiting = 0;
-        Fetched now = fetch(map, columns, 0);
+        Fetched fetched = fetch(map, columns, kLanes);
+        Planned now = plan(map, columns, 0, fetch(map, columns, 0), waiting);
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
-            const Fetched next = fetch(map, columns, i + kLanes);
-            waiting += step<kWide>(map, columns, i, now);
+            const Fetched later = fetch(map, columns, i + 2 * kLanes);
+            const Planned next = plan(map, columns, i + kLanes, fetched, waiting);
+            moveOn<kWide>(columns, i, now.x, now.y, now.on, now.jump);
+            if (map.asksForWords) Slots::template askFor<1>(map.words, columns.index.data() + i);
             now = next;
+            fetched = later;
         }
         waiting_ += waiting;
         walking_ -= waiting;
     }
 
-    // Returns how many came to a leaf. At the rim and at the bottom the way out of the cell is taken too late, which
+    // Counts how many came to a leaf. At the rim and at the bottom the way out of the cell is taken too late, which
     // only brings more to a leaf; moving on sees to it.
-    template <bool kWide>
-    HWY_INLINE std::size_t step(const WalkMap& map, WalkColumns& columns, std::size_t i, const Fetched& at) {
+    HWY_INLINE static Planned plan(const WalkMap& map, WalkColumns& columns, std::size_t i, const Fetched& at,
+                                   std::size_t& waiting) {
         const DF df;
         const DI di;
         const VI state = hn::Load(di, columns.state.data() + i);
         const MF walking = asFloat(hn::Eq(state, hn::Set(di, kWalking)));
         const MF above = hn::Lt(at.out, depthOf<0>(map, at.word));
         const MF leaf = hn::AndNot(above, walking);
-        const MF on = hn::And(above, walking);
         hn::Store(hn::IfThenElse(asInt(leaf), hn::Set(di, kAtLeaf), state), di, columns.state.data() + i);
+        waiting += hn::CountTrue(df, leaf);
         // The ray meets the cone.
         const VF apex = depthOf<10>(map, at.word);
         const VF steepness =
             hn::MulAdd(hn::BitCast(df, at.word), hn::Load(df, columns.steep.data() + i), hn::Set(df, kSteeper));
         const VF free = hn::Max(hn::Sub(apex, at.out), hn::Zero(df));
-        const VF jump = hn::MulAdd(free, hn::ApproximateReciprocal(steepness), at.out);
-        moveOn<kWide>(columns, i, at.x, at.y, on, jump);
-        if (map.asksForWords) Slots::template askFor<1>(map.words, columns.index.data() + i);
-        return hn::CountTrue(df, leaf);
+        Planned out;
+        out.x = at.x, out.y = at.y;
+        out.on = hn::And(above, walking);
+        out.jump = hn::MulAdd(free, hn::ApproximateReciprocal(steepness), at.out);
+        return out;
     }
 
     HWY_INLINE static VF nextCell(VF n, const WalkAxis& column, std::size_t i, MF moves, VF jump) {
