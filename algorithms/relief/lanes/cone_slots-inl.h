@@ -20,8 +20,9 @@ inline constexpr float kShorterJump = 1e-3F;
 // Words of a quadrant that the second cache does not hold, though what neighbouring rays read of them; and of which it
 // does not hold that either.
 inline constexpr std::size_t kLargeMap = 1U << 19U, kVeryLargeMap = 1U << 21U;
-// Ways of fewer words are found in float (kWhole).
-inline constexpr std::size_t kFloatWords = 1U << 22U;
+// Numbers below 2^22 added to it are rounded to whole ones, its last bits.
+inline constexpr float kWhole = 0x1.8p23F;
+inline constexpr auto kWholeBits = std::bit_cast<std::int32_t>(kWhole);
 // Rays as most are: run at least so far, texels, and begin so far from lines at least, texels; whatever begins
 // otherwise is set up with care.
 inline constexpr double kLeastRun = 1e-5;
@@ -40,12 +41,13 @@ struct WalkAxis {
         WalkColumn<float> last;  // n of the map's last cell (of this period, where it repeats); not under border
     alignas(64) WalkColumn<float> inverse, base;  // the cell is left at lambda = n * inverse + base
     alignas(64) WalkColumn<float> run;
-    alignas(64) WalkColumn<float> place;   // n at lambda is lambda * run - place, less half a cell and a little
-    alignas(64) WalkColumn<float> stride;  // words to the next cell: negative where the ray runs backwards
+    alignas(64) WalkColumn<float> place;  // n at lambda is lambda * run - place, less half a cell and a little
+    // Words to the next cell, or units of 2^kRowShift words (WalkMap::wide): negative where the ray runs backwards.
+    alignas(64) WalkColumn<float> stride;
 };
 struct WalkColumns {
     WalkAxis x, y;
-    alignas(64) WalkColumn<std::int32_t> index;  // of the cell's word
+    alignas(64) WalkColumn<std::int32_t> first;  // a cell's word is number first + way (WalkSlots::wayTo)
     alignas(64) WalkColumn<float> steep;         // the larger run, times kSteeper
     alignas(64) WalkColumn<float> rim;           // lambda at which the ray has left the map or is at the bottom
     alignas(64) WalkColumn<float> tie;
@@ -59,19 +61,24 @@ struct WalkColumns {
             body(axis->run), body(axis->place), body(axis->stride);
             if constexpr (kAddress != Address::Border) body(axis->last);
         }
-        body(index), body(steep), body(rim), body(tie), body(slot), body(state);
+        body(first), body(steep), body(rim), body(tie), body(slot), body(state);
     }
 };
 inline constexpr std::int32_t kWalking = 0, kAtLeaf = 1, kEnded = 2;
 
+// A word's depth of the apex, bits 10 to 19, under these bits is a float: the depth and kApexMore.
+inline constexpr float kApexMore = 0x1p13F;
+inline constexpr auto kApexBits = std::bit_cast<std::int32_t>(kApexMore);
+
 // What is the same for all rays.
 struct WalkMap {
-    const std::int32_t* words = nullptr;  // quadrant after quadrant
-    std::int32_t quadrant = 0;            // words of one
-    std::int32_t stride = 0;              // words of a row
-    float unit = 0, top = 0;
+    const std::int32_t* words = nullptr;              // quadrant after quadrant
+    std::int32_t quadrant = 0;                        // words of one
+    std::int32_t stride = 0;                          // words of a row
+    float unit = 0, top = 0;                          // depth d is at lambda top + d unit
+    float topOfApex = 0;                              // the same of kApexBits' number, which is more by kApexMore
     bool asksForNodes = false, asksForWords = false;  // before they are needed
-    bool wide = false;                                // a way of that many words may not be a float
+    bool wide = false;                                // ways are found by rows of units of 2^kRowShift words
 
     WalkMap() = default;
     // scattered: the rays are not those of neighbouring pixels, which find words that others of them have read.
@@ -81,12 +88,13 @@ struct WalkMap {
         quadrant = static_cast<std::int32_t>(size);
         stride = cones.stride;
         unit = static_cast<float>(cones.unit);
-        // Rounded up in the product and sum by less than the margin.
-        constexpr double kRounding = 0x1p-20;
+        // Rounded up in the products and sums by less than the margin.
+        constexpr double kRounding = 0x1p-19;
         top = static_cast<float>(1 - cones.highest - kRounding);
+        topOfApex = static_cast<float>(1 - cones.highest - kRounding - static_cast<double>(kApexMore * unit));
         asksForNodes = size >= kLargeMap;
         asksForWords = size >= (scattered ? kLargeMap : kVeryLargeMap);
-        wide = size >= kFloatWords;
+        wide = size >= kWideWords;
     }
 };
 
@@ -144,7 +152,37 @@ class WalkSlots {
         // The words of the two vectors behind the last are read, and the state of the first of them.
         const std::size_t behind = hwy::RoundUpTo(used_, kLanes);
         hn::Store(hn::Set(di_, kEnded), di_, columns_.state.data() + behind);
-        for (const std::size_t i : {behind, behind + kLanes}) hn::Store(hn::Zero(di_), di_, columns_.index.data() + i);
+        for (const std::size_t i : {behind, behind + kLanes}) {
+            for (WalkAxis* axis : {&columns_.x, &columns_.y}) {
+                hn::Store(hn::Zero(df_), df_, axis->n.data() + i);
+                hn::Store(hn::Zero(df_), df_, axis->stride.data() + i);
+                if constexpr (kAddress != Address::Border) hn::Store(hn::Zero(df_), df_, axis->last.data() + i);
+            }
+            hn::Store(hn::Set(di_, -kWholeBits), di_, columns_.first.data() + i);
+        }
+    }
+
+    // Words from the ray's first cell to the cell (nx, ny), and kWholeBits; from the map's last cell, where the walk
+    // may begin outside or go round.
+    template <bool kWide>
+    HWY_INLINE static VI wayTo(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
+        const DF df;
+        const DI di;
+        const auto cells = [&](VF n, const WalkAxis& axis) {
+            return kAddress == Address::Border ? n : hn::Sub(n, hn::LoadU(df, axis.last.data() + i));
+        };
+        const VF strideX = hn::LoadU(df, columns.x.stride.data() + i);
+        const VF strideY = hn::LoadU(df, columns.y.stride.data() + i);
+        const VF x = hn::MulAdd(cells(nx, columns.x), strideX, hn::Set(df, kWhole));
+        if constexpr (!kWide) return hn::BitCast(di, hn::MulAdd(cells(ny, columns.y), strideY, x));
+        const VF y = hn::MulAdd(cells(ny, columns.y), strideY, hn::Set(df, kWhole));
+        const VI units = hn::Sub(hn::BitCast(di, y), hn::Set(di, kWholeBits));
+        return hn::Add(hn::BitCast(di, x), hn::ShiftLeft<kRowShift>(units));
+    }
+    // The number of the word of the cell (nx, ny).
+    template <bool kWide>
+    HWY_INLINE static VI wordOf(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
+        return hn::Add(hn::Load(DI(), columns.first.data() + i), wayTo<kWide>(columns, i, nx, ny));
     }
 
     // Rays [from, from + count) of the chunk to the slots from `to` on.
@@ -169,15 +207,19 @@ class WalkSlots {
         }
         const VF start = hn::Set(df_, static_cast<float>(begin));
         VF rim = hn::Set(df_, 1.0F);
-        const VF margins = hn::Add(takeAxis(frameX_, x, start, from, to, 1, columns_.x, rays_.x, rim),
-                                   takeAxis(frameY_, y, start, from, to, map_.stride, columns_.y, rays_.y, rim));
+        const VF margins =
+            hn::Add(takeAxis(frameX_, x, start, from, to, 1, columns_.x, rays_.x, rim),
+                    takeAxis(frameY_, y, start, from, to, map_.wide ? map_.stride >> kRowShift : map_.stride,
+                             columns_.y, rays_.y, rim));
         const auto ofQuadrant = [&](MF back, std::int32_t words) {
             return hn::IfThenElseZero(asInt(back), hn::Set(di_, words));
         };
         const VI quadrant = hn::Add(ofQuadrant(x.back, map_.quadrant), ofQuadrant(y.back, 2 * map_.quadrant));
         const VI index = hn::Add(hn::Add(hn::Mul(y.cell, hn::Set(di_, map_.stride)), x.cell), quadrant);
-        hn::StoreU(index, di_, columns_.index.data() + to);
-        if (map_.asksForWords) askFor<1>(map_.words, columns_.index.data() + to);
+        const VF nx = hn::LoadU(df_, columns_.x.n.data() + to), ny = hn::LoadU(df_, columns_.y.n.data() + to);
+        const VI way = map_.wide ? wayTo<true>(columns_, to, nx, ny) : wayTo<false>(columns_, to, nx, ny);
+        hn::StoreU(hn::Sub(index, way), di_, columns_.first.data() + to);
+        if (map_.asksForWords) askFor<1>(map_.words, index);
         hn::StoreU(hn::Mul(hn::Max(x.run, y.run), hn::Set(df_, kSteeper)), df_, columns_.steep.data() + to);
         hn::StoreU(rim, df_, columns_.rim.data() + to);
         hn::StoreU(hn::Add(margins, margins), df_, columns_.tie.data() + to);
@@ -190,7 +232,9 @@ class WalkSlots {
     // Into the second cache alone: on its way into the first one each line holds one of few buffers. kSize: from one
     // number's to the next.
     template <std::size_t kSize, class T>
-    HWY_INLINE static void askFor(const T* memory, const std::int32_t* numbers) {
+    HWY_INLINE static void askFor(const T* memory, VI which) {
+        HWY_ALIGN std::int32_t numbers[kLanes];
+        hn::Store(which, DI(), numbers);
         for (std::size_t k = 0; k < kLanes; ++k) {
             __builtin_prefetch(memory + kSize * static_cast<std::size_t>(numbers[k]), 0, 2);
         }

@@ -17,8 +17,6 @@ namespace relief::HWY_NAMESPACE {
 
 // No crossing: beyond all.
 inline constexpr float kNever = 1e30F;
-// Numbers below 2^22 added to it are rounded to whole ones.
-inline constexpr float kWhole = 0x1.8p23F;
 
 template <Address kAddress, Surface kSurface>
 class ConeKernel : WalkSlots<kAddress> {
@@ -90,7 +88,7 @@ class ConeKernel : WalkSlots<kAddress> {
             const MI walking = hn::Eq(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kWalking));
             const MF who = asFloat(hn::And(walking, hn::Eq(within, hn::Zero(di_))));
             const Stay at = stay(columns_, i);
-            moveOn<kWide>(columns_, i, at.x, at.y, who, at.out);
+            moveOn<kWide>(map_, columns_, i, at.x, at.y, who, at.out);
         }
     }
 
@@ -117,12 +115,18 @@ class ConeKernel : WalkSlots<kAddress> {
         return out;
     }
 
-    // Of the word's bits from kShift on.
-    template <int kShift>
-    HWY_INLINE static VF depthOf(const WalkMap& map, VI word) {
+    // lambda at which the ray is as high as the word's cell, and as its apex.
+    HWY_INLINE static VF ownOf(const WalkMap& map, VI word) {
         const DF df;
-        const VI bits = hn::And(word, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths << kShift)));
-        return hn::MulAdd(hn::ConvertTo(df, bits), hn::Set(df, map.unit / (1 << kShift)), hn::Set(df, map.top));
+        const VI bits = hn::And(word, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths)));
+        return hn::MulAdd(hn::ConvertTo(df, bits), hn::Set(df, map.unit), hn::Set(df, map.top));
+    }
+    HWY_INLINE static VF apexOf(const WalkMap& map, VI word) {
+        const DF df;
+        const DI di;
+        const VI bits =
+            hn::OrAnd(hn::Set(di, kApexBits), word, hn::Set(di, static_cast<std::int32_t>(kConeDepths << 10)));
+        return hn::MulAdd(hn::BitCast(df, bits), hn::Set(df, map.unit), hn::Set(df, map.topOfApex));
     }
 
     // What a step reads: fetched while the vector before takes its own.
@@ -131,11 +135,12 @@ class ConeKernel : WalkSlots<kAddress> {
         VF out;  // lambda at which the cell is left, or the map or the slab before
         VI word;
     };
+    template <bool kWide>
     HWY_INLINE static Fetched fetch(const WalkMap& map, const WalkColumns& columns, std::size_t i) {
         Fetched out;
-        // Ended rays are within the map still, and behind the last vector is word 0: their words may be read.
-        out.word = hn::GatherIndex(DI(), map.words, hn::Load(DI(), columns.index.data() + i));
         out.x = load(columns.x, i), out.y = load(columns.y, i);
+        // Ended rays are within the map still, and behind the last vector is word 0: their words may be read.
+        out.word = hn::GatherIndex(DI(), map.words, Slots::template wordOf<kWide>(columns, i, out.x.n, out.y.n));
         out.out = hn::Min(out.x.cross, out.y.cross);
         return out;
     }
@@ -147,21 +152,20 @@ class ConeKernel : WalkSlots<kAddress> {
         MF on;
     };
 
-    // A cone step of all that walk. Its parts follow each other vector by vector: each by itself is a chain, and so three
-    // vectors' are under way.
+    // A cone step of all that walk. Its parts follow each other vector by vector: each by itself is a chain, and so
+    // three vectors' are under way.
     template <bool kWide>
     HWY_NOINLINE void stepOfAll() {
         // Copies, for vectors that are stored might be those members.
         const WalkMap map = map_;
         WalkColumns& columns = columns_;
         std::size_t waiting = 0;
-        Fetched fetched = fetch(map, columns, kLanes);
-        Planned now = plan(map, columns, 0, fetch(map, columns, 0), waiting);
+        Fetched fetched = fetch<kWide>(map, columns, kLanes);
+        Planned now = plan(map, columns, 0, fetch<kWide>(map, columns, 0), waiting);
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
-            const Fetched later = fetch(map, columns, i + 2 * kLanes);
+            const Fetched later = fetch<kWide>(map, columns, i + 2 * kLanes);
             const Planned next = plan(map, columns, i + kLanes, fetched, waiting);
-            moveOn<kWide>(columns, i, now.x, now.y, now.on, now.jump);
-            if (map.asksForWords) Slots::template askFor<1>(map.words, columns.index.data() + i);
+            moveOn<kWide>(map, columns, i, now.x, now.y, now.on, now.jump);
             now = next;
             fetched = later;
         }
@@ -177,12 +181,12 @@ class ConeKernel : WalkSlots<kAddress> {
         const DI di;
         const VI state = hn::Load(di, columns.state.data() + i);
         const MF walking = asFloat(hn::Eq(state, hn::Set(di, kWalking)));
-        const MF above = hn::Lt(at.out, depthOf<0>(map, at.word));
+        const MF above = hn::Lt(at.out, ownOf(map, at.word));
         const MF leaf = hn::AndNot(above, walking);
         hn::Store(hn::IfThenElse(asInt(leaf), hn::Set(di, kAtLeaf), state), di, columns.state.data() + i);
         waiting += hn::CountTrue(df, leaf);
         // The ray meets the cone.
-        const VF apex = depthOf<10>(map, at.word);
+        const VF apex = apexOf(map, at.word);
         const VF steepness =
             hn::MulAdd(hn::BitCast(df, at.word), hn::Load(df, columns.steep.data() + i), hn::Set(df, kSteeper));
         const VF free = hn::Max(hn::Sub(apex, at.out), hn::Zero(df));
@@ -203,42 +207,44 @@ class ConeKernel : WalkSlots<kAddress> {
 
     // To the cell where the jump ends, the next one at least. The jump ends no earlier than the cell is left.
     template <bool kWide>
-    HWY_INLINE void moveOn(WalkColumns& columns, std::size_t i, const Axis& x, const Axis& y, MF who, VF jump) {
+    HWY_INLINE void moveOn(const WalkMap& map, WalkColumns& columns, std::size_t i, const Axis& x, const Axis& y,
+                           MF who, VF jump) {
         const DF df;
         const MF alongX = hn::Le(x.cross, y.cross);
         const VF nextX = nextCell(x.n, columns.x, i, alongX, jump);
         const VF nextY = nextCell(y.n, columns.y, i, hn::Not(alongX), jump);
-        const VF tie = hn::Load(df, columns.tie.data() + i);
-        const MF near = hn::Lt(hn::Abs(hn::Sub(x.cross, y.cross)), tie);
-        const MF atRim = hn::Ge(hn::Add(jump, tie), hn::Load(df, columns.rim.data() + i));
-        MF rare = hn::Or(near, atRim);
+        // Near a corner, or near the rim.
+        const VF toCorner = hn::Abs(hn::Sub(x.cross, y.cross));
+        const VF toRim = hn::Sub(hn::Load(df, columns.rim.data() + i), jump);
+        MF rare = hn::Le(hn::Min(toCorner, toRim), hn::Load(df, columns.tie.data() + i));
         if constexpr (kAddress != Address::Border) {
             const auto beyond = [&](VF next, const WalkAxis& axis) {
                 return hn::Gt(next, hn::Load(df, axis.last.data() + i));
             };
             rare = hn::Or(rare, hn::Or(beyond(nextX, columns.x), beyond(nextY, columns.y)));
         }
-        if (HWY_UNLIKELY(!hn::AllFalse(df, hn::And(who, rare)))) return moveWithCare<kWide>(i, who, jump);
-        arrive<kWide>(columns, i, x.n, y.n, hn::IfThenElse(who, nextX, x.n), hn::IfThenElse(who, nextY, y.n));
-    }
-    template <bool kWide>
-    HWY_INLINE static void arrive(WalkColumns& columns, std::size_t i, VF x, VF y, VF nextX, VF nextY) {
-        const DF df;
-        const DI di;
-        hn::Store(nextX, df, columns.x.n.data() + i);
-        hn::Store(nextY, df, columns.y.n.data() + i);
-        const VF cells = hn::Sub(nextX, x), signX = hn::Load(df, columns.x.stride.data() + i);
-        const VF rows = hn::Sub(nextY, y), stride = hn::Load(df, columns.y.stride.data() + i);
-        VI index = hn::Load(di, columns.index.data() + i);
-        if constexpr (kWide) {
-            index = hn::Add(index, hn::ConvertTo(di, hn::Mul(cells, signX)));
-            index = hn::Add(index, hn::Mul(hn::ConvertTo(di, rows), hn::ConvertTo(di, stride)));
+        if (HWY_UNLIKELY(!hn::AllFalse(df, hn::And(who, rare)))) {
+            moveWithCare<kWide>(i, who, jump);
+        } else if (!map.asksForWords) {
+            storeWhere(who, nextX, x.n, columns.x.n.data() + i);
+            storeWhere(who, nextY, y.n, columns.y.n.data() + i);
         } else {
-            // Not ConvertTo: it mends overflows that cannot be.
-            const VF whole = hn::MulAdd(rows, stride, hn::MulAdd(cells, signX, hn::Set(df, kWhole)));
-            index = hn::Add(index, hn::Sub(hn::BitCast(di, whole), hn::Set(di, std::bit_cast<std::int32_t>(kWhole))));
+            // Whole vectors: what is stored by lanes cannot be read at once.
+            const VF nx = hn::IfThenElse(who, nextX, x.n), ny = hn::IfThenElse(who, nextY, y.n);
+            hn::Store(nx, df, columns.x.n.data() + i);
+            hn::Store(ny, df, columns.y.n.data() + i);
+            Slots::template askFor<1>(map.words, Slots::template wordOf<kWide>(columns, i, nx, ny));
         }
-        hn::Store(index, di, columns.index.data() + i);
+    }
+    // before: what is there.
+    HWY_INLINE static void storeWhere(MF who, VF next, VF before, float* to) {
+        const DF df;
+#if HWY_TARGET <= HWY_AVX3
+        (void)before;
+        hn::BlendedStore(next, who, df, to);
+#else
+        hn::Store(hn::IfThenElse(who, next, before), df, to);
+#endif
     }
 
     // The same where a ray is near a corner or the rim, or leaves the map.
@@ -261,7 +267,7 @@ class ConeKernel : WalkSlots<kAddress> {
         }
         // Too near a corner to tell which neighbour comes first, and the jump does not pass it: both must be skipped.
         const MF both = hn::And(who, near);
-        const MF clear = hn::And(sideClear(i, at, both, true), sideClear(i, at, both, false));
+        const MF clear = hn::And(sideClear<kWide>(i, at, both, true), sideClear<kWide>(i, at, both, false));
         bad = hn::And(who, hn::Or(bad, hn::AndNot(clear, both)));
         end(i, bad, LaneEnd::Unclear);
         who = hn::AndNot(bad, who);
@@ -272,7 +278,8 @@ class ConeKernel : WalkSlots<kAddress> {
         const VI state = hn::Load(di_, columns_.state.data() + i);
         who = hn::And(who, asFloat(hn::Eq(state, hn::Set(di_, kWalking))));
         const VF ny = within(i, who, at.y, frameY_, columns_.y, rays_.y, nextCell(at.y.n, columns_.y, i, moveY, jump));
-        arrive<true>(columns_, i, at.x.n, at.y.n, nx, ny);
+        hn::Store(nx, df_, columns_.x.n.data() + i);
+        hn::Store(ny, df_, columns_.y.n.data() + i);
     }
 
     // n of the axis' last cell.
@@ -299,9 +306,6 @@ class ConeKernel : WalkSlots<kAddress> {
                 beyond = hn::And(who, hn::Gt(next, hn::Add(last, back)));
             }
             hn::Store(hn::Add(last, back), df_, column.last.data() + i);
-            const VI stride = hn::ConvertTo(di_, hn::Load(df_, column.stride.data() + i));
-            const VI index = hn::Load(di_, columns_.index.data() + i);
-            hn::Store(hn::Sub(index, hn::Mul(hn::ConvertTo(di_, back), stride)), di_, columns_.index.data() + i);
             return next;
         }
         if constexpr (kAddress == Address::Border) {
@@ -312,19 +316,22 @@ class ConeKernel : WalkSlots<kAddress> {
     }
 
     // Whether the neighbour along one axis alone is surely above the surface until the corner is passed.
+    template <bool kWide>
     HWY_INLINE MF sideClear(std::size_t i, const Stay& at, MF who, bool alongX) const {
         const EntryFrame& frame = alongX ? frameX_ : frameY_;
         const WalkAxis& column = alongX ? columns_.x : columns_.y;
         const MF beyond = hn::Eq((alongX ? at.x : at.y).n, lastOf(i, frame, column, alongX ? rays_.x : rays_.y));
-        const VI stride = hn::ConvertTo(di_, hn::Load(df_, column.stride.data() + i));
+        const MI backwards = asInt(hn::Lt(hn::Load(df_, column.stride.data() + i), hn::Zero(df_)));
+        const VI words = hn::Set(di_, alongX ? 1 : map_.stride);
+        const VI stride = hn::IfThenElse(backwards, hn::Neg(words), words);
         VI step = stride;  // from the last cell there is none, or to the first one
         if constexpr (kAddress == Address::Repeat) {
             const VI back = hn::Mul(stride, hn::Set(di_, 1 - frame.axis.cells));
             step = hn::IfThenElse(asInt(beyond), back, stride);
         }
         const MI there = asInt(kAddress == Address::Repeat ? who : hn::AndNot(beyond, who));
-        const VI index = hn::Add(hn::Load(di_, columns_.index.data() + i), step);
-        const VF own = depthOf<0>(map_, hn::GatherIndex(di_, map_.words, hn::IfThenElseZero(there, index)));
+        const VI index = hn::Add(Slots::template wordOf<kWide>(columns_, i, at.x.n, at.y.n), step);
+        const VF own = ownOf(map_, hn::GatherIndex(di_, map_.words, hn::IfThenElseZero(there, index)));
         const MF clear = hn::Lt(hn::Add(at.out, hn::Add(at.tie, at.tie)), own);
         if constexpr (kAddress == Address::Clamp) return hn::Or(clear, beyond);
         if constexpr (kAddress == Address::Border) return hn::AndNot(beyond, clear);
@@ -343,18 +350,18 @@ class ConeKernel : WalkSlots<kAddress> {
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
             // Only of those: what others would read is not in the cache.
             const MI who = hn::Eq(hn::Load(di_, columns.state.data() + i), hn::Set(di_, kAtLeaf));
-            hn::Store(hn::IfThenElseZero(who, cellNumber(map, columns, i)), di_, cells.data() + i);
-            if (kSurface == Surface::Bilinear && map.asksForNodes) {
-                Slots::template askFor<2>(scene_.nodes, cells.data() + i);
-            }
+            const VI cell = hn::IfThenElseZero(who, cellNumber<kWide>(map, columns, i));
+            hn::Store(cell, di_, cells.data() + i);
+            if (kSurface == Surface::Bilinear && map.asksForNodes) Slots::template askFor<2>(scene_.nodes, cell);
         }
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
-            on += leaves<kWide>(columns, i, cells.data() + i);
+            on += leaves<kWide>(map, columns, i, cells.data() + i);
         }
         walking_ += on;
     }
 
     // The number of the cell's word within its quadrant: that of its nodes, or of its column's height.
+    template <bool kWide>
     HWY_INLINE static VI cellNumber(const WalkMap& map, const WalkColumns& columns, std::size_t i) {
         const DF df;
         const DI di;
@@ -363,12 +370,13 @@ class ConeKernel : WalkSlots<kAddress> {
             return hn::IfThenElseZero(asInt(back), hn::Set(di, words));
         };
         const VI first = hn::Add(ofQuadrant(columns.x, map.quadrant), ofQuadrant(columns.y, 2 * map.quadrant));
-        return hn::Sub(hn::Load(di, columns.index.data() + i), first);
+        const VF nx = hn::Load(df, columns.x.n.data() + i), ny = hn::Load(df, columns.y.n.data() + i);
+        return hn::Sub(Slots::template wordOf<kWide>(columns, i, nx, ny), first);
     }
 
     // Returns how many walk on.
     template <bool kWide>
-    HWY_INLINE std::size_t leaves(WalkColumns& columns, std::size_t i, const std::int32_t* cells) {
+    HWY_INLINE std::size_t leaves(const WalkMap& map, WalkColumns& columns, std::size_t i, const std::int32_t* cells) {
         const DF df;
         const DI di;
         const VI state = hn::Load(di, columns.state.data() + i);
@@ -388,8 +396,7 @@ class ConeKernel : WalkSlots<kAddress> {
         const MF on = hn::And(below, who);
         const VI after = hn::IfThenElse(asInt(on), hn::Set(di, kWalking), hn::Set(di, kEnded));
         hn::Store(hn::IfThenElse(whoI, after, state), di, columns.state.data() + i);
-        moveOn<kWide>(columns, i, at.x, at.y, on, at.out);
-        if (map_.asksForWords) Slots::template askFor<1>(map_.words, columns.index.data() + i);
+        moveOn<kWide>(map, columns, i, at.x, at.y, on, at.out);
         return hn::CountTrue(df, on);
     }
     // The axis as the leaf knows it: by the line before the cell.

@@ -324,6 +324,10 @@ PackedCones buildPackedCones(const HeightField& field, Work& work) {
     const auto tiles = [](int size, int tile) { return (size + tile - 1) / tile; };
     work.progress().begin("map packed-cones", std::int64_t{4} * tiles(map.nx, kTileWidth) * tiles(map.ny, kTileHeight));
     map.stride = field.surface() == Surface::Bilinear ? map.nx + 1 : map.nx;
+    if (map.quadrantWords() >= kWideWords) {
+        constexpr int kUnit = 1 << kRowShift;
+        map.stride = (map.stride + kUnit - 1) / kUnit * kUnit;
+    }
     constexpr std::size_t kQuadrants = 4;
     map.words.resize(kQuadrants * map.quadrantWords());
     for (std::size_t quadrant = 0; quadrant < kQuadrants; ++quadrant) {

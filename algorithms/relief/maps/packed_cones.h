@@ -36,6 +36,11 @@ inline float coneSlope(std::uint32_t word) {
     return std::bit_cast<float>(word);
 }
 
+// Maps of so many words a quadrant, or more, have rows of a multiple of 2^kRowShift words: so lanes find words in
+// float.
+inline constexpr std::size_t kWideWords = std::size_t{1} << 22U;
+inline constexpr int kRowShift = 7;
+
 struct PackedCones {
     static constexpr RayClass kRays = RayClass::AnyRays;
     int nx = 0;  // cells of cell_grid.h
@@ -46,7 +51,7 @@ struct PackedCones {
     // Quadrant after quadrant, each row by row: bit 0 of a quadrant's number says that the run in x is negative, bit 1
     // that in y (a run of 0 is not).
     LargeVector<std::uint32_t> words;
-    int stride = 0;  // words a row; nx + 1 on bilinear surfaces, so that a cell's words and nodes are of one number
+    int stride = 0;  // words a row; beyond nx on bilinear surfaces, so that a cell's words and nodes are of one number
     // Bilinear surfaces: the heights of a cell's nodes in one place, (i0, j0), (i0, j1), (i1, j0), (i1, j1) from
     // 2 index(cx, cy) on; the nodes that it shares with the next cell of its row are stored once.
     LargeVector<float> nodes;

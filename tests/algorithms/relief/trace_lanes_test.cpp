@@ -5,6 +5,7 @@
 #include "mapping/rows/row_lanes.h"
 #include "relief/distance_conservative.h"
 #include "relief/maps/cone_map.h"
+#include "relief/maps/packed_cones.h"
 
 namespace relief::test {
 namespace {
@@ -154,6 +155,20 @@ TEST(Lanes, haveTheBitsOfTheScalarTextOnAwkwardSizes) {
         expectTwinsEverywhere(constantHeights(width, height, 0.25F), kSeed);
     }
     for (const float value : {0.0F, 1.0F}) expectTwinsEverywhere(constantHeights(9, 9, value), kSeed);
+}
+
+// Ways on them are more words than a float tells apart, and rows are longer than the cells.
+TEST(Lanes, haveTheBitsOfTheScalarTextOnMapsOfManyWords) {
+    const Heights heights = std::make_shared<FloatImage>(makeRelief("fractal", 2101, 2005, 3));
+    MapCache cache;
+    for (const Address address : allAddresses()) {
+        const HeightField field(heights, Surface::Bilinear, address, 0.1);
+        Work work(2);
+        const auto cones = packedCones(field, cache, work);
+        ASSERT_GE(cones->quadrantWords(), kWideWords);
+        ASSERT_GT(cones->stride, cones->nx + 1);
+        expectTwins(field, {"cone", {}}, awkwardRays(field, kSeed + 9, rayCount()), cache);
+    }
 }
 
 TEST(Lanes, haveTheBitsOfTheScalarTextForAnyNumberOfRaysAndThreads) {
