@@ -50,7 +50,38 @@ GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel al
     slopes_ = twin_ ? SlopeScene(field, twin_->cones()) : SlopeScene(field);
 }
 
-// The cells around the tile's pixels, these known.
+// All cells that the picture has, row after row.
+void GridKernel::layPicture(Tile& tile) {
+    const PictureHits& picture = *tile.picture;
+    const HitBlock& hits = *picture.hits;
+    const int from = std::max(tile.x0, 0), to = std::min(tile.x0 + tile.width, picture.width);
+    const auto count = static_cast<std::size_t>(std::max(to - from, 0));
+    tile.allKnown = true;
+    for (int y = tile.y0; y < tile.y0 + tile.height; ++y) {
+        const bool there = y >= 0 && y < picture.height && count > 0;
+        tile.allKnown = tile.allKnown && there && count == static_cast<std::size_t>(tile.width);
+        if (!there) continue;
+        const std::size_t i = picture.at(from, y), cell = tile.cell(from, y);
+        const std::uint8_t* polygon = picture.polygon + i;
+        const Outcome* outcome = hits.outcome.data() + i;
+        int other = 0;
+        for (std::size_t n = 0; n < count; ++n)
+            other += polygon[n] != tile.view->number || outcome[n] != Outcome::Hit ? 1 : 0;
+        if (other == 0) {
+            tile.setRow(cell, count, hits.s.data() + i, hits.t.data() + i, hits.lambda.data() + i);
+            continue;
+        }
+        for (std::size_t n = 0; n < count; ++n) {
+            const bool known = polygon[n] == tile.view->number;
+            tile.known[cell + n] = known ? 1 : 0;
+            tile.allKnown = tile.allKnown && known;
+            if (known && outcome[n] == Outcome::Hit)
+                tile.set(cell + n, hits.s[i + n], hits.t[i + n], hits.lambda[i + n]);
+        }
+    }
+}
+
+// The cells around the tile's pixels, these known, and those that the picture has.
 void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
     const std::size_t cells = tile.cells();
     tile.s.assign(cells + kCellSlack, kNothing);
@@ -63,6 +94,8 @@ void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
     reserve(tile.color, cells * lattice_.places.size());
     tile.known.assign(cells, 0);
     tile.wanted.assign(cells, 0);
+    tile.allKnown = false;
+    if (tile.picture != nullptr && tracer_->field().surface() == Surface::Bilinear) return layPicture(tile);
     for (const std::size_t i : tile.pixels) {
         const std::size_t cell = tile.cell(block.x[i], block.y[i]);
         tile.known[cell] = 1;
@@ -113,6 +146,7 @@ void GridKernel::spread(const FilterBlock& block, std::span<const std::size_t> p
 // all were known. counts.tested: rays.
 bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile,
                              FootprintCounts& counts, Work& work) const {
+    if (tile.allKnown) return false;
     spread(block, pixels, reach, tile);
     const HeightField& field = tracer_->field();
     const auto set = [&](std::size_t cell, const ViewRay& ray, const Hit& hit) {

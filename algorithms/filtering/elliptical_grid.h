@@ -48,6 +48,7 @@ class GridKernel {
     void filterTile(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts, Work& work,
                     FootprintLog* log) const;
     void lay(const FilterBlock& block, Tile& tile) const;
+    static void layPicture(Tile& tile);
     void trace(Tile& tile, Work& work) const;
     static void spread(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile);
     bool wantCentres(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile,

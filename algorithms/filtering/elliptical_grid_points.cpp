@@ -153,12 +153,15 @@ void GridKernel::takeCentres(Tile& tile, FootprintCounts& counts) const {
         if ((tile.asked[cell] & 1) != 0 && std::isnan(tile.s[cell])) tile.color[cell * points] = {};
     }
     readPoints(tile, counts);
-    for (std::vector<float>& column : tile.centre) {
-        column.assign(tile.cells() + kCellSlack, std::numeric_limits<float>::infinity());
-    }
-    for (std::size_t n = 0; n < tile.footprints.size(); ++n) {
-        const auto& channel = tile.color[tile.slots[n]].channel;
-        for (std::size_t c = 0; c < tile.centre.size(); ++c) tile.centre[c][tile.slots[n] / points] = channel[c];
+    constexpr float kNotKnown = std::numeric_limits<float>::infinity();
+    const std::size_t cells = tile.cells();
+    for (std::size_t c = 0; c < tile.centre.size(); ++c) {
+        std::vector<float>& column = tile.centre[c];
+        column.assign(cells + kCellSlack, kNotKnown);
+        for (std::size_t cell = 0; cell < cells; ++cell) {
+            const PointColor& color = tile.color[cell * points];
+            column[cell] = (tile.asked[cell] & 1) != 0 && color.channel[3] > 0 ? color.channel[c] : kNotKnown;
+        }
     }
 }
 

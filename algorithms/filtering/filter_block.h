@@ -38,13 +38,17 @@ struct PictureHits {
     const std::uint8_t* polygon = nullptr;  // whose view the pixel's ray is of: PixelView::number
     const RayBlock* rays = nullptr;
     const HitBlock* hits = nullptr;
+
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
 };
 
 // Queries as a structure of arrays, all of one length. Neighbouring pixels should be neighbours here.
 struct FilterBlock {
     std::vector<double> s, t;
     std::vector<double> ux, vx, uy, vy;
-    RayBlock rays;
+    RayBlock rays;  // where there is no picture, which has them
     std::vector<double> lambda, spread;
     std::vector<const PixelView*> view;
     std::vector<int> x, y;
@@ -53,6 +57,9 @@ struct FilterBlock {
     const PictureHits* picture = nullptr;
 
     std::size_t size() const { return s.size(); }
+    ViewRay ray(std::size_t i) const {
+        return picture == nullptr ? rays[i] : (*picture->rays)[picture->at(x[i], y[i])];
+    }
     void resize(std::size_t count) {
         for (auto* column : {&s, &t, &ux, &vx, &uy, &vy, &lambda, &spread}) column->resize(count);
         rays.resize(count);
@@ -61,7 +68,7 @@ struct FilterBlock {
         for (auto* column : {&x, &y}) column->resize(count);
     }
     FilterQuery operator[](std::size_t i) const {
-        return {{s[i], t[i]}, {ux[i], vx[i], uy[i], vy[i]}, rays[i], lambda[i], spread[i], view[i], x[i], y[i],
+        return {{s[i], t[i]}, {ux[i], vx[i], uy[i], vy[i]}, ray(i), lambda[i], spread[i], view[i], x[i], y[i],
                 exact[i] != 0};
     }
     void set(std::size_t i, const FilterQuery& query) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <span>
 #include <vector>
@@ -95,6 +96,7 @@ struct GridKernel::Tile {
     std::vector<double> s, t, lambda;
     CellColumns rough;
     std::vector<std::uint8_t> known, wanted;
+    bool allKnown = false;
     std::vector<std::uint8_t> own, along;  // pixels, and what is near them in their rows
     std::vector<std::uint16_t> around;     // Surroundings
     // Of cells, all bits or none: edges, and squares whose hits follow from their corners'. Then a bit a point: whether
@@ -135,6 +137,16 @@ struct GridKernel::Tile {
         s[cell] = atS, t[cell] = atT, lambda[cell] = atLambda;
         rough.s[cell] = static_cast<float>(atS * scale.x), rough.t[cell] = static_cast<float>(atT * scale.y);
         rough.lambda[cell] = static_cast<float>(atLambda);
+    }
+    // What is met at the centres of cells in a row.
+    void setRow(std::size_t cell, std::size_t count, const double* atS, const double* atT, const double* atLambda) {
+        std::memset(known.data() + cell, 1, count);
+        std::copy_n(atS, count, s.data() + cell);
+        std::copy_n(atT, count, t.data() + cell);
+        std::copy_n(atLambda, count, lambda.data() + cell);
+        for (std::size_t n = 0; n < count; ++n) rough.s[cell + n] = static_cast<float>(atS[n] * scale.x);
+        for (std::size_t n = 0; n < count; ++n) rough.t[cell + n] = static_cast<float>(atT[n] * scale.y);
+        for (std::size_t n = 0; n < count; ++n) rough.lambda[cell + n] = static_cast<float>(atLambda[n]);
     }
     // body(cell, x, y): squares of cells one after the other.
     template <class Body>

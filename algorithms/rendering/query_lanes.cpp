@@ -60,10 +60,12 @@ void setQueries(const QueryRun& run, const HeightField& field, FilterBlock& bloc
     const auto copy = [&](const std::vector<double>& column, std::vector<double>& out) {
         std::copy_n(column.begin() + from, count, out.begin() + to);
     };
-    copy(run.rays.s0, block.rays.s0);
-    copy(run.rays.t0, block.rays.t0);
-    copy(run.rays.a, block.rays.a);
-    copy(run.rays.b, block.rays.b);
+    if (block.picture == nullptr) {
+        copy(run.rays.s0, block.rays.s0);
+        copy(run.rays.t0, block.rays.t0);
+        copy(run.rays.a, block.rays.a);
+        copy(run.rays.b, block.rays.b);
+    }
     copy(run.hits.lambda, block.lambda);
     copy(run.hits.s, block.s);
     copy(run.hits.t, block.t);

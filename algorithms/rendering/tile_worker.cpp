@@ -1,6 +1,7 @@
 #include "rendering/tile_worker.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -68,13 +69,20 @@ void TileWorker::clear(const PixelArea& tile) const {
 void TileWorker::clearUncovered(const PixelArea& tile) const {
     const bool rays = stained(buffers_.rays, tile), met = stained(buffers_.hits, tile);
     if (!rays && !met) return;
-    overPixels(tile, [&](int, int, std::size_t i) {
-        if (frame_.rays->polygon[i] != kNoPolygon) return;
-        if (rays) buffers_.rays->rays.set(i, {});
-        if (!met) return;
-        HitBlock& hits = buffers_.hits->hits;
-        hits.lambda[i] = hits.s[i] = hits.t[i] = kNotMet;
-    });
+    const std::uint8_t* polygon = frame_.rays->polygon.data();
+    const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const std::size_t first = frame_.index(tile.x0, y);
+        // Most rows are covered whole.
+        if (std::memchr(polygon + first, kNoPolygon, width) == nullptr) continue;
+        for (std::size_t i = first; i < first + width; ++i) {
+            if (polygon[i] != kNoPolygon) continue;
+            if (rays) buffers_.rays->rays.set(i, {});
+            if (!met) continue;
+            HitBlock& hits = buffers_.hits->hits;
+            hits.lambda[i] = hits.s[i] = hits.t[i] = kNotMet;
+        }
+    }
 }
 
 bool TileWorker::covered(const PixelArea& tile) const {
@@ -189,12 +197,22 @@ void TileWorker::drawMesh(const PixelArea& tile) const {
 }
 
 void TileWorker::countOutcomes(const PixelArea& tile) const {
-    std::array<std::int64_t, 4> outcomes{};
-    overPixels(tile,
-               [&](int, int, std::size_t i) { ++outcomes[static_cast<std::size_t>(buffers_.hits->hits.outcome[i])]; });
-    totals_.hits += outcomes[static_cast<std::size_t>(Outcome::Hit)];
-    totals_.misses += outcomes[static_cast<std::size_t>(Outcome::Miss)];
-    totals_.limits += outcomes[static_cast<std::size_t>(Outcome::Limit)];
+    std::array<int, 3> found{};
+    constexpr std::array<Outcome, 3> kOutcomes{Outcome::Hit, Outcome::Miss, Outcome::Limit};
+    const int width = tile.x1 - tile.x0;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const Outcome* row = buffers_.hits->hits.outcome.data() + frame_.index(tile.x0, y);
+        // One after the other: most rows are hits alone.
+        for (int n = 0, counted = 0; n < 3 && counted < width; ++n) {
+            int here = 0;
+            for (int x = 0; x < width; ++x) here += row[x] == kOutcomes[static_cast<std::size_t>(n)] ? 1 : 0;
+            found[static_cast<std::size_t>(n)] += here;
+            counted += here;
+        }
+    }
+    totals_.hits += found[0];
+    totals_.misses += found[1];
+    totals_.limits += found[2];
 }
 
 // Footprints so small that the plain filter's colour will do: coloured and left out of the block.
@@ -221,6 +239,7 @@ void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter,
     Borrowed<FilterWork> kept;
     auto& [pixels, block, colors] = *kept;
     pixels.clear();
+    block.picture = hitsFirst() ? &picture_ : nullptr;
     block.resize(static_cast<std::size_t>(kTileWidth) * kTileHeight);
     const std::vector<std::uint8_t>& polygon = frame_.rays->polygon;
     for (int y = tile.y0; y < tile.y1; ++y) {
@@ -242,7 +261,6 @@ void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter,
     }
     if (frame_.plainFilter) leaveTiny(pixels, block, work);
     block.resize(pixels.size());
-    block.picture = hitsFirst() ? &picture_ : nullptr;
     colors.resize(pixels.size());
     filter.colors(block, colors, counts, work);
     for (std::size_t n = 0; n < pixels.size(); ++n) buffers_.color->color.pixels()[pixels[n]] = colors[n];
