@@ -91,7 +91,7 @@ void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
     reserve(tile.t, cells + kCellSlack);
     reserve(tile.lambda, cells);
     reserve(tile.around, cells + kCellSlack);
-    reserve(tile.color, cells * lattice_.places.size());
+    reserve(tile.color, (cells + kCellSlack) * lattice_.places.size());
     tile.known.assign(cells, 0);
     tile.wanted.assign(cells, 0);
     tile.allKnown = false;

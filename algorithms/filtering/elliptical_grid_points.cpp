@@ -78,9 +78,13 @@ void GridKernel::askPoints(const FilterBlock& block, Tile& tile) const {
     }
     askCentres(tile);
     findWhole(tile);
-    // Centres on smooth ground have footprints by their neighbours.
-    constexpr unsigned kCross = (kStraight << kAcross) | (kStraight << kDown);
-    for (std::size_t c = 0; c < cells; ++c) tile.follows[c] = (tile.around[c] & kCross) == kCross ? 1 : 0;
+    // Centres on straight ground, or on smooth ground near them, have footprints by their neighbours.
+    constexpr unsigned kCross = (1U << kAcross) | (1U << kDown);
+    for (std::size_t c = 0; c < cells; ++c) {
+        const unsigned around = tile.around[c];
+        const unsigned lines = (around / kStraight) | ((around & kNearAround) != 0 ? around : 0);
+        tile.follows[c] = (lines & kCross) == kCross ? 1 : 0;
+    }
     for (std::size_t k = 1; k < lattice_.places.size(); ++k) {
         const std::uint16_t* whole = tile.whole.data() - lattice_.squareOf(k, row);
         std::uint16_t* follows = tile.follows.data();
@@ -141,7 +145,10 @@ void GridKernel::takeCentres(Tile& tile, FootprintCounts& counts) const {
     tile.points.clear();
     const auto points = static_cast<std::uint32_t>(lattice_.places.size());
     pushPoints(tile, 0, [&](std::size_t cell) {
-        return tile.asked[cell] & ~tile.follows[cell] & (std::isnan(tile.s[cell]) ? 0 : 1);
+        if ((tile.asked[cell] & ~tile.follows[cell] & 1) == 0) return false;
+        const bool met = !std::isnan(tile.s[cell]);
+        if (!met) tile.color[cell * points] = {};
+        return met;
     });
     GridPoints& met = tile.points;
     for (std::size_t n = 0; n < met.count; ++n) {
@@ -149,20 +156,13 @@ void GridKernel::takeCentres(Tile& tile, FootprintCounts& counts) const {
         met.lambda[n] = tile.lambda[cell], met.s[n] = tile.s[cell], met.t[n] = tile.t[cell];
     }
     layPoints(tile);
-    for (std::size_t cell = 0; cell < tile.cells(); ++cell) {
-        if ((tile.asked[cell] & 1) != 0 && std::isnan(tile.s[cell])) tile.color[cell * points] = {};
-    }
     readPoints(tile, counts);
-    constexpr float kNotKnown = std::numeric_limits<float>::infinity();
-    const std::size_t cells = tile.cells();
-    for (std::size_t c = 0; c < tile.centre.size(); ++c) {
-        std::vector<float>& column = tile.centre[c];
-        column.assign(cells + kCellSlack, kNotKnown);
-        for (std::size_t cell = 0; cell < cells; ++cell) {
-            const PointColor& color = tile.color[cell * points];
-            column[cell] = (tile.asked[cell] & 1) != 0 && color.channel[3] > 0 ? color.channel[c] : kNotKnown;
-        }
+    std::array<float*, 3> columns{};
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        reserve(tile.centre[c], tile.cells() + kCellSlack);
+        columns[c] = tile.centre[c].data();
     }
+    splitCentres(tile.color.data(), points, tile.asked.data(), tile.cells() + 1, columns);
 }
 
 // The points whose colours follow from the centres': no longer asked for.

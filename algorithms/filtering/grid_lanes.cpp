@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 // Vectors in arrays: not for the instruction sets without a fixed width.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -29,6 +30,15 @@ struct SumJob {
     std::span<const std::int32_t> base, offset;
     const float* weight;
     PointColor* sums;
+};
+
+// What splitCentres is given.
+struct SplitJob {
+    const PointColor* colors;
+    std::size_t points;
+    const std::uint16_t* asked;
+    std::size_t count;
+    std::array<float*, 3> out;
 };
 
 // What findEven is given.
@@ -86,7 +96,7 @@ HWY_INLINE void surroundingsOf(const CellHits& cells, float bounds, std::size_t 
     const VF s = load(cells.s, at), t = load(cells.t, at), height = load(cells.lambda, at);
     const VF twiceS = hn::Add(s, s), twiceT = hn::Add(t, t), most = hn::Set(d, kLevelHeight);
     auto onPlane = hn::Eq(s, s);
-    auto onLevel = onPlane;
+    auto onLevel = onPlane, allNear = onPlane;
     VF bits = hn::Zero(d);
     float bit = kSmooth;
     for (const std::size_t way : {std::size_t{1}, row, row + 1, row - 1}) {
@@ -101,6 +111,7 @@ HWY_INLINE void surroundingsOf(const CellHits& cells, float bounds, std::size_t 
             return hn::Le(bend, hn::Add(hn::Mul(share, step), bound(2 * most.unseen)));
         };
         const auto near = hn::Le(step, farthest);
+        allNear = hn::And(allNear, near);
         onPlane = hn::And(onPlane, within(kPlaneBend, hn::And(near, hn::Ge(step, nearest)), kNearPlaneBend));
         const auto smooth = within(kSmoothBend, near, kNearSmoothBend);
         const auto straight = within(kStraightBend, near, kStraightBend.share);
@@ -112,6 +123,7 @@ HWY_INLINE void surroundingsOf(const CellHits& cells, float bounds, std::size_t 
         onLevel = hn::And(onLevel, hn::Le(hn::Max(hn::Abs(up), hn::Abs(down)), most));
     }
     bits = hn::Add(bits, hn::IfThenElseZero(onPlane, hn::Set(d, float{kOnPlane})));
+    bits = hn::Add(bits, hn::IfThenElseZero(allNear, hn::Set(d, float{kNearAround})));
     bits = hn::Add(bits, hn::IfThenElseZero(hn::And(onPlane, onLevel), hn::Set(d, float{kOnLevel})));
     const hn::Rebind<std::uint16_t, DF> du;
     hn::StoreU(hn::DemoteTo(du, hn::ConvertTo(hn::RebindToSigned<DF>(), bits)), du, out + at);
@@ -244,6 +256,29 @@ void findEven(const EvenJob& job, std::uint16_t* even) {
     }
 }
 
+void splitCentres(const SplitJob& job) {
+    const DF d;
+    const hn::RebindToSigned<DF> di;
+    const hn::RebindToUnsigned<DF> du;
+    const hn::Rebind<std::uint16_t, DF> dh;
+    const auto apart = static_cast<std::int32_t>(4 * job.points);
+    const VF none = hn::Set(d, std::numeric_limits<float>::infinity());
+    for (std::size_t c = 0; c < job.count; c += kFloats) {
+        const auto bits = hn::PromoteTo(du, hn::And(hn::LoadU(dh, job.asked + c), hn::Set(dh, std::uint16_t{1})));
+        const auto asked = hn::RebindMask(d, hn::Ne(bits, hn::Zero(du)));
+        if (hn::AllFalse(d, asked)) {
+            for (float* column : job.out) hn::StoreU(none, d, column + c);
+            continue;
+        }
+        const auto at = hn::Mul(hn::Iota(di, static_cast<std::int32_t>(c)), hn::Set(di, apart));
+        const auto channel = [&](std::size_t n) HWY_ATTR { return hn::GatherIndex(d, job.colors->channel + n, at); };
+        const auto known = hn::And(asked, hn::Gt(channel(3), hn::Zero(d)));
+        for (std::size_t n = 0; n < job.out.size(); ++n) {
+            hn::StoreU(hn::IfThenElse(known, channel(n), none), d, job.out[n] + c);
+        }
+    }
+}
+
 void sumPoints(const SumJob& job) {
     using DC = hn::CappedTag<float, 4>;
     const DC d;
@@ -275,6 +310,9 @@ void gridFootprints(const FootprintScene& scene, const PointHits& hits, PointBlo
 void gridEven(const EvenJob& job, std::uint16_t* even) {
     grid::findEven(job, even);
 }
+void gridSplit(const SplitJob& job) {
+    grid::splitCentres(job);
+}
 void gridSums(const SumJob& job) {
     grid::sumPoints(job);
 }
@@ -289,6 +327,7 @@ HWY_EXPORT(gridSurroundings);
 HWY_EXPORT(gridRays);
 HWY_EXPORT(gridFootprints);
 HWY_EXPORT(gridEven);
+HWY_EXPORT(gridSplit);
 HWY_EXPORT(gridSums);
 
 void findSurroundings(const CellHits& cells, float bounds, std::uint16_t* out) {
@@ -313,6 +352,11 @@ void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointB
 void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
               std::uint16_t* even) {
     HWY_DYNAMIC_DISPATCH(gridEven)({channel, row, count, bounds * kEvenColors}, even);
+}
+
+void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* asked, std::size_t count,
+                  const std::array<float*, 3>& out) {
+    HWY_DYNAMIC_DISPATCH(gridSplit)({colors, points, asked, count, out});
 }
 
 void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,

@@ -19,9 +19,9 @@ namespace relief {
 
 // How the hit of a pixel's centre lies among those of its eight neighbours, bits: which of the four lines through it
 // are smooth (bent so little that hits between can be taken from the hits around), which are straight (so little that
-// it goes on to the next hit), whether all lie on a plane, and at one height. Lines: across, down, to the right and
-// down, to the right and up.
-enum Surroundings : std::uint16_t { kSmooth = 1, kStraight = 16, kOnPlane = 256, kOnLevel = 512 };
+// it goes on to the next hit), whether all lie on a plane, at one height, and near. Lines: across, down, to the right
+// and down, to the right and up.
+enum Surroundings : std::uint16_t { kSmooth = 1, kStraight = 16, kOnPlane = 256, kOnLevel = 512, kNearAround = 1024 };
 enum Line : std::uint8_t { kAcross, kDown, kFalling, kRising };
 inline constexpr unsigned kAllLines = 15;
 
@@ -79,6 +79,10 @@ inline constexpr float kEvenColors = 1.0F / 64, kEvenShare = 0.25F;
 // are so, by `bounds` of kEvenColors. Infinite where they are not known; kCellSlack more at all columns' ends.
 void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
               std::uint16_t* even);
+// Of centres, the first of each cell's `points` colours: red, green, blue of the cells that ask for theirs (bit 0) and
+// met something, infinity of the others. kCellSlack cells more at all columns' ends.
+void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* asked, std::size_t count,
+                  const std::array<float*, 3>& out);
 // sums[n] = sum over k, in their order, of weight[k] * colors[base[n] + offset[k]].
 void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,
                std::span<const float> weight, std::span<PointColor> sums);

@@ -75,12 +75,17 @@ void TileWorker::clearUncovered(const PixelArea& tile) const {
         const std::size_t first = frame_.index(tile.x0, y);
         // Most rows are covered whole.
         if (std::memchr(polygon + first, kNoPolygon, width) == nullptr) continue;
-        for (std::size_t i = first; i < first + width; ++i) {
-            if (polygon[i] != kNoPolygon) continue;
-            if (rays) buffers_.rays->rays.set(i, {});
-            if (!met) continue;
+        for (std::size_t i = first, end = i; i < first + width; i = end + 1) {
+            for (end = i; end < first + width && polygon[end] == kNoPolygon;) ++end;
+            const auto fill = [&](std::vector<double>& column, double value) {
+                std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(i), end - i, value);
+            };
+            RayBlock& block = buffers_.rays->rays;
             HitBlock& hits = buffers_.hits->hits;
-            hits.lambda[i] = hits.s[i] = hits.t[i] = kNotMet;
+            for (auto* column : {&block.s0, &block.t0, &block.a, &block.b})
+                if (rays) fill(*column, 0);
+            for (auto* column : {&hits.lambda, &hits.s, &hits.t})
+                if (met) fill(*column, kNotMet);
         }
     }
 }

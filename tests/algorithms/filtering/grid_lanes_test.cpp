@@ -37,7 +37,7 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
         first.resize(cells);
         const auto at = [&](int x, int y) { return unsigned{first[static_cast<std::size_t>(y * kWidth + x)]}; };
         const unsigned across = (kSmooth | kStraight) << kAcross, down = (kSmooth | kStraight) << kDown;
-        const unsigned all = kAllLines * (kSmooth | kStraight) | kOnPlane;
+        const unsigned all = kAllLines * (kSmooth | kStraight) | kOnPlane | kNearAround;
         EXPECT_EQ(at(0, 4), 0U) << c.name;
         EXPECT_EQ(at(kWidth - 1, 4), 0U) << c.name;
         EXPECT_EQ(at(4, 0), 0U) << c.name;
@@ -55,8 +55,8 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
             EXPECT_EQ(at(kEdge, 4) & kOnPlane, 0U);
         }
         if (name == "step" || name == "hole") {
-            EXPECT_EQ(at(kEdge, 4), down) << c.name;
-            EXPECT_EQ(at(kEdge + 1, 4), name == "step" ? down : 0U) << c.name;
+            EXPECT_EQ(at(kEdge, 4) & ~unsigned{kNearAround}, down) << c.name;
+            EXPECT_EQ(at(kEdge + 1, 4) & ~unsigned{kNearAround}, name == "step" ? down : 0U) << c.name;
         }
         for (const std::int64_t target : laneTargets()) {
             const ForcedTarget forced(target);
@@ -92,6 +92,8 @@ TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
     EXPECT_NE(middle(3, 2.2F, 1) & kSmooth, 0U);
     EXPECT_EQ(middle(10, 2.2F, 1) & kSmooth, 0U);
     EXPECT_EQ(middle(3, 2.2F, boundsFor(5)) & kSmooth, 0U);
+    EXPECT_NE(middle(2, 1.3F, 1) & kNearAround, 0U);
+    EXPECT_EQ(middle(10, 1.3F, 1) & kNearAround, 0U);
     EXPECT_EQ(boundsFor(2), 1.0F);
     // Magnified, only what is flat.
     EXPECT_NE(middle(0.7F, 1.2F, 1) & kOnPlane, 0U);
@@ -167,6 +169,29 @@ TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
         findEven({channel[0].data(), channel[1].data(), channel[2].data()}, kRow, kCount, 1, even.data());
         even.resize(kCount);
         EXPECT_EQ(even, expected) << laneTargetName(target);
+    }
+}
+
+TEST(GridLanes, centresAreSplitIntoColumns) {
+    constexpr std::size_t kCells = 37, kPoints = 3;
+    std::vector<PointColor> colors((kCells + kCellSlack) * kPoints);
+    std::vector<std::uint16_t> asked(kCells + kCellSlack);
+    for (std::size_t c = 0; c < kCells; ++c) {
+        asked[c] = static_cast<std::uint16_t>(c % 3 == 0 ? 6 : 1);
+        const auto value = static_cast<float>(c);
+        colors[c * kPoints] = {{value, value + 0.25F, value + 0.5F, c % 5 == 0 ? 0.0F : 1.0F}};
+    }
+    for (const std::int64_t target : laneTargets()) {
+        const ForcedTarget forced(target);
+        std::array<std::vector<float>, 3> out;
+        for (auto& column : out) column.resize(kCells + kCellSlack);
+        splitCentres(colors.data(), kPoints, asked.data(), kCells, {out[0].data(), out[1].data(), out[2].data()});
+        for (std::size_t c = 0; c < kCells; ++c) {
+            for (std::size_t n = 0; n < 3; ++n) {
+                const float known = colors[c * kPoints].channel[n];
+                ASSERT_EQ(out[n][c], c % 3 == 0 || c % 5 == 0 ? std::numeric_limits<float>::infinity() : known) << c;
+            }
+        }
     }
 }
 
