@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include "filtering/grid_tile.h"
 #include "relief/block_work.h"
@@ -311,13 +312,23 @@ void GridKernel::gather(const FilterBlock& block, std::size_t first, std::size_t
     tile.width = x1 - x0 + 1 + 2 * kTileHalo, tile.height = y1 - y0 + 1 + 2 * kTileHalo;
     const double largest = 4.0 * std::max(tracer_->field().width(), tracer_->field().height());
     const bool all = tile.view != nullptr && beforeHorizon(tile.view->texelFromScreen, x0, y0, x1, y1);
+    const auto sidesOf = [&](std::size_t i) {
+        return std::abs(block.ux[i]) + std::abs(block.uy[i]) + std::abs(block.vx[i]) + std::abs(block.vy[i]);
+    };
+    // Most often all of them.
+    if (all && std::memchr(block.exact.data() + first, 0, last - first) == nullptr) {
+        std::size_t served = 0;
+        for (std::size_t i = first; i < last; ++i) served += sidesOf(i) < largest ? 1 : 0;
+        if (served == last - first) {
+            tile.pixels.resize(served);
+            return std::iota(tile.pixels.begin(), tile.pixels.end(), first);
+        }
+    }
     for (std::size_t i = first; i < last; ++i) {
         const bool before = all || (tile.view != nullptr && beforeHorizon(tile.view->texelFromScreen, block.x[i],
                                                                           block.y[i], block.x[i], block.y[i]));
-        const double sides =
-            std::abs(block.ux[i]) + std::abs(block.uy[i]) + std::abs(block.vx[i]) + std::abs(block.vy[i]);
         // NaN fails.
-        (before && block.exact[i] != 0 && sides < largest ? tile.pixels : alone).push_back(i);
+        (before && block.exact[i] != 0 && sidesOf(i) < largest ? tile.pixels : alone).push_back(i);
     }
 }
 
