@@ -140,7 +140,7 @@ class SpanSums {
     HWY_INLINE SpanSums(const LaneJob& job, const Footprints& f) : job_(job), f_(f), weight_(f.acrossRow, f.downRow) {}
 
     V texels = hn::Zero(D());
-    Sums sums{hn::Zero(D()), hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
+    Sums sums{{hn::Zero(D()), hn::Zero(D()), hn::Zero(D())}, hn::Zero(D())};
 
     // active: above 0 for pixels that have the row.
     HWY_INLINE void addRow(VI row, V v, V active) {
