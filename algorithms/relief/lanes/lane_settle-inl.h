@@ -41,7 +41,7 @@ class Settling {
             const auto from = [&](std::size_t parts) { return i - parts * kApart; };
             const auto due = [&](std::size_t parts) { return i >= parts * kApart && from(parts) < end; };
             if (due(0)) {
-                if (i % kAsked == 0) askForHits(i + kAsked, hits, firstHit);
+                askForHits(i + kAsked, hits, firstHit);
                 stays(i);
             }
             if (due(1)) gaps(from(1));
@@ -53,7 +53,7 @@ class Settling {
   private:
     // Rays between the parts; rows hold those that are under way, and stay in the first cache.
     static constexpr std::size_t kApart = 16, kUnderWay = 4 * kApart;
-    static constexpr std::size_t kAsked = 64;
+    static constexpr std::size_t kAsked = 192;
     using Row = std::array<double, kUnderWay>;
     static constexpr std::size_t kOriginX = 0, kOriginY = 1, kRunX = 2, kRunY = 3;
     static_assert(kHalfLanes <= kApart && kApart % kHalfLanes == 0);
@@ -61,11 +61,10 @@ class Settling {
     HWY_INLINE static void keep(VD v, std::size_t i, Row& row) { hn::Store(v, DD(), row.data() + i % kUnderWay); }
     HWY_INLINE static VD kept(std::size_t i, const Row& row) { return hn::Load(DD(), row.data() + i % kUnderWay); }
 
-    // The places of the next rays' hits: they are written without having been read.
+    // The places of later rays' hits, of the next chunk's as well: they are written without having been read.
     HWY_INLINE void askForHits(std::size_t from, HitBlock& hits, std::size_t firstHit) const {
-        for (std::size_t i = from; i < std::min(from + kAsked, count_); i += kLineOfDoubles) {
-            for (auto* column : {&hits.lambda, &hits.s, &hits.t}) __builtin_prefetch(column->data() + firstHit + i, 1);
-        }
+        if (firstHit + from + kHalfLanes > hits.size()) return;
+        for (auto* column : {&hits.lambda, &hits.s, &hits.t}) __builtin_prefetch(column->data() + firstHit + from, 1);
     }
 
     // The given column c from ray i on, a whole vector.
