@@ -21,6 +21,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/texture.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include "errors.h"
 #include "filtering/texture_filter.h"
@@ -291,24 +292,7 @@ std::vector<peers::PeerRow> measure(const std::string& name, double elevation, c
     return rows;
 }
 
-int run(const std::vector<std::string>& args) {
-    Settings settings;
-    for (std::size_t i = 0; i + 1 < args.size(); i += 2) {
-        const std::string& name = args[i];
-        const std::string& value = args[i + 1];
-        if (name == "--size") settings.size = std::stoi(value);
-        if (name == "--width") settings.width = std::stoi(value);
-        if (name == "--height") settings.height = std::stoi(value);
-        if (name == "--rounds") settings.rounds = std::stoi(value);
-        if (name == "--azimuth") settings.azimuth = std::stod(value);
-        if (name == "--seed") settings.seed = std::stoull(value);
-        if (name == "-o") settings.output = value;
-        if (name == "--pictures") settings.pictures = peers::partsOf(value);
-        if (name == "--elevations") {
-            settings.elevations.clear();
-            for (const std::string& part : peers::partsOf(value)) settings.elevations.push_back(std::stod(part));
-        }
-    }
+int run(const Settings& settings) {
     Work work(1);
     std::vector<peers::PeerRow> rows;
     std::cout << "size " << settings.size << ", seed " << settings.seed << ", " << settings.rounds << " rounds\n";
@@ -326,8 +310,20 @@ int run(const std::vector<std::string>& args) {
 }  // namespace relief
 
 int main(int argc, char** argv) {
+    relief::Settings settings;
+    CLI::App app("Our elliptical filter beside OpenImageIO's, rounds interleaved, one thread");
+    app.add_option("--size", settings.size, "texels of the picture")->check(CLI::Range(16, 16384));
+    app.add_option("--width", settings.width, "pixels")->check(CLI::Range(1, 16384));
+    app.add_option("--height", settings.height, "pixels")->check(CLI::Range(1, 16384));
+    app.add_option("--rounds", settings.rounds)->check(CLI::PositiveNumber);
+    app.add_option("--pictures", settings.pictures, "of zone, bricks, checker")->delimiter(',');
+    app.add_option("--elevations", settings.elevations, "degrees")->delimiter(',')->check(CLI::Range(1, 90));
+    app.add_option("--azimuth", settings.azimuth, "degrees");
+    app.add_option("--seed", settings.seed);
+    app.add_option("-o", settings.output, "table to write, csv or json");
+    CLI11_PARSE(app, argc, argv);
     try {
-        return relief::run({argv + 1, argv + argc});
+        return relief::run(settings);
     } catch (const std::exception& error) {
         std::cerr << "relief_filter_peers: " << error.what() << '\n';
         return 2;

@@ -7,11 +7,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <iostream>
 #include <limits>
 #include <map>
 #include <string>
 #include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include "../resident_memory.h"
 #include "images/files.h"
@@ -105,52 +107,70 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
     return row;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    std::vector<std::string> given(argv + 1, argv + argc);
+struct Settings {
+    double seconds = 2;
+    std::string picture;
+    std::vector<double> elevations{60, 45, 25};
+    std::vector<std::string> filters{"elliptical", "elliptical-visible:form=grid"};
+    double budget = std::numeric_limits<double>::infinity();  // seconds a frame
+    bool lightAlone = false;
     std::string output;
-    if (given.size() > 1 && given[given.size() - 2] == "-o") {
-        output = given.back();
-        given.resize(given.size() - 2);
-    }
-    double budget = std::numeric_limits<double>::infinity();
-    const auto option = std::find(given.begin(), given.end(), "--budget");
-    if (option != given.end() && option + 1 != given.end()) {
-        budget = std::atof(option[1].c_str()) / 1000;
-        given.erase(option, option + 2);
-    }
-    const auto lit = std::find(given.begin(), given.end(), "--no-shadows");
-    const std::vector<bool> shadowsToo = lit == given.end() ? std::vector<bool>{false, true} : std::vector<bool>{false};
-    if (lit != given.end()) given.erase(lit);
-    given.resize(std::max<std::size_t>(given.size(), 4));
-    const double seconds = given[0].empty() ? 2 : std::atof(given[0].c_str());
-    const std::vector<double> elevations =
-        given[2].empty() ? std::vector<double>{60, 45, 25} : std::vector<double>{std::atof(given[2].c_str())};
-    const std::vector<std::string> filters =
-        given[3].empty() ? std::vector<std::string>{"elliptical", "elliptical-visible:form=grid"}
-                         : std::vector<std::string>{given[3]};
+};
+
+int run(const Settings& settings) {
     std::vector<peers::PeerRow> rows;
     for (const Pictures& pictures : kPictures) {
-        if (!std::string(pictures.folder).starts_with(given[1])) continue;
+        if (!std::string(pictures.folder).starts_with(settings.picture)) continue;
         const std::string folder = std::string(RELIEF_DATASETS) + "/" + pictures.folder + "/";
         Work work;
         const auto heights = std::make_shared<const FloatImage>(readHeight(folder + pictures.height, {}, work).heights);
         const auto color = std::make_shared<const ColorImage>(readColor(folder + pictures.color, work));
         const auto maps = std::make_shared<MapCache>();
-        for (const double elevation : elevations) {
-            for (const std::string& filter : filters) {
-                for (const bool shadows : shadowsToo) {
+        for (const double elevation : settings.elevations) {
+            for (const std::string& filter : settings.filters) {
+                for (const bool shadows : {false, true}) {
+                    if (shadows && settings.lightAlone) continue;
                     FrameRequest request{HeightField(heights)};
                     request.color = color;
                     request.camera.elevation = elevation;
                     request.filter = parseFilter(filter, "filter");
                     request.shadows = shadows;
-                    rows.push_back(measure(request, maps, pictures.folder, seconds, budget));
+                    rows.push_back(measure(request, maps, pictures.folder, settings.seconds, settings.budget));
                 }
             }
         }
     }
-    if (!output.empty()) peers::writePeerRows(output, rows);
+    if (rows.empty())
+        throw InputError(
+            settings.picture,
+            Message(MessageId::UnknownName,
+                    {{"what", "picture"},
+                     {"name", settings.picture},
+                     {"known", "gray_rocks, stone_wall_bricks102, brick_tiles037, terrain_srtm_east_africa"}}));
+    if (!settings.output.empty()) peers::writePeerRows(settings.output, rows);
     return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Settings settings;
+    CLI::App app("Frames a second of the shipped pictures, 800 x 600, while the camera turns");
+    app.add_option("seconds", settings.seconds, "of each view")->check(CLI::PositiveNumber);
+    app.add_option("picture", settings.picture, "the beginning of its folder's name; that one alone");
+    app.add_option("elevation", settings.elevations, "degrees, that one alone")->expected(1)->check(CLI::Range(1, 90));
+    app.add_option("filter", settings.filters, "that one alone")->expected(1);
+    app.add_option_function<double>(
+           "--budget", [&](double ms) { settings.budget = ms / 1000; },
+           "milliseconds a frame, coarse where they are less")
+        ->check(CLI::PositiveNumber);
+    app.add_flag("--no-shadows", settings.lightAlone, "light alone");
+    app.add_option("-o", settings.output, "table to write, csv or json");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return run(settings);
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
+        return 2;
+    }
 }
