@@ -158,8 +158,11 @@ int main(int argc, char** argv) {
     CLI::App app("Frames a second of the shipped pictures, 800 x 600, while the camera turns");
     app.add_option("seconds", settings.seconds, "of each view")->check(CLI::PositiveNumber);
     app.add_option("picture", settings.picture, "the beginning of its folder's name; that one alone");
-    app.add_option("elevation", settings.elevations, "degrees, that one alone")->expected(1)->check(CLI::Range(1, 90));
-    app.add_option("filter", settings.filters, "that one alone")->expected(1);
+    app.add_option_function<double>(
+           "elevation", [&](double degrees) { settings.elevations = {degrees}; }, "degrees, that one alone")
+        ->check(CLI::Range(1, 90));
+    app.add_option_function<std::string>(
+        "filter", [&](const std::string& filter) { settings.filters = {filter}; }, "that one alone");
     app.add_option_function<double>(
            "--budget", [&](double ms) { settings.budget = ms / 1000; },
            "milliseconds a frame, coarse where they are less")
