@@ -317,7 +317,7 @@ int main(int argc, char** argv) {
     app.add_option("--height", settings.height, "pixels")->check(CLI::Range(1, 16384));
     app.add_option("--rounds", settings.rounds)->check(CLI::PositiveNumber);
     app.add_option("--pictures", settings.pictures, "of zone, bricks, checker")->delimiter(',');
-    app.add_option("--elevations", settings.elevations, "degrees")->delimiter(',')->check(CLI::Range(1, 90));
+    app.add_option("--elevations", settings.elevations, "degrees")->delimiter(',')->check(CLI::Range(1.0, 90.0));
     app.add_option("--azimuth", settings.azimuth, "degrees");
     app.add_option("--seed", settings.seed);
     app.add_option("-o", settings.output, "table to write, csv or json");

@@ -160,7 +160,7 @@ int main(int argc, char** argv) {
     app.add_option("picture", settings.picture, "the beginning of its folder's name; that one alone");
     app.add_option_function<double>(
            "elevation", [&](double degrees) { settings.elevations = {degrees}; }, "degrees, that one alone")
-        ->check(CLI::Range(1, 90));
+        ->check(CLI::Range(1.0, 90.0));
     app.add_option_function<std::string>(
         "filter", [&](const std::string& filter) { settings.filters = {filter}; }, "that one alone");
     app.add_option_function<double>(
