@@ -1,6 +1,9 @@
 #include "measuring/bench_columns.h"
 
+#include <cassert>
 #include <cmath>
+
+#include <nlohmann/json.hpp>
 
 #include "errors.h"
 
@@ -23,6 +26,20 @@ std::string benchField(const BenchValue& value) {
     if (const auto* whole = std::get_if<std::uint64_t>(&value)) return std::to_string(*whole);
     const double number = std::get<double>(value);
     return std::isfinite(number) ? numberText(number) : "";
+}
+
+std::string jsonTable(std::span<const std::string_view> names, std::span<const BenchValue> values) {
+    assert(!names.empty() && values.size() % names.size() == 0);
+    auto all = nlohmann::ordered_json::array();
+    for (std::size_t first = 0; first < values.size(); first += names.size()) {
+        nlohmann::ordered_json object;
+        for (std::size_t n = 0; n < names.size(); ++n) {
+            std::visit([&](const auto& value) { object[std::string(names[n])] = value; }, values[first + n]);
+        }
+        all.push_back(std::move(object));
+    }
+    // File names need not be UTF-8.
+    return all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace relief

@@ -8,8 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace relief {
 
 // A value of a row: a word, a whole number (seeds go up to 2^64 - 1), a number (NaN: there is none).
@@ -23,6 +21,9 @@ struct BenchColumnOf {
 
 // As a field of CSV: fields with commas or quotes are quoted; no number: empty.
 std::string benchField(const BenchValue& value);
+
+// The rows of a table, `names.size()` values each, as a JSON array of objects; NaN becomes null. With "\n".
+std::string jsonTable(std::span<const std::string_view> names, std::span<const BenchValue> values);
 
 // With "\n".
 template <class Row>
@@ -45,17 +46,13 @@ std::string columnsLine(const std::vector<BenchColumnOf<Row>>& columns, const Ro
 // An array of objects with the same values; no number: null.
 template <class Row>
 std::string columnsJson(const std::vector<BenchColumnOf<Row>>& columns, std::span<const Row> rows) {
-    auto all = nlohmann::ordered_json::array();
+    std::vector<std::string_view> names;
+    for (const auto& column : columns) names.push_back(column.name);
+    std::vector<BenchValue> values;
     for (const Row& row : rows) {
-        nlohmann::ordered_json object;
-        for (const auto& column : columns) {
-            // NaN becomes null.
-            std::visit([&](const auto& value) { object[std::string(column.name)] = value; }, column.get(row));
-        }
-        all.push_back(std::move(object));
+        for (const auto& column : columns) values.push_back(column.get(row));
     }
-    // File names need not be UTF-8.
-    return all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return jsonTable(names, values);
 }
 
 }  // namespace relief

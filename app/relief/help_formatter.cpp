@@ -1,5 +1,11 @@
 #include "help_formatter.h"
 
+#include <algorithm>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
 namespace relief::app {
 
 namespace {
@@ -7,7 +13,16 @@ namespace {
 constexpr std::size_t kPageColumns = 80;
 constexpr std::size_t kNameColumns = 28;
 
-}  // namespace
+class HelpFormatter : public CLI::Formatter {
+  public:
+    HelpFormatter();
+    std::string make_subcommand(const CLI::App* parser) const override;
+    std::string make_description(const CLI::App* parser) const override;
+    std::string make_help(const CLI::App* parser, std::string name, CLI::AppFormatMode mode) const override;
+    std::string make_option_usage(const CLI::Option* option) const override;
+    std::string make_option_desc(const CLI::Option* option) const override;
+    std::string make_option_opts(const CLI::Option* option) const override;
+};
 
 HelpFormatter::HelpFormatter() {
     column_width(kNameColumns);
@@ -47,6 +62,12 @@ std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
     return option->get_type_name().empty() ? "" : " " + option->get_type_name();
+}
+
+}  // namespace
+
+void setHelpFormatter(CLI::App& program) {
+    program.formatter(std::make_shared<HelpFormatter>());
 }
 
 std::string wrapped(const std::string& text, std::size_t columns) {

@@ -11,16 +11,8 @@ namespace relief::app {
 // misspelt options.
 inline constexpr const char* kNeeded = "needed";
 
-class HelpFormatter : public CLI::Formatter {
-  public:
-    HelpFormatter();
-    std::string make_subcommand(const CLI::App* parser) const override;
-    std::string make_description(const CLI::App* parser) const override;
-    std::string make_help(const CLI::App* parser, std::string name, CLI::AppFormatMode mode) const override;
-    std::string make_option_usage(const CLI::Option* option) const override;
-    std::string make_option_desc(const CLI::Option* option) const override;
-    std::string make_option_opts(const CLI::Option* option) const override;
-};
+// Makes the program's pages, and those of commands added later, look so.
+void setHelpFormatter(CLI::App& program);
 
 // Broken into lines of at most `columns` characters where there is a space.
 std::string wrapped(const std::string& text, std::size_t columns);

@@ -5,6 +5,10 @@
 #include <new>
 #include <sstream>
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
 #include "help_formatter.h"
 #include "options_common.h"
 #include "output.h"
@@ -63,7 +67,7 @@ InputError usageError(const CLI::App& program, const Commands& commands, const C
 }
 
 void buildParser(CLI::App& program, Commands& commands) {
-    program.formatter(std::make_shared<HelpFormatter>());
+    setHelpFormatter(program);
     program.set_help_flag("-h,--help", "this page")->group("General");
     // Once a command is chosen, the names of the others are ordinary words (a file may be called "list").
     program.require_subcommand(0, 1);

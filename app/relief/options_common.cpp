@@ -3,6 +3,10 @@
 #include <charconv>
 #include <cmath>
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
 #include "help_formatter.h"
 #include "relief/describe.h"
 

@@ -4,6 +4,10 @@
 #include <filesystem>
 #include <set>
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
 #include "bench_output.h"
 #include "rendering/frame.h"
 

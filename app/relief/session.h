@@ -8,13 +8,15 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
 #include "messages.h"
 #include "progress_bar.h"
 #include "work.h"
+
+// Only the sources that declare options include CLI11: its headers cost each source over a second.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace relief::app {
 
