@@ -2,7 +2,6 @@
 // where to count. A value of references: two workspaces with two configurations run side by side.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -12,9 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/task_arena.h>
-
+#include "base/thread_team.h"
 #include "errors.h"
 
 namespace relief {
@@ -85,9 +82,7 @@ class Work {
     Work() : Work(0) {}
     // threads: 0 for all there are; more than that are not taken.
     explicit Work(int threads, std::stop_token stop = {}, Progress::Listener listener = {})
-        : stop_(std::move(stop)),
-          progress_(std::move(listener)),
-          arena_(threads > 0 ? std::min(threads, tbb::info::default_concurrency()) : tbb::task_arena::automatic) {}
+        : stop_(std::move(stop)), progress_(std::move(listener)), threads_(threads) {}
 
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;
@@ -100,13 +95,13 @@ class Work {
     void setStop(std::stop_token stop) { stop_ = std::move(stop); }
     Progress& progress() { return progress_; }
     Counters& counters() { return counters_; }
-    tbb::task_arena& arena() { return arena_; }
+    ThreadTeam& threads() { return threads_; }
 
   private:
     std::stop_token stop_;
     Progress progress_;
     Counters counters_;
-    tbb::task_arena arena_;
+    ThreadTeam threads_;
 };
 
 }  // namespace relief

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/vec3.hpp>
 
+#include "base/parallel.h"
 #include "images/pyramid.h"
 
 namespace relief {
@@ -22,28 +21,21 @@ std::int64_t covered(std::int64_t i, int l, std::int64_t size) {
 ColorImage meanLevel(const ColorImage& below, int l, int width0, int height0, Work& work) {
     ColorImage level((below.width() + 1) / 2, (below.height() + 1) / 2);
     const int grain = std::max(1, (1 << 13) / level.width());
-    work.arena().execute([&] {
-        tbb::parallel_for(tbb::blocked_range<int>(0, level.height(), static_cast<std::size_t>(grain)),
-                          [&](const tbb::blocked_range<int>& rows) {
-                              if (work.stopped()) return;
-                              for (int y = rows.begin(); y < rows.end(); ++y) {
-                                  for (int x = 0; x < level.width(); ++x) {
-                                      glm::dvec3 sum(0);
-                                      double area = 0;
-                                      for (int j = 2 * y; j < std::min(2 * y + 2, below.height()); ++j) {
-                                          for (int i = 2 * x; i < std::min(2 * x + 2, below.width()); ++i) {
-                                              const auto share = static_cast<double>(covered(i, l - 1, width0) *
-                                                                                     covered(j, l - 1, height0));
-                                              sum += share * glm::dvec3(below(i, j));
-                                              area += share;
-                                          }
-                                      }
-                                      level(x, y) = Color(sum / area);
-                                  }
-                              }
-                          });
-    });
-    work.throwIfStopped();
+    const auto row = [&](int y) {
+        for (int x = 0; x < level.width(); ++x) {
+            glm::dvec3 sum(0);
+            double area = 0;
+            for (int j = 2 * y; j < std::min(2 * y + 2, below.height()); ++j) {
+                for (int i = 2 * x; i < std::min(2 * x + 2, below.width()); ++i) {
+                    const auto share = static_cast<double>(covered(i, l - 1, width0) * covered(j, l - 1, height0));
+                    sum += share * glm::dvec3(below(i, j));
+                    area += share;
+                }
+            }
+            level(x, y) = Color(sum / area);
+        }
+    };
+    parallelFor(work, level.height(), row, grain);
     return level;
 }
 

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
+#include "base/parallel.h"
 
 namespace relief {
 
@@ -73,24 +72,19 @@ std::vector<Image<SurfaceBounds>> surfacePyramid(const FloatImage& heights, Work
     for (int l = 0;; ++l) {
         Image<SurfaceBounds>& to = levels.back();
         const Image<SurfaceBounds>* from = l > 0 ? &levels[static_cast<std::size_t>(l) - 1] : nullptr;
-        work.arena().execute([&] {
-            tbb::parallel_for(tbb::blocked_range<int>(0, to.height(), 16), [&](const auto& rows) {
-                if (work.stopped()) return;
-                for (int y = rows.begin(); y < rows.end(); ++y) {
-                    for (int x = 0; x < to.width(); ++x) {
-                        if (from == nullptr) {
-                            to(x, y) = texelBounds(heights, x, y);
-                            continue;
-                        }
-                        for (int n = 0; n < 4; ++n) {
-                            const int i = 2 * x + n % 2, j = 2 * y + n / 2;
-                            if (i < from->width() && j < from->height()) to(x, y).join((*from)(i, j));
-                        }
-                    }
+        const auto row = [&](int y) {
+            for (int x = 0; x < to.width(); ++x) {
+                if (from == nullptr) {
+                    to(x, y) = texelBounds(heights, x, y);
+                    continue;
                 }
-            });
-        });
-        work.throwIfStopped();
+                for (int n = 0; n < 4; ++n) {
+                    const int i = 2 * x + n % 2, j = 2 * y + n / 2;
+                    if (i < from->width() && j < from->height()) to(x, y).join((*from)(i, j));
+                }
+            }
+        };
+        parallelFor(work, to.height(), row, 16);
         if (to.width() == 1 && to.height() == 1) return levels;
         const int width = (to.width() + 1) / 2, height = (to.height() + 1) / 2;
         levels.emplace_back(width, height);
@@ -145,21 +139,17 @@ HeightBoundsMap coarseHeightBounds(const std::shared_ptr<const FloatImage>& heig
     const int side = 1 << shift;
     FloatImage low((heights->width() + side - 1) >> shift, (heights->height() + side - 1) >> shift, kInfinity);
     FloatImage high(low.width(), low.height(), -kInfinity);
-    work.arena().execute([&] {
-        tbb::parallel_for(0, low.height(), [&](int block) {
-            if (work.stopped()) return;
-            const auto lows = low.row(block);
-            const auto highs = high.row(block);
-            for (int y = block << shift; y < std::min((block + 1) << shift, heights->height()); ++y) {
-                const auto row = heights->row(y);
-                for (std::size_t x = 0; x < row.size(); ++x) {
-                    lows[x >> shift] = std::min(lows[x >> shift], row[x]);
-                    highs[x >> shift] = std::max(highs[x >> shift], row[x]);
-                }
+    parallelFor(work, low.height(), [&](int block) {
+        const auto lows = low.row(block);
+        const auto highs = high.row(block);
+        for (int y = block << shift; y < std::min((block + 1) << shift, heights->height()); ++y) {
+            const auto row = heights->row(y);
+            for (std::size_t x = 0; x < row.size(); ++x) {
+                lows[x >> shift] = std::min(lows[x >> shift], row[x]);
+                highs[x >> shift] = std::max(highs[x >> shift], row[x]);
             }
-        });
+        }
     });
-    work.throwIfStopped();
     float evenest = kInfinity;
     for (std::size_t i = 0; i < low.size(); ++i) evenest = std::min(evenest, high.pixels()[i] - low.pixels()[i]);
     return {Pyramid(PyramidKind::Min, std::move(low), work),

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
+#include "base/parallel.h"
 
 namespace relief {
 
@@ -12,20 +11,15 @@ namespace {
 
 bool holds(const ColorImage& picture, Work& work) {
     std::atomic<bool> all{true};
-    work.arena().execute([&] {
-        tbb::parallel_for(tbb::blocked_range<int>(0, picture.height(), 64), [&](const auto& rows) {
-            if (work.stopped()) return;
-            bool good = true;
-            for (int y = rows.begin(); y < rows.end(); ++y) {
-                // NaN fails the comparison.
-                for (const Color& c : picture.row(y)) {
-                    for (int k = 0; k < 3; ++k) good = good && c[k] >= 0 && c[k] <= 1;
-                }
-            }
-            if (!good) all = false;
-        });
-    });
-    work.throwIfStopped();
+    const auto row = [&](int y) {
+        bool good = true;
+        // NaN fails the comparison.
+        for (const Color& c : picture.row(y)) {
+            for (int k = 0; k < 3; ++k) good = good && c[k] >= 0 && c[k] <= 1;
+        }
+        if (!good) all = false;
+    };
+    parallelFor(work, picture.height(), row, 64);
     return all;
 }
 
@@ -64,19 +58,15 @@ std::shared_ptr<const LaneLevels> laneLevels(const ColorLevels& levels, Address 
     for (int l = 0; l < levels.count(); ++l) {
         const auto n = static_cast<std::size_t>(l);
         const ColorImage& image = levels.level(l);
-        work.arena().execute([&] {
-            tbb::parallel_for(tbb::blocked_range<int>(0, image.height(), 16), [&](const auto& rows) {
-                if (work.stopped()) return;
-                for (int y = rows.begin(); y < rows.end(); ++y) {
-                    std::uint64_t* to = out->texels.data() + out->origin[n] + std::int64_t{out->stride[n]} * y;
-                    for (int x = 0; x < image.width(); ++x) to[x] = packed(image(x, y));
-                    for (int x = image.width(); x < image.width() + kLanePad; ++x) {
-                        to[x] = to[addressIndex(x, image.width(), address)];
-                    }
-                    for (int x = -left; x < 0; ++x) to[x] = to[0];
-                }
-            });
-        });
+        const auto row = [&](int y) {
+            std::uint64_t* to = out->texels.data() + out->origin[n] + std::int64_t{out->stride[n]} * y;
+            for (int x = 0; x < image.width(); ++x) to[x] = packed(image(x, y));
+            for (int x = image.width(); x < image.width() + kLanePad; ++x) {
+                to[x] = to[addressIndex(x, image.width(), address)];
+            }
+            for (int x = -left; x < 0; ++x) to[x] = to[0];
+        };
+        parallelFor(work, image.height(), row, 16);
     }
     work.throwIfStopped();
     return out;

@@ -4,8 +4,7 @@
 #include <bit>
 #include <set>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
+#include "base/parallel.h"
 
 namespace relief {
 
@@ -15,19 +14,15 @@ namespace {
 constexpr std::size_t kProgressTexels = std::size_t{1} << 22;
 
 // Rows of a level handed to one task, so that narrow levels do not drown in tasks.
-std::size_t rowGrain(int width) {
-    return std::max<std::size_t>(1, (std::size_t{1} << 14) / static_cast<std::size_t>(width));
+int rowGrain(int width) {
+    return std::max(1, (1 << 14) / width);
 }
 
 template <class RowFunction>
 void forRows(int width, int height, bool tell, Work& work, const RowFunction& rowFunction) {
-    work.arena().execute([&] {
-        tbb::parallel_for(tbb::blocked_range<int>(0, height, rowGrain(width)),
-                          [&](const tbb::blocked_range<int>& rows) {
-                              work.throwIfStopped();
-                              for (int y = rows.begin(); y < rows.end(); ++y) rowFunction(y);
-                              if (tell) work.progress().advance(rows.end() - rows.begin());
-                          });
+    parallelRanges(work, height, rowGrain(width), [&](int first, int last) {
+        for (int y = first; y < last; ++y) rowFunction(y);
+        if (tell) work.progress().advance(last - first);
     });
 }
 

@@ -3,10 +3,9 @@
 #include <type_traits>
 #include <vector>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "base/parallel.h"
 #include "images/picture_input.h"
 
 namespace relief {
@@ -15,7 +14,6 @@ namespace {
 
 constexpr std::size_t kGrain = std::size_t{1} << 14;
 
-using Range = tbb::blocked_range<std::size_t>;
 using Channels = std::array<int, 3>;
 
 template <class T>
@@ -58,9 +56,8 @@ std::vector<float> lightTable(bool linear) {
 template <class T, class Light>
 void fill(const T* numbers, std::size_t stride, int c, ColorImage& image, Work& work, const Light& light) {
     const std::span<Color> out = image.pixels();
-    tbb::parallel_for(Range(0, out.size(), kGrain), [&](const Range& range) {
-        work.throwIfStopped();
-        for (std::size_t i = range.begin(); i < range.end(); ++i) out[i][c] = light(numbers[i * stride]);
+    parallelRanges(work, out.size(), kGrain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) out[i][c] = light(numbers[i * stride]);
     });
 }
 
@@ -99,14 +96,12 @@ ColorImage readColor(const std::string& path, Work& work, std::int64_t maxPixels
     const RawPlanes raw = input.read(channels, work);
     const bool linear = saysLinear(input.info().colorSpace);
     ColorImage image(input.info().width, input.info().height);
-    work.arena().execute([&] {
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            const RawPlane& plane = raw.planes[c];
-            withNumbers(plane, [&](const auto* numbers) {
-                fillLight(numbers, plane.stride, static_cast<int>(c), linear, image, work);
-            });
-        }
-    });
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        const RawPlane& plane = raw.planes[c];
+        withNumbers(plane, [&](const auto* numbers) {
+            fillLight(numbers, plane.stride, static_cast<int>(c), linear, image, work);
+        });
+    }
     return image;
 }
 
@@ -117,19 +112,16 @@ Image<glm::vec3> readNormals(const std::string& path, Work& work, std::int64_t m
     const Channels channels = colorChannels(input);
     const RawPlanes raw = input.read(channels, work);
     Image<glm::vec3> image(input.info().width, input.info().height);
-    work.arena().execute([&] {
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            const RawPlane& plane = raw.planes[c];
-            withNumbers(plane, [&](const auto* numbers) {
-                fill(numbers, plane.stride, static_cast<int>(c), image, work,
-                     [](auto v) { return static_cast<float>(scaled(v)); });
-            });
-        }
-        const std::span<glm::vec3> out = image.pixels();
-        tbb::parallel_for(Range(0, out.size(), kGrain), [&](const Range& range) {
-            work.throwIfStopped();
-            for (std::size_t i = range.begin(); i < range.end(); ++i) out[i] = unitNormal(out[i]);
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        const RawPlane& plane = raw.planes[c];
+        withNumbers(plane, [&](const auto* numbers) {
+            fill(numbers, plane.stride, static_cast<int>(c), image, work,
+                 [](auto v) { return static_cast<float>(scaled(v)); });
         });
+    }
+    const std::span<glm::vec3> out = image.pixels();
+    parallelRanges(work, out.size(), kGrain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) out[i] = unitNormal(out[i]);
     });
     return image;
 }

@@ -4,10 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
+#include "base/parallel.h"
 #include "images/picture_input.h"
 
 namespace relief {
@@ -17,8 +14,6 @@ namespace {
 // Numbers in a sentence: enough digits to tell two floats apart.
 constexpr int kSentenceDigits = 9;
 constexpr std::size_t kGrain = std::size_t{1} << 15;
-
-using Range = tbb::blocked_range<std::size_t>;
 
 // What one look at all numbers tells.
 struct Survey {
@@ -33,8 +28,9 @@ Survey merged(const Survey& a, const Survey& b) {
 }
 
 template <class T>
-Survey surveyed(const T* numbers, const Range& range, std::size_t stride, double low, double high, Survey survey) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+Survey surveyed(const T* numbers, std::size_t first, std::size_t last, std::size_t stride, double low, double high) {
+    Survey survey;
+    for (std::size_t i = first; i < last; ++i) {
         const auto value = static_cast<double>(numbers[i * stride]);
         if (!std::isfinite(value)) {
             survey.firstBad = std::min(survey.firstBad, i);
@@ -49,15 +45,10 @@ Survey surveyed(const T* numbers, const Range& range, std::size_t stride, double
 
 Survey survey(const RawPlane& plane, std::size_t count, double low, double high, Work& work) {
     return withNumbers(plane, [&](const auto* numbers) {
-        return work.arena().execute([&] {
-            return tbb::parallel_reduce(
-                Range(0, count, kGrain), Survey{},
-                [&](const Range& range, const Survey& before) {
-                    work.throwIfStopped();
-                    return surveyed(numbers, range, plane.stride, low, high, before);
-                },
-                merged);
-        });
+        const auto of = [&](std::size_t first, std::size_t last) {
+            return surveyed(numbers, first, last, plane.stride, low, high);
+        };
+        return parallelReduce(work, count, kGrain, of, merged);
     });
 }
 
@@ -83,12 +74,8 @@ struct Scaling {
 void scale(const RawPlane& plane, const Scaling& scaling, FloatImage& heights, Work& work) {
     const std::span<float> out = heights.pixels();
     withNumbers(plane, [&](const auto* numbers) {
-        work.arena().execute([&] {
-            tbb::parallel_for(Range(0, out.size(), kGrain), [&](const Range& range) {
-                work.throwIfStopped();
-                for (std::size_t i = range.begin(); i < range.end(); ++i)
-                    out[i] = scaling(static_cast<double>(numbers[i * plane.stride]));
-            });
+        parallelRanges(work, out.size(), kGrain, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) out[i] = scaling(static_cast<double>(numbers[i * plane.stride]));
         });
     });
 }

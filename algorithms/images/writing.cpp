@@ -9,9 +9,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "images/described_tiff.h"
 #include "images/files.h"
 #include "images/system_error.h"
@@ -177,10 +175,7 @@ std::uint16_t sixteenBit(float height) {
 
 template <class Convert>
 void forIndices(std::size_t count, const Convert& convert) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, std::size_t{1} << 14),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i) convert(i);
-                      });
+    parallelFor(count, convert, 1 << 14);
 }
 
 }  // namespace

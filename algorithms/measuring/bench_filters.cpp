@@ -5,9 +5,7 @@
 #include <cmath>
 #include <mutex>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "images/reliefs.h"
 #include "measuring/flip.h"
 #include "measuring/picture_error.h"
@@ -157,19 +155,15 @@ class FilterBench {
         colors.resize(queries.count);
         FootprintCounts total;
         std::mutex mutex;
-        work_.arena().execute([&] {
-            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.blocks.size(), 1), [&](const auto& range) {
-                if (work_.stopped()) return;
-                FootprintCounts counts;
-                for (std::size_t b = range.begin(); b < range.end(); ++b) {
-                    const FilterBlock& block = queries.blocks[b];
-                    filter.colors(block, {colors.data() + b * kQueryGrain, block.size()}, counts, work_);
-                }
-                const std::lock_guard lock(mutex);
-                total.add(counts);
-            });
+        parallelRanges(work_, queries.blocks.size(), std::size_t{1}, [&](std::size_t first, std::size_t last) {
+            FootprintCounts counts;
+            for (std::size_t b = first; b < last; ++b) {
+                const FilterBlock& block = queries.blocks[b];
+                filter.colors(block, {colors.data() + b * kQueryGrain, block.size()}, counts, work_);
+            }
+            const std::lock_guard lock(mutex);
+            total.add(counts);
         });
-        work_.throwIfStopped();
         return total;
     }
 
@@ -185,7 +179,7 @@ class FilterBench {
             FilterBenchRow row;
             row.filter = *ready.choice;
             row.pixelModel = options_.pixelModels[m];
-            row.threads = work_.arena().max_concurrency();
+            row.threads = work_.threads().size();
             row.texelsRead = static_cast<double>(counts.texels) * each;
             row.tested = static_cast<double>(counts.tested) * each;
             row.hidden = static_cast<double>(counts.hidden) * each;

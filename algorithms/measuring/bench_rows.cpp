@@ -108,7 +108,7 @@ class Block {
         if (variant == RowVariant::Opposed) row.streams = 2;
         if (variant == RowVariant::Subspan) row.span = ready.options->span;
         if (variant == RowVariant::Affine) row.span = width_;
-        if (variant == RowVariant::RowsParallel) row.threads = work_.arena().max_concurrency();
+        if (variant == RowVariant::RowsParallel) row.threads = work_.threads().size();
         // The same on every row of the wall up to v's part in the largest coordinate: told of the middle one.
         row.anchor = planRow<T>(map_, lineOf(rows_ / 2), {0, width_}, *ready.options).anchor;
         return ready;

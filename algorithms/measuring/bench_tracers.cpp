@@ -132,7 +132,7 @@ class Bench {
     }
 
     ReadyTracers prepared(const HeightField& field) {
-        const int threads = work_.arena().max_concurrency();
+        const int threads = work_.threads().size();
         PreparedTracers* kept = options_.prepared.get();
         if (kept != nullptr && kept->fits(field, threads, methods_)) return kept->tracers;
         // Maps of two height maps need not fit into memory together.
@@ -212,7 +212,7 @@ class Bench {
         row.method = ready.choice;
         row.elevation = elevation;
         row.seed = options_.seed;
-        row.threads = work_.arena().max_concurrency();
+        row.threads = work_.threads().size();
         row.errors = tracerErrors(rays, truth, hits);
         row.stepsMean = mean(hits.steps);
         row.readsMean = mean(hits.reads);

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "measuring/azimuth_geometry.h"
 #include "measuring/cells_around.h"
 #include "measuring/horizon_scan.h"
@@ -20,14 +19,10 @@ template <class Row>
 BoundCheck overRows(const char* what, int rows, Work& work, const Row& row) {
     std::vector<BoundCheck> parts(static_cast<std::size_t>(rows));
     work.progress().begin(what, rows);
-    work.arena().execute([&] {
-        tbb::parallel_for(0, rows, [&](int y) {
-            if (work.stopped()) return;
-            row(y, parts[static_cast<std::size_t>(y)]);
-            work.progress().advance();
-        });
+    parallelFor(work, rows, [&](int y) {
+        row(y, parts[static_cast<std::size_t>(y)]);
+        work.progress().advance();
     });
-    work.throwIfStopped();
     BoundCheck all;
     for (const BoundCheck& part : parts) {
         all.values += part.values;

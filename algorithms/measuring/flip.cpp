@@ -5,11 +5,12 @@
 #include <numbers>
 #include <vector>
 
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+
+#include "base/parallel.h"
 
 namespace relief {
 
@@ -71,16 +72,6 @@ double hyab(const dvec3& a, const dvec3& b) {
     return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
 }
 
-template <class Body>
-void overRows(int height, Work& work, const Body& body) {
-    work.arena().execute([&] {
-        tbb::parallel_for(0, height, [&](int y) {
-            if (!work.stopped()) body(y);
-        });
-    });
-    work.throwIfStopped();
-}
-
 // Weights of offsets -radius ... radius.
 using Taps = std::vector<double>;
 
@@ -88,7 +79,7 @@ template <class T, class Wide>
 Image<T> convolveRows(const Image<T>& in, const std::vector<Wide>& taps, Work& work) {
     const int radius = static_cast<int>(taps.size() / 2);
     Image<T> out(in.width(), in.height());
-    overRows(in.height(), work, [&](int y) {
+    parallelFor(work, in.height(), [&](int y) {
         for (int x = 0; x < in.width(); ++x) {
             Wide sum(0);
             for (int k = -radius; k <= radius; ++k) {
@@ -104,7 +95,7 @@ template <class T, class Wide>
 Image<T> convolveColumns(const Image<T>& in, const std::vector<Wide>& taps, Work& work) {
     const int radius = static_cast<int>(taps.size() / 2);
     Image<T> out(in.width(), in.height());
-    overRows(in.height(), work, [&](int y) {
+    parallelFor(work, in.height(), [&](int y) {
         std::vector<Wide> sums(static_cast<std::size_t>(in.width()), Wide(0));
         for (int k = -radius; k <= radius; ++k) {
             const auto row = in.row(std::clamp(y + k, 0, in.height() - 1));
@@ -153,7 +144,7 @@ Planes spatiallyFiltered(const Planes& opponent, double pixelsPerDegree, Work& w
     const Planes b = convolveColumns(convolveRows(opponent, second.taps, work), second.taps, work);
     const dvec3 total = first.share + second.share;
     Planes out(opponent.width(), opponent.height());
-    overRows(out.height(), work, [&](int y) {
+    parallelFor(work, out.height(), [&](int y) {
         for (int x = 0; x < out.width(); ++x) {
             out(x, y) = glm::vec3((first.share * dvec3(a(x, y)) + second.share * dvec3(b(x, y))) / total);
         }
@@ -195,7 +186,7 @@ struct Features {
 
 Features features(const Planes& opponent, double pixelsPerDegree, Work& work) {
     Plane grey(opponent.width(), opponent.height());
-    overRows(grey.height(), work, [&](int y) {
+    parallelFor(work, grey.height(), [&](int y) {
         for (int x = 0; x < grey.width(); ++x) grey(x, y) = (opponent(x, y).x + 16) / 116;
     });
     const FeatureFilters filters = featureFilters(pixelsPerDegree);
@@ -205,7 +196,7 @@ Features features(const Planes& opponent, double pixelsPerDegree, Work& work) {
         const Plane alongX = convolveRows(smoothColumns, taps, work);
         const Plane alongY = convolveColumns(smoothRows, taps, work);
         Plane out(grey.width(), grey.height());
-        overRows(out.height(), work, [&](int y) {
+        parallelFor(work, out.height(), [&](int y) {
             for (int x = 0; x < out.width(); ++x) out(x, y) = std::hypot(alongX(x, y), alongY(x, y));
         });
         return out;
@@ -215,7 +206,7 @@ Features features(const Planes& opponent, double pixelsPerDegree, Work& work) {
 
 Planes opponentPicture(const ColorImage& picture, Work& work) {
     Planes out(picture.width(), picture.height());
-    overRows(out.height(), work, [&](int y) {
+    parallelFor(work, out.height(), [&](int y) {
         for (int x = 0; x < out.width(); ++x) {
             const dvec3 rgb = glm::clamp(dvec3(picture(x, y)), 0.0, 1.0);
             out(x, y) = glm::vec3(opponentFromXyz(kXyzFromRgb * rgb));
@@ -247,7 +238,7 @@ FloatImage flipErrors(const ColorImage& reference, const ColorImage& test, doubl
     const double largest =
         std::pow(hyab(huntAdjusted(labFromRgb({0, 1, 0})), huntAdjusted(labFromRgb({0, 0, 1}))), kColorExponent);
     FloatImage out(reference.width(), reference.height());
-    overRows(out.height(), work, [&](int y) {
+    parallelFor(work, out.height(), [&](int y) {
         for (int x = 0; x < out.width(); ++x) {
             const double color = colorError(adjustedLab(seenA(x, y)), adjustedLab(seenB(x, y)), largest);
             const float edge = std::abs(featuresA.edge(x, y) - featuresB.edge(x, y));

@@ -216,7 +216,7 @@ bool AdviceMaps::fits(AdviceTrial& trial, double limit) {
 
 std::unique_ptr<Tracer> AdviceMaps::built(const MethodChoice& method, double limit, double& seconds) {
     const Watch watch(work_, limit);
-    Work work(work_.arena().max_concurrency(), watch.token());
+    Work work(work_.threads().size(), watch.token());
     const auto begun = Clock::now();
     auto tracer = makeTracer(method, options_.field, maps_, work);
     seconds = std::chrono::duration<double>(Clock::now() - begun).count();

@@ -66,7 +66,7 @@ class StressRun {
     StressRun(const StressOptions& options, Work& work)
         : options_(options),
           groups_(grouped(options.methods.empty() ? methodVariants() : options.methods)),
-          watched_(static_cast<std::size_t>(std::max(1, work.arena().max_concurrency()))),
+          watched_(static_cast<std::size_t>(std::max(1, work.threads().size()))),
           work_(work) {}
 
     StressReport run() {

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "relief/describe.h"
 #include "work.h"
 
@@ -16,27 +14,18 @@ namespace relief {
 // Rays traced between two looks at the stop token.
 inline constexpr std::size_t kRayGrain = 1024;
 
-// body(first, last) over [0, count) in the work's arena; throws Cancelled.
+// body(first, last) over [0, count) on the work's threads; throws Cancelled.
 template <class Body>
 void overBlock(std::size_t count, Work& work, const Body& body) {
-    const auto range = [&](const tbb::blocked_range<std::size_t>& r) {
-        if (work.stopped()) return;
-        body(r.begin(), r.end());
-    };
     if (count <= kRayGrain) {
-        range({0, count});
-    } else {
-        // Cut at multiples of the grain: lanes and packets keep the rays together that came together.
-        const std::size_t grains = (count + kRayGrain - 1) / kRayGrain;
-        work.arena().execute([&] {
-            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grains), [&](const auto& r) {
-                for (std::size_t n = r.begin(); n < r.end(); ++n) {
-                    range({n * kRayGrain, std::min((n + 1) * kRayGrain, count)});
-                }
-            });
-        });
+        work.throwIfStopped();
+        body(std::size_t{0}, count);
+        work.throwIfStopped();
+        return;
     }
-    work.throwIfStopped();
+    // Cut at multiples of the grain: lanes and packets keep the rays together that came together.
+    parallelFor(work, (count + kRayGrain - 1) / kRayGrain,
+                [&](std::size_t n) { body(n * kRayGrain, std::min((n + 1) * kRayGrain, count)); });
 }
 
 // The method's description with its options, made when first asked for.

@@ -61,7 +61,7 @@ class Tracer {
     virtual double segmentRecords() const = 0;
 
     // Traces the block; hits is resized. All three give identical bits in outcome, lambda, s, t, whatever the sink and
-    // the number of threads. Big blocks run in parallel in the work's arena; throws Cancelled.
+    // the number of threads. Big blocks run in parallel on the work's threads; throws Cancelled.
     virtual void trace(const RayBlock& rays, HitBlock& hits, NullSink& sink, Work& work) const = 0;
     virtual void trace(const RayBlock& rays, HitBlock& hits, BlockCounts& sink, Work& work) const = 0;
     virtual void trace(const RayBlock& rays, HitBlock& hits, StepLog& sink, Work& work) const = 0;

@@ -4,8 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "relief/lanes/cone_twin.h"
 #include "rendering/flat_ground.h"
 #include "rendering/supersample.h"
@@ -173,14 +172,10 @@ template <class Body>
 void overTiles(const Frame& frame, bool tellProgress, Work& work, const Body& body) {
     const std::vector<PixelArea> tiles = tilesOf(frame.width, frame.height);
     if (tellProgress) work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
-    work.arena().execute([&] {
-        tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t n) {
-            if (work.stopped()) return;
-            body(tiles[n]);
-            if (tellProgress) work.progress().advance();
-        });
+    parallelFor(work, tiles.size(), [&](std::size_t n) {
+        body(tiles[n]);
+        if (tellProgress) work.progress().advance();
     });
-    work.throwIfStopped();
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <optional>
 #include <span>
 
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/parallel.h"
 #include "rendering/frame.h"
 
 namespace relief {
@@ -137,15 +137,11 @@ MeshRaster::MeshRaster(const DisplacementMesh& mesh, const VisiblePolygons& visi
         part.blocksAcross = (part.columns + kBlock - 1) / kBlock;
         part.blocksDown = (part.rows + kBlock - 1) / kBlock;
         part.boxes.resize(static_cast<std::size_t>(part.blocksAcross) * static_cast<std::size_t>(part.blocksDown));
-        work.arena().execute([&] {
-            tbb::parallel_for(0, part.blocksDown, [&](int j) {
-                if (work.stopped()) return;
-                for (int i = 0; i < part.blocksAcross; ++i) {
-                    part.boxes[static_cast<std::size_t>(j * part.blocksAcross + i)] = boxOf(part, i, j);
-                }
-            });
+        parallelFor(work, part.blocksDown, [&](int j) {
+            for (int i = 0; i < part.blocksAcross; ++i) {
+                part.boxes[static_cast<std::size_t>(j * part.blocksAcross + i)] = boxOf(part, i, j);
+            }
         });
-        work.throwIfStopped();
         parts_.push_back(std::move(part));
     }
 }

@@ -70,7 +70,7 @@ FrameRequest coarserRequest(const FrameRequest& request, const MovingLevel& leve
 double pixelSeconds(const Frame& frame, Work& work) {
     double seconds = 0;
     for (const StageReport& stage : frame.stages) seconds += stage.seconds;
-    return seconds / work.arena().max_concurrency();
+    return seconds / work.threads().size();
 }
 
 ProgressiveRenderer::ProgressiveRenderer(std::shared_ptr<MapCache> maps, double budget)

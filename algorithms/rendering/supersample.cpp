@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include <oneapi/tbb/parallel_for.h>
+#include "base/parallel.h"
 
 namespace relief {
 
@@ -14,16 +14,6 @@ constexpr int kSnapshotEvery = 64;
 
 bool toldOf(int done) {
     return (done & (done - 1)) == 0 || done % kSnapshotEvery == 0;
-}
-
-template <class Body>
-void overRows(int height, Work& work, const Body& body) {
-    work.arena().execute([&] {
-        tbb::parallel_for(0, height, [&](int y) {
-            if (!work.stopped()) body(y);
-        });
-    });
-    work.throwIfStopped();
 }
 
 }  // namespace
@@ -86,7 +76,7 @@ void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work) {
     for (const glm::dvec3& w : down) weightDown += w;
     weight_ += weightAcross * weightDown;
     const int ring = margin();
-    overRows(sums_.height(), work, [&](int y) {
+    parallelFor(work, sums_.height(), [&](int y) {
         std::vector<glm::dvec3> row(static_cast<std::size_t>(pass.width()), glm::dvec3(0));
         // A sample n pixels up or to the left of a pixel sees that pixel n to its right or below.
         for (int n = -ring; n <= ring; ++n) {
@@ -107,7 +97,7 @@ void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work) {
 
 ColorImage SampleSums::mean(Work& work) const {
     ColorImage picture(sums_.width(), sums_.height());
-    overRows(picture.height(), work, [&](int y) {
+    parallelFor(work, picture.height(), [&](int y) {
         for (int x = 0; x < picture.width(); ++x) picture(x, y) = Color(sums_(x, y) / weight_);
     });
     return picture;

@@ -5,8 +5,7 @@
 #include <charconv>
 #include <vector>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "scenario/text_lines.h"
 
 namespace relief {
@@ -119,11 +118,9 @@ void appendHitLines(std::string& out, const HitBlock& hits, std::size_t first, s
 
 std::string hitLines(const HitBlock& hits, Work& work) {
     std::vector<std::string> pieces((hits.size() + kHitsAPiece - 1) / kHitsAPiece);
-    work.arena().execute([&] {
-        tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
-            const std::size_t first = p * kHitsAPiece;
-            appendHitLines(pieces[p], hits, first, std::min(first + kHitsAPiece, hits.size()));
-        });
+    parallelFor(work, pieces.size(), [&](std::size_t p) {
+        const std::size_t first = p * kHitsAPiece;
+        appendHitLines(pieces[p], hits, first, std::min(first + kHitsAPiece, hits.size()));
     });
     std::size_t bytes = 0;
     for (const std::string& piece : pieces) bytes += piece.size();

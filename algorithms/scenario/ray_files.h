@@ -41,7 +41,7 @@ std::string_view outcomeName(Outcome outcome);
 
 // The lines of hits [first, last), without the header. Miss and limit leave lambda, s, t empty.
 void appendHitLines(std::string& out, const HitBlock& hits, std::size_t first, std::size_t last);
-// All of it, formatted in parallel, the same text for any number of threads.
+// All of it, formatted in parallel, the same text for any number of threads. Throws Cancelled.
 std::string hitLines(const HitBlock& hits, Work& work);
 
 // The steps of ray `inLog` of the log, as ray number `ray`, steps counted from 1; without the header.

@@ -118,7 +118,7 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
     Json report{{"tool", "relief"},
                 {"version", RELIEF_VERSION},
                 {"scenario", Json::parse(scenarioText(scenario, folder.string()))},
-                {"threads", session.work().arena().max_concurrency()}};
+                {"threads", session.work().threads().size()}};
     report["maps"] = {{"builds", countJson(taken("map builds"))},
                       {"bytes", countJson(taken("map bytes"))},
                       {"build_seconds", taken("map build seconds")}};

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
+#include "base/parallel.h"
 
 namespace relief::peers {
 
@@ -251,11 +250,7 @@ void EmbreeScene::trace(const EmbreeVariant& variant, const EmbreeRays& rays, st
         }
     };
     const std::size_t tiles = (rays.s.size() + kGrain - 1) / kGrain;
-    work.arena().execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles, 1), [&](const tbb::blocked_range<std::size_t>& r) {
-            for (std::size_t number = r.begin(); number < r.end(); ++number) tile(number);
-        });
-    });
+    parallelFor(work, tiles, tile);
 }
 
 std::string embreeText() {

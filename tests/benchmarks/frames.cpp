@@ -99,8 +99,7 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
     }
     std::fflush(stdout);
     peers::PeerRow row{name, "800x600", numberText(request.camera.elevation),
-                       filterText(request.filter) + (request.shadows ? ", shadows" : ""),
-                       work.arena().max_concurrency()};
+                       filterText(request.filter) + (request.shadows ? ", shadows" : ""), work.threads().size()};
     std::vector<double> rates;
     for (const double frame : taken) rates.push_back(1 / frame);
     peers::setRates(row, rates);

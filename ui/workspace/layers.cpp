@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "drawings/style.h"
 #include "rendering/display.h"
 
@@ -36,7 +35,7 @@ void eachPixel(QImage& image, const Color& color) {
     // Asked for once: writing through scanLine() from several threads would detach in each of them.
     auto* const first = reinterpret_cast<std::uint32_t*>(image.bits());
     const int width = image.width();
-    tbb::parallel_for(0, image.height(), [&](int y) {
+    relief::parallelFor(image.height(), [&](int y) {
         for (int x = 0; x < width; ++x) first[std::size_t(y) * std::size_t(width) + std::size_t(x)] = color(x, y);
     });
 }
@@ -69,7 +68,7 @@ void paintSteps(LayerPicture& out, const relief::Frame& frame) {
 
 void paintDepth(LayerPicture& out, const relief::Frame& frame) {
     std::vector<float> depths(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-    tbb::parallel_for(0, frame.height, [&](int y) {
+    relief::parallelFor(frame.height, [&](int y) {
         for (int x = 0; x < frame.width; ++x) depths[frame.index(x, y)] = static_cast<float>(frame.depth(x, y));
     });
     bool any = false;

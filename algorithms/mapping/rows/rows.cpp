@@ -7,9 +7,7 @@
 #include <limits>
 #include <new>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "mapping/rows/row_kernels.h"
 #include "mapping/rows/row_lanes.h"
 
@@ -226,10 +224,7 @@ void evaluateRows(const Homography& map, const RowBlock& block, const RowOptions
         for (std::int64_t r = 0; r < block.rows; r += grain) piece(r, std::min(r + grain, block.rows));
         return;
     }
-    work.arena().execute([&] {
-        const tbb::blocked_range<std::int64_t> range(0, block.rows, static_cast<std::size_t>(grain));
-        tbb::parallel_for(range, [&](const auto& rows) { piece(rows.begin(), rows.end()); });
-    });
+    parallelRanges(work, block.rows, grain, piece);
 }
 
 // clang-format off

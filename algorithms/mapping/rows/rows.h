@@ -139,7 +139,7 @@ class TexelRows {
     std::vector<PixelSpan> valid_;
 };
 
-// All rows of the block into `out`, which must have at least its size. rows-parallel: by the threads of work.arena().
+// All rows of the block into `out`, which must have at least its size. rows-parallel: on the threads of the work.
 // Blocks that do not fit the cache are written past it (streams with lanes; the bits are the same). Throws Cancelled.
 template <typename T>
 void evaluateRows(const Homography& map, const RowBlock& block, const RowOptions& options, TexelRows<T>& out,

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/parallel.h"
 #include "images/addressing.h"
 #include "messages.h"
 
@@ -24,13 +24,9 @@ glm::i8vec3 bakedTexel(const HeightField& field, int i, int j) {
 
 BakedNormals bake(const HeightField& field, Work& work) {
     BakedNormals baked{Image<glm::i8vec3>(field.width(), field.height())};
-    work.arena().execute([&] {
-        tbb::parallel_for(0, field.height(), [&](int j) {
-            if (work.stopped()) return;
-            for (int i = 0; i < field.width(); ++i) baked.texels(i, j) = bakedTexel(field, i, j);
-        });
+    parallelFor(work, field.height(), [&](int j) {
+        for (int i = 0; i < field.width(); ++i) baked.texels(i, j) = bakedTexel(field, i, j);
     });
-    work.throwIfStopped();
     return baked;
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <oneapi/tbb/parallel_for.h>
+#include "base/parallel.h"
 
 namespace relief {
 
@@ -15,21 +15,17 @@ ConePlanes::ConePlanes(const Pyramid& highest, Work& work) {
         heights_.push_back(image.height());
         levels_.emplace_back(image.size());
         std::vector<Node>& nodes = levels_.back();
-        work.arena().execute([&] {
-            tbb::parallel_for(0, image.height(), [&](int j) {
-                if (work.stopped()) return;
-                for (int i = 0; i < image.width(); ++i) {
-                    Node node{image(i, j), image(i, j), 0, 0};
-                    if (level > 0) {
-                        node = above(level, i, j);
-                        node.highest = image(i, j);
-                    }
-                    nodes[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width()) +
-                          static_cast<std::size_t>(i)] = node;
+        parallelFor(work, image.height(), [&](int j) {
+            for (int i = 0; i < image.width(); ++i) {
+                Node node{image(i, j), image(i, j), 0, 0};
+                if (level > 0) {
+                    node = above(level, i, j);
+                    node.highest = image(i, j);
                 }
-            });
+                nodes[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width()) +
+                      static_cast<std::size_t>(i)] = node;
+            }
         });
-        work.throwIfStopped();
     }
 }
 

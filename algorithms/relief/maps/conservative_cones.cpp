@@ -7,9 +7,8 @@
 #include <cstdint>
 #include <limits>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
 #include "relief/maps/cone_builders.h"
 #include "relief/maps/cone_lanes.h"
 #include "relief/maps/cone_scene.h"
@@ -311,16 +310,13 @@ void conservativeCones(const HeightField& field, int sectors, double slack, std:
     apex.resize(scene.cells.size());
     const int rows = (scene.height + kBlock - 1) / kBlock;
     work.progress().begin("map cone", rows);
-    tbb::enumerable_thread_specific<BlockCones> blocks([&] { return BlockCones(scene); });
-    work.arena().execute([&] {
-        tbb::parallel_for(0, rows, [&](int row) {
-            BlockCones& block = blocks.local();
-            block.startRow(row * kBlock);
-            for (int x = 0; x < scene.width && !work.stopped(); x += kBlock) block.build(x, row * kBlock, apex, slopes);
-            work.progress().advance();
-        });
+    ScratchPool<BlockCones> blocks([&] { return std::make_unique<BlockCones>(scene); });
+    parallelFor(work, rows, [&](int row) {
+        const auto block = blocks.borrow();
+        block->startRow(row * kBlock);
+        for (int x = 0; x < scene.width && !work.stopped(); x += kBlock) block->build(x, row * kBlock, apex, slopes);
+        work.progress().advance();
     });
-    work.throwIfStopped();
 }
 
 }  // namespace relief

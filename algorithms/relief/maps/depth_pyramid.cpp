@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <oneapi/tbb/parallel_for.h>
+#include "base/parallel.h"
 
 namespace relief {
 
@@ -26,14 +26,11 @@ DepthPyramid buildDepths(const MaxPyramidMap& map, Work& work) {
     for (int l = 0; l <= map.top(); ++l) {
         const FloatImage& level = map.pyramid.level(l);
         std::uint16_t* const to = depths.depths.data() + depths.offsets[static_cast<std::size_t>(l)];
-        work.arena().execute([&] {
-            tbb::parallel_for(0, level.height(), [&](int y) {
-                const auto row = level.row(y);
-                std::uint16_t* const out = to + static_cast<std::size_t>(y) * row.size();
-                for (std::size_t x = 0; x < row.size(); ++x) out[x] = depthOf(row[x]);
-            });
+        parallelFor(work, level.height(), [&](int y) {
+            const auto row = level.row(y);
+            std::uint16_t* const out = to + static_cast<std::size_t>(y) * row.size();
+            for (std::size_t x = 0; x < row.size(); ++x) out[x] = depthOf(row[x]);
         });
-        work.throwIfStopped();
     }
     return depths;
 }

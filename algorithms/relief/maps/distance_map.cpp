@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
 #include "relief/leaf.h"
 #include "relief/maps/lower_envelope.h"
 #include "relief/maps/map_memory.h"
@@ -32,22 +31,12 @@ struct LayerScratch {
     FloatImage squares;
 };
 
-template <class Body>
-void overRows(int rows, Work& work, const Body& body) {
-    work.arena().execute([&] {
-        tbb::parallel_for(0, rows, [&](int y) {
-            if (!work.stopped()) body(y);
-        });
-    });
-    work.throwIfStopped();
-}
-
 // Calls body(k, scratch) for each layer, in parallel.
 template <class Body>
 void overLayers(int layers, Work& work, const Body& body) {
-    tbb::enumerable_thread_specific<LayerScratch> scratch;
-    overRows(layers, work, [&](int k) {
-        body(k, scratch.local());
+    ScratchPool<LayerScratch> scratch;
+    parallelFor(work, layers, [&](int k) {
+        body(k, *scratch.borrow());
         work.progress().advance();
     });
 }
@@ -62,7 +51,7 @@ float* plane(std::vector<float>& values, const Shape& shape, int layer) {
 void euclidean(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
     const int layers = map.layers();
     Image<int> top(shape.nx, shape.ny);  // the highest solid layer
-    overRows(shape.ny, work, [&](int y) {
+    parallelFor(work, shape.ny, [&](int y) {
         const double t = (y + 0.5) * field.height() / shape.ny;
         for (int x = 0; x < shape.nx; ++x) {
             const double s = (x + 0.5) * field.width() / shape.nx;

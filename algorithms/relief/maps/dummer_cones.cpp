@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "images/pyramid.h"
 #include "relief/maps/cone_builders.h"
 
@@ -96,18 +95,14 @@ void dummerCones(const HeightField& field, std::vector<float>& slopes, Work& wor
     const Pyramid pyramid(PyramidKind::Max, field.heights(), work);
     const DummerSearch search(pyramid, field.address() == Address::Repeat);
     work.progress().begin("map cone-dummer", field.height());
-    work.arena().execute([&] {
-        tbb::parallel_for(0, field.height(), [&](int y) {
-            if (work.stopped()) return;
-            DummerSearch::Seed seed;
-            for (int x = 0; x < field.width(); ++x) {
-                slopes[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width()) +
-                       static_cast<std::size_t>(x)] = static_cast<float>(search.slope(x, y, seed));
-            }
-            work.progress().advance();
-        });
+    parallelFor(work, field.height(), [&](int y) {
+        DummerSearch::Seed seed;
+        for (int x = 0; x < field.width(); ++x) {
+            slopes[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width()) +
+                   static_cast<std::size_t>(x)] = static_cast<float>(search.slope(x, y, seed));
+        }
+        work.progress().advance();
     });
-    work.throwIfStopped();
 }
 
 }  // namespace relief

@@ -1,7 +1,6 @@
 #include "relief/maps/max_pyramid_map.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "relief/leaf.h"
 
 namespace relief {
@@ -10,16 +9,12 @@ FloatImage cellMaxima(const HeightField& field, Work& work) {
     if (field.surface() == Surface::Columns) return field.heights();
     const CellGrid grid(field);
     FloatImage maxima(grid.x.cells, grid.y.cells);
-    work.arena().execute([&] {
-        tbb::parallel_for(0, grid.y.cells, [&](int cy) {
-            if (work.stopped()) return;
-            const auto row = maxima.row(cy);
-            for (int cx = 0; cx < grid.x.cells; ++cx) {
-                row[static_cast<std::size_t>(cx)] = cellMaximum<Surface::Bilinear>(field.heights(), grid, cx, cy);
-            }
-        });
+    parallelFor(work, grid.y.cells, [&](int cy) {
+        const auto row = maxima.row(cy);
+        for (int cx = 0; cx < grid.x.cells; ++cx) {
+            row[static_cast<std::size_t>(cx)] = cellMaximum<Surface::Bilinear>(field.heights(), grid, cx, cy);
+        }
     });
-    work.throwIfStopped();
     return maxima;
 }
 

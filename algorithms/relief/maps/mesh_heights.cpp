@@ -2,8 +2,7 @@
 
 #include <cassert>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "relief/describe.h"
 
 namespace relief {
@@ -16,15 +15,11 @@ std::shared_ptr<const MeshHeights> meshHeights(const HeightField& field, int den
         MeshHeights mesh{FloatImage(density, density)};
         const double perColumn = static_cast<double>(field.width()) / density;
         const double perRow = static_cast<double>(field.height()) / density;
-        w.arena().execute([&] {
-            tbb::parallel_for(0, density, [&](int j) {
-                if (w.stopped()) return;
-                for (int i = 0; i < density; ++i) {
-                    mesh.heights(i, j) = static_cast<float>(field.at((i + 0.5) * perColumn, (j + 0.5) * perRow));
-                }
-            });
+        parallelFor(w, density, [&](int j) {
+            for (int i = 0; i < density; ++i) {
+                mesh.heights(i, j) = static_cast<float>(field.at((i + 0.5) * perColumn, (j + 0.5) * perRow));
+            }
         });
-        w.throwIfStopped();
         return mesh;
     });
 }

@@ -4,10 +4,8 @@
 #include <string>
 #include <utility>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/blocked_range2d.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
 #include "relief/maps/map_memory.h"
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/maps/packed_cone_lanes.h"
@@ -138,12 +136,7 @@ void QuadrantCones::addLevel(Work& work) {
         }
     };
     constexpr int kGrain = 16;
-    work.arena().execute([&] {
-        tbb::parallel_for(tbb::blocked_range<int>(0, blocks.height, kGrain), [&](const auto& range) {
-            for (int j = range.begin(); j < range.end() && !work.stopped(); ++j) fillRow(j);
-        });
-    });
-    work.throwIfStopped();
+    parallelFor(work, blocks.height, fillRow, kGrain);
     levels_.push_back(std::move(blocks));
 }
 
@@ -252,21 +245,13 @@ void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* w
 void QuadrantCones::build(std::uint32_t* words, Work& work) {
     const int farthest = std::max(x_.cells, y_.cells) - 2;  // largest gap
     while (farthest >= kFirstBlocks << (levels_.size() + 1)) addLevel(work);
-    const auto tiles = [](int cells, int size) { return (cells + size - 1) / size; };
-    work.arena().execute([&] {
-        tbb::parallel_for(tbb::blocked_range2d<int>(0, tiles(y_.cells, kTileHeight), 0, tiles(x_.cells, kTileWidth)),
-                          [&](const auto& range) {
-                              Scratch scratch;
-                              for (int j = range.rows().begin(); j < range.rows().end(); ++j) {
-                                  for (int i = range.cols().begin(); i < range.cols().end(); ++i) {
-                                      if (work.stopped()) return;
-                                      buildTile(i * kTileWidth, j * kTileHeight, scratch, words);
-                                      work.progress().advance();
-                                  }
-                              }
-                          });
+    const int across = (x_.cells + kTileWidth - 1) / kTileWidth;
+    const int down = (y_.cells + kTileHeight - 1) / kTileHeight;
+    ScratchPool<Scratch> scratch;
+    parallelFor(work, across * down, [&](int n) {
+        buildTile(n % across * kTileWidth, n / across * kTileHeight, *scratch.borrow(), words);
+        work.progress().advance();
     });
-    work.throwIfStopped();
 }
 
 // Depths of the cells, rounded down.
@@ -274,18 +259,16 @@ DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work)
     DepthImage depths(cells.width(), cells.height());
     const double perUnit = map.unit > 0 ? 1 / map.unit : 0;
     constexpr double kRounding = 1e-6;  // of a unit; the comparison decides
-    work.arena().execute([&] {
-        tbb::parallel_for(0, cells.height(), [&](int y) {
-            const auto from = cells.row(y);
-            const auto to = depths.row(y);
-            for (std::size_t x = 0; x < from.size(); ++x) {
-                const double height = static_cast<double>(from[x]);
-                auto depth = static_cast<int>((map.highest - height) * perUnit + kRounding);
-                depth = std::min(depth, static_cast<int>(kConeDepths));
-                depth -= map.highest - depth * map.unit < height ? 1 : 0;
-                to[x] = static_cast<std::uint16_t>(depth);
-            }
-        });
+    parallelFor(work, cells.height(), [&](int y) {
+        const auto from = cells.row(y);
+        const auto to = depths.row(y);
+        for (std::size_t x = 0; x < from.size(); ++x) {
+            const double height = static_cast<double>(from[x]);
+            auto depth = static_cast<int>((map.highest - height) * perUnit + kRounding);
+            depth = std::min(depth, static_cast<int>(kConeDepths));
+            depth -= map.highest - depth * map.unit < height ? 1 : 0;
+            to[x] = static_cast<std::uint16_t>(depth);
+        }
     });
     return depths;
 }
@@ -295,16 +278,14 @@ LargeVector<float> nodesOf(const HeightField& field, const PackedCones& map, Wor
     const CellGrid grid(field);
     const FloatImage& heights = *field.sharedHeights();
     LargeVector<float> nodes(2 * map.quadrantWords());
-    work.arena().execute([&] {
-        tbb::parallel_for(0, map.ny, [&](int cy) {
-            const auto before = heights.row(grid.y.nodeBefore(cy)), after = heights.row(grid.y.nodeAfter(cy));
-            float* to = nodes.data() + 2 * map.index(0, cy);
-            for (int cx = 0; cx <= map.nx; ++cx) {
-                const int i = cx < map.nx ? grid.x.nodeBefore(cx) : grid.x.nodeAfter(map.nx - 1);
-                *to++ = before[place(i)];
-                *to++ = after[place(i)];
-            }
-        });
+    parallelFor(work, map.ny, [&](int cy) {
+        const auto before = heights.row(grid.y.nodeBefore(cy)), after = heights.row(grid.y.nodeAfter(cy));
+        float* to = nodes.data() + 2 * map.index(0, cy);
+        for (int cx = 0; cx <= map.nx; ++cx) {
+            const int i = cx < map.nx ? grid.x.nodeBefore(cx) : grid.x.nodeAfter(map.nx - 1);
+            *to++ = before[place(i)];
+            *to++ = after[place(i)];
+        }
     });
     return nodes;
 }

@@ -5,9 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
 #include "relief/maps/cells_around.h"
 #include "relief/maps/range_minimum.h"
 
@@ -295,16 +294,12 @@ void refinedConservative(DistanceMap& map, int nx, int ny, const HeightField& fi
                          std::vector<float>& values, Work& work) {
     const Builder builder(map, nx, ny, field, cells, values);
     map.cap = builder.cap();
-    tbb::enumerable_thread_specific<Builder::Scratch> scratch;
+    ScratchPool<Builder::Scratch> scratch;
     work.progress().begin("map refined", ny);
-    work.arena().execute([&] {
-        tbb::parallel_for(0, ny, [&](int by) {
-            if (work.stopped()) return;
-            builder.row(by, scratch.local());
-            work.progress().advance();
-        });
+    parallelFor(work, ny, [&](int by) {
+        builder.row(by, *scratch.borrow());
+        work.progress().advance();
     });
-    work.throwIfStopped();
 }
 
 }  // namespace relief

@@ -1,8 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "relief/maps/refined.h"
 #include "relief/max_pyramid.h"
 
@@ -54,19 +53,15 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
         return least;
     };
     work.progress().begin("map refined-sampled", ny);
-    work.arena().execute([&] {
-        tbb::parallel_for(0, ny, [&](int y) {
-            if (work.stopped()) return;
-            for (int k = 0; k < layers; ++k) {
-                float* out = values.data() + (static_cast<std::size_t>(k) * static_cast<std::size_t>(ny) +
-                                              static_cast<std::size_t>(y)) *
-                                                 static_cast<std::size_t>(nx);
-                for (int x = 0; x < nx; ++x) *out++ = static_cast<float>(voxel(x, y, k));
-            }
-            work.progress().advance();
-        });
+    parallelFor(work, ny, [&](int y) {
+        for (int k = 0; k < layers; ++k) {
+            float* out = values.data() +
+                         (static_cast<std::size_t>(k) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(y)) *
+                             static_cast<std::size_t>(nx);
+            for (int x = 0; x < nx; ++x) *out++ = static_cast<float>(voxel(x, y, k));
+        }
+        work.progress().advance();
     });
-    work.throwIfStopped();
 }
 
 }  // namespace relief

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "relief/maps/cone_builders.h"
 
 namespace relief {
@@ -43,27 +42,23 @@ double relaxedSlope(const std::vector<double>& h) {
 void relaxedCones(const HeightField& field, int directions, int radius, std::vector<float>& slopes, Work& work) {
     const int reach = std::min(radius, std::max(field.width(), field.height()));
     work.progress().begin("map relaxed-cone", field.height());
-    work.arena().execute([&] {
-        tbb::parallel_for(0, field.height(), [&](int y) {
-            if (work.stopped()) return;
-            std::vector<double> profile(static_cast<std::size_t>(reach) + 1);
-            for (int x = 0; x < field.width(); ++x) {
-                double kappa = 0;
-                for (int n = 0; n < directions; ++n) {
-                    const double angle = 2 * std::numbers::pi * n / directions;
-                    for (int r = 0; r <= reach; ++r) {
-                        profile[static_cast<std::size_t>(r)] =
-                            field.at(x + 0.5 + r * std::cos(angle), y + 0.5 + r * std::sin(angle));
-                    }
-                    kappa = std::max(kappa, relaxedSlope(profile));
+    parallelFor(work, field.height(), [&](int y) {
+        std::vector<double> profile(static_cast<std::size_t>(reach) + 1);
+        for (int x = 0; x < field.width(); ++x) {
+            double kappa = 0;
+            for (int n = 0; n < directions; ++n) {
+                const double angle = 2 * std::numbers::pi * n / directions;
+                for (int r = 0; r <= reach; ++r) {
+                    profile[static_cast<std::size_t>(r)] =
+                        field.at(x + 0.5 + r * std::cos(angle), y + 0.5 + r * std::sin(angle));
                 }
-                slopes[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width()) +
-                       static_cast<std::size_t>(x)] = static_cast<float>(std::min(kappa, kSteepest));
+                kappa = std::max(kappa, relaxedSlope(profile));
             }
-            work.progress().advance();
-        });
+            slopes[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width()) +
+                   static_cast<std::size_t>(x)] = static_cast<float>(std::min(kappa, kSteepest));
+        }
+        work.progress().advance();
     });
-    work.throwIfStopped();
 }
 
 }  // namespace relief

@@ -121,7 +121,7 @@ TEST(BenchTracers, TracersAreMadeOnceAMap) {
     EXPECT_EQ(made, 4);
     Work other(1);
     benchTracers(options, other);
-    EXPECT_EQ(made, other.arena().max_concurrency() == work.arena().max_concurrency() ? 4 : 5);
+    EXPECT_EQ(made, other.threads().size() == work.threads().size() ? 4 : 5);
 }
 
 TEST(BenchTracers, PercentilesAreNearestRanks) {

@@ -1,0 +1,102 @@
+#ifdef RELIEF_PLAIN_THREADS
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "base/thread_team.h"
+
+namespace relief {
+
+namespace {
+
+// Parts a thread gets of a loop whose grain allows them: uneven parts balance, and threads meet often.
+constexpr std::int64_t kPartsPerThread = 16;
+
+thread_local bool inLoop = false;
+
+int processorThreads() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// One loop, shared by the threads that run it. Parts are handed out by a relaxed counter: a stronger order would make
+// what one part wrote visible to the next, and so hide their races from the sanitizer.
+class Loop {
+  public:
+    Loop(std::int64_t count, std::int64_t part, LoopPart body) : count_(count), part_(part), body_(body) {}
+
+    void work() {
+        inLoop = true;
+        while (!failed_.load(std::memory_order_relaxed)) {
+            const std::int64_t first = next_.fetch_add(part_, std::memory_order_relaxed);
+            if (first >= count_) break;
+            try {
+                body_(first, std::min(first + part_, count_));
+            } catch (...) {
+                const std::lock_guard lock(mutex_);
+                if (!failed_.exchange(true)) failure_ = std::current_exception();
+            }
+        }
+        inLoop = false;
+    }
+
+    // To be called when all threads are done.
+    void rethrow() const {
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+  private:
+    const std::int64_t count_;
+    const std::int64_t part_;
+    const LoopPart body_;
+    std::atomic<std::int64_t> next_{0};
+    std::atomic<bool> failed_{false};
+    std::mutex mutex_;
+    std::exception_ptr failure_;
+};
+
+void runOn(std::int64_t threads, std::int64_t count, std::int64_t grain, LoopPart body) {
+    if (count <= 0) return;
+    const std::int64_t part = std::max(grain, count / (kPartsPerThread * threads));
+    const std::int64_t parts = (count + part - 1) / part;
+    threads = std::min(threads, parts);
+    if (threads == 1 || inLoop) return body(0, count);
+    Loop loop(count, part, body);
+    {
+        std::vector<std::jthread> helpers;
+        for (std::int64_t n = 1; n < threads; ++n) helpers.emplace_back([&loop] { loop.work(); });
+        loop.work();
+    }
+    loop.rethrow();
+}
+
+}  // namespace
+
+struct ThreadTeam::Implementation {
+    int threads;
+};
+
+ThreadTeam::ThreadTeam(int threads)
+    : implementation_(std::make_unique<Implementation>(
+          Implementation{threads > 0 ? std::min(threads, processorThreads()) : processorThreads()})) {}
+
+ThreadTeam::~ThreadTeam() = default;
+
+int ThreadTeam::size() const {
+    return implementation_->threads;
+}
+
+void ThreadTeam::run(std::int64_t count, std::int64_t grain, LoopPart body) {
+    runOn(implementation_->threads, count, grain, body);
+}
+
+void ThreadTeam::runOnCurrent(std::int64_t count, std::int64_t grain, LoopPart body) {
+    runOn(processorThreads(), count, grain, body);
+}
+
+}  // namespace relief
+
+#endif
