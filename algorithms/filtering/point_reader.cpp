@@ -83,9 +83,10 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
             alongT = hn::IfThenElse(wide, uv, hn::Sub(largest, uu));
     const V norm = hn::Sqrt(hn::Add(hn::Mul(alongS, alongS), hn::Mul(alongT, alongT)));
     const auto several = hn::And(hn::Gt(f.count, one), hn::Gt(norm, zero));
-    const V step = hn::IfThenElseZero(several, hn::Div(length, hn::Mul(between, norm)));
-    f.stepS = hn::Mul(step, alongS);
-    f.stepT = hn::Mul(step, alongT);
+    // Zero for footprints that are not finite, too: NaN would become the number of a texel outside the picture.
+    const V step = hn::Div(length, hn::Mul(between, norm));
+    f.stepS = hn::IfThenElseZero(several, hn::Mul(step, alongS));
+    f.stepT = hn::IfThenElseZero(several, hn::Mul(step, alongT));
 
     const VI mask = hn::Sub(hn::Shl(setI(1), f.level), setI(1));
     const auto split = [&](const std::int32_t* whole, const float* rest, VI& cell, V& within) HWY_ATTR {

@@ -80,12 +80,14 @@ void TileWorker::clearUncovered(const PixelArea& tile) const {
             const auto fill = [&](std::vector<double>& column, double value) {
                 std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(i), end - i, value);
             };
-            RayBlock& block = buffers_.rays->rays;
-            HitBlock& hits = buffers_.hits->hits;
-            for (auto* column : {&block.s0, &block.t0, &block.a, &block.b})
-                if (rays) fill(*column, 0);
-            for (auto* column : {&hits.lambda, &hits.s, &hits.t})
-                if (met) fill(*column, kNotMet);
+            if (rays) {
+                RayBlock& block = buffers_.rays->rays;
+                for (auto* column : {&block.s0, &block.t0, &block.a, &block.b}) fill(*column, 0);
+            }
+            if (met) {
+                HitBlock& hits = buffers_.hits->hits;
+                for (auto* column : {&hits.lambda, &hits.s, &hits.t}) fill(*column, kNotMet);
+            }
         }
     }
 }

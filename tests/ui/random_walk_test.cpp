@@ -82,7 +82,7 @@ vtkStandardNewMacro(NotingOutput)
 
     double heldMegabytes() {
     malloc_trim(0);
-    return relief::test::residentMegabytes();
+    return relief::test::usedMegabytes();
 }
 
 class Walk {

@@ -3,10 +3,8 @@
 
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 
-#include <unistd.h>
-
+#include "../../resident_memory.h"
 #include "../relief/fields.h"
 #include "rendering/frame.h"
 
@@ -16,17 +14,9 @@ namespace {
 // Seconds of orbiting; the long form is what somebody who leaves the window turning sees.
 constexpr double kShortSeconds = 12;
 constexpr double kLongSeconds = 600;
-// Of the resident memory after the first tenth: what an allocator's arenas may still settle by. A frame of these has
-// 4 MB of buffers, so that one that is kept in a hundred shows.
-constexpr std::int64_t kMostGrowth = std::int64_t{16} << 20;
-
-std::int64_t residentBytes() {
-    std::ifstream file("/proc/self/statm");
-    std::int64_t pages = 0;
-    std::int64_t resident = 0;
-    file >> pages >> resident;
-    return resident * sysconf(_SC_PAGESIZE);
-}
+// Megabytes after the first tenth: what an allocator's arenas may still settle by. A frame of these has 4 MB of
+// buffers, so that one that is kept in a hundred shows.
+constexpr double kMostGrowth = 16;
 
 FrameRequest orbitRequest() {
     FrameRequest request(HeightField(share(makeRelief("bricks", 128, 128, 1))));
@@ -46,7 +36,7 @@ TEST(Orbit, memoryDoesNotGrow) {
     const double seconds = isLong ? kLongSeconds : kShortSeconds;
     const auto begin = std::chrono::steady_clock::now();
     const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-    std::int64_t resident = 0;
+    double used = 0;
     std::size_t bytes = 0;
     std::int64_t frames = 0;
     std::shared_ptr<const Frame> shown;
@@ -60,18 +50,17 @@ TEST(Orbit, memoryDoesNotGrow) {
         request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat,
                                     0.05 + 0.01 * static_cast<double>(frames % 10));
         shown = renderer.render(request, work);
-        if (resident == 0 && passed() > 0.1 * seconds) {
-            resident = residentBytes();
+        if (used == 0 && passed() > 0.1 * seconds) {
+            used = usedMegabytes();
             bytes = maps->bytes();
         }
     }
     ASSERT_GT(frames, 20);
-    std::printf("%lld frames, resident %+lld KB\n", static_cast<long long>(frames),
-                static_cast<long long>((residentBytes() - resident) / 1024));
+    std::printf("%lld frames, memory %+.1f MB\n", static_cast<long long>(frames), usedMegabytes() - used);
     EXPECT_EQ(maps->bytes(), bytes);
     // The max pyramid, its depths for the lanes, the cones once they pay.
     EXPECT_EQ(work.counters().values()["map builds"], 3) << "neither depth nor filter nor light needs another map";
-    EXPECT_LT(residentBytes() - resident, kMostGrowth);
+    EXPECT_LT(usedMegabytes() - used, kMostGrowth);
 }
 
 bool sameFrame(const Frame& a, const Frame& b) {
