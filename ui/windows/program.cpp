@@ -14,10 +14,18 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <QTranslator>
+#include <vtkAutoInit.h>
 
 #include "windows/display_check.h"
 #include "windows/main_window.h"
 #include "windows/theme.h"
+
+// The implementations that VTK chooses at run time. Not by vtk_module_autoinit: it gives every source a macro with a
+// path of this checkout, and the compiler cache could not serve another.
+VTK_MODULE_INIT(vtkInteractionStyle)
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2)
+VTK_MODULE_INIT(vtkRenderingFreeType)
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
 // Resources of a static library have to be asked for, outside any namespace.
 static void initTranslations() {

@@ -4,8 +4,7 @@
 #include <array>
 #include <cassert>
 
-// Vectors in arrays: not for the instruction sets without a fixed width.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "base/simd_targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mapping/rows/row_lanes.cpp"
 #include <hwy/foreach_target.h>

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Measures what a newcomer waits for: a clone of this checkout's last commit, no compiler cache, no display.
+#   tests/benchmarks/build_time.sh [FOLDER]     the clone is made in FOLDER (a temporary one, removed afterwards)
+# Prints lines of the table in build_time.md: seconds of app/run to its pictures, of tests/run after it, and of building
+# the program again after one source was edited. Packages that are missing are installed, and that time counts: the
+# first line says how many. Stop everything else first.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
+folder=${1:-}
+if [ -z "$folder" ]; then
+    folder=$(mktemp -d)
+    trap 'rm -rf "$folder"' EXIT
+fi
+export CCACHE_DISABLE=1
+unset DISPLAY WAYLAND_DISPLAY
+git clone -q "$root" "$folder/reliefscope"
+cd "$folder/reliefscope"
+
+# timed NAME COMMAND...: a line of the table, the command's output in FOLDER/log.
+timed() {
+    local name=$1 begin=$SECONDS status=0
+    shift
+    "$@" >>"$folder/log" 2>&1 </dev/null || status=$?
+    printf '| %s | %d | %d |\n' "$name" $((SECONDS - begin)) "$status"
+}
+
+printf 'commit %s, %s, %s processors, %s, load before %s, %s packages installed before\n\n' \
+    "$(git rev-parse --short=12 HEAD)" "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1)" "$(nproc)" \
+    "$(date -I)" "$(cut -d ' ' -f 1 /proc/loadavg)" "$(dpkg-query -f '.\n' -W | wc -l)"
+printf '| what | seconds | status |\n| --- | --: | --: |\n'
+timed "app/run to its pictures" app/run
+timed "tests/run after it" tests/run
+grep -oE '^([0-9]+% tests passed.*|Total Test time.*)' "$folder/log" | tail -n 2 >&2 || true
+for source in ui/views/profile_view.cpp algorithms/relief/tracers.cpp \
+    algorithms/relief/lanes/cone_lanes_bilinear.cpp; do
+    [ -f "$source" ] || continue
+    touch "$source"
+    timed "program after an edit of \`$source\`" cmake --build build --target relief_cli reliefscope
+done
