@@ -54,7 +54,8 @@ std::string csvOfRows(const Json& rows, const std::string& header) {
         std::string line;
         bool first = true;
         for (const auto& [name, value] : row.items()) {
-            line += (first ? "" : ",") + benchField(valueOf(value));
+            if (!first) line += ',';
+            line += benchField(valueOf(value));
             first = false;
         }
         text += line + "\n";

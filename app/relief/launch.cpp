@@ -43,7 +43,7 @@ Launch launched() {
         if (rank < 0 || size < 2 || rank >= size) continue;
         std::string job = environment(names.job);
         // One allocation of Slurm starts many steps.
-        if (std::strcmp(names.rank, "SLURM_PROCID") == 0) job += "." + environment("SLURM_STEP_ID");
+        if (std::strcmp(names.rank, "SLURM_PROCID") == 0) job.append(".").append(environment("SLURM_STEP_ID"));
         return {rank, size, job.empty() ? "job" : job};
     }
     const auto now = std::chrono::system_clock::now().time_since_epoch().count();
