@@ -1,19 +1,27 @@
-# relief_add_suites(PROGRAM [PREFIX text] [FILTER pattern] [PROPERTIES name value ...]): each suite of a GoogleTest
-# program becomes one test of ctest, run in one process: starting the program for every test by itself took longer than
-# most tests do. Suites are asked of the built program, so that none is forgotten.
+# relief_add_suites(PROGRAM [PREFIX text] [ON_DISPLAY] [PROPERTIES name value ...]): each suite of a GoogleTest program
+# becomes one test of ctest, run in one process, because starting the program takes longer than most tests. The built
+# program lists its suites, so none is forgotten. ON_DISPLAY: each suite has an X server of its own, always of the same
+# size, so that suites run beside each other and nothing flickers on the user's display.
 if(CMAKE_SCRIPT_MODE_FILE)
-  # cmake -DPROGRAM= -DPREFIX= -DFILTER= -DPROPERTIES= -DOUT= -P suites.cmake
-  execute_process(COMMAND ${PROGRAM} --gtest_list_tests --gtest_filter=${FILTER} OUTPUT_VARIABLE _list
-    COMMAND_ERROR_IS_FATAL ANY)
+  # cmake -DPROGRAM= -DPREFIX= -DXVFB= -DPROPERTIES= -DOUT= -P suites.cmake
+  execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE _list COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "(^|\n)[^ \n]+\\." _suites "${_list}")
   if(NOT _suites)
-    message(FATAL_ERROR "${PROGRAM} lists no tests of ${FILTER}")
+    message(FATAL_ERROR "${PROGRAM} lists no tests")
   endif()
   set(_script "")
+  set(_display 100)
   foreach(_suite IN LISTS _suites)
     string(STRIP "${_suite}" _suite)
     string(REGEX REPLACE "\\.$" "" _name "${_suite}")
-    string(APPEND _script "add_test([=[${PREFIX}${_name}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${_suite}*]=])\n"
+    set(_launcher "")
+    if(XVFB)
+      # Numbers apart: two servers that look for a free one at the same moment take the same.
+      set(_launcher "[=[${XVFB}]=] -a -n ${_display} -s [=[-screen 0 1600x1000x24 -noreset]=] ")
+      math(EXPR _display "${_display} + 5")
+    endif()
+    string(APPEND _script
+      "add_test([=[${PREFIX}${_name}]=] ${_launcher}[=[${PROGRAM}]=] [=[--gtest_filter=${_suite}*]=])\n"
       "set_tests_properties([=[${PREFIX}${_name}]=] PROPERTIES ${PROPERTIES})\n")
   endforeach()
   file(WRITE ${OUT} "${_script}")
@@ -21,14 +29,19 @@ if(CMAKE_SCRIPT_MODE_FILE)
 endif()
 
 function(relief_add_suites program)
-  cmake_parse_arguments(_suites "" "PREFIX;FILTER;LIST" "PROPERTIES" ${ARGN})
-  if(NOT _suites_FILTER)
-    set(_suites_FILTER "*")
+  cmake_parse_arguments(_suites "ON_DISPLAY" "PREFIX" "PROPERTIES" ${ARGN})
+  set(_xvfb "")
+  if(_suites_ON_DISPLAY)
+    find_program(XVFB_RUN xvfb-run)
+    find_program(XAUTH xauth)
+    if(XVFB_RUN AND XAUTH)
+      set(_xvfb ${XVFB_RUN})
+    endif()
   endif()
-  set(_out ${CMAKE_CURRENT_BINARY_DIR}/${program}${_suites_LIST}_suites.cmake)
+  set(_out ${CMAKE_CURRENT_BINARY_DIR}/${program}_suites.cmake)
   string(REPLACE ";" " " _properties "${_suites_PROPERTIES}")
   add_custom_command(TARGET ${program} POST_BUILD BYPRODUCTS ${_out} VERBATIM
-    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${program}> -DPREFIX=${_suites_PREFIX} -DFILTER=${_suites_FILTER}
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${program}> -DPREFIX=${_suites_PREFIX} -DXVFB=${_xvfb}
       -DPROPERTIES=${_properties} -DOUT=${_out} -P ${PROJECT_SOURCE_DIR}/tests/suites.cmake)
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${_out})
 endfunction()
