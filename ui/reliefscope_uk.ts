@@ -2335,7 +2335,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Digits in the relief by hand</source>
-        <translation>Цифри в рельєфі від руки</translation>
+        <translation>Цифри в рельєфі, накресленому вручну</translation>
     </message>
     <message>
         <source>type the height of the chosen texel</source>
