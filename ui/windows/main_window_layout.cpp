@@ -146,7 +146,7 @@ QWidget* MainWindow::frontView() const {
     for (const Pane& pane : panes_) {
         if (pane.whole == filled_) return pane.focus;
     }
-    return result_;
+    return panes_.front().focus;
 }
 
 void MainWindow::showTimeOnly(bool only) {
