@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
@@ -111,6 +112,8 @@ bool KeyPolicy::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Polish:
             // The wheel must not even move the focus.
             if (kind != Kind::None && widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
+            // Tab leads out of a table again.
+            if (auto* const table = qobject_cast<QAbstractItemView*>(widget)) table->setTabKeyNavigation(false);
             return false;
         case QEvent::FocusIn:
             focusCame(widget, static_cast<QFocusEvent*>(event)->reason());
