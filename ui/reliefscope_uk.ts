@@ -1259,10 +1259,6 @@
         <translation>висота </translation>
     </message>
     <message>
-        <source>Height of the chosen texel, 0 to 1 (Enter or double click there)</source>
-        <translation>Висота вибраного текселя, від 0 до 1 (Enter або подвійне клацання на ньому)</translation>
-    </message>
-    <message>
         <source>Start from the picture</source>
         <translation>Почати з картинки</translation>
     </message>
@@ -1285,6 +1281,10 @@
     <message>
         <source>Height of a texel</source>
         <translation>Висота текселя</translation>
+    </message>
+    <message>
+        <source>Height of the chosen texel, 0 to 1: digits, Enter or a double click there</source>
+        <translation>Висота вибраного текселя, від 0 до 1: цифри, Enter або подвійне клацання на ньому</translation>
     </message>
 </context>
 <context>
@@ -1831,10 +1831,6 @@
         <translation>&amp;Перший крок</translation>
     </message>
     <message>
-        <source>Home</source>
-        <translation>Home</translation>
-    </message>
-    <message>
         <source>To the first step of the ray</source>
         <translation>До першого кроку променя</translation>
     </message>
@@ -1857,10 +1853,6 @@
     <message>
         <source>&amp;Last step</source>
         <translation>&amp;Останній крок</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>End</translation>
     </message>
     <message>
         <source>To the last step of the ray</source>
@@ -2341,6 +2333,22 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>export the pane as SVG, PDF or PNG</source>
         <translation>експортувати панель як SVG, PDF або PNG</translation>
     </message>
+    <message>
+        <source>Digits in the relief by hand</source>
+        <translation>Цифри в рельєфі, накресленому вручну</translation>
+    </message>
+    <message>
+        <source>type the height of the chosen texel</source>
+        <translation>ввести висоту вибраного текселя</translation>
+    </message>
+    <message>
+        <source>Tab, arrows</source>
+        <translation>Tab, стрілки</translation>
+    </message>
+    <message>
+        <source>go to a control, change it; Enter in a number: back to the view</source>
+        <translation>перейти до елемента керування, змінити його; Enter у числі: назад до зображення</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -2794,6 +2802,33 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>not enough memory for this</source>
         <translation>для цього бракує пам’яті</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::RestoreOffer</name>
+    <message>
+        <source>Restore</source>
+        <translation>Відновити</translation>
+    </message>
+    <message>
+        <source>Open what was open then, with its bookmarks and panes; can be undone</source>
+        <translation>Відкрити те, що було відкрито тоді, із закладками й панелями; можна скасувати</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Відкинути</translation>
+    </message>
+    <message>
+        <source>Delete what was saved of it</source>
+        <translation>Видалити збережене</translation>
+    </message>
+    <message>
+        <source>The last start ended before its picture was there. What it was to open was not tried again; it can be restored.</source>
+        <translation>Минулий запуск обірвався ще до появи картинки. Те, що він мав відкрити, тепер не відкрито; його можна відновити.</translation>
+    </message>
+    <message>
+        <source>Reliefscope ended unexpectedly; what was open can be restored as it was on %1.</source>
+        <translation>Reliefscope завершився неочікувано; відкрите тоді можна відновити таким, яким воно було %1.</translation>
     </message>
 </context>
 <context>
@@ -3257,6 +3292,17 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Lossless: off</source>
         <translation>Без втрат: вимкнено</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::StateKeeper</name>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1: запис неможливий</translation>
+    </message>
+    <message>
+        <source>What you do is not saved while you work: %1</source>
+        <translation>Зміни не зберігаються під час роботи: %1</translation>
     </message>
 </context>
 <context>

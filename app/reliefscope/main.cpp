@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,13 @@
 #include "windows/display_check.h"
 #include "windows/main_window.h"
 #include "windows/program.h"
+#include "windows/restore_offer.h"
 #include "workspace/language.h"
 #include "workspace/last_state.h"
 #include "workspace/pause_log.h"
 #include "workspace/snapshot_maker.h"
 #include "workspace/start_scenario.h"
+#include "workspace/state_keeper.h"
 
 namespace relief::app {
 
@@ -67,9 +70,10 @@ Start chosenStart(const std::string& file, const std::string& datasets) {
 }
 
 // Where the last window left off, if nothing else is asked for.
-Start startOfWindow(const Arguments& arguments, const std::string& datasets) {
-    if (arguments.file.empty() && arguments.screenshot.empty() && !arguments.anew) {
+Start startOfWindow(const Arguments& arguments, const std::string& datasets, reliefui::SessionFiles* session) {
+    if (arguments.file.empty() && session != nullptr && !arguments.anew) {
         Start start;
+        session->setStarting(true);
         if (const auto last = reliefui::lastState(start.pictures)) {
             start.scenario = *last;
             return start;
@@ -214,7 +218,13 @@ int run(int count, char** values, const Arguments& arguments) {
     }
     if (arguments.checkDisplay) return 0;
     const std::string datasets = shippedPictures();
-    Start start = startOfWindow(arguments, datasets);
+    // A screenshot is no session.
+    const bool shot = !arguments.screenshot.empty();
+    std::optional<reliefui::SessionFiles> session;
+    std::vector<reliefui::SessionFiles> left;
+    if (!shot) session = reliefui::SessionFiles::begin();
+    if (!shot && !arguments.anew) left = reliefui::SessionFiles::leftBehind();
+    Start start = startOfWindow(arguments, datasets, session ? &*session : nullptr);
 
     reliefui::prepareWindows();
     reliefui::Application application(count, values);
@@ -224,7 +234,6 @@ int run(int count, char** values, const Arguments& arguments) {
     // Reads and draws while the window is being made.
     workspace.start(start.scenario, std::move(start.pictures));
     reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
-    const bool shot = !arguments.screenshot.empty();
     if (!shot && arguments.width == 0 && !arguments.anew) window.restoreLayout();
     const double fine = window.devicePixelRatioF();
     if (arguments.width > 0) window.resize(qRound(arguments.width / fine), qRound(arguments.height / fine));
@@ -240,9 +249,16 @@ int run(int count, char** values, const Arguments& arguments) {
             QObject::disconnect(*first);
             file.isEmpty() ? window.showLesson() : workspace.opened(QFileInfo(file).absoluteFilePath());
         });
+    std::optional<reliefui::StateKeeper> keeper;
+    if (session) {
+        keeper.emplace(&workspace, std::move(*session), start.scenario, [&window] { return window.layoutNow(); });
+        QObject::connect(&*keeper, &reliefui::StateKeeper::problem, &workspace, &reliefui::Workspace::problem);
+        new reliefui::RestoreOffer(&window, &workspace, &*keeper, std::move(left));
+    }
     const int status = QApplication::exec();
-    if (!shot) {
-        reliefui::keepState(workspace.scenario());
+    if (keeper) {
+        const std::string fault = keeper->end();
+        if (!fault.empty()) std::fprintf(stderr, "relief: %s\n", fault.c_str());
         window.keepLayout();
     }
     constexpr std::size_t kPauses = 20;

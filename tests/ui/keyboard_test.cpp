@@ -86,6 +86,9 @@ class KeyboardTest : public WindowTest {
             {QStringLiteral("Ctrl+G"), asks},
             {QStringLiteral(","), [this, step] { return step() == before_ - 1; }},
             {QStringLiteral("."), [this, step] { return step() == before_ + 1; }},
+            {QStringLiteral("Home"), [step] { return step() == 0; }},
+            {QStringLiteral("End"), [step, steps] { return step() == steps() - 1; }},
+            {QStringLiteral("Space"), [this, step] { return step() > before_; }},
             {QStringLiteral("F5"), [step, steps] { return step() == steps() - 1; }},
             {QStringLiteral("Shift+F5"), [step] { return step() == 0; }},
             {QStringLiteral("F10"), [this, step] { return step() > before_; }},
@@ -162,6 +165,7 @@ class KeyboardTest : public WindowTest {
     // After it: as it was.
     void restore(const QString& key) {
         if (key == QStringLiteral("F11")) window_->setProjector(false);
+        if (key == QStringLiteral("Space")) window_->stepBar()->togglePlay();
         if (key == QStringLiteral("F1")) delete window_->findChild<QDialog*>();
     }
 

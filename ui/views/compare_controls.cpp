@@ -63,7 +63,6 @@ QComboBox* CompareView::addChooser(const char* name, const QString& help) {
     box->setObjectName(QString::fromLatin1(name));
     box->setToolTip(help);
     box->setAccessibleName(help);
-    box->setFocusPolicy(Qt::StrongFocus);
     bar_->addWidget(box);
     return box;
 }

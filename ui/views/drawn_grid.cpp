@@ -188,13 +188,13 @@ void DrawnGrid::mouseReleaseEvent(QMouseEvent* event) {
 
 void DrawnGrid::mouseDoubleClickEvent(QMouseEvent* event) {
     choose(drawnTexelAt(picture_, drawn(), toDrawing(event->localPos())));
-    if (chosen_) Q_EMIT typingWanted();
+    if (chosen_) Q_EMIT typingWanted(nullptr);
 }
 
 // Arrows choose the next texel; + and − raise and lower it (Shift: by more).
 bool DrawnGrid::step(int key, bool large) {
-    if (!chosen_ || !holds(drawn(), *chosen_)) return false;
-    auto [i, j] = *chosen_;
+    if (!holds(drawn(), chosen_.value_or(std::pair{0, 0}))) return false;
+    auto [i, j] = chosen_.value_or(std::pair{0, 0});
     const int rows = drawn().profile() ? 1 : drawn().height;
     const double by = large ? kLargeStep : kStep;
     switch (key) {
@@ -212,10 +212,12 @@ bool DrawnGrid::step(int key, bool large) {
             return true;
         case Qt::Key_Plus:
         case Qt::Key_PageUp:
+            choose(std::pair{i, j});
             setHeights(i, i, j, drawn().at(i, j) + by);
             return true;
         case Qt::Key_Minus:
         case Qt::Key_PageDown:
+            choose(std::pair{i, j});
             setHeights(i, i, j, drawn().at(i, j) - by);
             return true;
         default:
@@ -223,11 +225,26 @@ bool DrawnGrid::step(int key, bool large) {
     }
 }
 
+// A digit begins the height of the chosen texel.
+bool DrawnGrid::typesHeight(const QKeyEvent& event) const {
+    const bool plain = (event.modifiers() & ~Qt::KeypadModifier) == 0;
+    return chosen_ && plain && event.key() >= Qt::Key_0 && event.key() <= Qt::Key_9;
+}
+
+// Elsewhere digits choose panes.
+bool DrawnGrid::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && typesHeight(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
 void DrawnGrid::keyPressEvent(QKeyEvent* event) {
-    if (!chosen_ && !drawn().empty()) chosen_ = std::pair{0, 0};
     if (step(event->key(), (event->modifiers() & Qt::ShiftModifier) != 0)) return;
-    if (chosen_ && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
-        Q_EMIT typingWanted();
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (typesHeight(*event) || (chosen_ && enter)) {
+        Q_EMIT typingWanted(enter ? nullptr : event);
         return;
     }
     QWidget::keyPressEvent(event);

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QTimer>
 #include <QToolButton>
@@ -56,9 +58,12 @@ DrawnView::DrawnView(Workspace* workspace, QWidget* parent)
     column->addWidget(grid_, 1);
     connect(grid_, &DrawnGrid::hovered, this, &DrawnView::setReadout);
     connect(grid_, &DrawnGrid::chosenChanged, this, &DrawnView::showControls);
-    connect(grid_, &DrawnGrid::typingWanted, this, [this] {
+    connect(grid_, &DrawnGrid::typingWanted, this, [this](const QKeyEvent* first) {
         height_->setFocus(Qt::ShortcutFocusReason);
         height_->selectAll();
+        if (first == nullptr) return;
+        QKeyEvent typed(QEvent::KeyPress, first->key(), first->modifiers(), first->text());
+        QApplication::sendEvent(height_, &typed);
     });
     connect(workspace, &Workspace::scenarioChanged, this, &DrawnView::refresh);
     connect(workspace, &Workspace::snapshotChanged, this, &DrawnView::refresh);
@@ -99,7 +104,7 @@ void DrawnView::makeBar(QHBoxLayout* starts, QHBoxLayout* bar) {
     height_->setSingleStep(0.05);
     height_->setPrefix(tr("height "));
     height_->setKeyboardTracking(false);
-    height_->setToolTip(tr("Height of the chosen texel, 0 to 1 (Enter or double click there)"));
+    height_->setToolTip(tr("Height of the chosen texel, 0 to 1: digits, Enter or a double click there"));
     for (QWidget* const control : std::initializer_list<QWidget*>{start_, side_, profile_, height_}) {
         control->setAccessibleName(control->toolTip());
         (control == start_ || control == side_ ? starts : bar)->addWidget(control);

@@ -37,7 +37,8 @@ class DrawnGrid : public QWidget {
 
   signals:
     void chosenChanged();
-    void typingWanted();
+    // first: the key that began it, or none
+    void typingWanted(const QKeyEvent* first);
     void hovered(const QString& readout);
 
   protected:
@@ -47,6 +48,7 @@ class DrawnGrid : public QWidget {
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
@@ -57,6 +59,7 @@ class DrawnGrid : public QWidget {
     void drag(QPointF at);
     void tell(QPointF at);
     bool step(int key, bool large);
+    bool typesHeight(const QKeyEvent& event) const;
 
     Workspace* workspace_;
     DrawnSource source_;

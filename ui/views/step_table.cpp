@@ -7,7 +7,6 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
@@ -198,7 +197,6 @@ StepTable::StepTable(Workspace* workspace, QWidget* parent)
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->setContextMenuPolicy(Qt::ActionsContextMenu);
-    table_->installEventFilter(this);
     auto* const copy = new QAction(tr("Copy rows"), table_);
     copy->setShortcut(QKeySequence::Copy);
     copy->setShortcutContext(Qt::WidgetShortcut);
@@ -320,18 +318,6 @@ QModelIndex StepTable::indexOf(int step) const {
 
 int StepTable::stepOf(const QModelIndex& index) const {
     return sorted_->mapToSource(index).row();
-}
-
-bool StepTable::eventFilter(QObject* watched, QEvent* event) {
-    // Home and End mean the first and last step, not the first and last column.
-    if (watched == table_ && event->type() == QEvent::KeyPress) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Home || key == Qt::Key_End) {
-            workspace_->chooseStep(key == Qt::Key_Home ? 0 : model_->rowCount() - 1);
-            return true;
-        }
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void StepTable::copyRows() {

@@ -51,7 +51,6 @@ class StepTable : public QWidget {
     void exportRows();  // asks for a file; the columns of `relief trace --steps`
 
   protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
   private:

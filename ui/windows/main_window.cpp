@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QKeyEvent>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -31,6 +30,7 @@
 #include "views/step_table.h"
 #include "views/trace3d_view.h"
 #include "windows/breakpoint_bar.h"
+#include "windows/key_policy.h"
 #include "windows/message_bar.h"
 #include "windows/other_bar.h"
 #include "windows/pane_title.h"
@@ -65,6 +65,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     : QMainWindow(parent), workspace_(workspace), datasets_(datasets) {
     setWindowTitle(tr("Reliefscope"));
     setObjectName(QStringLiteral("main-window"));
+    keys_ = new KeyPolicy(this, [this] { return frontView(); });
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
@@ -114,6 +115,7 @@ void MainWindow::makeResult() {
     auto* const title = titleOf(tr("Result"), whole);
     title->addControl(makeLayerChooser(workspace_, title));
     result_ = new ResultView(workspace_, whole);
+    whole->setFocusProxy(result_);
     column->addWidget(title);
     column->addWidget(result_, 1);
     setCentralWidget(whole);
@@ -136,6 +138,7 @@ QDockWidget* MainWindow::addPane(const PaneName& name, const QString& objectName
     addDockWidget(area, dock);
     connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
         if (!visible) closed_->start();
+        keys_->panesMoved();
     });
     panes_.push_back({name.title, dock, focus, dock});
     return dock;
@@ -174,7 +177,7 @@ void MainWindow::makePanes() {
     linkFigure(pyramid_);
     addPane(tr("Steps"), QStringLiteral("steps-pane"), time, steps_->findChild<QTableView*>(),
             Qt::BottomDockWidgetArea);
-    addPane(tr("Scene"), QStringLiteral("scene-pane"), scroll, panel, Qt::LeftDockWidgetArea);
+    addPane(tr("Scene"), QStringLiteral("scene-pane"), scroll, scroll, Qt::LeftDockWidgetArea);
     addPane(tr("Profile"), QStringLiteral("profile-pane"), profile_, profile_->canvas(), Qt::RightDockWidgetArea);
     linkFigure(profile_);
     addPane({tr("Distance map"), tr("Distance map", "tab")}, QStringLiteral("distance-pane"), distance_,
@@ -243,44 +246,40 @@ void MainWindow::makeSkipped() {
 
 void MainWindow::makeMessages() {
     addToolBarBreak();
-    auto* const bar = new QToolBar(tr("Messages"), this);
-    bar->setObjectName(QStringLiteral("messages"));
-    bar->setMovable(false);
-    bar->toggleViewAction()->setVisible(false);
-    bar->setContentsMargins(0, 0, 0, 0);
-    messages_ = new MessageBar(bar);
-    QAction* const holder = bar->addWidget(messages_);
-    addToolBar(bar);
-    bar->hide();
-    connect(workspace_, &Workspace::problem, this, [this, bar, holder](const QString& text) {
+    messageRow_ = new QToolBar(tr("Messages"), this);
+    messageRow_->setObjectName(QStringLiteral("messages"));
+    messageRow_->setMovable(false);
+    messageRow_->toggleViewAction()->setVisible(false);
+    messageRow_->setContentsMargins(0, 0, 0, 0);
+    auto* const both = new QWidget(messageRow_);
+    auto* const column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    messages_ = new MessageBar(both);
+    question_ = new MessageBar(both);
+    question_->setObjectName(QStringLiteral("question-bar"));
+    for (MessageBar* const bar : {messages_, question_}) {
+        column->addWidget(bar);
+        bar->hide();
+        connect(bar, &MessageBar::closed, this, &MainWindow::showMessages);
+    }
+    messageHolder_ = messageRow_->addWidget(both);
+    addToolBar(messageRow_);
+    showMessages();
+    connect(workspace_, &Workspace::problem, this, [this](const QString& text) {
         messages_->showProblem(text);
-        holder->setVisible(true);
-        bar->show();
+        showMessages();
     });
-    connect(workspace_, &Workspace::notice, this, [this, bar, holder](const QString& text) {
+    connect(workspace_, &Workspace::notice, this, [this](const QString& text) {
         messages_->showNotice(text);
-        holder->setVisible(true);
-        bar->show();
+        showMessages();
     });
-    connect(messages_, &MessageBar::closed, bar, &QWidget::hide);
 }
 
-// Keys that a control in focus needs for itself (a button its Space, a table its End) come here only when it did not.
-void MainWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->modifiers() != Qt::NoModifier) return QMainWindow::keyPressEvent(event);
-    switch (event->key()) {
-        case Qt::Key_Home:
-            stepBar_->first();
-            break;
-        case Qt::Key_End:
-            stepBar_->last();
-            break;
-        case Qt::Key_Space:
-            stepBar_->togglePlay();
-            break;
-        default:
-            QMainWindow::keyPressEvent(event);
-    }
+void MainWindow::showMessages() {
+    const bool any = !messages_->isHidden() || !question_->isHidden();
+    messageHolder_->setVisible(any);
+    messageRow_->setVisible(any);
 }
 
 }  // namespace reliefui

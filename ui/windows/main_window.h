@@ -4,12 +4,14 @@
 #include <vector>
 
 #include <QMainWindow>
+#include <QVariantMap>
 
 #include "workspace/workspace.h"
 
 class QDockWidget;
 class QMenu;
 class QTimer;
+class QToolBar;
 
 namespace reliefui {
 
@@ -19,6 +21,7 @@ class CompareView;
 class DistanceView;
 class DrawnView;
 class FigureView;
+class KeyPolicy;
 class DuelView;
 class FootprintView;
 class BookmarkMenu;
@@ -62,6 +65,10 @@ class MainWindow : public QMainWindow {
     PixelFinder* finder() { return finder_; }
     BookmarkMenu* bookmarks() { return bookmarks_; }
     MessageBar* messages() { return messages_; }
+    // A line of its own below, for what asks for an answer; shown and hidden by whoever asks.
+    MessageBar* question() { return question_; }
+    // To be called when one of the two was shown or hidden.
+    void showMessages();
     TopBar* topBar() { return topBar_; }
     StatusLine* status() { return status_; }
 
@@ -75,6 +82,9 @@ class MainWindow : public QMainWindow {
     // projector's layout are not kept: what was there before them is.
     void keepLayout() const;
     void restoreLayout();
+    // The same as a value.
+    QVariantMap layoutNow() const;
+    void takeLayout(const QVariantMap& layout);
 
   public slots:
     // The shipped pictures as they were the first time; can be undone.
@@ -91,7 +101,6 @@ class MainWindow : public QMainWindow {
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     struct Pane {
@@ -124,7 +133,10 @@ class MainWindow : public QMainWindow {
     void emptyClosed();
     void fill(QWidget* pane);
     void showTimeOnly(bool only);
+    void restorePanes(const QByteArray& state);
     void focusPane(std::size_t number);
+    // Of the pane that fills the window; else the result.
+    QWidget* frontView() const;
 
     void makeMenus();
     void makeFileMenu();
@@ -158,6 +170,7 @@ class MainWindow : public QMainWindow {
 
     Workspace* workspace_;
     QString datasets_;
+    KeyPolicy* keys_ = nullptr;
     ResultView* result_ = nullptr;
     PyramidView* pyramid_ = nullptr;
     ProfileView* profile_ = nullptr;
@@ -176,6 +189,9 @@ class MainWindow : public QMainWindow {
     PixelFinder* finder_ = nullptr;
     BookmarkMenu* bookmarks_ = nullptr;
     MessageBar* messages_ = nullptr;
+    MessageBar* question_ = nullptr;
+    QToolBar* messageRow_ = nullptr;
+    QAction* messageHolder_ = nullptr;
     StatusLine* status_ = nullptr;
     QDockWidget* skipped_ = nullptr;
     TopBar* topBar_ = nullptr;

@@ -129,13 +129,24 @@ void MainWindow::fill(QWidget* pane) {
             other.whole->setVisible(other.whole == pane || (time && other.dock == steps));
         }
         if (time) showTimeOnly(true);
-        return;
+    } else {
+        filled_ = nullptr;
+        closed_->start();
+        showTimeOnly(false);
+        panes_.front().whole->show();
+        restorePanes(beforeFill_);
     }
-    filled_ = nullptr;
-    closed_->start();
-    showTimeOnly(false);
-    panes_.front().whole->show();
-    restoreState(beforeFill_);
+    // Hiding the others has moved the focus.
+    for (const Pane& one : panes_) {
+        if (one.whole == pane) one.focus->setFocus(Qt::OtherFocusReason);
+    }
+}
+
+QWidget* MainWindow::frontView() const {
+    for (const Pane& pane : panes_) {
+        if (pane.whole == filled_) return pane.focus;
+    }
+    return panes_.front().focus;
 }
 
 void MainWindow::showTimeOnly(bool only) {
@@ -158,16 +169,7 @@ void MainWindow::focusPane(std::size_t number) {
     if (filled_ != nullptr && filled_ != pane.whole) fill(filled_);
     pane.whole->show();
     pane.whole->raise();
-    QWidget* target = pane.focus;
-    // A panel of controls has no focus of its own: its first control.
-    if (target->focusPolicy() == Qt::NoFocus && target->focusProxy() == nullptr) {
-        for (QWidget* const child : target->findChildren<QWidget*>()) {
-            if ((child->focusPolicy() & Qt::TabFocus) == 0 || !child->isEnabled() || !child->isVisible()) continue;
-            target = child;
-            break;
-        }
-    }
-    target->setFocus(Qt::ShortcutFocusReason);
+    pane.focus->setFocus(Qt::ShortcutFocusReason);
 }
 
 void MainWindow::setProjector(bool on) {
@@ -197,24 +199,45 @@ void MainWindow::setProjector(bool on) {
         });
     } else {
         showNormal();
-        restoreState(beforeProjector_);
+        restorePanes(beforeProjector_);
     }
 }
 
-void MainWindow::keepLayout() const {
+// Messages are where they are now, whatever was there when the state was kept.
+void MainWindow::restorePanes(const QByteArray& state) {
+    restoreState(state);
+    showMessages();
+}
+
+QVariantMap MainWindow::layoutNow() const {
     const bool projector = workspace_->style().projector;
+    QVariantMap layout;
+    layout[layoutKey()] = filled_ != nullptr ? beforeFill_ : projector ? beforeProjector_ : saveState();
+    layout[themeKey()] = workspace_->style().theme == Theme::Light;
+    if (!projector) layout[placeKey()] = saveGeometry();
+    return layout;
+}
+
+void MainWindow::takeLayout(const QVariantMap& layout) {
+    if (filled_ != nullptr) fill(filled_);
+    setProjector(false);
+    restoreGeometry(layout[placeKey()].toByteArray());
+    // After the share of the room that every window begins with.
+    QTimer::singleShot(0, this, [this, panes = layout[layoutKey()].toByteArray()] { restorePanes(panes); });
+    light_->setChecked(layout[themeKey()].toBool());
+}
+
+void MainWindow::keepLayout() const {
+    const QVariantMap layout = layoutNow();
     QSettings settings;
-    settings.setValue(layoutKey(), filled_ != nullptr ? beforeFill_ : projector ? beforeProjector_ : saveState());
-    settings.setValue(themeKey(), workspace_->style().theme == Theme::Light);
-    if (!projector) settings.setValue(placeKey(), saveGeometry());
+    for (auto value = layout.begin(); value != layout.end(); ++value) settings.setValue(value.key(), value.value());
 }
 
 void MainWindow::restoreLayout() {
     const QSettings settings;
-    restoreGeometry(settings.value(placeKey()).toByteArray());
-    // After the share of the room that every window begins with.
-    QTimer::singleShot(0, this, [this] { restoreState(QSettings().value(layoutKey()).toByteArray()); });
-    light_->setChecked(settings.value(themeKey(), false).toBool());
+    QVariantMap layout;
+    for (const QString& key : {layoutKey(), themeKey(), placeKey()}) layout[key] = settings.value(key);
+    takeLayout(layout);
 }
 
 void MainWindow::setLightTheme(bool on) {

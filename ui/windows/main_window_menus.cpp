@@ -139,15 +139,14 @@ void MainWindow::makeViewMenu() {
 
 void MainWindow::makeRayMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&Ray"));
-    // Home, End and Space belong to the control in focus first: their actions show them, keyPressEvent() hears them.
     const auto add = [&](const QString& text, const QKeySequence& keys, const QString& help, void (StepBar::*slot)()) {
         connect(addAction(menu, text, keys, help), &QAction::triggered, stepBar_, slot);
     };
-    add(tr("&First step") + '\t' + tr("Home"), {}, tr("To the first step of the ray"), &StepBar::first);
+    add(tr("&First step"), QKeySequence(Qt::Key_Home), tr("To the first step of the ray"), &StepBar::first);
     add(tr("&Previous step"), QKeySequence(Qt::Key_Comma), tr("One step back"), &StepBar::previous);
     add(tr("&Next step"), QKeySequence(Qt::Key_Period), tr("One step on"), &StepBar::next);
-    add(tr("&Last step") + '\t' + tr("End"), {}, tr("To the last step of the ray"), &StepBar::last);
-    add(tr("Pla&y") + '\t' + tr("Space"), {}, tr("Play the steps until a breakpoint"), &StepBar::togglePlay);
+    add(tr("&Last step"), QKeySequence(Qt::Key_End), tr("To the last step of the ray"), &StepBar::last);
+    add(tr("Pla&y"), QKeySequence(Qt::Key_Space), tr("Play the steps until a breakpoint"), &StepBar::togglePlay);
     add(tr("Play fas&ter"), QKeySequence(Qt::Key_BracketRight), tr("More steps a second"), &StepBar::faster);
     add(tr("Play slo&wer"), QKeySequence(Qt::Key_BracketLeft), tr("Fewer steps a second"), &StepBar::slower);
     add(tr("Step &over a level"), QKeySequence(Qt::Key_F10), tr("Over what lies on finer levels"), &StepBar::over);
@@ -281,6 +280,8 @@ void MainWindow::showShortcuts() {
         {tr("Double click on a title"), tr("fill the window with the pane, and back")},
         {tr("Arrows in the trace (with Shift: move), + −"), tr("turn the trace, zoom")},
         {tr("Alt + arrows in the comparison"), tr("move the divider, take the next one")},
+        {tr("Digits in the relief by hand"), tr("type the height of the chosen texel")},
+        {tr("Tab, arrows"), tr("go to a control, change it; Enter in a number: back to the view")},
         {QStringLiteral("Ctrl+E"), tr("export the pane as SVG, PDF or PNG")},
         {QStringLiteral("Ctrl+Z   Ctrl+Shift+Z"), tr("undo and redo")},
         {QStringLiteral("Ctrl+Shift+C"), tr("copy the relief trace command of the pixel")},

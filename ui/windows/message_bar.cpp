@@ -2,16 +2,17 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 namespace reliefui {
 
-MessageBar::MessageBar(QWidget* parent) : QFrame(parent), sign_(new QLabel(this)), label_(new QLabel(this)) {
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), row_(new QHBoxLayout(this)), sign_(new QLabel(this)), label_(new QLabel(this)) {
     setObjectName(QStringLiteral("message-bar"));
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Window);
-    auto* const row = new QHBoxLayout(this);
-    row->setContentsMargins(10, 4, 4, 4);
+    row_->setContentsMargins(10, 4, 4, 4);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     label_->setTextFormat(Qt::PlainText);
     label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -21,13 +22,21 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), sign_(new QLabel(this)
     close->setAutoRaise(true);
     close->setToolTip(tr("Close this message"));
     close->setAccessibleName(tr("Close this message"));
-    row->addWidget(sign_);
-    row->addWidget(label_, 1);
-    row->addWidget(close);
+    row_->addWidget(sign_);
+    row_->addWidget(label_, 1);
+    row_->addWidget(close);
     connect(close, &QToolButton::clicked, this, [this] {
         label_->clear();
+        hide();
         Q_EMIT closed();
     });
+}
+
+QPushButton* MessageBar::addAnswer(const QString& answer, const QString& help) {
+    auto* const button = new QPushButton(answer, this);
+    button->setToolTip(help);
+    row_->insertWidget(row_->count() - 1, button);
+    return button;
 }
 
 QString MessageBar::text() const {
@@ -37,7 +46,9 @@ QString MessageBar::text() const {
 void MessageBar::showText(const QString& text, bool problem) {
     // Black on a light ground of its own in both themes; a sign beside the colour.
     QPalette colors = palette();
-    colors.setColor(QPalette::Window, problem ? QColor(0xff, 0xd9, 0xc2) : QColor(0xdc, 0xee, 0xfb));
+    const QColor ground = problem ? QColor(0xff, 0xd9, 0xc2) : QColor(0xdc, 0xee, 0xfb);
+    colors.setColor(QPalette::Window, ground);
+    colors.setColor(QPalette::Button, ground);
     for (const auto role : {QPalette::WindowText, QPalette::ButtonText, QPalette::Text}) {
         colors.setColor(role, Qt::black);
     }

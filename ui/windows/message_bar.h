@@ -3,7 +3,9 @@
 
 #include <QFrame>
 
+class QHBoxLayout;
 class QLabel;
+class QPushButton;
 
 namespace reliefui {
 
@@ -15,6 +17,8 @@ class MessageBar : public QFrame {
     void showProblem(const QString& text) { showText(text, true); }
     void showNotice(const QString& text) { showText(text, false); }
     QString text() const;
+    // A button beside the text.
+    QPushButton* addAnswer(const QString& answer, const QString& help);
 
   signals:
     void closed();
@@ -22,6 +26,7 @@ class MessageBar : public QFrame {
   private:
     void showText(const QString& text, bool problem);
 
+    QHBoxLayout* row_;
     QLabel* sign_;
     QLabel* label_;
 };

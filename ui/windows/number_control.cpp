@@ -89,10 +89,6 @@ NumberControl::NumberControl(const relief::OptionDescription& description, QWidg
     setToolTip(optionToolTip(description));
     setObjectName(QString::fromStdString(description.name));
     setFocusProxy(box_);
-    for (QWidget* const part : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(box_)}) {
-        part->setFocusPolicy(Qt::StrongFocus);
-        part->installEventFilter(this);
-    }
 
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -121,14 +117,6 @@ void NumberControl::fitBox() {
 void NumberControl::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange) fitBox();
-}
-
-// The wheel scrolls the panel; a number is turned by it only when it was chosen before.
-bool NumberControl::eventFilter(QObject* watched, QEvent* event) {
-    auto* const part = qobject_cast<QWidget*>(watched);
-    if (event->type() != QEvent::Wheel || part == nullptr || part->hasFocus()) return false;
-    event->ignore();
-    return true;
 }
 
 void NumberControl::setValue(double value) {

@@ -42,7 +42,6 @@ class NumberControl : public QWidget {
     void settled();
 
   protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
   private:

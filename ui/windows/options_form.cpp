@@ -85,7 +85,6 @@ void OptionsForm::addControl(const Control& control) {
     choices->setObjectName(name);
     choices->setAccessibleName(controlTitle(control.option.name));
     choices->setToolTip(optionToolTip(control.option));
-    choices->setFocusPolicy(Qt::StrongFocus);
     for (const std::string& text : control.option.choices) choices->addItem(QString::fromStdString(text));
     label->setBuddy(choices);
     form_->addRow(label, choices);

@@ -104,7 +104,6 @@ void PicturesBox::addRecipe(QVBoxLayout* column) {
         recipe_->addItem(text(recipe.name), text(recipe.name));
         recipe_->setItemData(recipe_->count() - 1, coreText(std::string(recipe.help)), Qt::ToolTipRole);
     }
-    recipe_->setFocusPolicy(Qt::StrongFocus);
     size_ = new QSpinBox(this);
     size_->setAccessibleName(tr("Size of the procedural relief"));
     size_->setToolTip(tr("Texels along a side"));

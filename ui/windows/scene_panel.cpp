@@ -134,7 +134,6 @@ QComboBox* ScenePanel::addChoice(QFormLayout* form, const QString& title, const 
     box->setObjectName(objectName);
     box->setAccessibleName(title);
     box->setToolTip(help);
-    box->setFocusPolicy(Qt::StrongFocus);
     for (const std::string& name : names) box->addItem(controlTitle(name), QString::fromStdString(name));
     form->addRow(title, box);
     return box;

@@ -66,7 +66,6 @@ void TopBar::makeMethod() {
     method_->setAccessibleName(tr("Method"));
     method_->setToolTip(tr("How the ray searches for the relief"));
     method_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    method_->setFocusPolicy(Qt::StrongFocus);
     addMethods(true, {});
     addMethods(false, tr("no search"));
     addLabeled(tr("Method"), method_);
@@ -83,7 +82,6 @@ void TopBar::makeFilter() {
     filter_->setAccessibleName(tr("Filter"));
     filter_->setToolTip(tr("How the colour is read at the hit"));
     filter_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    filter_->setFocusPolicy(Qt::StrongFocus);
     for (const relief::FilterDescription& filter : relief::filterList()) {
         const QString name = QString::fromStdString(filter.name);
         filter_->addItem(name, name);

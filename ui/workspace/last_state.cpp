@@ -5,22 +5,23 @@
 #include <QSettings>
 
 #include "errors.h"
+#include "workspace/language.h"
 
 namespace reliefui {
 
-namespace {
-
 // The program asks before there is an application that knows its name.
-QString lastPath() {
+QString settingsFolder() {
     const QString name = QStringLiteral("reliefscope");
     const QSettings settings(QSettings::NativeFormat, QSettings::UserScope, name, name);
-    return QFileInfo(settings.fileName()).path() + QStringLiteral("/last.json");
+    return QFileInfo(settings.fileName()).path();
 }
 
-}  // namespace
+QString lastStateFile() {
+    return settingsFolder() + QStringLiteral("/last.json");
+}
 
 std::optional<relief::Scenario> lastState(relief::AssetStore& store) {
-    const QString path = lastPath();
+    const QString path = lastStateFile();
     if (!QFileInfo::exists(path)) return std::nullopt;
     try {
         const relief::Scenario scenario = relief::loadScenario(path.toStdString());
@@ -34,13 +35,13 @@ std::optional<relief::Scenario> lastState(relief::AssetStore& store) {
     }
 }
 
-void keepState(const relief::Scenario& scenario) {
-    const QString path = lastPath();
-    if (!QDir().mkpath(QFileInfo(path).path())) return;
+std::string keepState(const relief::Scenario& scenario) {
+    QDir().mkpath(settingsFolder());
     try {
-        relief::saveScenario(path.toStdString(), scenario);
-    } catch (const relief::InputError&) {
-        // Another start than this one is no harm.
+        relief::saveScenario(lastStateFile().toStdString(), scenario);
+        return {};
+    } catch (const relief::InputError& error) {
+        return error.text(uiLanguage());
     }
 }
 

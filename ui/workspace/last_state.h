@@ -2,15 +2,21 @@
 #pragma once
 
 #include <optional>
+#include <string>
+
+#include <QString>
 
 #include "scenario/scenario.h"
 
 namespace reliefui {
 
+QString settingsFolder();
+QString lastStateFile();
+
 // Nothing if none was kept, or if it cannot be read any more: a picture that is gone is no reason not to start.
 // store: gets its pictures.
 std::optional<relief::Scenario> lastState(relief::AssetStore& store);
-// Where it cannot be written, nothing is kept.
-void keepState(const relief::Scenario& scenario);
+// Returns in one line why it cannot be written; empty: it is.
+std::string keepState(const relief::Scenario& scenario);
 
 }  // namespace reliefui

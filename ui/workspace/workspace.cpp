@@ -258,6 +258,7 @@ void Workspace::finishLoad(const LoadResult& result) {
         return;
     }
     accept(pending);
+    tellBusy();  // where only notes differ, nothing is rendered
     if (!result.notes.isEmpty()) Q_EMIT notice(result.notes);
     if (pending.action == Action::Open && !pending.path.isEmpty()) Q_EMIT opened(pending.path);
 }

@@ -1,0 +1,394 @@
+// The keys that look at things (Home, End, Space, digits, ...) mean the same wherever the focus is: they never change a
+// method, an option or the scene. Only what somebody types on purpose goes into a box.
+#include <cstdlib>
+#include <random>
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QStyle>
+#include <QStyleOptionSpinBox>
+#include <QTabBar>
+#include <QWheelEvent>
+
+#include "views/drawing_canvas.h"
+#include "views/drawn_view.h"
+#include "views/profile_view.h"
+#include "views/pyramid_view.h"
+#include "window_fixture.h"
+#include "windows/number_control.h"
+#include "windows/top_bar.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr std::uint64_t kSeed = 20261123;  // RELIEF_SEED: another
+constexpr int kServerMs = 60;
+constexpr int kRounds = 9;
+constexpr int kKeysARound = 12;
+
+struct Key {
+    Qt::Key key;
+    Qt::KeyboardModifiers modifiers;
+};
+
+// As the table in the README has them, but those that open a dialog or undo.
+const std::vector<Key>& viewingKeys() {
+    static const std::vector<Key> keys = [] {
+        std::vector<Key> all;
+        for (const Qt::Key key : {Qt::Key_Home, Qt::Key_End, Qt::Key_Space, Qt::Key_Comma, Qt::Key_Period,
+                                  Qt::Key_BracketLeft, Qt::Key_BracketRight, Qt::Key_F5, Qt::Key_F9, Qt::Key_F10,
+                                  Qt::Key_G, Qt::Key_R, Qt::Key_Left, Qt::Key_Up, Qt::Key_F11}) {
+            all.push_back({key, Qt::NoModifier});
+        }
+        for (int digit = 0; digit < 10; ++digit) all.push_back({Qt::Key(Qt::Key_0 + digit), Qt::NoModifier});
+        for (int digit = 1; digit < 5; ++digit) all.push_back({Qt::Key(Qt::Key_0 + digit), Qt::AltModifier});
+        for (const Qt::Key key : {Qt::Key_E, Qt::Key_S, Qt::Key_O, Qt::Key_D, Qt::Key_F5, Qt::Key_F10}) {
+            all.push_back({key, Qt::ShiftModifier});
+        }
+        // Each end and Space as often as all digits together: they did the harm.
+        for (int i = 0; i < 8; ++i) all.push_back(all[static_cast<std::size_t>(i % 3)]);
+        return all;
+    }();
+    return keys;
+}
+
+// What viewing keys must leave alone: all but pixel, step and notes.
+relief::Scenario whatStays(relief::Scenario scenario) {
+    scenario.pixel.reset();
+    scenario.step = 0;
+    scenario.breakpoints.clear();
+    scenario.bookmarks.clear();
+    return scenario;
+}
+
+class ViewingKeys : public WindowTest {
+  protected:
+    void open() {
+        relief::Scenario scenario = smallScenario();
+        scenario.method = {"max-pyramid", {}};
+        scenario.comparison.others = {{"layers", {}}};
+        openWindow(scenario);
+    }
+    template <class Control>
+    Control* control(const char* name) {
+        return window_->findChild<Control*>(QString::fromLatin1(name));
+    }
+    QDockWidget* dock(const char* name) { return control<QDockWidget>(name); }
+    // To where a keyboard sends it.
+    static void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        ASSERT_NE(QApplication::focusWidget(), nullptr);
+        QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+    }
+    static void idle() {
+        for (int i = 0; i < 3; ++i) QApplication::processEvents();
+    }
+    // After a list was open: nobody manages windows here, and the X server takes the focus away, somewhat later.
+    void activate() {
+        QTest::qWait(kServerMs);
+        QApplication::setActiveWindow(window_.get());
+        idle();
+    }
+    // As with the mouse: the list opens, the pointer goes to the item.
+    void choose(QComboBox* list, int item) {
+        QTest::mouseClick(list, Qt::LeftButton);
+        QWidget* const viewport = list->view()->viewport();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return viewport->isVisible(); }, 2000));
+        list->view()->scrollTo(list->model()->index(item, 0));
+        const QPoint at = list->view()->visualRect(list->model()->index(item, 0)).center();
+        for (const QPoint& by : {QPoint(-20, 0), QPoint(0, 0)}) {
+            QMouseEvent move(QEvent::MouseMove, at + by, viewport->mapToGlobal(at + by), Qt::NoButton, Qt::NoButton,
+                             Qt::NoModifier);
+            QApplication::sendEvent(viewport, &move);
+        }
+        QTest::mouseClick(viewport, Qt::LeftButton, Qt::NoModifier, at);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !viewport->isVisible(); }, 2000));
+        activate();
+    }
+    void fill(const char* pane) {
+        QWidget* const title = dock(pane)->titleBarWidget();
+        QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(30, title->height() / 2));
+        idle();
+    }
+    void expectSteps() {
+        press(Qt::Key_Home);
+        EXPECT_EQ(scenario().step, 0);
+        press(Qt::Key_End);
+        EXPECT_EQ(scenario().step, static_cast<int>(snapshot()->trace.steps.size()) - 1);
+    }
+    void tabTo(QWidget* target) {
+        for (int i = 0; i < 300 && QApplication::focusWidget() != target; ++i) {
+            press(Qt::Key_Tab);
+            idle();
+        }
+        ASSERT_EQ(QApplication::focusWidget(), target);
+    }
+};
+
+TEST_F(ViewingKeys, afterAMethodIsChosenWithTheMouse) {
+    open();
+    auto* const method = control<QComboBox>("method");
+    choose(method, method->findText(QStringLiteral("layers")));
+    ASSERT_EQ(scenario().method.name, "layers");
+    waitForFull();
+    EXPECT_EQ(QApplication::focusWidget(), window_->result());
+    // Also at once, while the list still has the focus.
+    method->setFocus(Qt::MouseFocusReason);
+    const relief::Scenario before = whatStays(scenario());
+    expectSteps();
+    for (const Qt::Key key : {Qt::Key_Space, Qt::Key_Space, Qt::Key_C, Qt::Key_Down}) press(key);
+    EXPECT_EQ(whatStays(scenario()), before);
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr) << "Space plays";
+    // A box to tick does not keep Space.
+    QTest::mouseClick(control<QCheckBox>("shadows"), Qt::LeftButton);
+    const bool shadows = scenario().shadows;
+    press(Qt::Key_Space);
+    EXPECT_EQ(scenario().shadows, shadows);
+}
+
+TEST_F(ViewingKeys, afterAPaneFillsTheWindow) {
+    open();
+    for (const char* const pane : {"pyramid-pane", "trace-pane"}) {
+        dock(pane)->raise();
+        idle();
+        for (int i = 0; i < 2; ++i) {
+            fill(pane);
+            QWidget* const focus = QApplication::focusWidget();
+            ASSERT_NE(focus, nullptr);
+            EXPECT_TRUE(dock(pane)->isAncestorOf(focus)) << pane << ": " << focus->metaObject()->className();
+            const relief::Scenario before = whatStays(scenario());
+            expectSteps();
+            EXPECT_EQ(whatStays(scenario()), before);
+        }
+    }
+}
+
+// A digit came into an option behind another pane's tab.
+TEST_F(ViewingKeys, nothingOutOfSightHasTheFocus) {
+    open();
+    const relief::Scenario before = whatStays(scenario());
+    press(Qt::Key_2, Qt::AltModifier);
+    press(Qt::Key_F11);
+    idle();
+    press(Qt::Key_1, Qt::AltModifier);
+    press(Qt::Key_3, Qt::AltModifier);
+    press(Qt::Key_F11);
+    idle();
+    window_->resetLayout();
+    press(Qt::Key_6);
+    idle();
+    EXPECT_EQ(QApplication::focusWidget(), window_->profile()->canvas());
+    EXPECT_EQ(whatStays(scenario()), before);
+    // The pane of the box that is typed into goes behind another.
+    press(Qt::Key_5);
+    idle();
+    auto* const base = dock("scene-pane")->findChild<NumberControl*>(QStringLiteral("base"));
+    ASSERT_NE(base, nullptr);
+    QTest::mouseClick(base->box()->findChild<QLineEdit*>(), Qt::LeftButton);
+    EXPECT_EQ(QApplication::focusWidget(), base->box());
+    dock("drawn-pane")->raise();
+    QTest::qWait(50);
+    EXPECT_NE(QApplication::focusWidget(), base->box());
+    press(Qt::Key_7);
+    EXPECT_EQ(whatStays(scenario()), before);
+}
+
+TEST_F(ViewingKeys, digitsAreTypedWhereSomebodyTypes) {
+    open();
+    auto* const height = dock("scene-pane")->findChild<NumberControl*>(QStringLiteral("height"));
+    ASSERT_NE(height, nullptr);
+    QDoubleSpinBox* const box = height->box();
+    QTest::mouseClick(box->findChild<QLineEdit*>(), Qt::LeftButton);
+    idle();
+    ASSERT_EQ(QApplication::focusWidget(), box);
+    box->selectAll();
+    for (const Qt::Key key : {Qt::Key_6, Qt::Key_0, Qt::Key_Home, Qt::Key_1}) press(key);
+    press(Qt::Key_Return);
+    EXPECT_EQ(scenario().height, 160) << "Home moves in the text";
+    idle();
+    EXPECT_EQ(QApplication::focusWidget(), window_->result()) << "Enter ends typing";
+    waitForFull();
+    expectSteps();
+    // Its arrows are no typing.
+    QStyleOptionSpinBox option;
+    option.initFrom(box);
+    option.subControls = QStyle::SC_All;
+    const QRect up = box->style()->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxUp, box);
+    QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, up.center());
+    press(Qt::Key_3);
+    idle();
+    EXPECT_EQ(QApplication::focusWidget(), window_->pyramid()->canvas());
+    EXPECT_EQ(scenario().height, 161);
+}
+
+TEST_F(ViewingKeys, everythingIsReachedByTab) {
+    open();
+    auto* const method = control<QComboBox>("method");
+    ASSERT_NO_FATAL_FAILURE(tabTo(method));
+    press(Qt::Key_Up);
+    EXPECT_EQ(scenario().method.name, "exact");
+    expectSteps();
+    EXPECT_EQ(scenario().method.name, "exact");
+    press(Qt::Key_Down, Qt::AltModifier);
+    QWidget* const list = method->view();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return list->isVisible(); }, 2000));
+    // Its own keys while it is open.
+    QTest::keyClick(list, Qt::Key_Home);
+    QTest::keyClick(list, Qt::Key_Down);
+    QTest::keyClick(list, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !list->isVisible(); }, 2000));
+    EXPECT_EQ(scenario().method.name, method->itemText(1).toStdString());
+    activate();
+    EXPECT_EQ(QApplication::focusWidget(), method) << "who uses the keyboard goes on from here";
+    press(Qt::Key_3);
+    EXPECT_EQ(QApplication::focusWidget(), window_->pyramid()->canvas());
+    ASSERT_NO_FATAL_FAILURE(tabTo(control<QCheckBox>("shadows")));
+    const bool shadows = scenario().shadows;
+    press(Qt::Key_Space);
+    EXPECT_NE(scenario().shadows, shadows);
+    // Not behind other panes' tabs.
+    for (int i = 0; i < 40; ++i) {
+        press(Qt::Key_Tab);
+        idle();
+        const QDockWidget* const pane = [] {
+            for (QWidget* at = QApplication::focusWidget(); at != nullptr; at = at->parentWidget()) {
+                if (auto* const found = qobject_cast<QDockWidget*>(at)) return found;
+            }
+            return static_cast<QDockWidget*>(nullptr);
+        }();
+        EXPECT_TRUE(pane == nullptr || !pane->visibleRegion().isEmpty());
+    }
+}
+
+TEST_F(ViewingKeys, theWheelTurnsOnlyWhatWasChosen) {
+    open();
+    const auto turn = [](QWidget* over) {
+        const QPoint at = over->rect().center();
+        QWheelEvent event(at, over->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                          false);
+        QApplication::sendEvent(over, &event);
+    };
+    const relief::Scenario before = scenario();
+    auto* const depth = control<NumberControl>("top-relief-depth");
+    turn(control<QComboBox>("method"));
+    turn(depth->slider());
+    turn(depth->box());
+    turn(depth->box()->findChild<QLineEdit*>());
+    turn(control<QWidget>("step-slider"));
+    turn(control<QComboBox>("layer"));
+    EXPECT_EQ(scenario(), before);
+    EXPECT_EQ(workspace_->layer(), Layer::Color);
+    for (const QWidget* const box : window_->findChildren<QWidget*>()) {
+        // Lists that drop down are windows of their own.
+        if (box->window() != window_.get() || !box->isVisible()) continue;
+        EXPECT_NE(box->focusPolicy(), Qt::WheelFocus) << box->objectName().toStdString() << ": it moves the focus";
+    }
+    QTest::mouseClick(depth->box()->findChild<QLineEdit*>(), Qt::LeftButton);
+    turn(depth->box());
+    EXPECT_NE(scenario().reliefDepth, before.reliefDepth);
+}
+
+TEST_F(ViewingKeys, digitsByHandAreTheTexelsHeight) {
+    open();
+    press(Qt::Key_2, Qt::AltModifier);
+    DrawnView* const view = window_->drawn();
+    view->startFlat(0.25);
+    waitForFull();
+    fill("drawn-pane");
+    ASSERT_TRUE(dock("pyramid-pane")->isHidden());
+    QTest::mouseClick(view->grid(), Qt::LeftButton, Qt::NoModifier, view->grid()->placeOf(4, 5).toPoint());
+    for (const Qt::Key key : {Qt::Key_0, Qt::Key_Period, Qt::Key_7, Qt::Key_5}) press(key);
+    press(Qt::Key_Return);
+    EXPECT_EQ(scenario().pictures.drawn.at(4, 5), 0.75);
+    EXPECT_TRUE(dock("pyramid-pane")->isHidden()) << "the pane still fills the window";
+    idle();
+    ASSERT_EQ(QApplication::focusWidget(), view->grid());
+    press(Qt::Key_Right);
+    press(Qt::Key_1);
+    press(Qt::Key_Return);
+    EXPECT_EQ(scenario().pictures.drawn.at(5, 5), 1);
+    idle();
+    waitForFull();
+    expectSteps();
+    // Where no texel is chosen, they choose panes.
+    view->grid()->choose(std::nullopt);
+    press(Qt::Key_3);
+    EXPECT_EQ(QApplication::focusWidget(), window_->pyramid()->canvas());
+}
+
+// Random actions with the mouse, after each random viewing keys.
+TEST_F(ViewingKeys, changeNothingAfterAnything) {
+    open();
+    const char* const wanted = std::getenv("RELIEF_SEED");
+    const std::uint64_t seed = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : kSeed;
+    std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
+    std::mt19937_64 random(seed);
+    const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
+    const auto inSight = [](const QWidget* widget) { return !widget->visibleRegion().isEmpty(); };
+    const std::vector<std::pair<const char*, std::function<void()>>> actions{
+        {"method", [&] { choose(control<QComboBox>("method"), static_cast<int>(below(4))); }},
+        {"surface",
+         [&] {
+             auto* const list = control<QComboBox>("surface");
+             if (inSight(list)) choose(list, static_cast<int>(below(2)));
+         }},
+        {"fill",
+         [&] {
+             std::vector<QDockWidget*> seen;
+             for (QDockWidget* const pane : window_->findChildren<QDockWidget*>()) {
+                 if (inSight(pane)) seen.push_back(pane);
+             }
+             fill(qPrintable(seen[below(seen.size())]->objectName()));
+         }},
+        {"projector", [&] { window_->setProjector(!workspace_->style().projector); }},
+        {"reset", [&] { window_->resetLayout(); }},
+        {"panes",
+         [&] {
+             const auto panes = window_->findChildren<QDockWidget*>();
+             panes[static_cast<int>(below(static_cast<std::size_t>(panes.size())))]->toggleViewAction()->trigger();
+         }},
+        {"tab",
+         [&] {
+             for (QTabBar* const tabs : window_->findChildren<QTabBar*>()) {
+                 if (!inSight(tabs) || tabs->count() < 2) continue;
+                 const int at = static_cast<int>(below(static_cast<std::size_t>(tabs->count())));
+                 QTest::mouseClick(tabs, Qt::LeftButton, Qt::NoModifier, tabs->tabRect(at).center());
+             }
+         }},
+        {"tick",
+         [&] {
+             auto* const box = control<QCheckBox>("shadows");
+             if (inSight(box)) QTest::mouseClick(box, Qt::LeftButton);
+         }},
+        {"slider", [&] { QTest::mouseClick(control<QWidget>("step-slider"), Qt::LeftButton); }},
+    };
+    for (int round = 0; round < kRounds; ++round) {
+        const auto& [name, act] = actions[below(actions.size())];
+        ASSERT_NO_FATAL_FAILURE(act());
+        if (below(2) == 0) idle();
+        waitForFull();
+        activate();
+        const relief::Scenario before = whatStays(scenario());
+        QString story = QString::fromLatin1(name);
+        for (int n = 0; n < kKeysARound; ++n) {
+            const Key& key = viewingKeys()[below(viewingKeys().size())];
+            QWidget* const focus = QApplication::focusWidget();
+            story += QStringLiteral("; ") + QKeySequence(key.key | int(key.modifiers)).toString();
+            if (focus != nullptr) story += QStringLiteral(" in ") + focus->metaObject()->className();
+            QTest::keyClick(focus != nullptr ? focus : window_.get(), key.key, key.modifiers);
+            if (below(3) == 0) idle();
+            ASSERT_EQ(QApplication::activePopupWidget(), nullptr) << story.toStdString();
+            ASSERT_EQ(whatStays(scenario()), before) << "round " << round << ": " << story.toStdString();
+        }
+    }
+}
+
+}  // namespace
+
+}  // namespace reliefui

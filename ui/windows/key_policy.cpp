@@ -1,0 +1,225 @@
+#include "windows/key_policy.h"
+
+#include <utility>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabBar>
+
+namespace reliefui {
+
+namespace {
+
+enum class Kind : std::uint8_t { None, List, Slider, Text, Button, Tabs, Label };
+
+// None: a view, which gets the keys as Qt delivers them.
+Kind kindOf(const QWidget* widget) {
+    if (const auto* const list = qobject_cast<const QComboBox*>(widget)) {
+        return list->isEditable() ? Kind::Text : Kind::List;
+    }
+    if (qobject_cast<const QAbstractSpinBox*>(widget) != nullptr) return Kind::Text;
+    if (qobject_cast<const QLineEdit*>(widget) != nullptr) return Kind::Text;
+    if (qobject_cast<const QScrollBar*>(widget) != nullptr) return Kind::None;
+    if (qobject_cast<const QAbstractSlider*>(widget) != nullptr) return Kind::Slider;
+    if (qobject_cast<const QAbstractButton*>(widget) != nullptr) return Kind::Button;
+    if (qobject_cast<const QTabBar*>(widget) != nullptr) return Kind::Tabs;
+    if (qobject_cast<const QLabel*>(widget) != nullptr) return Kind::Label;
+    return Kind::None;
+}
+
+// A panel of controls is no view, though it has the focus when its ground is clicked.
+bool scrolls(const QWidget* widget) {
+    return qobject_cast<const QScrollArea*>(widget) != nullptr;
+}
+
+// The keys that mean the same everywhere: those that could also be typed, and the two ends.
+bool looksAtThings(const QKeyEvent& event) {
+    if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) != 0) return false;
+    if (event.key() == Qt::Key_Home || event.key() == Qt::Key_End) return true;
+    return !event.text().isEmpty() && event.text().front().isPrint();
+}
+
+bool isTab(const QKeyEvent& event) {
+    return event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab;
+}
+
+bool isSpace(const QKeyEvent& event) {
+    return event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;
+}
+
+// The pane behind another one's tab lies outside the window, and still counts as visible.
+bool inSight(const QWidget* widget) {
+    if (!widget->isVisible()) return false;
+    for (; widget != nullptr; widget = widget->parentWidget()) {
+        const auto* const dock = qobject_cast<const QDockWidget*>(widget);
+        if (dock != nullptr) return dock->isFloating() || !dock->visibleRegion().isEmpty();
+    }
+    return true;
+}
+
+// What Tab comes to next; null if there is nothing else.
+QWidget* nextInSight(const QWidget* from, bool back) {
+    const auto step = [back](const QWidget* at) { return back ? at->previousInFocusChain() : at->nextInFocusChain(); };
+    for (QWidget* at = step(from); at != from; at = step(at)) {
+        const bool takesTab = (at->focusPolicy() & Qt::TabFocus) != 0 && at->focusProxy() == nullptr;
+        if (takesTab && at->isEnabled() && at->window() == from->window() && inSight(at)) return at;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+KeyPolicy::KeyPolicy(QMainWindow* window, std::function<QWidget*()> fallback)
+    : QObject(window), window_(window), fallback_(std::move(fallback)) {
+    QApplication::instance()->installEventFilter(this);
+}
+
+// Not the dialogs and open lists.
+bool KeyPolicy::ours(const QWidget* widget) const {
+    const QWidget* const top = widget->window();
+    return top == window_ || (qobject_cast<const QDockWidget*>(top) != nullptr && top->parentWidget() == window_);
+}
+
+bool KeyPolicy::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::Polish:
+        case QEvent::FocusIn:
+        case QEvent::KeyPress:
+        case QEvent::ShortcutOverride:
+        case QEvent::Wheel:
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseButtonDblClick:
+        case QEvent::MouseButtonRelease:
+            break;
+        default:
+            return false;
+    }
+    auto* const widget = qobject_cast<QWidget*>(watched);
+    if (widget == nullptr || !ours(widget)) return false;
+    const Kind kind = kindOf(widget);
+    switch (event->type()) {
+        case QEvent::Polish:
+            // The wheel must not even move the focus.
+            if (kind != Kind::None && widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
+            // Tab leads out of a table again.
+            if (auto* const table = qobject_cast<QAbstractItemView*>(widget)) table->setTabKeyNavigation(false);
+            return false;
+        case QEvent::FocusIn:
+            focusCame(widget, static_cast<QFocusEvent*>(event)->reason());
+            return false;
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseButtonDblClick:
+            pressed(widget);
+            return false;
+        case QEvent::MouseButtonRelease:
+            settle_.start();
+            return false;
+        case QEvent::Wheel:
+            if (widget == held_ || (kind != Kind::List && kind != Kind::Slider && kind != Kind::Text)) return false;
+            break;
+        default:
+            if (!keepsKey(widget, *static_cast<QKeyEvent*>(event))) break;
+            // A button does not say that Space is its own.
+            if (kind != Kind::Button || widget != held_ || !isSpace(*static_cast<QKeyEvent*>(event))) return false;
+            if (event->type() != QEvent::ShortcutOverride) return false;
+            event->accept();
+            return true;
+    }
+    // To whatever lies around it, and at last to the window and its shortcuts.
+    event->ignore();
+    return true;
+}
+
+// Whether the widget may see the key.
+bool KeyPolicy::keepsKey(QWidget* widget, const QKeyEvent& event) {
+    if (event.type() == QEvent::KeyPress && isTab(event)) {
+        tab_ = true;
+        tabBack_ = event.key() == Qt::Key_Backtab || (event.modifiers() & Qt::ShiftModifier) != 0;
+        settle_.start();
+        return true;
+    }
+    const Kind kind = kindOf(widget);
+    // What passes a control on its way up was not meant for it, and is none of its keys.
+    if (kind == Kind::None || !widget->hasFocus() || isTab(event)) return true;
+    if (widget != held_) return false;
+    if (kind == Kind::Text) {
+        const bool done = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+        if (done && event.type() == QEvent::KeyPress) {
+            // The box takes the number; then the keys look at things again.
+            held_ = nullptr;
+            settle_.start();
+        }
+        return true;
+    }
+    return !looksAtThings(event) || (kind == Kind::Button && isSpace(event));
+}
+
+void KeyPolicy::focusCame(QWidget* widget, Qt::FocusReason reason) {
+    const bool byTab = tab_ && (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason);
+    if (kindOf(widget) != Kind::None) {
+        if (byTab || reason == Qt::ShortcutFocusReason) {
+            held_ = widget;
+        } else if (held_ != widget) {
+            held_ = nullptr;
+        }
+    } else if (qobject_cast<QMenuBar*>(widget) == nullptr) {
+        if (!scrolls(widget)) view_ = widget;
+        held_ = nullptr;
+    }
+    settle_.start();
+}
+
+void KeyPolicy::pressed(QWidget* widget) {
+    tab_ = false;
+    const Kind kind = kindOf(widget);
+    if (qobject_cast<QLineEdit*>(widget) != nullptr) {
+        // The text of a number: the box has the focus.
+        QWidget* const box = widget->parentWidget();
+        held_ = kindOf(box) == Kind::Text ? box : widget;
+    } else if (kind == Kind::Slider || kind == Kind::Label) {
+        held_ = widget;
+    } else if (widget == held_) {
+        held_ = nullptr;
+    }
+}
+
+void KeyPolicy::settle() {
+    const bool tab = std::exchange(tab_, false);
+    // Again when the mouse button is released or the list closed.
+    if (QApplication::mouseButtons() != Qt::NoButton || QApplication::activePopupWidget() != nullptr) return;
+    QWidget* const now = QApplication::focusWidget();
+    if (now == nullptr ? QApplication::activeWindow() != window_ : !ours(now)) return;
+    const bool seen = now != nullptr && inSight(now);
+    if (seen && (kindOf(now) == Kind::None || now == held_)) return;
+    QWidget* const next = tab && now != nullptr && !seen ? nextInSight(now, tabBack_) : nullptr;
+    if (next != nullptr) {
+        tab_ = true;
+        next->setFocus(tabBack_ ? Qt::BacktabFocusReason : Qt::TabFocusReason);
+        tab_ = false;
+    } else if (QWidget* const view = viewFor(now)) {
+        view->setFocus(Qt::OtherFocusReason);
+    }
+}
+
+// The view of the pane that the control belongs to; else the last one; else the fallback.
+QWidget* KeyPolicy::viewFor(const QWidget* control) const {
+    for (const QWidget* at = control; at != nullptr && at != window_; at = at->parentWidget()) {
+        QWidget* const proxy = at->focusProxy();
+        if (proxy != nullptr && kindOf(proxy) == Kind::None && !scrolls(proxy) && inSight(proxy)) return proxy;
+    }
+    if (view_ && ours(view_) && inSight(view_)) return view_;
+    return fallback_();
+}
+
+}  // namespace reliefui

@@ -1,0 +1,114 @@
+#include "workspace/state_keeper.h"
+
+#include <utility>
+
+#include <QSettings>
+
+#include "errors.h"
+#include "workspace/language.h"
+#include "workspace/last_state.h"
+#include "workspace/workspace.h"
+
+namespace reliefui {
+
+namespace {
+
+// Empty, or in one line why it cannot be written.
+QString writeState(const relief::Scenario& scenario, const QVariantMap& layout, const QString& scenarioFile,
+                   const QString& layoutFile) {
+    // First: who finds the scenario finds its layout.
+    QSettings settings(layoutFile, QSettings::IniFormat);
+    for (auto value = layout.begin(); value != layout.end(); ++value) settings.setValue(value.key(), value.value());
+    settings.sync();
+    try {
+        relief::saveScenario(scenarioFile.toStdString(), scenario);
+        return {};
+    } catch (const relief::InputError& error) {
+        return QString::fromStdString(error.text(uiLanguage()));
+    }
+}
+
+// The step may have been taken back to the last one of the ray.
+bool sameButStep(relief::Scenario a, const relief::Scenario& b) {
+    a.step = b.step;
+    return a == b;
+}
+
+}  // namespace
+
+StateKeeper::StateKeeper(Workspace* workspace, SessionFiles files, const relief::Scenario& beginning,
+                         std::function<QVariantMap()> layout)
+    : workspace_(workspace), files_(std::move(files)), saved_(beginning), layout_(std::move(layout)) {
+    writer_.setMaxThreadCount(1);
+    connect(&timer_, &QTimer::timeout, this, &StateKeeper::look);
+    for (const auto changed : {&Workspace::scenarioChanged, &Workspace::notesChanged, &Workspace::panesChanged}) {
+        connect(workspace_, changed, this, &StateKeeper::checkAdopted);
+    }
+    timer_.start(kEveryMs);
+}
+
+StateKeeper::~StateKeeper() {
+    writer_.waitForDone();
+}
+
+void StateKeeper::adopt(SessionFiles left, const relief::Scenario& scenario) {
+    adopted_ = std::move(left);
+    adoptedScenario_ = scenario;
+    adoptedShown_ = false;
+    checkAdopted();
+}
+
+// Pictures that are gone keep it from being shown; then its files stay.
+void StateKeeper::checkAdopted() {
+    if (adopted_ && sameButStep(workspace_->scenario(), adoptedScenario_)) adoptedShown_ = true;
+}
+
+void StateKeeper::look() {
+    if (writing_ || workspace_->version() == 0) return;
+    State now{workspace_->scenario(), layout_()};
+    const auto snapshot = workspace_->snapshot();
+    if (!shown_) layoutSaved_ = now.layout;
+    if (!shown_ && snapshot && !snapshot->coarse) {
+        // Some seconds after its picture the state has proved that it can be opened.
+        shown_ = true;
+        files_.setStarting(false);
+    }
+    if (now.scenario == saved_ && now.layout == layoutSaved_) return;
+    write(std::move(now));
+}
+
+void StateKeeper::write(State state) {
+    if (!files_.take()) return written(state, tr("%1 cannot be written").arg(settingsFolder()));
+    files_.setStarting(false);
+    writing_ = true;
+    writer_.start([this, state = std::move(state), scenario = files_.scenarioFile(), layout = files_.layoutFile()] {
+        const QString fault = writeState(state.scenario, state.layout, scenario, layout);
+        QMetaObject::invokeMethod(
+            this, [this, state, fault] { written(state, fault); }, Qt::QueuedConnection);
+    });
+}
+
+void StateKeeper::written(const State& state, const QString& fault) {
+    writing_ = false;
+    if (!fault.isEmpty()) {
+        if (!std::exchange(told_, true)) Q_EMIT problem(tr("What you do is not saved while you work: %1").arg(fault));
+        return;
+    }
+    saved_ = state.scenario;
+    layoutSaved_ = state.layout;
+    if (adoptedShown_ && adopted_) adopted_->remove();
+    if (adoptedShown_) adopted_.reset();
+}
+
+std::string StateKeeper::end() {
+    timer_.stop();
+    writer_.waitForDone();
+    const std::string fault = keepState(workspace_->scenario());
+    if (fault.empty()) {
+        if (adoptedShown_ && adopted_) adopted_->remove();
+        files_.remove();
+    }
+    return fault;
+}
+
+}  // namespace reliefui
