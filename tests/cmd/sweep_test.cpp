@@ -287,6 +287,27 @@ TEST_P(SweepTest, ACellOfAProcessThatHangsIsDoneWhenItDies) {
     EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "whole.csv"}));
 }
 
+// The journal of version 1 holds the first two of four cells, see its folder's README.
+TEST_P(SweepTest, ASweepOfAnOlderProgramIsGoneOnWith) {
+    std::filesystem::copy_file(RELIEF_FILES "/v1/tables/sweep.journal", path("b.csv.part"));
+    const auto parts = done("b.csv");
+    ASSERT_EQ(parts.size(), 2U);
+    const Result result = run({"bench", "tracers", "--relief", "bricks:16x16", "--relief", "spikes:16x16", "--rays",
+                               "200", "--rounds", "500", "--threads", "1", "--elevations", "60,random", "--tracers",
+                               "exact,layers:layers=12,distance-refined:layers=8", "-o", path("b.csv"), "--resume"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.err.find("2 of 4"), std::string::npos) << result.err;
+    const auto csv = lines(read("b.csv"));
+    ASSERT_EQ(csv.size(), 1U + 4 * 3);
+    std::size_t row = 1;
+    for (const auto& part : parts) {
+        for (const auto& kept : part["result"]) {
+            EXPECT_EQ(std::stod(fields(csv[row]).at(10)), kept["rate"].get<double>()) << "measured again";
+            ++row;
+        }
+    }
+}
+
 TEST_P(SweepTest, RowsAndFiltersGoOnToo) {
     const std::vector<std::vector<std::string>> sweeps{
         {"bench", "rows", "--widths", "100,200,300,400", "--elevations", "60,25,8", "--variants", "direct,streams",
