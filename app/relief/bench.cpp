@@ -1,4 +1,4 @@
-// relief bench tracers | rows | filters [-o FILE.csv|json] [--resume]
+// relief bench tracers | rows | filters [-o FILE.csv|json] [--resume|--anew]
 #include <algorithm>
 #include <set>
 
@@ -22,7 +22,7 @@ constexpr const char* kDefaultReliefs[] = {"bricks", "city", "fractal", "hills",
 struct BenchCommandOptions {
     OptionText kind, tracers, elevations, lowest, rays, rounds, seed, surface, address, reliefDepth, output;
     OptionText sizes, threadCounts;
-    bool resume = false;
+    RestartOptions restart;
     std::vector<std::string> heights, recipes;
     ReadingOptions reading;
     RowBenchCommand rows;
@@ -230,7 +230,7 @@ int runBench(const BenchCommandOptions& given, Session& session) {
                                      {{"what", "benchmark"}, {"name", kind}, {"known", "tracers, rows, filters"}}));
     }
     if (given.output) checkOutput(*given.output, {"csv", "json"});
-    const BenchRun to{given.output, given.resume, {{"kind", kind}}};
+    const BenchRun to{given.output, given.restart.chosen(), {{"kind", kind}}};
     if (kind == "rows") return given.rows.run(given.elevations, given.rounds, to, session);
     if (kind == "tracers") return runTracers(given, to, session);
     const bool own = !given.heights.empty() || !given.recipes.empty();
@@ -271,8 +271,8 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
         "height map, elevation and method. Rate: rays a second, the median of rounds over all methods in turn; spread: "
         "(p75 - p25) / median; errors: |lambda difference| x max(1, hypot(a, b)), texels, against exact; overshoots: "
         "hits later than exact's, or misses where exact hits. On a terminal a table, elsewhere CSV. With -o what is "
-        "done is kept in FILE.part; after a run that was broken off or killed, --resume goes on from there. mpirun -n "
-        "N "
+        "done is kept in FILE.part; after a run that was stopped or killed, --resume goes on from there and --anew "
+        "begins again. mpirun -n N "
         "relief bench ... -o FILE shares the work among N processes, each taking the next part as it comes free, on "
         "all "
         "machines that see FILE; with mpirun --enable-recovery the others go on when one dies, and do its part.\n"
@@ -297,8 +297,7 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
             "of the rays, default 1; tracers: several, separated by commas, are measured one by one", "Run");
     addText(*parser, "--thread-counts", options->threadCounts, "N,...",
             "tracers: each is measured, instead of --threads", "Run");
-    addFlag(*parser, "--resume", options->resume,
-            "go on from FILE.part, which a run that did not come to its end has left beside the output", "Run");
+    options->restart.add(*parser, "with -o", "Run");
     addOutput(*parser, options->output, "table: .csv or .json");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runBench(*options, session); }});

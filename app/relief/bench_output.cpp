@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 #include "measuring/bench_columns.h"
 #include "measuring/machine.h"
@@ -90,22 +91,37 @@ void overCells(std::string_view what, std::size_t cells, Session& session,
     }
 }
 
+void overParts(std::string_view what, SharedWork& shared, Session& session,
+               const std::function<int(std::size_t)>& threads, const std::function<void(std::size_t, Work&)>& measure) {
+    const bool speaks = shared.launch().rank == 0;
+    const std::size_t before = shared.done();
+    if (before > 0 && speaks) {
+        session.note(shared.path(), Message(MessageId::SweepResumed, {{"done", before}, {"total", shared.parts()}}));
+    }
+    if (shared.lockError() != 0) {
+        session.note(shared.path(), Message(MessageId::LocksMissing, {{"why", std::strerror(shared.lockError())}}));
+    }
+    try {
+        overCells(
+            what, shared.parts(), session, threads, [&] { return shared.take().value_or(kNoCell); },
+            [&] { return shared.done(); }, measure);
+    } catch (const Cancelled&) {
+        const MessageId said = shared.done() > 0 ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
+        if (speaks) session.note(shared.path(), Message(said, {{"done", shared.done()}, {"total", shared.parts()}}));
+        throw;
+    }
+    session.eraseBar();
+}
+
 void sweepTo(const BenchRun& run, const std::vector<std::string>& names, const std::string& header, Session& session,
              const std::function<int(std::size_t)>& threads, const std::function<Json(std::size_t, Work&)>& measure) {
     const Json what{{"options", run.what}, {"cells", names}};
-    SharedWork shared(*run.output, what, names.size(), run.resume, launched(), session.stop());
-    if (run.resume && shared.launch().rank == 0) {
-        session.note(*run.output, Message(MessageId::SweepResumed, {{"done", shared.done()}, {"total", names.size()}}));
-    }
-    overCells(
-        "bench", names.size(), session, threads, [&] { return shared.take().value_or(kNoCell); },
-        [&] { return shared.done(); },
-        [&](std::size_t cell, Work& work) {
-            Json rows = measure(cell, work);
-            addMachine(rows);
-            shared.put(cell, rows);
-        });
-    session.eraseBar();
+    SharedWork shared(*run.output, what, names.size(), run.earlier, launched(), session.stop());
+    overParts("bench", shared, session, threads, [&](std::size_t cell, Work& work) {
+        Json rows = measure(cell, work);
+        addMachine(rows);
+        shared.put(cell, rows);
+    });
     const auto results = shared.collect();
     if (!results) return;
     Json rows = Json::array();

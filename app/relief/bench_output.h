@@ -34,7 +34,7 @@ struct BenchCell {
 
 struct BenchRun {
     OptionText output;
-    bool resume = false;
+    EarlierRun earlier = EarlierRun::Refuse;
     Json what;  // all that rows depend on beside the cells' names
 };
 
@@ -51,6 +51,10 @@ void addMachine(Json& rows);
 void overCells(std::string_view what, std::size_t cells, Session& session,
                const std::function<int(std::size_t)>& threads, const std::function<std::size_t()>& next,
                const std::function<std::size_t()>& done, const std::function<void(std::size_t, Work&)>& measure);
+// overCells() over the parts of shared work. Tells how many an earlier run has done, and, where it is interrupted, what
+// is kept and how to go on.
+void overParts(std::string_view what, SharedWork& shared, Session& session,
+               const std::function<int(std::size_t)>& threads, const std::function<void(std::size_t, Work&)>& measure);
 // Cells to a file. names: of the cells; measure: the rows of one.
 void sweepTo(const BenchRun& run, const std::vector<std::string>& names, const std::string& header, Session& session,
              const std::function<int(std::size_t)>& threads, const std::function<Json(std::size_t, Work&)>& measure);
@@ -72,7 +76,10 @@ int runCells(const BenchRun& run, const BenchTexts<Row>& texts, const std::vecto
         return 0;
     }
     if (launched().size > 1) throw InputError("mpirun", Message(MessageId::NeedsArgument, {{"other", "--output"}}));
-    if (run.resume) throw InputError("--resume", Message(MessageId::NeedsArgument, {{"other", "--output"}}));
+    if (run.earlier != EarlierRun::Refuse) {
+        throw InputError(run.earlier == EarlierRun::Resume ? "--resume" : "--anew",
+                         Message(MessageId::NeedsArgument, {{"other", "--output"}}));
+    }
     std::vector<Row> rows;
     std::size_t at = 0;
     overCells(

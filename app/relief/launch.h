@@ -5,6 +5,7 @@
 // and one that dies takes nothing with it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace relief::app {
@@ -14,6 +15,10 @@ struct Launch {
     int size = 1;
     std::string job;  // the same in all processes of one start, another at the next
 };
+
+// What becomes of the file of work that an earlier run has left (shared_work.h): refused, or gone on with (--resume),
+// or thrown away (--anew).
+enum class EarlierRun : std::uint8_t { Refuse, Resume, Replace };
 
 // From Open MPI's, PMI's or Slurm's variables; alone where there are none.
 Launch launched();

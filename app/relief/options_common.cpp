@@ -122,6 +122,18 @@ void RunOptions::apply(Session& session) const {
     if (threads_) session.setThreads(static_cast<int>(parseWhole(*threads_, "--threads", 0, 1024)));
 }
 
+void RestartOptions::add(CLI::App& parser, const std::string& when, const std::string& group) {
+    addFlag(parser, "--resume", resume_, when + ": go on from the .part file of a run that was stopped or killed",
+            group);
+    addFlag(parser, "--anew", anew_, when + ": throw that .part file away and begin again", group);
+}
+
+EarlierRun RestartOptions::chosen() const {
+    if (resume_ && anew_) throw InputError("--anew", Message(MessageId::ArgumentsExclude, {{"other", "--resume"}}));
+    if (resume_) return EarlierRun::Resume;
+    return anew_ ? EarlierRun::Replace : EarlierRun::Refuse;
+}
+
 void addLanguage(CLI::App& parser) {
     // main() has read it already: a fault in these very options must be said in that language, too.
     parser

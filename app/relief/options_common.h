@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "launch.h"
 #include "scenario/scenario.h"
 #include "session.h"
 
@@ -64,6 +65,20 @@ class RunOptions {
   private:
     OptionText threads_;
     bool quiet_ = false;
+};
+
+// --resume, --anew: what becomes of FILE.part, which a run that was stopped has left.
+class RestartOptions {
+  public:
+    // when: of what kind of command, "many pictures".
+    void add(CLI::App& parser, const std::string& when, const std::string& group);
+    bool given() const { return resume_ || anew_; }
+    // Throws InputError where both are given.
+    EarlierRun chosen() const;
+
+  private:
+    bool resume_ = false;
+    bool anew_ = false;
 };
 
 // How a height file is read: --channel, --invert, --range, --max-pixels.

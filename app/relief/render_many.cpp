@@ -104,11 +104,12 @@ void ManyFrames::add(CLI::App& parser) {
             "shares the pictures among processes",
             "Output");
     addText(parser, "--to", to, "KEY=VALUE,...", "where the path ends: elevation, azimuth, distance, fov", "Output");
-    addFlag(parser, "--resume", resume, "many pictures: go on where a run that was broken off has left off", "Output");
+    restart.add(parser, "many pictures", "Output");
 }
 
 int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,
                     Session& session) const {
+    const EarlierRun earlier = restart.chosen();
     const std::int64_t count = frames ? parseWhole(*frames, "--frames", 1, kMostFrames) : 1;
     if (to && !frames) throw InputError("--to", Message(MessageId::NeedsArgument, {{"other", "--frames"}}));
     // A picture's name for many of them is a slip; a folder would hide it.
@@ -141,19 +142,14 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
     }
     makeFolder(folder);
     const std::filesystem::path place(folder);
-    SharedWork shared((place / "pictures").string(), what, pictures.size(), resume, launched(), session.stop());
-    if (resume && shared.launch().rank == 0) {
-        session.note(folder, Message(MessageId::SweepResumed, {{"done", shared.done()}, {"total", pictures.size()}}));
-    }
+    SharedWork shared((place / "pictures").string(), what, pictures.size(), earlier, launched(), session.stop());
     Studio studio(options, std::move(scenarios), session);
-    overCells(
-        "render", pictures.size(), session, [](std::size_t) { return 0; },
-        [&] { return shared.take().value_or(kNoCell); }, [&] { return shared.done(); },
+    overParts(
+        "render", shared, session, [](std::size_t) { return 0; },
         [&](std::size_t at, Work& work) {
             studio.render(pictures[at], (place / pictures[at].name).string(), layers, work);
             shared.put(at, pictures[at].name);
         });
-    session.eraseBar();
     if (shared.collect()) shared.finish();
     return 0;
 }

@@ -9,11 +9,11 @@ namespace relief::app {
 struct ManyFrames {
     std::vector<std::string> more;  // scenarios after the first
     OptionText frames, to;
-    bool resume = false;
+    RestartOptions restart;
 
     void add(CLI::App& parser);
     // Whether the command asks for more than one picture.
-    bool wanted() const { return !more.empty() || frames || to || resume; }
+    bool wanted() const { return !more.empty() || frames || to || restart.given(); }
     // folder: made where it is not there. layers: empty for pictures alone. Returns the exit status.
     int run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,
             Session& session) const;

@@ -46,16 +46,31 @@ std::string lineText(const Json& json) {
 // An open file with locks that end with the process, or with the file's closing.
 class SharedWork::File {
   public:
-    explicit File(const std::string& path) : descriptor_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {}
+    // alone: nobody else writes it, so that it may do without locks.
+    File(std::string path, bool alone)
+        : path_(std::move(path)), alone_(alone), descriptor_(::open(path_.c_str(), O_RDWR | O_CLOEXEC)) {}
     ~File() {
+        if (removed_) ::unlink(path_.c_str());
         if (descriptor_ >= 0) ::close(descriptor_);
     }
     File(const File&) = delete;
     File& operator=(const File&) = delete;
 
     bool isOpen() const { return descriptor_ >= 0; }
-    bool tryLock(off_t byte) { return set(F_WRLCK, byte); }
-    void unlock(off_t byte) { set(F_UNLCK, byte); }
+    // false: another holds it. Throws WorkError where there are no locks and others need them.
+    bool tryLock(off_t byte) {
+        if (lockError_ != 0 || set(F_WRLCK, byte)) return true;
+        if (errno == EAGAIN || errno == EACCES || errno == EINTR) return false;
+        if (!alone_) throw WorkError(path_, Message(MessageId::LocksNeeded, {{"why", std::strerror(errno)}}));
+        lockError_ = errno;
+        return true;
+    }
+    void unlock(off_t byte) {
+        if (lockError_ == 0) set(F_UNLCK, byte);
+    }
+    int lockError() const { return lockError_; }
+    // Whether the file goes when it is closed.
+    void removeAtEnd(bool removed) { removed_ = removed; }
 
     // What was added since the last call.
     std::string readOn() {
@@ -94,62 +109,79 @@ class SharedWork::File {
         return ::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0;
     }
 
+    std::string path_;
+    bool alone_;
     int descriptor_;
     off_t read_ = 0;
+    int lockError_ = 0;
+    bool removed_ = false;
 };
 
-SharedWork::SharedWork(const std::string& output, const Json& what, std::size_t parts, bool resume, Launch launch,
-                       std::stop_token stop)
+SharedWork::SharedWork(const std::string& output, const Json& what, std::size_t parts, EarlierRun earlier,
+                       Launch launch, std::stop_token stop)
     : path_(output + ".part"), launch_(std::move(launch)), stop_(std::move(stop)), results_(parts) {
     // As it will be read: numbers and names take the form that a file gives them.
     const Json kept = parsedLine(lineText(what));
     if (launch_.rank == 0) {
-        begin(path_, kept, resume);
+        begin(kept, earlier);
     } else {
-        join(path_, kept);
+        join(kept);
     }
     append({{"rank", launch_.rank}});
+    // Others may do parts of it from here on.
+    if (launch_.size > 1) file_->removeAtEnd(false);
     refresh();
 }
 
 SharedWork::~SharedWork() = default;
 
-// Made beside and renamed, so that nobody sees half of it; what an earlier run has done is taken over.
-void SharedWork::begin(const std::string& path, const Json& what, bool resume) {
-    std::string text = lineText({{"work", what}, {"job", launch_.job}});
-    if (resume && ::access(path.c_str(), F_OK) == 0) {
-        const std::string old = readTextFile(path);
-        std::size_t first = 0;
-        for (std::size_t end = old.find('\n'); end != std::string::npos; end = old.find('\n', first)) {
-            const Json line = parsedLine(old.substr(first, end - first));
-            if (first == 0 && (!line.is_object() || line.value("work", Json()) != what)) {
-                throw InputError(path, Message(MessageId::SweepOther));
-            }
-            if (line.is_object() && line.contains("part")) text += lineText(line);
-            first = end + 1;
-        }
-        if (first == 0) throw InputError(path, Message(MessageId::SweepOther));
-    }
-    writeTextFile(path, text);
-    file_ = std::make_unique<File>(path);
-    if (!file_->isOpen()) failWriting(path);
+int SharedWork::lockError() const {
+    return file_->lockError();
 }
 
-void SharedWork::join(const std::string& path, const Json& what) {
+// Lines of parts that an earlier run of this work has left.
+std::string SharedWork::keptLines(const Json& what) const {
+    std::string kept;
+    const std::string old = readTextFile(path_);
+    std::size_t first = 0;
+    for (std::size_t end = old.find('\n'); end != std::string::npos; end = old.find('\n', first)) {
+        const Json line = parsedLine(old.substr(first, end - first));
+        if (first == 0 && (!line.is_object() || line.value("work", Json()) != what)) {
+            throw InputError(path_, Message(MessageId::SweepOther));
+        }
+        if (line.is_object() && line.contains("part")) kept += lineText(line);
+        first = end + 1;
+    }
+    if (first == 0) throw InputError(path_, Message(MessageId::SweepOther));
+    return kept;
+}
+
+// Made beside and renamed, so that nobody sees half of it; what an earlier run has done is taken over.
+void SharedWork::begin(const Json& what, EarlierRun earlier) {
+    const bool there = ::access(path_.c_str(), F_OK) == 0;
+    if (there && earlier == EarlierRun::Refuse) throw InputError(path_, Message(MessageId::SweepThere));
+    const std::string kept = there && earlier == EarlierRun::Resume ? keptLines(what) : "";
+    writeTextFile(path_, lineText({{"work", what}, {"job", launch_.job}}) + kept);
+    file_ = std::make_unique<File>(path_, launch_.size == 1);
+    if (!file_->isOpen()) failWriting(path_);
+    file_->removeAtEnd(kept.empty());
+}
+
+void SharedWork::join(const Json& what) {
     const auto begun = Clock::now();
     while (true) {
-        file_ = std::make_unique<File>(path);
+        file_ = std::make_unique<File>(path_, false);
         if (file_->isOpen()) {
             const std::string text = file_->readOn();
             const Json head = parsedLine(text.substr(0, text.find('\n')));
             if (head.is_object() && head.value("job", "") == launch_.job) {
-                if (head.value("work", Json()) != what) throw InputError(path, Message(MessageId::SweepOther));
+                if (head.value("work", Json()) != what) throw InputError(path_, Message(MessageId::SweepOther));
                 unread_ = text;
                 return;
             }
         }
         if (Clock::now() - begun > kWaitForFile) {
-            throw WorkError(path, Message(MessageId::SweepNotBegun, {{"seconds", kWaitForFile.count()}}));
+            throw WorkError(path_, Message(MessageId::SweepNotBegun, {{"seconds", kWaitForFile.count()}}));
         }
         pause();
     }
@@ -173,6 +205,7 @@ void SharedWork::refresh() {
         if (part >= results_.size() || results_[part]) continue;
         results_[part] = line.value("result", Json());
         ++done_;
+        file_->removeAtEnd(false);
     }
     unread_.erase(0, first);
 }
@@ -230,7 +263,8 @@ void SharedWork::finish() {
         pause();
         refresh();
     }
-    std::remove(path_.c_str());
+    file_->removeAtEnd(true);
+    file_.reset();
 }
 
 }  // namespace relief::app

@@ -6,7 +6,8 @@
 // "result": ...}. A part
 // in work is held by a lock on its byte of the file, far beyond its end, which the system releases when the process
 // ends, however it does: then another process takes it. Lines are appended whole, under a lock of their own; one that
-// was cut short by a crash is not read, and its part is done again.
+// was cut short by a crash is not read, and its part is done again. One process alone needs no locks and works where
+// the file system has none.
 #pragma once
 
 #include <cstddef>
@@ -26,11 +27,13 @@ using Json = nlohmann::ordered_json;
 
 class SharedWork {
   public:
-    // what: all that results depend on; a file that was kept by another work is refused. resume: what is done already
-    // is kept, else the file is begun anew. Rank 0 makes the file, the others wait for it.
-    // Throws InputError (other work), WorkError (cannot be written, rank 0 does not come), Cancelled.
-    SharedWork(const std::string& output, const Json& what, std::size_t parts, bool resume, Launch launch,
+    // what: all that results depend on; Resume refuses a file that was kept by another work. Where there is no file,
+    // one is begun whatever `earlier` says. Rank 0 makes it, the others wait for it.
+    // Throws InputError (a file is there, other work), WorkError (cannot be written, no locks for several processes,
+    // rank 0 does not come), Cancelled.
+    SharedWork(const std::string& output, const Json& what, std::size_t parts, EarlierRun earlier, Launch launch,
                std::stop_token stop);
+    // Removes a file that holds no result.
     ~SharedWork();
     SharedWork(const SharedWork&) = delete;
     SharedWork& operator=(const SharedWork&) = delete;
@@ -38,6 +41,9 @@ class SharedWork {
     std::size_t parts() const { return results_.size(); }
     std::size_t done() const { return done_; }
     const Launch& launch() const { return launch_; }
+    const std::string& path() const { return path_; }  // FILE.part
+    // Why the work goes on without locks, as an errno; 0: it has them.
+    int lockError() const;
 
     // The next part that nobody has done or is doing, held from now on; waits while others do the last ones; nothing
     // when all are done. Throws Cancelled.
@@ -54,8 +60,9 @@ class SharedWork {
   private:
     class File;
 
-    void begin(const std::string& path, const Json& what, bool resume);
-    void join(const std::string& path, const Json& what);
+    void begin(const Json& what, EarlierRun earlier);
+    std::string keptLines(const Json& what) const;
+    void join(const Json& what);
     void refresh();
     void append(const Json& line);
     void pause() const;

@@ -120,6 +120,21 @@ TEST_P(RenderManyTest, GoesOnAndIsShared) {
     EXPECT_EQ(run(resumed).status, 0);
 }
 
+TEST_P(RenderManyTest, AnEarlierRunIsNotThrownAwayUnasked) {
+    std::filesystem::create_directory(path("path"));
+    write("path/pictures.part", "kept");
+    const auto with = [&](const char* flag) {
+        auto all = pathOf("path", "2");
+        all.push_back(flag);
+        return all;
+    };
+    expectRefusal(pathOf("path", "2"), 2, {path("path/pictures.part"), "--resume", "--anew"});
+    expectRefusal(with("--resume"), 2, {path("path/pictures.part"), "--anew"});
+    EXPECT_EQ(read("path/pictures.part"), "kept");
+    runFine(with("--anew"));
+    EXPECT_EQ(named("path"), (std::vector<std::string>{"frame_00000.png", "frame_00001.png"}));
+}
+
 TEST_P(RenderManyTest, WrongRequestsAreRefused) {
     const std::string one = scenario("one.json", "bricks", 50);
     expectRefusal({"render", one, one, "-o", path("many")}, 2, {one, "more than once"});

@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <set>
 #include <thread>
@@ -74,15 +76,18 @@ class SweepTest : public CommandTest {
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }
-    // Runs on its own; its words go nowhere.
-    pid_t start(const std::vector<std::string>& arguments, const Variables& variables = {}) const {
+    // Runs on its own; what it says goes to `errors`.
+    pid_t start(const std::vector<std::string>& arguments, const Variables& variables = {},
+                const std::string& errors = "/dev/null") const {
         std::vector<char*> pointers{const_cast<char*>(RELIEF_PROGRAM)};
         for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
         pointers.push_back(nullptr);
         const pid_t child = fork();
         if (child != 0) return child;
         const int nowhere = open("/dev/null", O_RDWR);
-        for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, descriptor);
+        for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO}) dup2(nowhere, descriptor);
+        dup2(open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+        signal(SIGINT, SIG_DFL);
         for (const auto& [name, value] : variables) setenv(name.c_str(), value.c_str(), 1);
         execv(RELIEF_PROGRAM, pointers.data());
         _exit(127);
@@ -154,10 +159,68 @@ TEST_P(SweepTest, DoneCellsAreTakenAsTheyAreAndHalfLinesAreNot) {
     const std::string csv = read("b.csv");
     EXPECT_NE(csv.find(",987654,"), std::string::npos) << "measured again";
     EXPECT_EQ(lines(csv).size(), 1 + 2 * kCells);
-    // Without --resume all begins anew.
     write("b.csv.part", text);
-    runFine(sweep("b.csv"));
+    runFine(sweep("b.csv", {"--anew"}));
     EXPECT_EQ(read("b.csv").find(",987654,"), std::string::npos);
+}
+
+TEST_P(SweepTest, StoppedItSaysHowToGoOnAndNothingIsThrownAwayUnasked) {
+    for (const int number : {SIGINT, SIGTERM}) {
+        const pid_t child = start(sweep("b.csv", {"--anew"}), {}, path("said"));
+        ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 2; }));
+        kill(child, number);
+        ASSERT_EQ(statusOf(child), 128 + number);
+        const std::string said = read("said");
+        EXPECT_EQ(lines(said).size(), 1U) << said;
+        const std::string count = std::to_string(done("b.csv").size()) + " of " + std::to_string(kCells);
+        for (const std::string& part : {path("b.csv.part"), count, std::string("--resume")}) {
+            EXPECT_NE(said.find(part), std::string::npos) << said << "lacks " << part;
+        }
+    }
+    const std::string kept = read("b.csv.part");
+    auto other = sweep("b.csv");
+    other[11] = "3001";  // rays
+    for (const auto& again : {sweep("b.csv"), other}) {
+        expectRefusal(again, 2, {path("b.csv.part"), "--resume", "--anew"});
+    }
+    expectRefusal(sweep("b.csv", {"--resume", "--anew"}), 2, {"--resume", "--anew"});
+    expectRefusal({"bench", "rows", "--anew"}, 2, {"--anew", "--output"});
+    EXPECT_EQ(read("b.csv.part"), kept);
+    write("b.csv.part", "somebody's own");
+    expectRefusal(sweep("b.csv"), 2, {path("b.csv.part")});
+    EXPECT_EQ(read("b.csv.part"), "somebody's own");
+}
+
+TEST_P(SweepTest, StoppedBeforeTheFirstPartItLeavesNothing) {
+    const pid_t child = start({"bench", "tracers", "--relief", "hills", "--elevations", "60", "--rounds", "1000",
+                               "--tracers", "exact", "-o", path("b.csv")},
+                              {}, path("said"));
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(path("b.csv.part")); }));
+    kill(child, SIGINT);
+    EXPECT_EQ(statusOf(child), 128 + SIGINT);
+    EXPECT_EQ(files(), std::vector<std::string>{"said"});
+    EXPECT_NE(read("said").find("nothing is kept"), std::string::npos) << read("said");
+}
+
+TEST_P(SweepTest, WithoutFileLocksOneProcessWorksAndSeveralAreRefused) {
+    const auto rows = [&](const std::string& output) {
+        return std::vector<std::string>{"bench",    "rows", "--widths", "100,200", "--variants", "direct",
+                                        "--pixels", "1000", "--rounds", "1",       "-o",         path(output)};
+    };
+    for (const int error : {ENOLCK, EOPNOTSUPP, EINVAL}) {
+        RunSetup setup;
+        setup.lockError = error;
+        const Result alone = run(rows("b.csv"), setup);
+        if (alone.status == kNoFilter) GTEST_SKIP() << "no system call can be made to fail here";
+        EXPECT_EQ(alone.status, 0) << alone.err;
+        EXPECT_EQ(lines(alone.err).size(), 1U) << alone.err;
+        EXPECT_NE(alone.err.find(path("b.csv.part")), std::string::npos) << alone.err;
+        EXPECT_NE(alone.err.find(std::strerror(error)), std::string::npos) << alone.err;
+        EXPECT_EQ(lines(read("b.csv")).size(), 1U + 2 * 3);
+        setup.variables = {{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "2"}, {"PMIX_NAMESPACE", "job"}};
+        expectRefusal(rows("c.csv"), 1, {path("c.csv.part"), "locks"}, setup);
+        EXPECT_EQ(files(), std::vector<std::string>{"b.csv"});
+    }
 }
 
 TEST_P(SweepTest, AnotherSweepIsNotGoneOnWith) {
@@ -222,6 +285,27 @@ TEST_P(SweepTest, ACellOfAProcessThatHangsIsDoneWhenItDies) {
     EXPECT_EQ(statusOf(second), 0);
     EXPECT_EQ(withoutTimings(read("b.csv")), withoutTimings(read("whole.csv")));
     EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "whole.csv"}));
+}
+
+// The journal of version 1 holds the first two of four cells, see its folder's README.
+TEST_P(SweepTest, ASweepOfAnOlderProgramIsGoneOnWith) {
+    std::filesystem::copy_file(RELIEF_FILES "/v1/tables/sweep.journal", path("b.csv.part"));
+    const auto parts = done("b.csv");
+    ASSERT_EQ(parts.size(), 2U);
+    const Result result = run({"bench", "tracers", "--relief", "bricks:16x16", "--relief", "spikes:16x16", "--rays",
+                               "200", "--rounds", "500", "--threads", "1", "--elevations", "60,random", "--tracers",
+                               "exact,layers:layers=12,distance-refined:layers=8", "-o", path("b.csv"), "--resume"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.err.find("2 of 4"), std::string::npos) << result.err;
+    const auto csv = lines(read("b.csv"));
+    ASSERT_EQ(csv.size(), 1U + 4 * 3);
+    std::size_t row = 1;
+    for (const auto& part : parts) {
+        for (const auto& kept : part["result"]) {
+            EXPECT_EQ(std::stod(fields(csv[row]).at(10)), kept["rate"].get<double>()) << "measured again";
+            ++row;
+        }
+    }
 }
 
 TEST_P(SweepTest, RowsAndFiltersGoOnToo) {

@@ -1,0 +1,403 @@
+// Files that earlier versions of the program wrote (tests/files/vN) open with the meaning that they had then.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "measuring/bench_filters.h"
+#include "measuring/bench_rows.h"
+#include "measuring/bench_tracers.h"
+#include "measuring/pareto.h"
+#include "relief/maps/map_choice.h"
+#include "scenario/ray_files.h"
+#include "scenario/scenario.h"
+
+namespace relief::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kVersion1 = fs::path(RELIEF_FILES) / "v1";
+constexpr double kSameHit = 1e-9;      // of lambda
+constexpr double kSamePicture = 0.01;  // mean difference of linear colours: a filter may become better
+constexpr std::size_t kMapBytes = 1 << 24;
+
+// Files by folder ("" for the root) and ending; sorted.
+std::vector<fs::path> filesOf(const std::string& folder, const std::string& ending) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(kVersion1 / folder)) {
+        if (entry.is_regular_file() && entry.path().extension() == ending) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string textOf(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::vector<std::vector<std::string>> rowsOf(const fs::path& path) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream text(textOf(path));
+    for (std::string line; std::getline(text, line);) {
+        rows.emplace_back();
+        std::istringstream fields(line);
+        for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(field);
+    }
+    return rows;
+}
+
+// The files of scenarios; the report stands beside them.
+std::vector<fs::path> scenarios() {
+    std::vector<fs::path> files = filesOf("", ".json");
+    std::erase(files, kVersion1 / "report.json");
+    return files;
+}
+
+void expectSamePicture(const Scenario& scenario, const fs::path& before) {
+    Work work;
+    AssetStore store;
+    const Assets assets = store.load(scenario.pictures, work);
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    const ColorImage now = renderer.render(frameRequest(scenario, assets), work)->light->color;
+    const ColorImage then = readColor(before.string(), work);
+    ASSERT_EQ(now.width(), then.width());
+    ASSERT_EQ(now.height(), then.height());
+    double difference = 0;
+    for (int y = 0; y < now.height(); ++y) {
+        for (int x = 0; x < now.width(); ++x) {
+            for (int c = 0; c < 3; ++c) difference += std::abs(std::clamp(now(x, y)[c], 0.0F, 1.0F) - then(x, y)[c]);
+        }
+    }
+    EXPECT_LT(difference / (3.0 * now.width() * now.height()), kSamePicture);
+}
+
+// What trace wrote into traced/hits-NAME.csv and traced/steps-NAME.*: by this method over pictures/height.png.
+struct Traced {
+    MethodChoice method;
+    std::string map;  // stored in maps/NAME.tif, of this kind; empty: none
+    Address address = Address::Repeat;
+};
+
+const std::map<std::string, Traced>& traced() {
+    static const std::map<std::string, Traced> all{
+        {"exact", {{"exact", {}}, ""}},
+        {"max-pyramid", {{"max-pyramid", {}}, ""}},
+        {"layers", {{"layers", {{"layers", "12"}}}, ""}},
+        {"offset", {{"offset", {}}, ""}},
+        {"border", {{"max-pyramid", {}}, "", Address::Border}},
+        {"limit", {{"cone-dummer", {{"iterations", "1"}}}, ""}},
+        {"euclidean", {{"distance", {{"layers", "8"}, {"iterations", "8"}}}, "euclidean"}},
+        {"euclidean-conservative",
+         {{"distance-conservative", {{"footprint", "2"}, {"layers", "8"}, {"precision", "u16"}}},
+          "euclidean-conservative"}},
+        {"refined-sampled",
+         {{"distance-refined-sampled", {{"layers", "8"}, {"directions", "32"}, {"iterations", "8"}}},
+          "refined-sampled"}},
+        {"refined", {{"distance-refined", {{"layers", "8"}, {"sectors", "4"}, {"precision", "u8"}}}, "refined"}},
+        {"cone", {{"cone", {}}, "cone"}},
+        {"cone-sectors", {{"cone", {{"sectors", "4"}, {"precision", "u16"}}}, "cone"}},
+        {"cone-dummer", {{"cone-dummer", {{"precision", "u8"}, {"iterations", "8"}}}, "cone-dummer"}},
+        {"relaxed-cone", {{"relaxed-cone", {{"radius", "16"}, {"bisections", "4"}}}, "relaxed-cone"}},
+    };
+    return all;
+}
+
+// "hits-cone.csv": "cone".
+std::string nameOf(const fs::path& file) {
+    const std::string stem = file.stem().string();
+    return stem.substr(stem.find('-') + 1);
+}
+
+class OldFiles : public testing::Test {
+  protected:
+    RayBlock rays() const { return parseRays(textOf(kVersion1 / "traced/rays.csv"), "rays.csv"); }
+    HeightField field(Address address) { return HeightField(heights_, Surface::Bilinear, address, 0.2); }
+    HitBlock hitsBy(const MethodChoice& method, const HeightField& field, MapCache& maps, StepLog* log = nullptr) {
+        HitBlock hits;
+        StepLog unwanted;
+        makeTracer(method, field, maps, work_)->trace(rays(), hits, log != nullptr ? *log : unwanted, work_);
+        return hits;
+    }
+    // Against what the file says.
+    void expectHits(const HitBlock& hits, const fs::path& file) {
+        const auto rows = rowsOf(file);
+        ASSERT_EQ(rows.size(), hits.size() + 1);
+        EXPECT_EQ(rows[0], (std::vector<std::string>{"outcome", "lambda", "s", "t", "steps"}));
+        for (std::size_t r = 0; r < hits.size(); ++r) {
+            const auto& row = rows[r + 1];
+            EXPECT_EQ(row.at(0), outcomeName(hits.outcome[r])) << "ray " << r;
+            if (hits.outcome[r] != Outcome::Hit || row.at(0) != "hit") continue;
+            EXPECT_NEAR(std::stod(row.at(1)), hits.lambda[r], kSameHit) << "ray " << r;
+            EXPECT_NEAR(std::stod(row.at(2)), hits.s[r], kSameHit * 100) << "ray " << r;
+            EXPECT_NEAR(std::stod(row.at(3)), hits.t[r], kSameHit * 100) << "ray " << r;
+        }
+    }
+
+    Work work_{1};
+    std::shared_ptr<const FloatImage> heights_ =
+        std::make_shared<FloatImage>(readHeight((kVersion1 / "pictures/height.png").string(), {}, work_).heights);
+};
+
+TEST_F(OldFiles, NoneIsForgotten) {
+    std::map<std::string, int> count;
+    for (const auto& entry : fs::recursive_directory_iterator(kVersion1)) {
+        if (!entry.is_regular_file()) continue;
+        const fs::path file = fs::relative(entry.path(), kVersion1);
+        ++count[file.parent_path().string() + "/*" + file.extension().string()];
+    }
+    // Each kind is read by a test below (tables/*.journal: by tests/cmd/sweep_test.cpp; README and written/: by
+    // nobody).
+    const std::map<std::string, int> known{
+        {"/*.json", 40},       {"/*.md", 1},           {"lessons/*.json", 9}, {"maps/*.tif", 8},
+        {"pictures/*.png", 3}, {"rendered/*.png", 36}, {"tables/*.csv", 3},   {"tables/*.journal", 1},
+        {"tables/*.json", 1},  {"traced/*.csv", 18},   {"traced/*.json", 11}, {"written/*.json", 1},
+        {"written/*.sh", 1}};
+    EXPECT_EQ(count, known);
+}
+
+TEST_F(OldFiles, ScenariosLookAsTheyDid) {
+    std::set<fs::path> pictures;
+    for (const fs::path& file : scenarios()) {
+        SCOPED_TRACE(file.filename());
+        const Scenario scenario = loadScenario(file.string());
+        EXPECT_EQ(parseScenario(scenarioText(scenario), "s.json"), scenario);
+        const fs::path picture = kVersion1 / "rendered" / (file.stem().string() + ".png");
+        if (!fs::exists(picture)) continue;
+        expectSamePicture(scenario, picture);
+        pictures.insert(picture);
+    }
+    EXPECT_EQ(pictures.size() + 1, filesOf("rendered", ".png").size()) << "one more is the report's";
+}
+
+TEST_F(OldFiles, ScenarioOfTheWindowMeansWhatItMeant) {
+    const Scenario read = loadScenario((kVersion1 / "window.json").string());
+    Scenario s;
+    s.pictures.height = s.pictures.color = (kVersion1 / "pictures/color.png").string();
+    s.pictures.normal = (kVersion1 / "pictures/normal.png").string();
+    s.pictures.reading = {"G", true, {HeightRange::Kind::Bounds, 0.125, 0.75}, 100000};
+    EXPECT_EQ(read.pictures, s.pictures);
+    EXPECT_EQ(read.reliefDepth, 0.17);
+    EXPECT_EQ(read.address, Address::Clamp);
+    EXPECT_EQ(read.surface, Surface::Columns);
+    EXPECT_EQ(read.method, (MethodChoice{"layers-bisection", {{"layers", "48"}, {"bisections", "5"}}}));
+    EXPECT_EQ(read.filter.name, "elliptical-visible");
+    EXPECT_EQ(read.filter.options, (OptionValues{{"form", "rays"}, {"samples", "12"}, {"weights", "gaussian"}}));
+    EXPECT_EQ(read.scene, SceneKind::Wall);
+    s.camera.kind = Camera::Kind::Free;
+    s.camera.eye = {0.3, 0.25, 1.1};
+    s.camera.target = {0.05, 0.02, 0.01};
+    s.camera.fov = 37;
+    EXPECT_EQ(read.camera, s.camera);
+    EXPECT_EQ(read.light.azimuth, -33);
+    EXPECT_EQ(read.light.elevation, 52);
+    EXPECT_EQ(read.light.ambient, 0.15);
+    EXPECT_EQ(read.light.intensity, 1.3);
+    EXPECT_TRUE(read.shadows);
+    EXPECT_FALSE(read.skip);
+    EXPECT_EQ(read.bounded, 0.25);
+    EXPECT_EQ(read.sky, (std::array{0.1, 0.2, 0.3}));
+    EXPECT_EQ(read.width, 48);
+    EXPECT_EQ(read.height, 36);
+    EXPECT_EQ(read.pixel, (PixelChoice{30, 17}));
+    EXPECT_EQ(read.step, 3);
+}
+
+TEST_F(OldFiles, NotesOfTheWindowMeanWhatTheyMeant) {
+    const Scenario read = loadScenario((kVersion1 / "window.json").string());
+    Comparison comparison;
+    comparison.others = {{"exact", {}}, {"cone", {{"sectors", "4"}}}, {"offset", {}}};
+    comparison.mode = CompareMode::Swipe;
+    comparison.measure = CompareMeasure::L1;
+    comparison.reference = CompareReference::MethodA;
+    comparison.dividers = {0.2, 0.5, 0.8};
+    comparison.rate = 3;
+    EXPECT_EQ(read.comparison, comparison);
+    PaneStates panes;
+    panes.pyramid = {"mean", true, false, true};
+    panes.profile = {true, false, true};
+    panes.distance = {"refined", "euclidean-conservative", "y", 5, 0, false, false};
+    panes.footprint = {8};
+    panes.rows = {{"direct", "streams:streams=4", "subspan:error=0.25"}, 2000, true, false};
+    panes.charts = {"histograms", "p95", false, true};
+    panes.trace = {"level", 2, true};
+    EXPECT_EQ(read.panes, panes);
+    const std::vector<Breakpoint> breakpoints{{StopKind::LevelBelow, 3},
+                                              {StopKind::Texel, 1, 4, -2},
+                                              {StopKind::RayBelow, 2, 0, 0, 0.25},
+                                              {StopKind::Overshoot, 2, 0, 0, 0.5, false},
+                                              {StopKind::Disagreement}};
+    EXPECT_EQ(read.breakpoints, breakpoints);
+    ASSERT_EQ(read.bookmarks.size(), 2U);
+    Bookmark bookmark{"шпиль", {11, 12}, {}, 4};
+    bookmark.camera.elevation = 33;
+    bookmark.camera.azimuth = -44;
+    bookmark.camera.distance = 1.25;
+    bookmark.camera.target = {0.1, 0, -0.1};
+    bookmark.camera.fov = 50;
+    EXPECT_EQ(read.bookmarks[0], bookmark);
+    EXPECT_EQ(read.bookmarks[1].camera.kind, Camera::Kind::Free);
+    EXPECT_EQ(read.bookmarks[1].pixel, (PixelChoice{0, 35}));
+    const std::string traced = (kVersion1 / "traced").string();
+    EXPECT_EQ(read.other, (OtherTracer{traced + "/rays.csv", traced + "/steps-exact.json", 2, false}));
+}
+
+TEST_F(OldFiles, WordsOfPanesMeanWhatTheyMeant) {
+    const auto notes = [](int number) {
+        return loadScenario((kVersion1 / ("notes-" + std::to_string(number) + ".json")).string());
+    };
+    EXPECT_EQ(notes(1).comparison.mode, CompareMode::Flicker);
+    EXPECT_EQ(notes(2).comparison.mode, CompareMode::Difference);
+    EXPECT_EQ(notes(3).comparison.mode, CompareMode::Tiles);
+    EXPECT_EQ(notes(1).comparison.measure, CompareMeasure::Flip);
+    EXPECT_EQ(notes(1).comparison.reference, CompareReference::Exact);
+    EXPECT_EQ(notes(1).panes.pyramid.levels, "min");
+    EXPECT_EQ(notes(2).panes.pyramid.levels, "all");
+    EXPECT_EQ(notes(1).panes.distance.map, "cone");
+    EXPECT_EQ(notes(2).panes.distance.minus, "relaxed-cone");
+    EXPECT_EQ(notes(3).panes.distance.minus, "refined-sampled");
+    EXPECT_EQ(notes(3).panes.distance.sector, 3);
+    EXPECT_EQ(notes(1).panes.charts.shown, "pareto");
+    EXPECT_EQ(notes(1).panes.trace.colors, "phase");
+    for (int number = 1; number <= 3; ++number) EXPECT_GE(notes(number).panes.rows.variants.size(), 3U);
+}
+
+TEST_F(OldFiles, TheWitnessShowsAnUnsafeMap) {
+    const Scenario scenario = loadScenario((kVersion1 / "witness.json").string());
+    AssetStore store;
+    const FrameRequest request = frameRequest(scenario, store.load(scenario.pictures, work_));
+    ASSERT_TRUE(scenario.pixel);
+    const auto ray = pixelRay(request, scenario.pixel->x, scenario.pixel->y);
+    ASSERT_TRUE(ray);
+    RayBlock block;
+    block.push(*ray);
+    HitBlock unsafe, exact;
+    NullSink none;
+    MapCache maps;
+    makeTracer(scenario.method, request.field, maps, work_)->trace(block, unsafe, none, work_);
+    makeTracer({"exact", {}}, request.field, maps, work_)->trace(block, exact, none, work_);
+    EXPECT_GT(unsafe.lambda[0], exact.lambda[0] + 1e-3);
+}
+
+TEST_F(OldFiles, ReportsHoldTheirScenario) {
+    const auto report = nlohmann::ordered_json::parse(textOf(kVersion1 / "report.json"));
+    EXPECT_EQ(report["tool"], "relief");
+    const Scenario scenario = parseScenario(report["scenario"].dump(), (kVersion1 / "report.json").string());
+    EXPECT_EQ(scenario.method.name, "cone");
+    EXPECT_TRUE(scenario.shadows);
+    EXPECT_EQ(scenario.pictures.height, (kVersion1 / "pictures/height.png").string());
+    expectSamePicture(scenario, kVersion1 / "rendered/report.png");
+}
+
+TEST_F(OldFiles, LessonsStandAtAStepOfTheirRay) {
+    for (const fs::path& file : filesOf("lessons", ".json")) {
+        SCOPED_TRACE(file.filename());
+        const Scenario scenario = loadScenario(file.string());
+        AssetStore store;
+        const FrameRequest request = frameRequest(scenario, store.load(scenario.pictures, work_));
+        ASSERT_TRUE(scenario.pixel);
+        const auto ray = pixelRay(request, scenario.pixel->x, scenario.pixel->y);
+        ASSERT_TRUE(ray);
+        RayBlock block;
+        block.push(*ray);
+        HitBlock hits;
+        StepLog log;
+        MapCache maps;
+        makeTracer(scenario.method, request.field, maps, work_)->trace(block, hits, log, work_);
+        EXPECT_LT(static_cast<std::size_t>(scenario.step), log.steps.size());
+    }
+}
+
+TEST_F(OldFiles, HitsAreThoseOfToday) {
+    for (const fs::path& file : filesOf("traced", ".csv")) {
+        if (!file.filename().string().starts_with("hits-")) continue;
+        SCOPED_TRACE(file.filename());
+        const Traced& how = traced().at(nameOf(file));
+        MapCache maps;
+        expectHits(hitsBy(how.method, field(how.address), maps), file);
+    }
+}
+
+TEST_F(OldFiles, MapsGiveTheHitsThatTheyGaveAndThoseOfMapsBuiltNow) {
+    for (const fs::path& file : filesOf("maps", ".tif")) {
+        SCOPED_TRACE(file.filename());
+        const Traced& how = traced().at(file.stem().string());
+        const HeightField on = field(how.address);
+        const StoredMap map = loadMap(file.string(), on, kMapBytes, work_);
+        EXPECT_EQ(mapKindName(map), how.map);
+        MapCache stored;
+        const MethodChoice choice = useMap(file.string(), map, how.method, on, stored);
+        const HitBlock hits = hitsBy(choice, on, stored);
+        expectHits(hits, kVersion1 / "traced" / ("hits-" + file.stem().string() + ".csv"));
+        MapCache fresh;
+        const HitBlock now = hitsBy(how.method, on, fresh);
+        for (std::size_t r = 0; r < hits.size(); ++r) {
+            EXPECT_EQ(hits.outcome[r], now.outcome[r]);
+            if (hits.outcome[r] != Outcome::Hit) continue;
+            EXPECT_NEAR(hits.lambda[r], now.lambda[r], kSameHit);
+        }
+    }
+}
+
+TEST_F(OldFiles, StepsLeadToTheirHits) {
+    std::vector<fs::path> files = filesOf("traced", ".json");
+    const auto tables = filesOf("traced", ".csv");
+    files.insert(files.end(), tables.begin(), tables.end());
+    std::size_t read = 0;
+    for (const fs::path& file : files) {
+        if (!file.filename().string().starts_with("steps-")) continue;
+        SCOPED_TRACE(file.filename());
+        const Traced& how = traced().at(nameOf(file));
+        const RayBlock all = rays();
+        const StepLog log = parseSteps(textOf(file), file.string(), all.size());
+        ASSERT_EQ(log.rays(), all.size());
+        HitBlock hits(all.size());
+        const auto rows = rowsOf(kVersion1 / "traced" / ("hits-" + nameOf(file) + ".csv"));
+        for (std::size_t r = 0; r < all.size(); ++r) {
+            const auto first = log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r]);
+            std::vector<Step> steps(first, log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r + 1]));
+            placeSteps(steps, all[r], field(how.address), file.string(), r);
+            hits.set(r, answerOf(steps, all[r]));
+            EXPECT_EQ(rows.at(r + 1).at(4), std::to_string(steps.size()));
+            EXPECT_EQ(steps.front().decision, Decision::Start);
+        }
+        expectHits(hits, kVersion1 / "traced" / ("hits-" + nameOf(file) + ".csv"));
+        ++read;
+    }
+    EXPECT_EQ(read, traced().size());
+}
+
+TEST_F(OldFiles, TablesAreReadAndTheirColumnsAreStillThere) {
+    const std::vector<BenchRow> rows = readBenchJson((kVersion1 / "tables/tracers.json").string());
+    ASSERT_EQ(rows.size(), 12U);
+    const ParetoTable table = paretoTable(chosenRows(rows, "bricks:16x16:1", "60"));
+    ASSERT_EQ(table.points.size(), 3U);
+    EXPECT_EQ(table.points[0].method.name, "exact");
+    EXPECT_EQ(table.points[0].errorOf(ErrorMeasure::Max), 0);
+    EXPECT_EQ(table.points[1].method, (MethodChoice{"layers", {{"layers", "12"}}}));
+    EXPECT_GT(table.points[1].errorOf(ErrorMeasure::Mean), 0.01);
+    const std::map<std::string, std::string> headers{
+        {"tracers", benchCsvHeader()}, {"rows", rowBenchCsvHeader()}, {"filters", filterBenchCsvHeader()}};
+    for (const fs::path& file : filesOf("tables", ".csv")) {
+        // New columns may come at the end; the command adds the last three where they are not there.
+        std::istringstream today(headers.at(file.stem().string()) + ",compiler,cpu,commit");
+        for (const std::string& column : rowsOf(file).at(0)) {
+            std::string next;
+            while (std::getline(today, next, ',') && next.substr(0, next.find('\n')) != column) {
+            }
+            EXPECT_TRUE(today) << file.filename() << " had a column " << column;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief::test
