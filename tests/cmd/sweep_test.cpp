@@ -207,7 +207,7 @@ TEST_P(SweepTest, WithoutFileLocksOneProcessWorksAndSeveralAreRefused) {
         return std::vector<std::string>{"bench",    "rows", "--widths", "100,200", "--variants", "direct",
                                         "--pixels", "1000", "--rounds", "1",       "-o",         path(output)};
     };
-    for (const int error : {ENOLCK, EOPNOTSUPP, EINVAL}) {
+    for (const int error : {ENOLCK, EINVAL}) {
         RunSetup setup;
         setup.lockError = error;
         const Result alone = run(rows("b.csv"), setup);
@@ -216,7 +216,7 @@ TEST_P(SweepTest, WithoutFileLocksOneProcessWorksAndSeveralAreRefused) {
         EXPECT_EQ(lines(alone.err).size(), 1U) << alone.err;
         EXPECT_NE(alone.err.find(path("b.csv.part")), std::string::npos) << alone.err;
         EXPECT_NE(alone.err.find(std::strerror(error)), std::string::npos) << alone.err;
-        EXPECT_EQ(lines(read("b.csv")).size(), 1U + 2 * 3);
+        EXPECT_EQ(lines(read("b.csv")).size(), 1U + 2 * 3 * 2) << "widths, elevations, float and double";
         setup.variables = {{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "2"}, {"PMIX_NAMESPACE", "job"}};
         expectRefusal(rows("c.csv"), 1, {path("c.csv.part"), "locks"}, setup);
         EXPECT_EQ(files(), std::vector<std::string>{"b.csv"});

@@ -390,7 +390,8 @@ TEST_F(OldFiles, TablesAreReadAndTheirColumnsAreStillThere) {
     for (const fs::path& file : filesOf("tables", ".csv")) {
         // New columns may come at the end; the command adds the last three where they are not there.
         std::istringstream today(headers.at(file.stem().string()) + ",compiler,cpu,commit");
-        for (const std::string& column : rowsOf(file).at(0)) {
+        const std::vector<std::string> columns = rowsOf(file).at(0);
+        for (const std::string& column : columns) {
             std::string next;
             while (std::getline(today, next, ',') && next.substr(0, next.find('\n')) != column) {
             }
