@@ -5,6 +5,7 @@
 
 #include <QMainWindow>
 
+#include "workspace/mailbox.h"
 #include "workspace/workspace.h"
 
 class QDockWidget;
@@ -191,6 +192,7 @@ class MainWindow : public QMainWindow {
     QAction* projector_ = nullptr;
     QAction* light_ = nullptr;
     QAction* copyCommand_ = nullptr;
+    Mailbox mailbox_{this};
 };
 
 }  // namespace reliefui
