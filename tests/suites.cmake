@@ -1,9 +1,9 @@
 # relief_add_suites(PROGRAM [PREFIX text] [ON_DISPLAY] [PROPERTIES name value ...]): each suite of a GoogleTest program
 # becomes one test of ctest, run in one process, because starting the program takes longer than most tests. The built
-# program lists its suites, so none is forgotten. ON_DISPLAY: each suite has an X server of its own, always of the same
-# size, so that suites run beside each other and nothing flickers on the user's display.
+# program lists its suites, so none is forgotten. ON_DISPLAY: each suite has an X server of its own, so that suites run
+# beside each other and nothing flickers on the user's display.
 if(CMAKE_SCRIPT_MODE_FILE)
-  # cmake -DPROGRAM= -DPREFIX= -DXVFB= -DPROPERTIES= -DOUT= -P suites.cmake
+  # cmake -DPROGRAM= -DPREFIX= -DLAUNCHER= -DPROPERTIES= -DOUT= -P suites.cmake
   execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE _list COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "(^|\n)[^ \n]+\\." _suites "${_list}")
   if(NOT _suites)
@@ -14,34 +14,39 @@ if(CMAKE_SCRIPT_MODE_FILE)
   foreach(_suite IN LISTS _suites)
     string(STRIP "${_suite}" _suite)
     string(REGEX REPLACE "\\.$" "" _name "${_suite}")
-    set(_launcher "")
-    if(XVFB)
-      # Numbers apart: two servers that look for a free one at the same moment take the same.
-      set(_launcher "[=[${XVFB}]=] -a -n ${_display} -s [=[-screen 0 1600x1000x24 -noreset]=] ")
-      math(EXPR _display "${_display} + 5")
-    endif()
+    string(REPLACE "DISPLAY" "${_display}" _launcher "${LAUNCHER}")
+    math(EXPR _display "${_display} + 5")
     string(APPEND _script
-      "add_test([=[${PREFIX}${_name}]=] ${_launcher}[=[${PROGRAM}]=] [=[--gtest_filter=${_suite}*]=])\n"
+      "add_test([=[${PREFIX}${_name}]=] ${_launcher} [=[${PROGRAM}]=] [=[--gtest_filter=${_suite}*]=])\n"
       "set_tests_properties([=[${PREFIX}${_name}]=] PROPERTIES ${PROPERTIES})\n")
   endforeach()
   file(WRITE ${OUT} "${_script}")
   return()
 endif()
 
+# What starts a program on an X server of its own, always of the same size; nothing where there is no such server.
+# number: the first display number that is tried. Two servers that look for a free one at the same moment take the same.
+function(relief_display out number)
+  find_program(XVFB_RUN xvfb-run)
+  find_program(XAUTH xauth)
+  set(${out} "" PARENT_SCOPE)
+  if(XVFB_RUN AND XAUTH)
+    set(${out} ${XVFB_RUN} -a -n ${number} -s "-screen 0 1600x1000x24 -noreset" PARENT_SCOPE)
+  endif()
+endfunction()
+
 function(relief_add_suites program)
   cmake_parse_arguments(_suites "ON_DISPLAY" "PREFIX" "PROPERTIES" ${ARGN})
-  set(_xvfb "")
+  set(_launcher "")
   if(_suites_ON_DISPLAY)
-    find_program(XVFB_RUN xvfb-run)
-    find_program(XAUTH xauth)
-    if(XVFB_RUN AND XAUTH)
-      set(_xvfb ${XVFB_RUN})
-    endif()
+    relief_display(_launcher DISPLAY)
+    list(JOIN _launcher "]=] [=[" _launcher)
+    string(REGEX REPLACE "(.+)" "[=[\\1]=]" _launcher "${_launcher}")
   endif()
   set(_out ${CMAKE_CURRENT_BINARY_DIR}/${program}_suites.cmake)
   string(REPLACE ";" " " _properties "${_suites_PROPERTIES}")
   add_custom_command(TARGET ${program} POST_BUILD BYPRODUCTS ${_out} VERBATIM
-    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${program}> -DPREFIX=${_suites_PREFIX} -DXVFB=${_xvfb}
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${program}> -DPREFIX=${_suites_PREFIX} -DLAUNCHER=${_launcher}
       -DPROPERTIES=${_properties} -DOUT=${_out} -P ${PROJECT_SOURCE_DIR}/tests/suites.cmake)
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${_out})
 endfunction()

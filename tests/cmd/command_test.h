@@ -1,5 +1,5 @@
-// Runs the built program in a folder of its own and keeps what it said. Every test runs in two places: plainly, and in
-// a folder with Cyrillic letters and spaces under a Ukrainian locale (comma as decimal point).
+// Runs the program in a folder of its own and keeps what it wrote. Every test runs in a folder with Cyrillic letters and
+// spaces under a Ukrainian locale (comma as decimal point): whatever goes wrong plainly goes wrong there, too.
 #pragma once
 
 #include <sys/types.h>
@@ -74,6 +74,9 @@ std::string exrBytes(int width, int height, const std::vector<float>& values);
 // Signature and header of a grey 8-bit PNG of that size, nothing behind it.
 std::string pngHeaderBytes(std::uint32_t width, std::uint32_t height);
 
+// A plain one and the Ukrainian one.
+std::vector<Place> everyPlace();
+// The Ukrainian one; with RELIEF_LONG every place.
 std::vector<Place> places();
 void PrintTo(const Place& place, std::ostream* out);
 std::string placeName(const testing::TestParamInfo<Place>& info);

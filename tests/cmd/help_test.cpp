@@ -4,7 +4,7 @@
 namespace relief::test {
 
 class HelpTest : public CommandTest {};
-INSTANTIATE_TEST_SUITE_P(Places, HelpTest, testing::ValuesIn(places()), placeName);
+INSTANTIATE_TEST_SUITE_P(Places, HelpTest, testing::ValuesIn(everyPlace()), placeName);
 
 TEST_P(HelpTest, EveryCommandExplainsItself) {
     const std::string page = runFine({"--help"});

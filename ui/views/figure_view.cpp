@@ -4,11 +4,10 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
-#include <QPointer>
-#include <QThreadPool>
 
 #include "views/figure_export.h"
 #include "views/gl_release.h"
+#include "workspace/aside.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -112,17 +111,11 @@ void FigureView::drawAside(std::function<std::function<void()>()> draw) {
         return draw()();
     }
     ++saving_;
-    QThreadPool::globalInstance()->start([draw = std::move(draw), view = QPointer(this)] {
-        const std::function<void()> told = draw();
-        if (QCoreApplication::instance() == nullptr) return;  // the program ends
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [view, told] {
-                if (!view) return;
-                --view->saving_;
-                told();
-            },
-            Qt::QueuedConnection);
+    runAside([this, draw = std::move(draw), back = mailbox_.address()] {
+        back.post([this, told = draw()] {
+            --saving_;
+            told();
+        });
     });
 }
 

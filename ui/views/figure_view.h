@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include "views/figure.h"
+#include "workspace/mailbox.h"
 #include "workspace/workspace.h"
 
 class QMenu;
@@ -76,6 +77,7 @@ class FigureView : public QWidget {
     QWidget* face_ = nullptr;
     QString readout_;
     int saving_ = 0;
+    Mailbox mailbox_{this};
 };
 
 }  // namespace reliefui

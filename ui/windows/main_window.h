@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QVariantMap>
 
+#include "workspace/mailbox.h"
 #include "workspace/workspace.h"
 
 class QDockWidget;
@@ -207,6 +208,7 @@ class MainWindow : public QMainWindow {
     QAction* projector_ = nullptr;
     QAction* light_ = nullptr;
     QAction* copyCommand_ = nullptr;
+    Mailbox mailbox_{this};
 };
 
 }  // namespace reliefui

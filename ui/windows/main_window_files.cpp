@@ -10,11 +10,9 @@
 #include <QImageWriter>
 #include <QMenu>
 #include <QMimeData>
-#include <QPointer>
 #include <QSaveFile>
 #include <QSettings>
 #include <QStatusBar>
-#include <QThreadPool>
 #include <QUrl>
 
 #include "views/figure_export.h"
@@ -22,6 +20,7 @@
 #include "views/result_painting.h"
 #include "windows/main_window.h"
 #include "windows/pictures_box.h"
+#include "workspace/aside.h"
 #include "workspace/start_scenario.h"
 
 namespace reliefui {
@@ -94,18 +93,13 @@ void MainWindow::savePicture(const QString& path, bool legend) {
     };
     const QImage image =
         legend ? withLegend(snapshot->layer.image, snapshot->layer, workspace_->style()) : snapshot->layer.image;
-    QThreadPool::globalInstance()->start([image, path, tell, window = QPointer(this)] {
+    runAside([image, path, tell, back = mailbox_.address()] {
         QSaveFile file(path);
         QImageWriter writer(&file, QFileInfo(path).suffix().toLatin1());
         const bool done = file.open(QIODevice::WriteOnly) && writer.write(image) && file.commit();
         const QString fault = file.error() != QFileDevice::NoError ? file.errorString() : writer.errorString();
         const QString problem = done ? QString() : fault;
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [window, tell, problem] {
-                if (window) tell(problem);
-            },
-            Qt::QueuedConnection);
+        back.post([tell, problem] { tell(problem); });
     });
 }
 
@@ -123,20 +117,15 @@ void MainWindow::saveView(const QString& view, const QString& path, int pixels) 
     request.view = view.toStdString();
     request.style = workspace_->style();
     // Drawn aside, as the panes' are.
-    QThreadPool::globalInstance()->start([snapshot, request, path, pixels, window = QPointer(this)] {
+    runAside([this, snapshot, request, path, pixels, back = mailbox_.address()] {
         const QString problem = saveFigureFile(snapshot, request, {path, pixels});
-        if (QCoreApplication::instance() == nullptr) return;  // the program ends
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [window, path, problem] {
-                if (!window) return;
-                if (!problem.isEmpty()) {
-                    Q_EMIT window->workspace_->problem(problem);
-                } else {
-                    window->statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
-                }
-            },
-            Qt::QueuedConnection);
+        back.post([this, path, problem] {
+            if (!problem.isEmpty()) {
+                Q_EMIT workspace_->problem(problem);
+            } else {
+                statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
+            }
+        });
     });
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include <QThreadPool>
+#include "workspace/aside.h"
 
 namespace reliefui {
 
@@ -21,7 +21,7 @@ struct FreeAside {
     template <class T>
     void operator()(T* value) const {
         if (freesAside()) {
-            QThreadPool::globalInstance()->start([value] { delete value; });
+            runAside([value] { delete value; });
         } else {
             delete value;
         }

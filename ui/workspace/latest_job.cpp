@@ -14,10 +14,8 @@ constexpr auto kBetweenProgress = std::chrono::milliseconds(50);
 
 }  // namespace
 
-LatestJob::LatestJob(QObject* receiver, Listener listener)
-    : receiver_(receiver),
-      listener_(std::move(listener)),
-      thread_([this](const std::stop_token& quit) { run(quit); }) {}
+LatestJob::LatestJob(const QObject* receiver, Listener listener)
+    : mailbox_(receiver), listener_(std::move(listener)), thread_([this](const std::stop_token& quit) { run(quit); }) {}
 
 LatestJob::~LatestJob() {
     thread_.request_stop();
@@ -61,17 +59,14 @@ bool LatestJob::busy() const {
 }
 
 void LatestJob::post(std::uint64_t id, std::function<void()> call) {
-    QMetaObject::invokeMethod(
-        receiver_,
-        [this, id, call = std::move(call)] {
-            {
-                const std::lock_guard lock(mutex_);
-                if (id != latest_) return;
-                answered_ = id;
-            }
-            call();
-        },
-        Qt::QueuedConnection);
+    mailbox_.post([this, id, call = std::move(call)] {
+        {
+            const std::lock_guard lock(mutex_);
+            if (id != latest_) return;
+            answered_ = id;
+        }
+        call();
+    });
 }
 
 void LatestJob::run(const std::stop_token& quit) {
@@ -101,16 +96,13 @@ void LatestJob::runOne(const Job& job, std::uint64_t id, const std::stop_token& 
             progressTold_ = now;
         }
         const QString text = QString::fromUtf8(what.data(), static_cast<int>(what.size()));
-        QMetaObject::invokeMethod(
-            receiver_,
-            [this, id, text, fraction] {
-                {
-                    const std::lock_guard lock(mutex_);
-                    if (id != latest_ || answered_ == id) return;
-                }
-                listener_.progress(text, fraction);
-            },
-            Qt::QueuedConnection);
+        mailbox_.post([this, id, text, fraction] {
+            {
+                const std::lock_guard lock(mutex_);
+                if (id != latest_ || answered_ == id) return;
+            }
+            listener_.progress(text, fraction);
+        });
     };
     relief::Work work(0, stop, told);
     QString problem;

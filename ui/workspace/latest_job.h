@@ -15,6 +15,7 @@
 #include <QString>
 
 #include "work.h"
+#include "workspace/mailbox.h"
 
 namespace reliefui {
 
@@ -31,7 +32,8 @@ class LatestJob {
         std::function<void(const QString& what, double fraction)> progress;
     };
 
-    LatestJob(QObject* receiver, Listener listener);
+    // To be made on the receiver's thread.
+    LatestJob(const QObject* receiver, Listener listener);
     ~LatestJob();
     LatestJob(const LatestJob&) = delete;
     LatestJob& operator=(const LatestJob&) = delete;
@@ -51,7 +53,7 @@ class LatestJob {
     // Calls back, unless a newer job has come meanwhile.
     void post(std::uint64_t id, std::function<void()> call);
 
-    QObject* receiver_;
+    Mailbox mailbox_;
     Listener listener_;
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;

@@ -28,8 +28,8 @@ QString notesOf(const relief::Assets& assets) {
 
 }  // namespace
 
-RenderWorker::RenderWorker(QObject* receiver, WorkerListener listener, relief::AssetStore store)
-    : receiver_(receiver),
+RenderWorker::RenderWorker(const QObject* receiver, WorkerListener listener, relief::AssetStore store)
+    : mailbox_(receiver),
       listener_(std::move(listener)),
       maker_(std::move(store)),
       thread_([this](const std::stop_token& quit) { run(quit); }) {}
@@ -96,7 +96,7 @@ void RenderWorker::cancel() {
 }
 
 void RenderWorker::post(std::function<void()> call) {
-    QMetaObject::invokeMethod(receiver_, std::move(call), Qt::QueuedConnection);
+    mailbox_.post(std::move(call));
 }
 
 void RenderWorker::postProgress(std::string_view what, double fraction) {

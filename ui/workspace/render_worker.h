@@ -17,6 +17,7 @@
 #include <QObject>
 #include <QString>
 
+#include "workspace/mailbox.h"
 #include "workspace/snapshot_maker.h"
 
 namespace reliefui {
@@ -60,7 +61,8 @@ struct WorkerListener {
 
 class RenderWorker {
   public:
-    RenderWorker(QObject* receiver, WorkerListener listener, relief::AssetStore store);
+    // Listeners are called on the calling thread, which is the receiver's.
+    RenderWorker(const QObject* receiver, WorkerListener listener, relief::AssetStore store);
     ~RenderWorker();
     RenderWorker(const RenderWorker&) = delete;
     RenderWorker& operator=(const RenderWorker&) = delete;
@@ -89,7 +91,7 @@ class RenderWorker {
     void post(std::function<void()> call);
     void postProgress(std::string_view what, double fraction);
 
-    QObject* receiver_;
+    Mailbox mailbox_;
     WorkerListener listener_;
     SnapshotMaker maker_;
 

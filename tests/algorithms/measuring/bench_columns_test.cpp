@@ -1,5 +1,6 @@
 // What all tables of measurements share: fields of CSV, objects of JSON.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>
