@@ -38,13 +38,14 @@ struct Key {
     Qt::KeyboardModifiers modifiers;
 };
 
-// As the table in the README has them, but those that open a dialog or undo.
+// As the table in the README has them, but those that open a dialog or undo, and the projector (slow to draw; an action
+// below).
 const std::vector<Key>& viewingKeys() {
     static const std::vector<Key> keys = [] {
         std::vector<Key> all;
         for (const Qt::Key key : {Qt::Key_Home, Qt::Key_End, Qt::Key_Space, Qt::Key_Comma, Qt::Key_Period,
                                   Qt::Key_BracketLeft, Qt::Key_BracketRight, Qt::Key_F5, Qt::Key_F9, Qt::Key_F10,
-                                  Qt::Key_G, Qt::Key_R, Qt::Key_Left, Qt::Key_Up, Qt::Key_F11}) {
+                                  Qt::Key_G, Qt::Key_R, Qt::Key_Left, Qt::Key_Up}) {
             all.push_back({key, Qt::NoModifier});
         }
         for (int digit = 0; digit < 10; ++digit) all.push_back({Qt::Key(Qt::Key_0 + digit), Qt::NoModifier});
@@ -340,7 +341,6 @@ TEST_F(ViewingKeys, changeNothingAfterAnything) {
     const auto method = [&] { choose(control<QComboBox>("method"), static_cast<int>(below(4))); };
     const auto number = [&] { clickUp(control<NumberControl>("top-relief-depth")->box()); };
     std::vector<std::pair<const char*, std::function<void()>>> actions{
-        {"method", method},
         {"method", method},
         {"method", method},
         {"number", number},
