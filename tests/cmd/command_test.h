@@ -1,5 +1,5 @@
-// Runs the program in a folder of its own and keeps what it wrote. Every test runs in a folder with Cyrillic letters and
-// spaces under a Ukrainian locale (comma as decimal point): whatever goes wrong plainly goes wrong there, too.
+// Runs the program in a folder of its own and keeps what it wrote. Every test runs in a folder with Cyrillic letters
+// and spaces under a Ukrainian locale (comma as decimal point): whatever goes wrong plainly goes wrong there, too.
 #pragma once
 
 #include <sys/types.h>

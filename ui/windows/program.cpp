@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkAutoInit.h>
 #include <QDir>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -14,7 +15,6 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <QTranslator>
-#include <vtkAutoInit.h>
 
 #include "windows/display_check.h"
 #include "windows/main_window.h"
