@@ -18,21 +18,24 @@ constexpr std::int64_t kPartsPerThread = 16;
 
 thread_local bool inLoop = false;
 
+// Two at least, so that races are seen on any machine.
 int processorThreads() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return std::max(2, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// One loop, shared by the threads that run it. Parts are handed out by a relaxed counter: a stronger order would make
-// what one part wrote visible to the next, and so hide their races from the sanitizer.
+// One loop, shared by the threads that run it. Each thread has a part that it runs in any case: else the calling thread
+// would be done with short loops before another has begun, and races would go unseen. Further parts are handed out by a
+// relaxed counter: a stronger order would make what one part wrote visible to the next, and so hide races as well.
 class Loop {
   public:
-    Loop(std::int64_t count, std::int64_t part, LoopPart body) : count_(count), part_(part), body_(body) {}
+    Loop(std::int64_t count, std::int64_t part, std::int64_t threads, LoopPart body)
+        : count_(count), part_(part), body_(body), next_(threads * part) {}
 
-    void work() {
+    // thread: 0, 1, ..., each once.
+    void work(std::int64_t thread) {
         inLoop = true;
-        while (!failed_.load(std::memory_order_relaxed)) {
-            const std::int64_t first = next_.fetch_add(part_, std::memory_order_relaxed);
-            if (first >= count_) break;
+        for (std::int64_t first = thread * part_; first < count_ && !failed_.load(std::memory_order_relaxed);
+             first = next_.fetch_add(part_, std::memory_order_relaxed)) {
             try {
                 body_(first, std::min(first + part_, count_));
             } catch (...) {
@@ -52,7 +55,7 @@ class Loop {
     const std::int64_t count_;
     const std::int64_t part_;
     const LoopPart body_;
-    std::atomic<std::int64_t> next_{0};
+    std::atomic<std::int64_t> next_;
     std::atomic<bool> failed_{false};
     std::mutex mutex_;
     std::exception_ptr failure_;
@@ -64,11 +67,11 @@ void runOn(std::int64_t threads, std::int64_t count, std::int64_t grain, LoopPar
     const std::int64_t parts = (count + part - 1) / part;
     threads = std::min(threads, parts);
     if (threads == 1 || inLoop) return body(0, count);
-    Loop loop(count, part, body);
+    Loop loop(count, part, threads, body);
     {
         std::vector<std::jthread> helpers;
-        for (std::int64_t n = 1; n < threads; ++n) helpers.emplace_back([&loop] { loop.work(); });
-        loop.work();
+        for (std::int64_t n = 1; n < threads; ++n) helpers.emplace_back([&loop, n] { loop.work(n); });
+        loop.work(0);
     }
     loop.rethrow();
 }
