@@ -29,7 +29,13 @@ class InputError : public std::runtime_error {
     Message message_;
 };
 
-// The work itself failed (disk full, out of memory, cancelled by the system): exit status 1, where InputError is 2.
+// More memory is needed than there is to take: refused before the work begins, exit status 2.
+class MemoryError : public InputError {
+  public:
+    using InputError::InputError;
+};
+
+// The work itself failed (disk full, cancelled by the system): exit status 1, where InputError is 2.
 class WorkError : public InputError {
   public:
     using InputError::InputError;

@@ -7,6 +7,8 @@
 #include <new>
 #include <vector>
 
+#include "base/memory.h"
+
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -24,6 +26,7 @@ struct LargePages {
     T* allocate(std::size_t count) {
         const std::size_t bytes = count * sizeof(T);
         if (!isLarge(bytes)) return static_cast<T*>(::operator new(bytes));
+        requireMemory(bytes, "");
         const std::size_t whole = (bytes + kPage - 1) / kPage * kPage;
         void* memory = std::aligned_alloc(kPage, whole);
         if (memory == nullptr) throw std::bad_alloc();

@@ -59,7 +59,7 @@ void GridKernel::layPicture(Tile& tile) {
     const auto count = static_cast<std::size_t>(std::max(to - from, 0));
     tile.allKnown = true;
     for (int y = tile.y0; y < tile.y0 + tile.height; ++y) {
-        const bool there = y >= 0 && y < picture.height && count > 0;
+        const bool there = picture.hasRow(y) && count > 0;
         tile.allKnown = tile.allKnown && there && count == static_cast<std::size_t>(tile.width);
         if (!there) continue;
         const std::size_t i = picture.at(from, y), cell = tile.cell(from, y);
@@ -160,7 +160,7 @@ bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size
     const PictureHits* picture = tile.picture;
     std::size_t cell = 0;
     for (int y = tile.y0; y < tile.y0 + tile.height; ++y) {
-        const bool rowThere = picture != nullptr && y >= 0 && y < picture->height;
+        const bool rowThere = picture != nullptr && picture->hasRow(y);
         for (int x = tile.x0; x < tile.x0 + tile.width; ++x, ++cell) {
             // Most are known: eight at once.
             while (x + 8 <= tile.x0 + tile.width && nothingNew(&tile.wanted[cell], &tile.known[cell]))
@@ -170,8 +170,7 @@ bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size
             tile.known[cell] = 1;
             any = true;
             if (rowThere && x >= 0 && x < picture->width) {
-                const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture->width) +
-                               static_cast<std::size_t>(x);
+                const std::size_t i = picture->at(x, y);
                 if (picture->polygon[i] == tile.view->number) {
                     set(cell, (*picture->rays)[i], (*picture->hits)[i]);
                     continue;

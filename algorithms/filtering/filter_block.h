@@ -31,16 +31,18 @@ inline Jacobian scaled(const Jacobian& j, glm::dvec2 scale) {
     return {j.ux * scale.x, j.vx * scale.y, j.uy * scale.x, j.vy * scale.y};
 }
 
-// What all rays of a picture met, for filters that ask about a pixel's neighbours: pixel (x, y) at y * width + x, by an
-// exact method. Columns are not owned.
+// What all rays of a picture met, or those of `height` of its rows from firstRow on, for filters that ask about a
+// pixel's neighbours: pixel (x, y) at (y - firstRow) * width + x, by an exact method. Columns are not owned.
 struct PictureHits {
     int width = 0, height = 0;
     const std::uint8_t* polygon = nullptr;  // whose view the pixel's ray is of: PixelView::number
     const RayBlock* rays = nullptr;
     const HitBlock* hits = nullptr;
+    int firstRow = 0;
 
+    bool hasRow(int y) const { return y >= firstRow && y - firstRow < height; }
     std::size_t at(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y - firstRow) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
 };
 

@@ -7,6 +7,8 @@
 
 #include "base/parallel.h"
 
+#include "relief/maps/map_memory.h"
+
 namespace relief {
 
 namespace {
@@ -124,10 +126,13 @@ std::size_t HeightBoundsMap::bytes() const {
 }
 
 std::shared_ptr<const HeightBoundsMap> heightBoundsMap(const HeightField& field, MapCache& cache, Work& work) {
-    return cache.get<HeightBoundsMap>({"height-bounds", field.sharedHeights()}, work, [&](Work& w) {
-        // Large maps by blocks: what is skipped does not hang on single texels there, but memory does.
-        int shift = 0;
-        while ((std::max(field.width(), field.height()) >> shift) > kFinestSide) ++shift;
+    // Large maps by blocks: what is skipped does not hang on single texels there, but memory does.
+    int shift = 0;
+    while ((std::max(field.width(), field.height()) >> shift) > kFinestSide) ++shift;
+    // Levels of lowest and highest, and of bounds of the surface.
+    constexpr std::uint64_t kBytes = 4 * (2 * sizeof(float) + sizeof(SurfaceBounds)) / 3 + 1;
+    const std::uint64_t need = bytesForTexels(field, shift == 0 ? kBytes : sizeof(float));
+    return cache.get<HeightBoundsMap>({"height-bounds", field.sharedHeights()}, need, work, [&](Work& w) {
         HeightBoundsMap map = coarseHeightBounds(field.sharedHeights(), shift, w);
         if (shift == 0) map.surface = surfacePyramid(field.heights(), w);
         return map;

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/memory.h"
 #include "images/files.h"
 #include "images/system_error.h"
 
@@ -213,7 +214,9 @@ std::string readTextFile(const std::string& path) {
         if (got == 0) break;
         size += static_cast<std::size_t>(got);
         if (size > kMaxTextBytes) throw InputError(path, systemMessage(EFBIG, FileAccess::Read));
-        if (size == text.size()) text.resize(size * 2);
+        if (size < text.size()) continue;
+        requireMemory(byteProduct({2, size}), path);
+        text.resize(size * 2);
     }
     text.resize(size);
     return text;

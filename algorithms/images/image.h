@@ -10,9 +10,12 @@
 
 #include <glm/vec3.hpp>
 
+#include "base/memory.h"
+
 namespace relief {
 
-// width, height >= 0; a pixel (x, y) has x to the right, y downwards.
+// width, height >= 0; a pixel (x, y) has x to the right, y downwards. Throws MemoryError where there is no room for a
+// large picture.
 template <class T>
 class Image {
   public:
@@ -20,11 +23,7 @@ class Image {
 
     Image() = default;
     Image(int width, int height, T value = T{})
-        : width_(width),
-          height_(height),
-          pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value) {
-        assert(width >= 0 && height >= 0);
-    }
+        : width_(width), height_(height), pixels_(checkedCount(width, height), value) {}
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -46,6 +45,14 @@ class Image {
     bool operator==(const Image&) const = default;
 
   private:
+    static std::size_t checkedCount(int width, int height) {
+        assert(width >= 0 && height >= 0);
+        const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        const std::uint64_t bytes = byteProduct({count, sizeof(T)});
+        if (bytes >= kCheckedBytes) requireMemory(bytes, std::to_string(width) + " x " + std::to_string(height));
+        return count;
+    }
+
     std::size_t index(int x, int y) const {
         assert(x >= 0 && x < width_ && y >= 0 && y < height_);
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);

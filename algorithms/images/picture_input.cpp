@@ -13,6 +13,7 @@
 #include <new>
 #include <optional>
 
+#include "base/memory.h"
 #include "images/picture_bytes.h"
 #include "images/system_error.h"
 
@@ -77,6 +78,8 @@ Bytes readBytes(std::FILE* file, std::size_t size, const std::string& path) {
 Bytes wholeFile(std::FILE* file, const std::string& path) {
     if (::fseeko(file, 0, SEEK_END) != 0) throw InputError(path, systemMessage(errno, FileAccess::Read));
     const auto size = static_cast<std::size_t>(std::max<::off_t>(0, ::ftello(file)));
+    // The bytes, and a copy that is cleaned.
+    requireMemory(byteProduct({2, size}), path, MemoryHint::SmallerPicture);
     std::rewind(file);
     return readBytes(file, size, path);
 }
@@ -132,6 +135,17 @@ std::optional<NumberType> numberType(const OIIO::TypeDesc& type) {
 // The type to ask the library for: the file's own, so that it converts nothing; half to float is exact.
 OIIO::TypeDesc readType(const OIIO::TypeDesc& type) {
     return type.basetype == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : type;
+}
+
+// Bytes a pixel that PictureInput::read() keeps: of channels in one type, all from the first wanted to the last.
+std::size_t bytesRead(const OIIO::ImageSpec& spec, std::span<const int> channels) {
+    std::size_t bytes = 0;
+    if (!spec.channelformats.empty()) {
+        for (const int c : channels) bytes += readType(spec.channelformat(c)).size();
+        return bytes;
+    }
+    const auto [low, high] = std::minmax_element(channels.begin(), channels.end());
+    return static_cast<std::size_t>(*high + 1 - *low) * readType(spec.format).size();
 }
 
 // Asked between the rows; true ends the reading.
@@ -220,7 +234,7 @@ PictureInput::PictureInput(const std::string& path, std::int64_t maxPixels)
     } catch (const InputError&) {
         throw;
     } catch (const std::bad_alloc&) {
-        throw WorkError(path, systemMessage(ENOMEM, FileAccess::Read));
+        throw MemoryError(path, systemMessage(ENOMEM, FileAccess::Read));
     } catch (const std::exception& fault) {
         throwDamaged(path, fault.what());
     }
@@ -268,9 +282,10 @@ int PictureInput::alphaChannel() const {
     return declared >= 0 ? declared : channelIndex("A");
 }
 
-RawPlanes PictureInput::read(std::span<const int> channels, Work& work) {
+RawPlanes PictureInput::read(std::span<const int> channels, Work& work, std::size_t bytesAfter) {
     const OIIO::ImageSpec& spec = library_->input->spec();
     const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+    requireMemory(byteProduct({pixels, bytesRead(spec, channels) + bytesAfter}), path_, MemoryHint::SmallerPicture);
     RawPlanes raw;
     const auto readBlock = [&](int from, int to) {
         const OIIO::TypeDesc type = readType(spec.channelformat(from));
@@ -301,7 +316,7 @@ RawPlanes PictureInput::read(std::span<const int> channels, Work& work) {
             }
         }
     } catch (const std::bad_alloc&) {
-        throw WorkError(path_, Message(MessageId::PictureNoMemory, {{"width", spec.width}, {"height", spec.height}}));
+        throw MemoryError(path_, Message(MessageId::PictureNoMemory, {{"width", spec.width}, {"height", spec.height}}));
     }
     return raw;
 }

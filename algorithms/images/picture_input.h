@@ -74,7 +74,8 @@ class PictureInput {
     int alphaChannel() const;
 
     // The numbers of these channels, one block if they are of one type. Half floats come as float. May be cancelled.
-    RawPlanes read(std::span<const int> channels, Work& work);
+    // Throws MemoryError where they, and bytesAfter for each pixel that the caller needs while it has them, do not fit.
+    RawPlanes read(std::span<const int> channels, Work& work, std::size_t bytesAfter);
 
   private:
     struct Library;

@@ -93,7 +93,7 @@ glm::vec3 unitNormal(const glm::vec3& encoded) {
 ColorImage readColor(const std::string& path, Work& work, std::int64_t maxPixels) {
     PictureInput input(path, maxPixels);
     const Channels channels = colorChannels(input);
-    const RawPlanes raw = input.read(channels, work);
+    const RawPlanes raw = input.read(channels, work, sizeof(Color));
     const bool linear = saysLinear(input.info().colorSpace);
     ColorImage image(input.info().width, input.info().height);
     for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -110,7 +110,7 @@ Image<glm::vec3> readNormals(const std::string& path, Work& work, std::int64_t m
     const std::size_t count = input.info().channels.size();
     if (count < 3) throw InputError(path, Message(MessageId::NormalsNeedThree, {{"count", count}}));
     const Channels channels = colorChannels(input);
-    const RawPlanes raw = input.read(channels, work);
+    const RawPlanes raw = input.read(channels, work, sizeof(glm::vec3));
     Image<glm::vec3> image(input.info().width, input.info().height);
     for (std::size_t c = 0; c < channels.size(); ++c) {
         const RawPlane& plane = raw.planes[c];

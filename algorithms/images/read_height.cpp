@@ -173,7 +173,7 @@ HeightImage readHeight(const std::string& path, const HeightReadOptions& options
     image.info = input->info();
     const int channel = chosenChannel(*input, options.channel);
     image.channel = image.info.channels[static_cast<std::size_t>(channel)];
-    const RawPlanes raw = input->read({&channel, 1}, work);
+    const RawPlanes raw = input->read({&channel, 1}, work, sizeof(float));
     // The file's bytes go before the heights come: of a large map each is a gigabyte.
     input.reset();
     const RawPlane& plane = raw.planes.front();

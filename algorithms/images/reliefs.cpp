@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/memory.h"
 #include "errors.h"
 
 // The recipes, for a relief N texels wide on its shorter side; sizes "at 128" are multiplied by N/128 and are at least
@@ -386,6 +387,10 @@ FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_
             subject, Message(MessageId::ReliefSize, {{"wanted", std::to_string(fixed) + " x " + std::to_string(fixed)},
                                                      {"width", width},
                                                      {"height", height}}));
+    // Some recipes add up doubles first.
+    requireMemory(byteProduct({static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
+                               sizeof(double) + sizeof(float)}),
+                  subject + ":" + std::to_string(width) + "x" + std::to_string(height), MemoryHint::SmallerSize);
     return maker->make({width, height, seed});
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/memory.h"
 #include "measuring/machine.h"
 #include "measuring/quantiles.h"
 #include "measuring/random_rays.h"
@@ -276,6 +277,8 @@ std::string elevationText(Elevation elevation) {
 
 RayBlock benchRays(const HeightField& field, Elevation elevation, std::size_t count, std::uint64_t seed,
                    double lowestRandom) {
+    // The rays, their exact hits, and those of one method.
+    requireMemory(byteProduct({count, RayBlock::kBytes + 2 * HitBlock::kBytes}), "--rays");
     return elevation ? viewRays(field, *elevation, count, seed)
                      : randomRays(seedFor(seed, kRandomRays), field, count, lowestRandom);
 }

@@ -10,6 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 
 namespace relief {
@@ -229,6 +230,9 @@ double colorError(const dvec3& a, const dvec3& b, double largest) {
 }  // namespace
 
 FloatImage flipErrors(const ColorImage& reference, const ColorImage& test, double pixelsPerDegree, Work& work) {
+    // Both pictures in the opponent space and filtered, the features of one and all of what those of the other take.
+    constexpr std::uint64_t kBytes = 4 * sizeof(Planes::Value) + 10 * sizeof(Plane::Value);
+    requireMemory(byteProduct({reference.size(), kBytes}), "FLIP", MemoryHint::SmallerPicture);
     const Planes opponentA = opponentPicture(reference, work);
     const Planes opponentB = opponentPicture(test, work);
     const Planes seenA = spatiallyFiltered(opponentA, pixelsPerDegree, work);

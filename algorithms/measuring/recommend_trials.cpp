@@ -239,6 +239,9 @@ void AdviceMaps::make(AdviceTrial& trial, double limit) {
         work_.throwIfStopped();
         facts.verdict = Verdict::BuildTime;
         return;
+    } catch (const MemoryError&) {
+        facts.verdict = Verdict::Memory;
+        return;
     } catch (const InputError&) {
         facts.verdict = Verdict::Refused;
         return;

@@ -58,6 +58,8 @@ struct Hit {
 struct RayBlock {
     std::vector<double> s0, t0, a, b;
 
+    static constexpr std::size_t kBytes = 4 * sizeof(double);  // of a ray
+
     RayBlock() = default;
     explicit RayBlock(std::size_t count) { resize(count); }
     std::size_t size() const { return s0.size(); }
@@ -82,6 +84,8 @@ struct HitBlock {
     std::vector<Outcome> outcome;
     std::vector<double> lambda, s, t;
     std::vector<std::uint32_t> steps, reads;
+
+    static constexpr std::size_t kBytes = sizeof(Outcome) + 3 * sizeof(double) + 2 * sizeof(std::uint32_t);  // of a hit
 
     HitBlock() = default;
     explicit HitBlock(std::size_t count) { resize(count); }

@@ -1,6 +1,5 @@
 #include "rendering/frame.h"
 
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -8,99 +7,10 @@
 
 #include "filtering/sampler.h"
 #include "relief/look_up_point.h"
-#include "rendering/error_layer.h"
 #include "rendering/pixel_query.h"
 #include "rendering/visible_polygons.h"
 
 namespace relief {
-
-namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
-struct Layer {
-    const char* name;
-    std::vector<const char*> planes;
-};
-
-const std::vector<Layer>& layerTable() {
-    static const std::vector<Layer> table{{"color", {"R", "G", "B"}},
-                                          {"depth", {"depth.Z"}},
-                                          {"uv", {"uv.u", "uv.v"}},
-                                          {"normal", {"normal.X", "normal.Y", "normal.Z"}},
-                                          {"steps", {"steps.Y"}},
-                                          {"outcome", {"outcome.Y"}},
-                                          {"error", {"error.Y", "error.kind"}},
-                                          {"footprint", {"footprint.major", "footprint.minor"}},
-                                          {"hidden", {"hidden.Y"}}};
-    return table;
-}
-
-// What a layer needs beyond the frame, made only for those that need it.
-struct LayerTools {
-    ErrorLayer error;
-    VisiblePolygons visible;
-    Work& work;
-    // Tells which texels are hidden; null: the filter asks for none.
-    std::shared_ptr<const TextureFilter> sight = nullptr;
-};
-
-std::shared_ptr<const TextureFilter> sightOf(const Frame& frame, const FrameRequest& request, MapCache& maps,
-                                             Work& work) {
-    if (!frame.filter || !frame.filter->description().visible) return nullptr;
-    if (frame.filter->tracesBack()) return frame.filter;
-    FilterChoice choice = request.filter;
-    choice.options["form"] = "plane";
-    // Only its size matters.
-    std::shared_ptr<const ColorImage> picture = request.color;
-    if (!picture) picture = std::make_shared<ColorImage>(request.field.width(), request.field.height());
-    return makeFilter(choice, {picture, nullptr, request.field, request.skip}, maps, work);
-}
-
-// Semi-axes, and the share of hidden texels (NaN where the filter asks for none).
-std::array<float, 3> footprintValues(const std::string& name, const Frame& frame, const FrameRequest& request,
-                                     const LayerTools& tools, int x, int y) {
-    const std::optional<FilterQuery> query = filterQuery(frame, request, tools.visible, x, y);
-    if (!query) return {kNaN, kNaN, 0};
-    if (name == "footprint") {
-        const SemiAxes<double> axes = ellipseOf(query->jacobian).semiAxes();
-        return {static_cast<float>(axes.major), static_cast<float>(axes.minor), 0};
-    }
-    if (!tools.sight) return {kNaN, 0, 0};
-    FootprintCounts counts;
-    tools.sight->color(*query, counts, tools.work);
-    return {counts.texels > 0
-                ? static_cast<float>(static_cast<double>(counts.hidden) / static_cast<double>(counts.texels))
-                : 0,
-            0, 0};
-}
-
-// The values of one pixel in the planes of a layer.
-std::array<float, 3> layerValues(const std::string& name, const Frame& frame, const FrameRequest& request,
-                                 const LayerTools& tools, int x, int y) {
-    const std::size_t i = frame.index(x, y);
-    const HitBlock& hits = frame.hits->hits;
-    if (name == "color") {
-        const Color c = frame.light->color(x, y);
-        return {c.r, c.g, c.b};
-    }
-    if (name == "depth") return {static_cast<float>(frame.depth(x, y)), 0, 0};
-    if (name == "uv") {
-        if (hits.outcome[i] != Outcome::Hit) return {kNaN, kNaN, 0};
-        return {static_cast<float>(hits.s[i] / request.field.width()),
-                static_cast<float>(hits.t[i] / request.field.height()), 0};
-    }
-    if (name == "normal") {
-        const glm::vec3 n = frame.normal(x, y, request);
-        return {n.x, n.y, n.z};
-    }
-    if (name == "error") return {tools.error.texels[i], static_cast<float>(tools.error.kinds[i]), 0};
-    if (name == "footprint" || name == "hidden") return footprintValues(name, frame, request, tools, x, y);
-    if (name == "steps") return {static_cast<float>(hits.steps[i]), 0, 0};
-    return {static_cast<float>(hits.outcome[i]), 0, 0};
-}
-
-}  // namespace
 
 PinholeCamera requestCamera(const FrameRequest& request) {
     const int beyond = 2 * request.margin;
@@ -188,47 +98,6 @@ std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y) {
     const VisiblePolygon* polygon = visible.at(x, y, request.width);
     if (polygon == nullptr) return std::nullopt;
     return polygon->entry(x, y).ray;
-}
-
-const std::vector<std::string>& layerNames() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (const Layer& layer : layerTable()) all.emplace_back(layer.name);
-        return all;
-    }();
-    return names;
-}
-
-std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
-                                    const std::vector<std::string>& layers, MapCache& maps, Work& work) {
-    std::vector<NamedPlane> planes;
-    LayerTools tools{{}, {}, work};
-    for (const std::string& name : layers) {
-        const Layer* layer = nullptr;
-        std::string known;
-        for (const Layer& candidate : layerTable()) {
-            if (candidate.name == name) layer = &candidate;
-            known += (known.empty() ? "" : ", ") + std::string(candidate.name);
-        }
-        if (layer == nullptr) {
-            throw InputError("--layers",
-                             Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", known}}));
-        }
-        if (name == "steps") assert(frame.hits->counted());
-        if (name == "error") tools.error = errorAgainstExact(frame, request, maps, work);
-        if (name == "footprint" || name == "hidden") tools.visible = frame.visible(request);
-        if (name == "hidden") tools.sight = sightOf(frame, request, maps, work);
-        const std::size_t first = planes.size();
-        for (const char* plane : layer->planes) planes.push_back({plane, FloatImage(frame.width, frame.height)});
-        for (int y = 0; y < frame.height; ++y) {
-            work.throwIfStopped();
-            for (int x = 0; x < frame.width; ++x) {
-                const std::array<float, 3> values = layerValues(name, frame, request, tools, x, y);
-                for (std::size_t k = 0; k < layer->planes.size(); ++k) planes[first + k].plane(x, y) = values[k];
-            }
-        }
-    }
-    return planes;
 }
 
 }  // namespace relief

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -27,6 +28,7 @@ namespace relief {
 class ConeTwin;
 class FlatGround;
 struct FrameBuffers;
+struct FrameSetup;
 struct HeightBoundsMap;
 
 inline constexpr int kMaxPictureSide = 1 << 15;
@@ -96,9 +98,17 @@ struct StageReport {
     double seconds = 0;   // of all threads together, where computed
 };
 
+// Rows [begin, end) of a picture.
+struct RowRange {
+    int begin = 0, end = 0;
+};
+
 struct Frame {
     int width = 0;
     int height = 0;
+    // All rows but in the parts that FrameRenderer::picture() hands out: the rows of the part, and those whose stages
+    // are in the buffers (the light stage always has the whole picture).
+    RowRange rows, stored;
     std::shared_ptr<const RayStage> rays;
     std::shared_ptr<const HitStage> hits;
     std::shared_ptr<const ColorStage> color;
@@ -116,9 +126,12 @@ struct Frame {
     std::array<StageReport, kStages> stages;
     std::map<std::string, double> counters;  // polygons, polygons culled, pixels covered, rays traced, steps, ...
     double seconds = 0;
+    double countSeconds = 0;  // of them, for steps and reads
 
+    // Place of a pixel of `stored` in the stages' buffers.
     std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y - stored.begin) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x);
     }
     // The ray of a pixel, the very one that was traced; nothing where no polygon is seen.
     std::optional<ViewRay> ray(int x, int y) const;
@@ -132,11 +145,25 @@ struct Frame {
     bool shadedByRelief(const FrameRequest& request) const;
 };
 
+// What a picture is made with beyond its colours.
+struct PictureParts {
+    // Steps and reads of every ray, as FrameRenderer::counted().
+    bool counts = false;
+    // Called in the calling thread for one part of the picture after the other, from the top, with all stages of
+    // part.rows; light is without supersampling. The part is valid during the call.
+    std::function<void(const Frame& part)> done{};
+    // Rows of a part, a multiple of 32; 0: as many as keep all threads busy.
+    int rows = 0;
+};
+
+// Bytes that FrameRenderer::picture() takes at most, maps and the filter's levels apart; threads: of its work.
+std::uint64_t pictureBytes(const FrameRequest& request, int threads);
+
 // Keeps the buffers of the last frame and computes only the stages whose inputs changed. One renderer a window pane or
 // command; not shared between threads (the work inside is parallel). Frames stay valid as long as somebody holds them.
 class FrameRenderer {
   public:
-    // partOfMore: what the frame belongs to reports progress and counts.
+    // partOfMore: what the frame belongs to reports progress and counts, and has asked whether there is memory.
     explicit FrameRenderer(std::shared_ptr<MapCache> maps, bool partOfMore = false)
         : maps_(std::move(maps)), partOfMore_(partOfMore) {}
 
@@ -149,8 +176,12 @@ class FrameRenderer {
     // frame stay). Same bits for any number of threads and whatever was reused.
     std::shared_ptr<const Frame> render(const FrameRequest& request, Work& work, const Snapshot& snapshot = {});
 
-    // The last frame with the steps and reads of every ray, and the counters that need them; the frame itself if it
-    // has them. Only after render(). Throws Cancelled.
+    // The request's picture for one use: the same bits as render(), but of the stages only light is left; the others
+    // are made and given up band by band. Peak memory: pictureBytes(). Throws MemoryError, too.
+    std::shared_ptr<const Frame> picture(const FrameRequest& request, Work& work, const PictureParts& parts = {});
+
+    // The last frame of render() with the steps and reads of every ray, and the counters that need them; the frame
+    // itself if it has them. Throws Cancelled.
     std::shared_ptr<const Frame> counted(Work& work);
 
     // The tracer of the last frame, to replay a pixel with a log.
@@ -160,6 +191,13 @@ class FrameRenderer {
     std::shared_ptr<MapCache> maps_;
     bool partOfMore_;
     std::shared_ptr<const Tracer> tracer_;
+    using Clock = std::chrono::steady_clock;
+
+    std::uint32_t changedSince(const FrameRequest& request) const;
+    std::unique_ptr<FrameSetup> madeSetup(const FrameRequest& request, std::uint32_t changed, std::uint32_t stale,
+                                          Work& work);
+    // Seconds since `begin`, and the counters where they are the work's.
+    void finish(Frame& frame, Clock::time_point begin, Work& work) const;
     std::shared_ptr<const TextureFilter> madeFilter(const FrameRequest& request, Work& work);
     std::shared_ptr<const TextureFilter> madePlainFilter(const FrameRequest& request, Work& work);
     std::unique_ptr<const FlatGround> madeGround(const FrameRequest& request, const Tracer& tracer, Work& work);
@@ -172,6 +210,8 @@ class FrameRenderer {
     // The buffers of frame_, and those that the frame before it left, to be written again if nobody holds them.
     std::shared_ptr<FrameBuffers> current_;
     std::shared_ptr<FrameBuffers> spare_;
+    // Those of picture(): of a band, and the light of the last one.
+    std::shared_ptr<FrameBuffers> band_;
     // The mean pyramid of the picture that was filtered last, and the heights that it was made of, if it is grey.
     std::shared_ptr<const ColorLevels> levels_;
     std::shared_ptr<const FloatImage> greyOf_;
@@ -202,6 +242,31 @@ std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y);
 // when they are asked for. Throws InputError("--layers", ...) for unknown names, Cancelled.
 std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& request,
                                     const std::vector<std::string>& layers, MapCache& maps, Work& work);
+
+// The same of a picture that comes in parts (FrameRenderer::picture()).
+class LayerPlanes {
+  public:
+    // Throws InputError("--layers", ...) for unknown names. maps is kept.
+    LayerPlanes(const FrameRequest& request, const std::vector<std::string>& layers, MapCache& maps);
+    ~LayerPlanes();
+    LayerPlanes(const LayerPlanes&) = delete;
+    LayerPlanes& operator=(const LayerPlanes&) = delete;
+
+    // Fills part.rows, but for the layer color. Throws Cancelled.
+    void add(const Frame& part, const FrameRequest& request, Work& work);
+    // All planes; color is the frame's light.
+    std::vector<NamedPlane> take(const Frame& frame);
+    // Bytes that the planes take, and as much again while they are written.
+    static std::uint64_t bytes(const FrameRequest& request, const std::vector<std::string>& layers);
+
+  private:
+    struct Tools;
+
+    std::vector<std::string> layers_;
+    MapCache& maps_;
+    std::unique_ptr<Tools> tools_;
+    std::vector<NamedPlane> planes_;
+};
 const std::vector<std::string>& layerNames();
 
 }  // namespace relief

@@ -14,11 +14,11 @@ inline constexpr std::size_t kFrameBatch = 1 << 16;
 template <class Sink, class See>
 void traceFrame(const Frame& frame, const Tracer& tracer, const char* what, HitBlock& hits, Sink& sink, Work& work,
                 const See& see) {
-    const std::size_t pixels = frame.rays->polygon.size();
+    const std::size_t first = frame.index(0, frame.rows.begin), pixels = frame.index(0, frame.rows.end);
     std::vector<std::size_t> places;
     RayBlock rays;
-    work.progress().begin(what, static_cast<std::int64_t>(pixels));
-    for (std::size_t begin = 0; begin < pixels; begin += kFrameBatch) {
+    work.progress().begin(what, static_cast<std::int64_t>(pixels - first));
+    for (std::size_t begin = first; begin < pixels; begin += kFrameBatch) {
         work.throwIfStopped();
         const std::size_t end = std::min(pixels, begin + kFrameBatch);
         places.clear();

@@ -1,7 +1,11 @@
 #include "rendering/frame_buffers.h"
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
+
+#include "base/memory.h"
+#include "rendering/frame_tools.h"
 
 namespace relief {
 
@@ -36,14 +40,69 @@ void fit(ColorImage& image, const Frame& frame) {
     if (image.width() != frame.width || image.height() != frame.height) image = ColorImage(frame.width, frame.height);
 }
 
+template <class T>
+std::shared_ptr<T>& made(std::shared_ptr<T>& stage) {
+    if (!stage) stage = std::make_shared<T>();
+    return stage;
+}
+
+// Every column of a band's stages.
+template <class Visit>
+void overColumns(FrameBuffers& band, const Visit& visit) {
+    RayStage& rays = *band.rays;
+    HitStage& hits = *band.hits;
+    for (auto* column : {&rays.rays.s0, &rays.rays.t0, &rays.rays.a, &rays.rays.b}) visit(*column);
+    for (auto* column : {&hits.hits.lambda, &hits.hits.s, &hits.hits.t}) visit(*column);
+    visit(rays.polygon);
+    visit(rays.inverseDepth);
+    visit(hits.hits.outcome);
+    visit(hits.by);
+}
+
 }  // namespace
+
+void fitBand(FrameBuffers& band, const Frame& frame, int rows, const FrameRequest& request, bool counts) {
+    const auto pixels = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(rows);
+    made(band.rays), made(band.hits);
+    overColumns(band, [&](auto& column) { column.resize(pixels); });
+    for (auto* column : {&band.hits->hits.steps, &band.hits->hits.reads}) column->resize(counts ? pixels : 0);
+    ColorImage& color = made(band.color)->color;
+    if (color.width() != frame.width || color.height() != rows) color = ColorImage(frame.width, rows);
+    made(band.shadows)->shadowed.resize(request.shadows ? pixels : 0);
+    const auto tiles = static_cast<std::size_t>(tilesAcross(frame.width) * tilesDown(rows));
+    for (auto* blank : {&band.rays->blank, &band.hits->blank, &band.color->blank}) blank->assign(tiles, 0);
+}
+
+void shiftBand(FrameBuffers& band, const Frame& frame, int rows) {
+    const std::ptrdiff_t pixels = std::ptrdiff_t{frame.width} * rows;
+    const auto up = [&](auto&& column) { std::move(column.begin() + pixels, column.end(), column.begin()); };
+    if (pixels > 0) {
+        overColumns(band, up);
+        up(band.color->color.pixels());
+        if (!band.shadows->shadowed.empty()) up(band.shadows->shadowed);
+    }
+    for (auto* blank : {&band.rays->blank, &band.hits->blank, &band.color->blank}) {
+        std::fill(blank->begin(), blank->end(), std::uint8_t{0});
+    }
+}
+
+std::shared_ptr<LightStage> fitLight(std::shared_ptr<LightStage>& light, const Frame& frame) {
+    light = taken(light, true);
+    fit(light->color, frame);
+    return light;
+}
 
 FrameBuffers allocateBuffers(Frame& frame, const Frame* last, FrameBuffers& spare, const FrameRequest& request,
                              bool mesh, std::uint32_t stale) {
     const auto pixels = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
     FrameBuffers buffers;
+    const bool fits = spare.rays && spare.rays->polygon.size() == pixels;
+    if (has(stale, Stage::Rays) && !fits) {
+        requireMemory(byteProduct({pixels, kStageBytes + sizeof(Color)}), sizeSubject(request),
+                      MemoryHint::SmallerSize);
+    }
     if (has(stale, Stage::Rays)) {
-        buffers.rays = taken(spare.rays, spare.rays && spare.rays->polygon.size() == pixels);
+        buffers.rays = taken(spare.rays, fits);
         buffers.rays->rays.resize(pixels);
         buffers.rays->polygon.resize(pixels);
         buffers.rays->inverseDepth.resize(pixels);

@@ -40,8 +40,22 @@ struct FrameBuffers {
     std::shared_ptr<LightStage> light;
 };
 
+// Bytes a pixel of all stages but light; and of steps and reads.
+inline constexpr std::size_t kStageBytes = 4 * sizeof(double) + sizeof(std::uint8_t) + sizeof(float) +  // rays
+                                           3 * sizeof(double) + sizeof(Outcome) + sizeof(HitBy) +       // hits
+                                           sizeof(Color) + sizeof(std::uint8_t);                        // and shadows
+inline constexpr std::size_t kCountBytes = 2 * sizeof(std::uint32_t);
+
+// Buffers for all stages but light of so many rows of the frame's picture, no tile blank: those given, made to fit.
+void fitBand(FrameBuffers& band, const Frame& frame, int rows, const FrameRequest& request, bool counts);
+// Forgets this many rows at the top and moves the others up.
+void shiftBand(FrameBuffers& band, const Frame& frame, int rows);
+
+// The light stage as a buffer for the frame's picture: this one if nobody else holds it, or a new one.
+std::shared_ptr<LightStage> fitLight(std::shared_ptr<LightStage>& light, const Frame& frame);
+
 // Buffers for stale stages, to be cleared by the tiles; the frame points to what its later stages read. spare: of an
-// older frame, taken where nobody else holds them. last: null where all stages are stale.
+// older frame, taken where nobody else holds them. last: null where all stages are stale. Throws MemoryError.
 FrameBuffers allocateBuffers(Frame& frame, const Frame* last, FrameBuffers& spare, const FrameRequest& request,
                              bool mesh, std::uint32_t stale);
 

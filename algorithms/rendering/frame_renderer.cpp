@@ -4,17 +4,15 @@
 #include <chrono>
 #include <utility>
 
-#include "base/parallel.h"
 #include "relief/lanes/cone_twin.h"
 #include "rendering/flat_ground.h"
+#include "rendering/frame_report.h"
+#include "rendering/frame_tools.h"
 #include "rendering/supersample.h"
-#include "rendering/tile_worker.h"
 
 namespace relief {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // What of a request differs from the last one.
 std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
@@ -54,15 +52,30 @@ std::uint32_t staleStages(std::uint32_t changed) {
     return stale;
 }
 
-std::vector<PixelArea> tilesOf(int width, int height) {
-    std::vector<PixelArea> tiles;
-    for (int y = 0; y < height; y += kTileHeight) {
-        for (int x = 0; x < width; x += kTileWidth) {
-            tiles.push_back({x, y, std::min(x + kTileWidth, width), std::min(y + kTileHeight, height)});
-        }
-    }
-    return tiles;
+// Heights in grey, for filters that need a whole picture.
+std::shared_ptr<const ColorImage> greyPicture(const FloatImage& heights) {
+    auto picture = std::make_shared<ColorImage>(heights.width(), heights.height());
+    std::transform(heights.pixels().begin(), heights.pixels().end(), picture->pixels().begin(), heightGrey);
+    return picture;
 }
+
+// What a frame says of itself before any pixel is made.
+std::shared_ptr<Frame> describedFrame(const FrameRequest& request) {
+    auto frame = std::make_shared<Frame>();
+    frame->width = request.width;
+    frame->height = request.height;
+    frame->rows = frame->stored = {0, request.height};
+    frame->slabTexels = request.field.slabTexels();
+    frame->polygons = makeScene(request.scene, request.field.width(), request.field.height());
+    frame->camera = requestCamera(request);
+    if (request.color) {
+        frame->colorPerTexel = std::max(static_cast<double>(request.color->width()) / request.field.width(),
+                                        static_cast<double>(request.color->height()) / request.field.height());
+    }
+    return frame;
+}
+
+}  // namespace
 
 void checkRequest(const FrameRequest& request) {
     checkFilter(request.filter, "--filter");
@@ -83,102 +96,10 @@ void checkRequest(const FrameRequest& request) {
     }
 }
 
-void reportFilter(Frame& frame, const FrameTotals& totals) {
-    const FilterDescription& filter = frame.filter->description();
-    const auto count = [&](const char* name, double value) { frame.counters[name] = value; };
-    if (frame.plainFilter) count("footprints not filtered: tiny", static_cast<double>(totals.tinyFootprints));
-    count("texels read", static_cast<double>(totals.texels));
-    if (filter.options.empty()) return;
-    count("footprints", static_cast<double>(totals.footprints));
-    count("footprints not needed: smaller than a texel", static_cast<double>(totals.smallFootprints));
-    if (!filter.visible) return;
-    count("texels traced back", static_cast<double>(totals.texelsTested));
-    count("texels hidden", static_cast<double>(totals.texelsHidden));
-    count("texels not traced back: nothing near is high enough", static_cast<double>(totals.texelsSkipped));
-    count("footprints not traced back", static_cast<double>(totals.clearFootprints));
-    count("footprints with nothing visible", static_cast<double>(totals.hiddenFootprints));
+std::string sizeSubject(const FrameRequest& request) {
+    return "--size " + std::to_string(request.width - 2 * request.margin) + "x" +
+           std::to_string(request.height - 2 * request.margin);
 }
-
-void reportCounts(Frame& frame, const FrameTotals& totals) {
-    const auto count = [&](const char* name, double value) { frame.counters[name] = value; };
-    count("rays not needed: the start is the highest point", static_cast<double>(totals.startHighest));
-    count("steps", static_cast<double>(totals.steps));
-    count("reads", static_cast<double>(totals.reads));
-}
-
-void report(Frame& frame, const VisiblePolygons& visible, const FrameTotals& totals, std::uint32_t stale,
-            bool bounded) {
-    for (std::size_t s = 0; s < kStages; ++s) {
-        frame.stages[s].reused = (stale & (1U << s)) == 0;
-        frame.stages[s].seconds = static_cast<double>(totals.nanoseconds[s]) * 1e-9;
-    }
-    const auto count = [&](const char* name, double value) { frame.counters[name] = value; };
-    count("polygons", visible.total);
-    count("polygons culled: facing away", visible.backFacing);
-    count("polygons culled: off screen", visible.offScreen);
-    const double pixels = static_cast<double>(frame.width) * frame.height;
-    count("pixels", pixels);
-    if (has(stale, Stage::Rays)) count("pixels without a polygon", pixels - static_cast<double>(totals.covered));
-    count("rays traced", static_cast<double>(totals.traced));
-    if (has(stale, Stage::Hits)) {
-        count("rays", static_cast<double>(totals.covered));
-        count("rays not needed: flat ground", static_cast<double>(totals.flatRays));
-        if (bounded) count("rays not traced: little parallax", static_cast<double>(totals.parallaxRays));
-        count("hits", static_cast<double>(totals.hits));
-        count("misses", static_cast<double>(totals.misses));
-        count("step limits", static_cast<double>(totals.limits));
-        if (frame.hits->counted()) reportCounts(frame, totals);
-        if (totals.triangles > 0) count("triangles drawn", static_cast<double>(totals.triangles));
-    }
-    if (frame.filter && has(stale, Stage::Color)) reportFilter(frame, totals);
-    if (!frame.shadows->shadowed.empty() && has(stale, Stage::Shadows)) {
-        count("hits lit", static_cast<double>(totals.shadowHits));
-        count("shadow rays", static_cast<double>(totals.shadowRays));
-        count("shadow rays blocked", static_cast<double>(totals.shadowBlocked));
-        count("shadow rays not needed: turned away from the light", static_cast<double>(totals.shadowAway));
-        count("shadow rays not needed: at the top", static_cast<double>(totals.shadowTop));
-        if (totals.shadowSteps > 0) count("shadow steps", static_cast<double>(totals.shadowSteps));
-        count("shadow step limits", static_cast<double>(totals.shadowLimits));
-    }
-    count("stages not computed again",
-          static_cast<double>(std::count_if(frame.stages.begin(), frame.stages.end(),
-                                            [](const StageReport& stage) { return stage.reused; })));
-}
-
-// Heights in grey, for filters that need a whole picture.
-std::shared_ptr<const ColorImage> greyPicture(const FloatImage& heights) {
-    auto picture = std::make_shared<ColorImage>(heights.width(), heights.height());
-    std::transform(heights.pixels().begin(), heights.pixels().end(), picture->pixels().begin(), heightGrey);
-    return picture;
-}
-
-// What a frame says of itself before any pixel is made.
-std::shared_ptr<Frame> describedFrame(const FrameRequest& request) {
-    auto frame = std::make_shared<Frame>();
-    frame->width = request.width;
-    frame->height = request.height;
-    frame->slabTexels = request.field.slabTexels();
-    frame->polygons = makeScene(request.scene, request.field.width(), request.field.height());
-    frame->camera = requestCamera(request);
-    if (request.color) {
-        frame->colorPerTexel = std::max(static_cast<double>(request.color->width()) / request.field.width(),
-                                        static_cast<double>(request.color->height()) / request.field.height());
-    }
-    return frame;
-}
-
-// body(tile) over the picture, in parallel. Throws Cancelled.
-template <class Body>
-void overTiles(const Frame& frame, bool tellProgress, Work& work, const Body& body) {
-    const std::vector<PixelArea> tiles = tilesOf(frame.width, frame.height);
-    if (tellProgress) work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
-    parallelFor(work, tiles.size(), [&](std::size_t n) {
-        body(tiles[n]);
-        if (tellProgress) work.progress().advance();
-    });
-}
-
-}  // namespace
 
 std::shared_ptr<const TextureFilter> FrameRenderer::madeFilter(const FrameRequest& request, Work& work) {
     const bool levels = needsLevels(request.filter);
@@ -251,66 +172,78 @@ void FrameRenderer::reportMaps(Frame& frame, const FrameRequest& request, const 
     if (!needed[2] && request.color) ColorLevels(request.color, work);
 }
 
-std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, Work& work, const Snapshot& snapshot) {
-    const auto begin = Clock::now();
-    checkRequest(request);
-    const bool first = !frame_ || !last_;
+std::uint32_t FrameRenderer::changedSince(const FrameRequest& request) const {
     // Without skipping nothing is kept, either.
-    const bool all = first || !request.skip;
-    const std::uint32_t changed = all ? (1U << kInputs) - 1 : changedInputs(request, *last_);
-    const std::uint32_t stale = staleStages(changed);
-    const std::shared_ptr<Frame> frame = describedFrame(request);
-    const VisiblePolygons visible =
-        visiblePolygons(frame->polygons, frame->camera, request.width, request.height, request.field.reliefDepth());
-    std::shared_ptr<const Tracer> tracer = tracer_;
-    const bool newTracer = first || has(stale, Stage::Hits) || !tracer;
-    if (newTracer) tracer = makeTracer(request.method, request.field, *maps_, work);
-    frame->shading = tracer->description().shading;
-    frame->exactHits = tracer->guarantee() == Guarantee::Exact && tracer->baseLevel() == 0;
+    const bool all = !frame_ || !last_ || !request.skip;
+    return all ? (1U << kInputs) - 1 : changedInputs(request, *last_);
+}
+
+std::unique_ptr<FrameSetup> FrameRenderer::madeSetup(const FrameRequest& request, std::uint32_t changed,
+                                                     std::uint32_t stale, Work& work) {
+    auto frame = describedFrame(request);
+    auto setup =
+        std::make_unique<FrameSetup>(FrameSetup{frame, visiblePolygons(frame->polygons, frame->camera, request.width,
+                                                                       request.height, request.field.reliefDepth())});
+    setup->tracer = tracer_;
+    if (has(stale, Stage::Hits) || !tracer_) setup->tracer = makeTracer(request.method, request.field, *maps_, work);
+    const Tracer& tracer = *setup->tracer;
+    frame->shading = tracer.description().shading;
+    frame->exactHits = tracer.guarantee() == Guarantee::Exact && tracer.baseLevel() == 0;
     if (frame->shading == ShadingNormal::NormalMap && !request.normals) {
         frame->bakedNormals = bakedNormals(request.field, *maps_, work);
     }
-    std::unique_ptr<const MeshRaster> mesh;
-    if (tracer->mesh() != nullptr && has(stale, Stage::Hits)) {
-        mesh = std::make_unique<MeshRaster>(*tracer->mesh(), visible, frame->camera, frame->width, work);
+    if (tracer.mesh() != nullptr && has(stale, Stage::Hits)) {
+        setup->mesh = std::make_unique<MeshRaster>(*tracer.mesh(), setup->visible, frame->camera, frame->width, work);
     }
-    std::unique_ptr<const AnyHitQuery> query;
     if (request.shadows && has(stale, Stage::Shadows)) {
-        query = makeAnyHit(sightChoice(request.field), request.field, *maps_, work);
+        setup->query = makeAnyHit(sightChoice(request.field), request.field, *maps_, work);
     }
-
-    const bool newFilter = all || (changed & kFilterInputs) != 0;
+    const bool newFilter = (changed & kFilterInputs) != 0;
     frame->filter = newFilter ? madeFilter(request, work) : frame_->filter;
     frame->plainFilter = newFilter ? madePlainFilter(request, work) : frame_->plainFilter;
-    const std::unique_ptr<const FlatGround> ground =
-        mesh || !has(stale, Stage::Hits) ? nullptr : madeGround(request, *tracer, work);
-    reportMaps(*frame, request, *tracer, work);
-    const std::unique_ptr<const ConeTwin> twin =
-        mesh || !has(stale, Stage::Hits)
-            ? nullptr
-            : madeTwin(request, *tracer, frame->filter && frame->filter->asksNeighbours(), work);
+    const bool traces = !setup->mesh && has(stale, Stage::Hits);
+    if (traces) setup->ground = madeGround(request, tracer, work);
+    reportMaps(*frame, request, tracer, work);
+    if (traces) setup->twin = madeTwin(request, tracer, frame->filter && frame->filter->asksNeighbours(), work);
+    return setup;
+}
+
+void FrameRenderer::finish(Frame& frame, Clock::time_point begin, Work& work) const {
+    frame.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (partOfMore_) return;
+    for (const auto& [name, value] : frame.counters) work.counters().add(name, value);
+}
+
+std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, Work& work, const Snapshot& snapshot) {
+    const auto begin = Clock::now();
+    checkRequest(request);
+    // After picture() there are no stages.
+    if (frame_ && !frame_->rays) frame_.reset();
+    band_.reset();
+    const std::uint32_t changed = changedSince(request), stale = staleStages(changed);
+    const std::unique_ptr<FrameSetup> setup = madeSetup(request, changed, stale, work);
+    const std::shared_ptr<Frame>& frame = setup->frame;
 
     if (!spare_) spare_ = std::make_shared<FrameBuffers>();
-    const FrameBuffers buffers = allocateBuffers(*frame, frame_.get(), *spare_, request, mesh != nullptr, stale);
+    const FrameBuffers buffers = allocateBuffers(*frame, frame_.get(), *spare_, request, setup->mesh != nullptr, stale);
     FrameTotals totals;
-    const FrameTools tools{visible, *tracer, mesh.get(), query.get(), ground.get(), twin.get()};
+    const FrameTools tools = setup->tools();
     const TileWorker worker(request, *frame, tools, buffers, stale, totals);
     if (stale != 0) {
+        const std::vector<PixelArea> tiles = tilesOf(frame->width, frame->rows);
         const bool twice = worker.hitsFirst();
-        if (twice) overTiles(*frame, false, work, [&](const PixelArea& tile) { worker.meet(tile, work); });
-        overTiles(*frame, !partOfMore_, work, [&](const PixelArea& tile) {
+        if (twice) overTiles(tiles, false, work, [&](const PixelArea& tile) { worker.meet(tile, work); });
+        if (!partOfMore_) work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
+        overTiles(tiles, !partOfMore_, work, [&](const PixelArea& tile) {
             if (!twice) worker.meet(tile, work);
             worker.paint(tile, work);
         });
     }
-    report(*frame, visible, totals, stale, request.bounded > 0);
+    report(*frame, request, setup->visible, totals, stale, setup->mesh != nullptr);
     if (request.filter.name == kSupersample && buffers.light) {
         buffers.light->color = supersampled(request, maps_, work, snapshot, frame->counters);
     }
-    frame->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    if (!partOfMore_) {
-        for (const auto& [name, value] : frame->counters) work.counters().add(name, value);
-    }
+    finish(*frame, begin, work);
     if (!current_) current_ = std::make_shared<FrameBuffers>();
     const auto keep = [](auto& current, auto& spare, const auto& made) {
         if (made) spare = std::exchange(current, made);
@@ -322,12 +255,12 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     keep(current_->light, spare_->light, buffers.light);
     last_ = request;
     frame_ = frame;
-    tracer_ = tracer;
+    tracer_ = setup->tracer;
     return request.counts ? counted(work) : frame_;
 }
 
 std::shared_ptr<const Frame> FrameRenderer::counted(Work& work) {
-    assert(frame_ && tracer_);
+    assert(frame_ && frame_->hits && tracer_);
     if (frame_->hits->counted()) return frame_;
     auto frame = std::make_shared<Frame>(*frame_);
     auto hits = std::make_shared<HitStage>(*frame->hits);
@@ -335,7 +268,9 @@ std::shared_ptr<const Frame> FrameRenderer::counted(Work& work) {
     hits->hits.reads.resize(hits->hits.size());
     frame->hits = hits;
     FrameTotals totals;
-    overTiles(*frame, !partOfMore_, work,
+    const std::vector<PixelArea> tiles = tilesOf(frame->width, frame->rows);
+    if (!partOfMore_) work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
+    overTiles(tiles, !partOfMore_, work,
               [&](const PixelArea& tile) { countTile(tile, *tracer_, *frame, *hits, totals, work); });
     reportCounts(*frame, totals);
     frame_ = frame;

@@ -55,6 +55,7 @@ struct MeshRaster::Target {
     std::vector<double> inverseDepth;
     std::int64_t triangles = 0;
     int width = 0;
+    int firstRow = 0;
 
     // One quad of the mesh, by its place and its vertices' heights.
     struct Quad {
@@ -104,7 +105,7 @@ void MeshRaster::Target::drawRow(const Quad& quad, const Homography& rows, glm::
     const auto inside = [&](double s, double t) { return s >= 0 && s <= right && t >= 0 && t <= bottom; };
     for (auto x = static_cast<int>(span.begin); x < span.end; ++x) {
         const std::size_t pixel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+            static_cast<std::size_t>(y - firstRow) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
         if (rays.polygon[pixel] != quad.number || !inside(rays.rays.s0[pixel], rays.rays.t0[pixel])) continue;
         const TexelPoint at = rows.at(x + 0.5 - origin.x, y + 0.5 - origin.y);
         // Place in the quad; a centre on an edge may be rounded out of it.
@@ -201,19 +202,19 @@ void MeshRaster::drawBlock(const Part& part, int blockX, int blockY, Target& tar
     }
 }
 
-std::int64_t MeshRaster::draw(const PixelArea& area, const RayStage& rays, HitBlock& hits) const {
+std::int64_t MeshRaster::draw(const PixelArea& area, const RayStage& rays, HitBlock& hits, int firstRow) const {
     const auto pixels = static_cast<std::size_t>(area.x1 - area.x0) * static_cast<std::size_t>(area.y1 - area.y0);
     std::array<bool, 256> seen{};
     for (int y = area.y0; y < area.y1; ++y) {
         for (int x = area.x0; x < area.x1; ++x) {
             const std::size_t pixel =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+                static_cast<std::size_t>(y - firstRow) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
             seen[rays.polygon[pixel]] = true;
             hits.steps[pixel] = 0;
             if (rays.polygon[pixel] != kNoPolygon) hits.set(pixel, Hit::none(Outcome::Miss));
         }
     }
-    Target target{area, rays, hits, std::vector<double>(pixels, 0.0), 0, width_};
+    Target target{area, rays, hits, std::vector<double>(pixels, 0.0), 0, width_, firstRow};
     for (const Part& part : parts_) {
         if (!seen[part.polygon->number]) continue;
         for (int j = 0; j < part.blocksDown; ++j) {

@@ -33,8 +33,8 @@ class MeshRaster {
                Work& work);
 
     // Sets hits (and in their steps how many triangles covered the pixel) for the pixels of the area that see a
-    // polygon. Returns the triangles looked at.
-    std::int64_t draw(const PixelArea& area, const RayStage& rays, HitBlock& hits) const;
+    // polygon. Rays and hits are of the picture's rows from firstRow on. Returns the triangles looked at.
+    std::int64_t draw(const PixelArea& area, const RayStage& rays, HitBlock& hits, int firstRow = 0) const;
 
   private:
     // Blocks of quads over one polygon: block (i, j) has the quads from -1 + i * kBlock.

@@ -106,43 +106,57 @@ std::vector<SkipRow> skipLedger(const Frame& frame, const FrameRequest& request)
     return rows;
 }
 
-BoundedError measureBounded(const Frame& frame, const FrameRequest& request, MapCache& maps, Work& work) {
-    BoundedError out;
-    if (std::count(frame.hits->by.begin(), frame.hits->by.end(), HitBy::LittleParallax) > 0) {
-        const ErrorLayer error = errorAgainstExact(frame, request, maps, work);
-        double sum = 0;
-        for (std::size_t i = 0; i < error.texels.size(); ++i) {
-            if (frame.hits->by[i] != HitBy::LittleParallax) continue;
-            ++out.rays;
-            if (error.kinds[i] == ErrorKind::Wrong) {
-                ++out.wrongOutcomes;
-                continue;
-            }
-            sum += static_cast<double>(error.texels[i]);
-            out.rayMax = std::max(out.rayMax, static_cast<double>(error.texels[i]));
+void BoundedSums::addRays(const Frame& part, const FrameRequest& request, MapCache& maps, Work& work) {
+    const auto first = part.hits->by.begin() + static_cast<std::ptrdiff_t>(part.index(0, part.rows.begin));
+    const auto last = part.hits->by.begin() + static_cast<std::ptrdiff_t>(part.index(0, part.rows.end));
+    if (std::find(first, last, HitBy::LittleParallax) == last) return;
+    const ErrorLayer error = errorAgainstExact(part, request, maps, work);
+    for (auto by = first; by != last; ++by) {
+        if (*by != HitBy::LittleParallax) continue;
+        const auto i = static_cast<std::size_t>(by - part.hits->by.begin());
+        ++error_.rays;
+        if (error.kinds[i] == ErrorKind::Wrong) {
+            ++error_.wrongOutcomes;
+            continue;
         }
-        out.rayMean = out.rays > out.wrongOutcomes ? sum / static_cast<double>(out.rays - out.wrongOutcomes) : 0;
+        error_.rayMean += static_cast<double>(error.texels[i]);
+        error_.rayMax = std::max(error_.rayMax, static_cast<double>(error.texels[i]));
     }
-    if (!frame.plainFilter) return out;
-    const VisiblePolygons visible = frame.visible(request);
+}
+
+void BoundedSums::add(const Frame& part, const FrameRequest& request, MapCache& maps, Work& work) {
+    addRays(part, request, maps, work);
+    if (!part.plainFilter) return;
+    const VisiblePolygons visible = part.visible(request);
     FootprintCounts counts;
-    double sum = 0;
-    for (int y = 0; y < frame.height; ++y) {
+    for (int y = part.rows.begin; y < part.rows.end; ++y) {
         work.throwIfStopped();
-        for (int x = 0; x < frame.width; ++x) {
-            const std::optional<FilterQuery> query = filterQuery(frame, request, visible, x, y);
-            if (!query || !tinyFootprint(*query, frame, request)) continue;
-            const Color full = frame.filter->color(*query, counts, work);
-            const Color here = frame.color->color(x, y);
+        for (int x = 0; x < part.width; ++x) {
+            const std::optional<FilterQuery> query = filterQuery(part, request, visible, x, y);
+            if (!query || !tinyFootprint(*query, part, request)) continue;
+            const Color full = part.filter->color(*query, counts, work);
+            const Color here = part.color->color.pixels()[part.index(x, y)];
             double most = 0;
             for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(static_cast<double>(full[c] - here[c])));
-            ++out.footprints;
-            sum += most;
-            out.colorMax = std::max(out.colorMax, most);
+            ++error_.footprints;
+            error_.colorMean += most;
+            error_.colorMax = std::max(error_.colorMax, most);
         }
     }
-    out.colorMean = out.footprints > 0 ? sum / static_cast<double>(out.footprints) : 0;
-    return out;
+}
+
+BoundedError BoundedSums::error() const {
+    BoundedError mean = error_;
+    const std::int64_t right = mean.rays - mean.wrongOutcomes;
+    mean.rayMean = right > 0 ? mean.rayMean / static_cast<double>(right) : 0;
+    mean.colorMean = mean.footprints > 0 ? mean.colorMean / static_cast<double>(mean.footprints) : 0;
+    return mean;
+}
+
+BoundedError measureBounded(const Frame& frame, const FrameRequest& request, MapCache& maps, Work& work) {
+    BoundedSums sums;
+    sums.add(frame, request, maps, work);
+    return sums.error();
 }
 
 }  // namespace relief

@@ -38,7 +38,21 @@ struct BoundedError {
     double colorMax = 0;
 };
 
-// Traces and filters the skipped pixels once more, in full; ray errors are against an exact tracer. Throws Cancelled.
+// Sums the errors over the parts of a picture (FrameRenderer::picture()).
+class BoundedSums {
+  public:
+    // Traces and filters the skipped pixels once more, in full; ray errors are against an exact tracer. Throws
+    // Cancelled.
+    void add(const Frame& part, const FrameRequest& request, MapCache& maps, Work& work);
+    BoundedError error() const;
+
+  private:
+    void addRays(const Frame& part, const FrameRequest& request, MapCache& maps, Work& work);
+
+    BoundedError error_;  // its means: sums
+};
+
+// The same of a whole frame.
 BoundedError measureBounded(const Frame& frame, const FrameRequest& request, MapCache& maps, Work& work);
 
 }  // namespace relief

@@ -115,10 +115,10 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
     const std::vector<glm::ivec2> order = sampleOrder(samples);
     const int total = samples * samples;
     work.progress().begin("samples", total);
-    FrameRenderer renderer(maps, true);
+    auto renderer = std::make_unique<FrameRenderer>(maps, true);
     for (int done = 0; done < total; ++done) {
         pass.sample = (glm::dvec2(order[static_cast<std::size_t>(done)]) + 0.5) / static_cast<double>(samples);
-        const auto frame = renderer.render(pass, work);
+        const auto frame = renderer->picture(pass, work);
         sums.add(frame->light->color, pass.sample, work);
         for (const char* name : {"rays traced", "steps"}) {
             const auto found = frame->counters.find(name);
@@ -129,6 +129,8 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
             snapshot(sums.mean(work), done + 1, total);
     }
     counters["samples a pixel"] = total;
+    // Its buffers go before the mean comes.
+    renderer.reset();
     return sums.mean(work);
 }
 

@@ -124,10 +124,8 @@ void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facin
 
 // Where nothing is met.
 void TileWorker::fillSky(const PixelArea& tile) const {
-    const auto out = buffers_.light->color.pixels();
     for (int y = tile.y0; y < tile.y1; ++y) {
-        std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(frame_.index(tile.x0, y)), tile.x1 - tile.x0,
-                    request_.sky);
+        std::fill_n(buffers_.light->color.row(y).begin() + tile.x0, tile.x1 - tile.x0, request_.sky);
     }
 }
 
@@ -135,11 +133,12 @@ void TileWorker::lightHits(const PixelArea& tile) const {
     const HitBlock& hits = frame_.hits->hits;
     const auto colors = frame_.color->color.pixels();
     const std::vector<std::uint8_t>& shadowed = frame_.shadows->shadowed;
-    const auto out = buffers_.light->color.pixels();
+    std::span<Color> out;  // a row of the picture
     std::array<double, kTileWidth> facing{};
     std::array<float, kTileWidth> amount;
     overPixels(tile, [&](int x, int y, std::size_t i) {
         if (x == tile.x0) {
+            out = buffers_.light->color.row(y);
             faceLight(tile, y, facing);
             if (!shadowed.empty()) {
                 for (int n = 0; n < tile.x1 - x; ++n) {
@@ -150,13 +149,13 @@ void TileWorker::lightHits(const PixelArea& tile) const {
         }
         switch (hits.outcome[i]) {
             case Outcome::Hit:
-                out[i] = colors[i] * amount[static_cast<std::size_t>(x - tile.x0)];
+                out[static_cast<std::size_t>(x)] = colors[i] * amount[static_cast<std::size_t>(x - tile.x0)];
                 break;
             case Outcome::Limit:
-                out[i] = Color(0);
+                out[static_cast<std::size_t>(x)] = Color(0);
                 break;
             default:
-                out[i] = request_.sky;
+                out[static_cast<std::size_t>(x)] = request_.sky;
         }
     });
 }

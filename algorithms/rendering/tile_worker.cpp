@@ -31,7 +31,12 @@ TileWorker::TileWorker(const FrameRequest& request, const Frame& frame, const Fr
       stale_(stale),
       totals_(totals),
       toLight_(lightDirection(request.light)),
-      picture_{frame.width, frame.height, frame.rays->polygon.data(), &frame.rays->rays, &frame.hits->hits} {
+      picture_{frame.width,
+               frame.stored.end - frame.stored.begin,
+               frame.rays->polygon.data(),
+               &frame.rays->rays,
+               &frame.hits->hits,
+               frame.stored.begin} {
     for (const TexturedQuad& quad : frame.polygons) axes_.emplace_back(quad);
     polygons_.resize(frame.polygons.size(), nullptr);
     for (const VisiblePolygon& polygon : tools.visible.polygons) polygons_[polygon.number] = &polygon;
@@ -196,7 +201,7 @@ bool TileWorker::skipBlock(const PixelArea& block) const {
 
 void TileWorker::drawMesh(const PixelArea& tile) const {
     HitBlock& out = buffers_.hits->hits;
-    totals_.triangles += tools_.mesh->draw(tile, *frame_.rays, out);
+    totals_.triangles += tools_.mesh->draw(tile, *frame_.rays, out, frame_.stored.begin);
     std::int64_t covered = 0;
     overPixels(tile, [&](int, int, std::size_t i) { covered += out.steps[i]; });
     totals_.steps += covered;

@@ -48,11 +48,13 @@ class TileWorker {
     TileWorker(const FrameRequest& request, const Frame& frame, const FrameTools& tools, const FrameBuffers& buffers,
                std::uint32_t stale, FrameTotals& totals);
 
-    // Whether all hits are made before any colour: then the filter need not trace what neighbouring tiles have.
-    bool hitsFirst() const {
-        return has(stale_, Stage::Color) && frame_.filter && frame_.filter->asksNeighbours() && frame_.exactHits &&
-               !(request_.bounded > 0);
+    // Whether all hits of the rows kept are made before any colour: then the filter need not trace what neighbouring
+    // tiles have.
+    static bool hitsFirst(const Frame& frame, const FrameRequest& request, std::uint32_t stale) {
+        return has(stale, Stage::Color) && frame.filter && frame.filter->asksNeighbours() && frame.exactHits &&
+               !(request.bounded > 0);
     }
+    bool hitsFirst() const { return hitsFirst(frame_, request_, stale_); }
     void meet(const PixelArea& tile, Work& work) const {
         clear(tile);
         timed(Stage::Rays, [&] { makeRays(tile); });
@@ -95,7 +97,8 @@ class TileWorker {
 
     std::size_t number(const PixelArea& tile) const {
         const int across = tilesAcross(frame_.width);
-        return static_cast<std::size_t>(tile.y0 / kTileHeight * across + tile.x0 / kTileWidth);
+        const int down = (tile.y0 - frame_.stored.begin) / kTileHeight;
+        return static_cast<std::size_t>(down * across + tile.x0 / kTileWidth);
     }
     // Whether what the stage's buffer holds of the tile is to be cleared.
     template <class T>

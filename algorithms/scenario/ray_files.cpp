@@ -5,6 +5,7 @@
 #include <charconv>
 #include <vector>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "scenario/text_lines.h"
 
@@ -70,7 +71,9 @@ RayBlock parseRays(std::string_view text, const std::string& fileName) {
         throw InputError(
             fileName, Message(MessageId::RaysHeader, {{"header", std::string(kRaysHeader)}, {"text", quoted(header)}}));
     }
-    RayBlock rays(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);
+    const std::size_t most = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+    requireMemory(byteProduct({most, RayBlock::kBytes}), fileName);
+    RayBlock rays(most);
     std::size_t count = 0;
     for (std::size_t line = 2; !text.empty(); ++line) {
         const std::string_view row = takeLine(text);

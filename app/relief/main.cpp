@@ -1,5 +1,6 @@
 // The program `relief`: one command a file; here parsing, and every failure turned into one line and an exit status:
-// 0 done, 1 the work failed, 2 bad usage or input, 128 + signal where it was interrupted.
+// 0 done, 1 the work failed, 2 bad usage or input, or more memory needed than is free, 128 + signal where it was
+// interrupted.
 #include <cstring>
 #include <exception>
 #include <new>
@@ -76,7 +77,8 @@ void buildParser(CLI::App& program, Commands& commands) {
     program.footer(
         "Examples:\n  relief make bricks -o bricks.png\n  relief render --height bricks.png --scene wall -o wall.png\n"
         "  relief trace --height bricks.png --pixel 400,300\n\nrelief COMMAND --help tells all about one command.\n"
-        "Exit status: 0 done, 1 the work failed, 2 bad usage or input, with one line that says why.");
+        "Exit status: 0 done, 1 the work failed, 2 bad usage or input, or more memory needed than is free, with one "
+        "line that says why.");
     addInfoCommand(program, commands);
     addMakeCommand(program, commands);
     addListCommand(program, commands);
@@ -129,7 +131,7 @@ int runProgram(int count, char** arguments, const SignalWatch& signals) {
         return kBadUsage;
     } catch (const std::bad_alloc&) {
         sayLine(sentence(Message(MessageId::OutOfMemory), language));
-        return kFailed;
+        return kBadUsage;
     } catch (const std::exception& error) {
         sayLine(sentence(Message(MessageId::InternalError, {{"why", error.what()}}), language));
         return kFailed;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -30,7 +31,7 @@ struct Seconds {
     double load = 0;
     double render = 0;
     double count = 0;  // steps and reads, for reports and the layer of steps
-    double write = 0;
+    double write = 0;  // layers made, too
 };
 
 template <class Body>
@@ -70,10 +71,10 @@ Json countJson(double value) {
                                                                   : Json(value);
 }
 
-Json stagesJson(const Frame& frame) {
+Json stagesJson(const Frame& frame, bool shadows) {
     Json stages = Json::array();
     for (std::size_t s = 0; s < kStages; ++s) {
-        if (static_cast<Stage>(s) == Stage::Shadows && frame.shadows->shadowed.empty()) continue;
+        if (static_cast<Stage>(s) == Stage::Shadows && !shadows) continue;
         stages.push_back(
             {{"name", kStageNames[s]}, {"seconds", frame.stages[s].seconds}, {"reused", frame.stages[s].reused}});
     }
@@ -123,7 +124,7 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
                       {"bytes", countJson(taken("map bytes"))},
                       {"build_seconds", taken("map build seconds")}};
     for (const auto& [name, value] : counters) report["counters"][name] = countJson(value);
-    report["stages"] = stagesJson(frame);
+    report["stages"] = stagesJson(frame, scenario.shadows);
     report["skipped"] = skipped;
     report["seconds"] = {{"load", seconds.load},
                          {"render", seconds.render},
@@ -153,25 +154,31 @@ int runRender(const RenderOptions& options, Session& session) {
     timed(seconds.load, [&] { options.scenario.useStoredMap(scenario, assets, *maps, session.work()); });
     FrameRenderer renderer(maps);
     const FrameRequest request = frameRequest(scenario, assets);
-    auto frame = timed(seconds.render, [&] { return renderer.render(request, session.work()); });
-    // Apart from the frame's own time.
+    requirePictureMemory(request, layers, session);
+    std::optional<LayerPlanes> planes;
+    if (!layers.empty()) planes.emplace(request, layers, *maps);
+    BoundedSums bounded;
+    PictureParts parts;
     const bool wantsSteps = std::find(layers.begin(), layers.end(), "steps") != layers.end();
-    if (options.report || wantsSteps) {
-        frame = timed(seconds.count, [&] { return renderer.counted(session.work()); });
-    }
+    parts.counts = options.report || wantsSteps;
+    parts.done = [&](const Frame& part) {
+        if (planes) timed(seconds.write, [&] { planes->add(part, request, session.work()); });
+        if (!options.report || !(request.bounded > 0)) return;
+        timed(seconds.count, [&] { bounded.add(part, request, *maps, session.work()); });
+    };
+    const auto frame = timed(seconds.render, [&] { return renderer.picture(request, session.work(), parts); });
+    seconds.count += frame->countSeconds;
+    seconds.render -= seconds.count + seconds.write;
     timed(seconds.write, [&] {
-        if (layers.empty()) {
-            writeColor(output, frame->light->color);
+        if (planes) {
+            writePlanes(output, planes->take(*frame));
         } else {
-            writePlanes(output, layerPlanes(*frame, request, layers, *maps, session.work()));
+            writeColor(output, frame->light->color);
         }
     });
     if (options.report) {
-        const BoundedError error = timed(seconds.count, [&] {
-            return request.bounded > 0 ? measureBounded(*frame, request, *maps, session.work()) : BoundedError{};
-        });
         TextOutput report(*options.report, session.stop());
-        const Json skipped = skippedJson(*frame, request, error, session.language());
+        const Json skipped = skippedJson(*frame, request, bounded.error(), session.language());
         report.write(reportText(*options.report, scenario, *frame, skipped, session, seconds));
         report.commit();
     }

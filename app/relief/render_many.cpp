@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "base/memory.h"
 #include "bench_output.h"
-#include "rendering/frame.h"
 
 namespace relief::app {
 
@@ -17,6 +18,8 @@ namespace {
 
 constexpr std::int64_t kMostFrames = 100'000;
 constexpr std::size_t kDigits = 5;  // of a frame's number in its name
+// Pictures of at most so many pixels keep their stages for the next one, in 190 MB.
+constexpr int kKeptPixels = 1 << 20;
 
 struct Picture {
     std::size_t scenario;
@@ -43,33 +46,54 @@ std::string numbered(const std::string& stem, std::int64_t number) {
     return stem + "_" + digits;
 }
 
-// Renders any of the pictures; keeps what the next one may need: heights, maps, buffers.
+// Renders any of the pictures; keeps what the next one may need: heights, maps, the filter's levels, a band's buffers.
 class Studio {
   public:
-    Studio(const ScenarioOptions& options, std::vector<Scenario> scenarios, Session& session)
-        : options_(options), scenarios_(std::move(scenarios)), session_(session) {}
+    // path: the pictures are frames of cameras' paths.
+    Studio(const ScenarioOptions& options, std::vector<Scenario> scenarios, bool path, Session& session)
+        : options_(options), scenarios_(std::move(scenarios)), path_(path), session_(session) {}
 
     void render(const Picture& picture, const std::string& path, const std::vector<std::string>& layers, Work& work) {
         Scenario& scenario = scenarios_[picture.scenario];
         const Assets assets = store_.load(scenario.pictures, work);
-        if (seen_.insert(picture.scenario).second) {
+        const bool first = seen_.insert(picture.scenario).second;
+        if (first) {
             noteHeights(session_, assets, scenario);
             options_.useStoredMap(scenario, assets, *maps_, work);
         }
         FrameRequest request = frameRequest(scenario, assets);
         request.camera = picture.camera;
-        auto frame = renderer_.render(request, work);
-        if (layers.empty()) {
-            writeColor(path, frame->light->color);
-            return;
+        if (first) requirePictureMemory(request, layers, session_);
+        PictureParts parts;
+        parts.counts = std::find(layers.begin(), layers.end(), "steps") != layers.end();
+        std::optional<LayerPlanes> planes;
+        if (!layers.empty()) {
+            planes.emplace(request, layers, *maps_);
+            parts.done = [&](const Frame& part) { planes->add(part, request, work); };
         }
-        if (std::find(layers.begin(), layers.end(), "steps") != layers.end()) frame = renderer_.counted(work);
-        writePlanes(path, layerPlanes(*frame, request, layers, *maps_, work));
+        const auto frame = keepsStages(request) ? kept(request, parts, work) : renderer_.picture(request, work, parts);
+        if (planes) {
+            writePlanes(path, planes->take(*frame));
+        } else {
+            writeColor(path, frame->light->color);
+        }
     }
 
   private:
+    // Scenarios may differ in the light alone; the frames of a path have nothing in common.
+    bool keepsStages(const FrameRequest& request) const {
+        return scenarios_.size() > 1 && !path_ && request.width <= kKeptPixels / request.height;
+    }
+    std::shared_ptr<const Frame> kept(const FrameRequest& request, const PictureParts& parts, Work& work) {
+        auto frame = renderer_.render(request, work);
+        if (parts.counts) frame = renderer_.counted(work);
+        if (parts.done) parts.done(*frame);
+        return frame;
+    }
+
     const ScenarioOptions& options_;
     std::vector<Scenario> scenarios_;
+    bool path_;
     Session& session_;
     AssetStore store_;
     std::shared_ptr<MapCache> maps_ = std::make_shared<MapCache>();
@@ -94,6 +118,17 @@ void makeFolder(const std::string& folder) {
 }
 
 }  // namespace
+
+void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, Session& session) {
+    const int threads = session.work().threads().size();
+    const auto width = static_cast<std::uint64_t>(request.width), height = static_cast<std::uint64_t>(request.height);
+    // 8-bit codes of a picture that is written, or all of its layers.
+    const std::uint64_t written =
+        layers.empty() ? byteProduct({width, height, 3}) : LayerPlanes::bytes(request, layers);
+    requireMemory(byteSum({pictureBytes(request, threads), written}),
+                  "--size " + std::to_string(request.width) + "x" + std::to_string(request.height),
+                  MemoryHint::SmallerSize);
+}
 
 void ManyFrames::add(CLI::App& parser) {
     parser.add_option("MORE", more, "further scenarios: -o is a folder then, a picture of each goes there")
@@ -143,7 +178,7 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
     makeFolder(folder);
     const std::filesystem::path place(folder);
     SharedWork shared((place / "pictures").string(), what, pictures.size(), earlier, launched(), session.stop());
-    Studio studio(options, std::move(scenarios), session);
+    Studio studio(options, std::move(scenarios), count > 1, session);
     overParts(
         "render", shared, session, [](std::size_t) { return 0; },
         [&](std::size_t at, Work& work) {

@@ -3,8 +3,12 @@
 #pragma once
 
 #include "options_common.h"
+#include "rendering/frame.h"
 
 namespace relief::app {
+
+// Throws MemoryError where the picture, and what writing it takes, do not fit. layers: empty for the picture alone.
+void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, Session& session);
 
 struct ManyFrames {
     std::vector<std::string> more;  // scenarios after the first

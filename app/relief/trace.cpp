@@ -2,6 +2,7 @@
 // [--steps FILE.csv|json]
 #include <algorithm>
 
+#include "base/memory.h"
 #include "options_common.h"
 #include "output.h"
 #include "rendering/frame.h"
@@ -13,6 +14,8 @@ namespace {
 
 // Rays whose steps are held in memory at a time.
 constexpr std::size_t kLoggedBlock = 4096;
+// Characters of a hit: three numbers of 17 digits, the outcome, the steps.
+constexpr std::uint64_t kLongestLine = 88;
 
 struct TraceOptions {
     ScenarioOptions scenario;
@@ -142,6 +145,9 @@ int runTrace(const TraceOptions& options, Session& session) {
                         : !options.single.empty() ? single
                                                   : raysOfPixels(pixels, request);
 
+    // What is traced, the answers, and their lines in pieces and whole.
+    constexpr std::uint64_t kBytes = 2 * HitBlock::kBytes + 2 * kLongestLine;
+    requireMemory(byteProduct({asked.answers, kBytes}), options.rays.value_or("--pixel"));
     const auto tracer = makeTracer(scenario.method, request.field, maps, work);
     HitBlock traced;
     BlockCounts counts;

@@ -59,6 +59,10 @@ bool failLocks(int error) {
     dup2(input, STDIN_FILENO);
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+    if (setup.addressSpace >= 0) {
+        const rlimit limit{static_cast<rlim_t>(setup.addressSpace), static_cast<rlim_t>(setup.addressSpace)};
+        setrlimit(RLIMIT_AS, &limit);
+    }
     if (setup.largestFile >= 0) {
         const rlimit limit{static_cast<rlim_t>(setup.largestFile), static_cast<rlim_t>(setup.largestFile)};
         setrlimit(RLIMIT_FSIZE, &limit);

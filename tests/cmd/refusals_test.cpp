@@ -86,6 +86,45 @@ TEST_P(RefusalTest, TooManyPixels) {
     expectUnreadable(write("none.png", pngHeaderBytes(0, 5)), {});
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve terabytes
+// Every command says in one line what it needs and what is free, and leaves nothing behind.
+TEST_P(RefusalTest, MoreMemoryThanThereIs) {
+    RunSetup small;
+    small.addressSpace = std::int64_t{2} << 30U;
+    const std::string height = makeRelief("hills", "hills.png", {"--size", "16"});
+    // Nothing is behind the header: what is refused was not read.
+    const std::string huge = write("huge.pgm", "P5\n32000 32000\n255\n");
+    const std::string many = "1024000000";
+    const std::vector<std::string> parts{"GB of memory are needed", "GB are free"};
+    const auto before = files();
+    const auto refuse = [&](const std::vector<std::string>& arguments, const std::string& subject) {
+        std::vector<std::string> all = parts;
+        all.push_back("relief: " + subject);
+        expectRefusal(arguments, 2, all, small);
+        EXPECT_EQ(files(), before);
+    };
+    refuse({"render", "--height", height, "--size", "32768x32768", "-o", path("x.png")}, "--size 32768x32768: ");
+    refuse({"render", "--height", height, "--size", "12000x12000", "--supersample", "2", "-o", path("x.png")},
+           "--size 12000x12000: ");
+    refuse({"render", "--height", height, "--size", "8000x8000", "--layers", "uv,normal", "-o", path("x.exr")},
+           "--size 8000x8000: ");
+    refuse({"make", "fractal", "--size", "16384", "-o", path("x.png")}, "fractal:16384x16384: ");
+    refuse({"info", huge, "--max-pixels", many}, huge + ": ");
+    refuse({"compare", huge, huge, "--max-pixels", many}, huge + ": ");
+    for (const std::string command : {"render", "trace", "map", "recommend", "certify"}) {
+        std::vector<std::string> arguments{command, "--height", huge, "--max-pixels", many};
+        if (command == "map") arguments.insert(arguments.begin() + 1, "cone");
+        if (command == "map") arguments.insert(arguments.end(), {"-o", path("x.tif")});
+        if (command == "render") arguments.insert(arguments.end(), {"-o", path("x.png")});
+        if (command == "certify") arguments.insert(arguments.end(), {"--map", height});
+        if (command == "trace") arguments.insert(arguments.end(), {"--pixel", "1,1"});
+        refuse(arguments, huge + ": ");
+    }
+    const std::string wide = makeRelief("hills", "wide.png", {"--size", "1024"});
+    refuse({"map", "euclidean", "--height", wide, "--set", "layers=512", "-o", path("x.tif")}, "map euclidean: ");
+}
+#endif
+
 TEST_P(RefusalTest, UnknownChannel) {
     const std::string height = makeRelief("hills", "hills.png", {"--size", "16"});
     expectRefusal({"info", height, "--channel", "Z"}, 2, {height, "Z"});

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "relief/maps/map_memory.h"
 #include "workspace/discard.h"
 
 namespace reliefui {
@@ -35,7 +36,9 @@ std::shared_ptr<const relief::Pyramid> pyramidOf(relief::PyramidKind kind, const
                                                  const relief::Pyramid* before, relief::MapCache& maps,
                                                  relief::Work& work) {
     const char* name = kind == relief::PyramidKind::Min ? "min-pyramid" : "mean-pyramid";
-    return maps.get<relief::Pyramid>({name, field.sharedHeights()}, work, [&](relief::Work& w) {
+    constexpr std::uint64_t kBytes = 5;  // levels above the heights, and sums of means
+    const std::uint64_t need = relief::bytesForTexels(field, kBytes);
+    return maps.get<relief::Pyramid>({name, field.sharedHeights()}, need, work, [&](relief::Work& w) {
         const bool edit = before != nullptr && before->level(0).width() == field.width() &&
                           before->level(0).height() == field.height();
         return edit ? relief::Pyramid::edited(*before, field.sharedHeights())

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "images/addressing.h"
 #include "messages.h"
+#include "relief/maps/map_memory.h"
 
 namespace relief {
 
@@ -44,7 +45,8 @@ glm::vec3 BakedNormals::at(double s, double t, Address address) const {
 std::shared_ptr<const BakedNormals> bakedNormals(const HeightField& field, MapCache& cache, Work& work) {
     const std::string kind = "normals/" + std::string(field.address() == Address::Repeat ? "repeat" : "clamped") + "/" +
                              numberText(field.reliefDepth());
-    return cache.get<BakedNormals>({kind, field.sharedHeights()}, work, [&](Work& w) { return bake(field, w); });
+    const std::uint64_t need = bytesForTexels(field, sizeof(glm::i8vec3));
+    return cache.get<BakedNormals>({kind, field.sharedHeights()}, need, work, [&](Work& w) { return bake(field, w); });
 }
 
 }  // namespace relief

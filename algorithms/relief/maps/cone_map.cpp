@@ -32,6 +32,20 @@ std::size_t coneMapBytes(ConeKind kind, const ConeParameters& parameters, const 
     return valuesOf(shape) * static_cast<std::size_t>(shape.sectors + 1) * bytesEach(parameters.precision);
 }
 
+namespace {
+
+// All values are floats until the last is known; conservative cones are searched with planes over the cells.
+std::uint64_t coneBuildBytes(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
+    const ConeShape shape = coneMapShape(kind, parameters, field);
+    const std::size_t codes = parameters.precision == Precision::Float ? 0 : bytesEach(parameters.precision);
+    constexpr std::uint64_t kPlanes = 28, kStrips = 4;  // bytes a texel
+    return byteSum(
+        {byteProduct({valuesOf(shape), static_cast<std::uint64_t>(shape.sectors) + 1, sizeof(float) + codes}),
+         bytesForTexels(field, kind == ConeKind::Conservative ? kPlanes : kStrips)});
+}
+
+}  // namespace
+
 ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field, Work& work) {
     const ConeShape shape = coneMapShape(kind, parameters, field);
     ConeMap map;
@@ -62,18 +76,20 @@ ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const Heig
 
 MapKey coneMapKey(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
     std::string key(coneKindName(kind));
-    key += "/" + std::string(surfaceName(field.surface())) + "/" + std::string(addressName(field.address()));
-    for (const int number : {parameters.sectors, parameters.radius, parameters.directions}) {
-        key += "/" + std::to_string(number);
+    for (const std::string_view name : {surfaceName(field.surface()), addressName(field.address())}) {
+        key.append("/").append(name);
     }
-    key += "/" + std::string(precisionName(parameters.precision));
+    for (const int number : {parameters.sectors, parameters.radius, parameters.directions}) {
+        key.append("/").append(std::to_string(number));
+    }
+    key.append("/").append(precisionName(parameters.precision));
     return {key, field.sharedHeights()};
 }
 
 std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
                                        MapCache& cache, Work& work) {
     checkMapMemory(std::string(coneKindName(kind)), coneMapBytes(kind, parameters, field), cache);
-    return cache.get<ConeMap>(coneMapKey(kind, parameters, field), work,
+    return cache.get<ConeMap>(coneMapKey(kind, parameters, field), coneBuildBytes(kind, parameters, field), work,
                               [&](Work& w) { return buildConeMap(kind, parameters, field, w); });
 }
 

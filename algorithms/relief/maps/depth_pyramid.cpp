@@ -4,6 +4,8 @@
 
 #include "base/parallel.h"
 
+#include "relief/maps/map_memory.h"
+
 namespace relief {
 
 namespace {
@@ -46,7 +48,9 @@ std::shared_ptr<const DepthPyramid> depthPyramid(const HeightField& field,
     if (field.surface() == Surface::Bilinear) {
         kind = field.address() == Address::Repeat ? "depth-pyramid/bilinear/repeat" : "depth-pyramid/bilinear/clamped";
     }
-    return cache.get<DepthPyramid>({kind, field.sharedHeights()}, work, [&](Work& w) { return buildDepths(*map, w); });
+    constexpr std::uint64_t kBytes = 3;  // 16 bits on all levels
+    return cache.get<DepthPyramid>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work,
+                                   [&](Work& w) { return buildDepths(*map, w); });
 }
 
 }  // namespace relief

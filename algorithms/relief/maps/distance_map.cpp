@@ -1,6 +1,7 @@
 #include "relief/maps/distance_map.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -203,6 +204,31 @@ std::size_t distanceMapBytes(DistanceKind kind, const DistanceParameters& parame
            static_cast<std::size_t>(shape.planes) * bytesEach(parameters.precision);
 }
 
+namespace {
+
+// All values are floats until the last is known. Scratch: of euclidean maps some pictures of a layer for each thread,
+// of conservative ones the cells' heights, of refined ones tables of the least height along rows and columns.
+std::uint64_t distanceBuildBytes(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field,
+                                 Work& work) {
+    const Shape shape = distanceMapShape(kind, parameters, field);
+    const std::size_t codes = parameters.precision == Precision::Float ? 0 : bytesEach(parameters.precision);
+    constexpr std::uint64_t kFloat = sizeof(float), kCells = 4 * kFloat, kLayers = 3 * kFloat;
+    const bool euclidean = kind == DistanceKind::Euclidean || kind == DistanceKind::EuclideanConservative;
+    std::uint64_t each = kCells;
+    if (euclidean) each += kLayers * static_cast<std::uint64_t>(work.threads().size());
+    if (kind == DistanceKind::Refined) {
+        const auto levels = [](int size) {
+            return static_cast<std::uint64_t>(std::bit_width(static_cast<unsigned>(size)));
+        };
+        each += kFloat * (levels(field.width()) + levels(field.height()) + 1);
+    }
+    return byteSum({byteProduct({static_cast<std::uint64_t>(shape.nx), static_cast<std::uint64_t>(shape.ny),
+                                 static_cast<std::uint64_t>(shape.planes), kFloat + codes}),
+                    bytesForTexels(field, each)});
+}
+
+}  // namespace
+
 DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field,
                              Work& work) {
     if (kind == DistanceKind::Refined && field.address() == Address::Clamp) {
@@ -247,20 +273,23 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
 
 MapKey distanceMapKey(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field) {
     std::string key(distanceKindName(kind));
-    key += "/" + std::string(surfaceName(field.surface())) + "/" + std::string(addressName(field.address()));
+    for (const std::string_view name : {surfaceName(field.surface()), addressName(field.address())}) {
+        key.append("/").append(name);
+    }
     for (const double number : {field.reliefDepth(), parameters.flattest, static_cast<double>(parameters.footprint),
                                 static_cast<double>(parameters.layers), static_cast<double>(parameters.horizons),
                                 static_cast<double>(parameters.sectors), static_cast<double>(parameters.directions)}) {
-        key += "/" + numberText(number);
+        key.append("/").append(numberText(number));
     }
-    key += "/" + std::string(precisionName(parameters.precision));
+    key.append("/").append(precisionName(parameters.precision));
     return {key, field.sharedHeights()};
 }
 
 std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const DistanceParameters& parameters,
                                                const HeightField& field, MapCache& cache, Work& work) {
     checkMapMemory(std::string(distanceKindName(kind)), distanceMapBytes(kind, parameters, field), cache);
-    return cache.get<DistanceMap>(distanceMapKey(kind, parameters, field), work,
+    return cache.get<DistanceMap>(distanceMapKey(kind, parameters, field),
+                                  distanceBuildBytes(kind, parameters, field, work), work,
                                   [&](Work& w) { return buildDistanceMap(kind, parameters, field, w); });
 }
 

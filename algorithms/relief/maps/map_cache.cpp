@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "base/memory.h"
+
 namespace relief {
 
 namespace {
@@ -22,7 +24,8 @@ std::size_t heldBytes(const Entries& entries) {
 
 }  // namespace
 
-std::shared_ptr<const void> MapCache::find(const MapKey& key, Work& work, const std::function<Built(Work&)>& build) {
+std::shared_ptr<const void> MapCache::find(const MapKey& key, std::uint64_t need, Work& work,
+                                           const std::function<Built(Work&)>& build) {
     std::unique_lock lock(mutex_);
     for (;;) {
         const auto found = entries_.find(key);
@@ -40,6 +43,7 @@ std::shared_ptr<const void> MapCache::find(const MapKey& key, Work& work, const 
     Built built;
     const auto begin = std::chrono::steady_clock::now();
     try {
+        requireMemory(need, "map " + key.kind.substr(0, key.kind.find('/')), MemoryHint::SmallerMap);
         built = build(work);
         work.throwIfStopped();
     } catch (...) {

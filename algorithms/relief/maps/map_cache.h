@@ -33,10 +33,12 @@ class MapCache {
 
     // The map of this key; built by `build` if there is none. Whoever comes while it is being built waits for it; if
     // the builder is cancelled, one of those who wait builds it instead. T has bytes().
+    // need: bytes that building takes at most, the map among them. Throws MemoryError where they are not free.
     // Counts "map builds", "map bytes" and "map build seconds" in the work's counters.
     template <class T>
-    std::shared_ptr<const T> get(const MapKey& key, Work& work, const std::function<T(Work&)>& build) {
-        auto map = find(key, work, [&](Work& w) -> Built {
+    std::shared_ptr<const T> get(const MapKey& key, std::uint64_t need, Work& work,
+                                 const std::function<T(Work&)>& build) {
+        auto map = find(key, need, work, [&](Work& w) -> Built {
             auto made = std::make_shared<const T>(build(w));
             return {made, made->bytes()};
         });
@@ -66,7 +68,8 @@ class MapCache {
         double buildSeconds = 0;
     };
 
-    std::shared_ptr<const void> find(const MapKey& key, Work& work, const std::function<Built(Work&)>& build);
+    std::shared_ptr<const void> find(const MapKey& key, std::uint64_t need, Work& work,
+                                     const std::function<Built(Work&)>& build);
     void keep(const MapKey& key, Built built);
     void evict();
 

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/memory.h"
 #include "images/described_tiff.h"
 #include "images/picture_input.h"
 #include "images/system_error.h"
@@ -262,7 +263,8 @@ Shell shellOf(const std::string& path, const Json& header, const HeightField& fi
 PictureCodes readCodes(const std::string& path, PictureInput& input, Precision precision, Work& work) {
     constexpr std::array kTypes{NumberType::Float, NumberType::UInt16, NumberType::UInt8};
     const std::array<int, 1> channel{0};
-    const RawPlanes raw = input.read(channel, work);
+    // The atlas, and the layers taken out of it.
+    const RawPlanes raw = input.read(channel, work, 2 * bytesEach(precision));
     const RawPlane& plane = raw.planes.front();
     if (plane.type != kTypes[static_cast<std::size_t>(precision)] || plane.stride != 1) refuseDamaged(path, "codes");
     const auto count = static_cast<std::size_t>(input.info().width) * static_cast<std::size_t>(input.info().height);
@@ -338,6 +340,7 @@ void saveMap(const std::string& path, const StoredMap& map, const FloatImage& he
     for (const StoredValues* stack : stacks) tiles += stack->layers();
     const Atlas atlas(stacks.front()->width(), stacks.front()->height(), tiles);
     Json header = std::visit([&](const auto& m) { return headerOf(*m, stacks, atlas); }, map);
+    requireMemory(mapBytes(map), path);
     const PictureCodes codes =
         std::visit([&]<class Code>(const std::vector<Code>&) { return PictureCodes(laidOut<Code>(stacks, atlas)); },
                    stacks.front()->codes());

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "relief/leaf.h"
+#include "relief/maps/map_memory.h"
 
 namespace relief {
 
@@ -25,7 +26,8 @@ std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, Map
     if (field.surface() == Surface::Bilinear) {
         kind = field.address() == Address::Repeat ? "max-pyramid/bilinear/repeat" : "max-pyramid/bilinear/clamped";
     }
-    return cache.get<MaxPyramidMap>({kind, field.sharedHeights()}, work, [&](Work& w) {
+    constexpr std::uint64_t kBytes = 6;  // cells, and a third of them on the levels above
+    return cache.get<MaxPyramidMap>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work, [&](Work& w) {
         const CellGrid grid(field);
         const bool edit = before != nullptr && before->pyramid.level(0).width() == grid.x.cells &&
                           before->pyramid.level(0).height() == grid.y.cells;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "images/pyramid.h"
+#include "relief/maps/map_memory.h"
 
 namespace relief {
 
@@ -13,15 +14,18 @@ std::size_t MeanLevelsMap::bytes() const {
 }
 
 std::shared_ptr<const MeanLevelsMap> meanLevelsMap(const HeightField& field, MapCache& cache, Work& work) {
-    return cache.get<MeanLevelsMap>({"mean-levels", field.sharedHeights()}, work, [&](Work& w) {
-        const Pyramid pyramid(PyramidKind::Mean, field.heights(), w);
-        MeanLevelsMap map;
-        map.levels.push_back(field.sharedHeights());
-        for (int l = 1; l < pyramid.levels(); ++l) {
-            map.levels.push_back(std::make_shared<const FloatImage>(pyramid.level(l)));
-        }
-        return map;
-    });
+    // A pyramid of a copy, its sums, and its levels once more.
+    constexpr std::uint64_t kBytes = 9;
+    return cache.get<MeanLevelsMap>({"mean-levels", field.sharedHeights()}, bytesForTexels(field, kBytes), work,
+                                    [&](Work& w) {
+                                        const Pyramid pyramid(PyramidKind::Mean, field.heights(), w);
+                                        MeanLevelsMap map;
+                                        map.levels.push_back(field.sharedHeights());
+                                        for (int l = 1; l < pyramid.levels(); ++l) {
+                                            map.levels.push_back(std::make_shared<const FloatImage>(pyramid.level(l)));
+                                        }
+                                        return map;
+                                    });
 }
 
 BaseField baseField(const HeightField& field, int level, MapCache& cache, Work& work) {

@@ -326,7 +326,9 @@ std::shared_ptr<const PackedCones> packedCones(const HeightField& field, MapCach
     const CellGrid grid(field);
     const std::size_t words = (place(grid.x.cells) + 1) * place(grid.y.cells);
     checkMapMemory("packed-cones", words * (4 * sizeof(std::uint32_t) + 2 * sizeof(float)), cache);
-    return cache.get<PackedCones>({kind, field.sharedHeights()}, work,
+    // Entries and nodes; cells, depths, and the levels of one quadrant while they are made.
+    constexpr std::uint64_t kBytes = 4 * sizeof(std::uint32_t) + 2 * sizeof(float) + 8;
+    return cache.get<PackedCones>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work,
                                   [&](Work& w) { return buildPackedCones(field, w); });
 }
 

@@ -1,0 +1,138 @@
+// Pictures for one use: the stages of a band of rows at a time, the light of all.
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "base/memory.h"
+#include "rendering/frame_report.h"
+#include "rendering/frame_tools.h"
+#include "rendering/supersample.h"
+
+namespace relief {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Tiles of a band: so many that threads seldom wait for the last one, and for each thread. 40 MB of stages.
+constexpr int kBandTiles = 256, kThreadTiles = 16;
+// Rows above and below a band whose hits the filter may ask for, where it does: more than its reach.
+constexpr int kHaloRows = kTileHeight;
+
+int bandRows(int width, int threads) {
+    const int tiles = std::max(kBandTiles, kThreadTiles * threads), across = tilesAcross(width);
+    return (tiles + across - 1) / across * kTileHeight;
+}
+
+double secondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// Makes one picture, band after band, from the top.
+class BandMaker {
+  public:
+    // counts: steps and reads of traced rays are wanted; a mesh's come with its hits.
+    BandMaker(const FrameRequest& request, const FrameSetup& setup, FrameBuffers& band, bool counts, Work& work)
+        : request_(request), setup_(setup), tools_(setup.tools()), band_(band), counts_(counts), work_(work) {}
+
+    // Makes rows [begin, end), the stages of `halo` rows more on either side being kept.
+    void make(RowRange rows, int halo, bool tellProgress) {
+        Frame& frame = *setup_.frame;
+        const RowRange stored{std::max(0, rows.begin - halo), std::min(frame.height, rows.end + halo)};
+        shiftBand(band_, frame, stored.begin - frame.stored.begin);
+        frame.rows = rows, frame.stored = stored;
+        const TileWorker worker(request_, frame, tools_, band_, kAllStages, totals);
+        if (halo > 0) {
+            const std::vector<PixelArea> ahead = tilesOf(frame.width, {met_, stored.end});
+            overTiles(ahead, false, work_, [&](const PixelArea& tile) { worker.meet(tile, work_); });
+            met_ = stored.end;
+        }
+        const std::vector<PixelArea> tiles = tilesOf(frame.width, rows);
+        overTiles(tiles, tellProgress, work_, [&](const PixelArea& tile) {
+            if (halo == 0) worker.meet(tile, work_);
+            worker.paint(tile, work_);
+        });
+        if (!counts_) return;
+        const auto begin = Clock::now();
+        // Pixels without a polygon are not counted.
+        for (auto* column : {&band_.hits->hits.steps, &band_.hits->hits.reads}) {
+            std::fill(column->begin(), column->end(), 0U);
+        }
+        overTiles(tiles, false, work_, [&](const PixelArea& tile) {
+            countTile(tile, *setup_.tracer, frame, *band_.hits, countTotals, work_);
+        });
+        frame.countSeconds += secondsSince(begin);
+    }
+
+    FrameTotals totals, countTotals;
+
+  private:
+    const FrameRequest& request_;
+    const FrameSetup& setup_;
+    FrameTools tools_;
+    FrameBuffers& band_;
+    bool counts_;
+    Work& work_;
+    int met_ = 0;  // rows from the top whose rays were traced
+};
+
+}  // namespace
+
+std::uint64_t pictureBytes(const FrameRequest& request, int threads) {
+    const bool samples = request.filter.name == kSupersample;
+    const int ring = samples ? kGaussianRing : 0;
+    const auto width = static_cast<std::uint64_t>(request.width + 2 * ring);
+    const auto height = static_cast<std::uint64_t>(request.height + 2 * ring);
+    // Samples are of pixels' centres, and need no halo.
+    const int rows = bandRows(request.width + 2 * ring, threads) + (samples ? 0 : 2 * kHaloRows);
+    return byteSum({byteProduct({width, height, sizeof(Color)}),
+                    byteProduct({width, std::min(height, static_cast<std::uint64_t>(rows)), kStageBytes + kCountBytes}),
+                    samples ? byteProduct({width, height, sizeof(glm::dvec3)}) : 0});
+}
+
+std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request, Work& work,
+                                                    const PictureParts& parts) {
+    const auto begin = Clock::now();
+    checkRequest(request);
+    const int threads = work.threads().size();
+    const bool counts = parts.counts || request.counts;
+    if (!partOfMore_) {
+        requireMemory(pictureBytes(request, threads), sizeSubject(request), MemoryHint::SmallerSize);
+    }
+    const std::unique_ptr<FrameSetup> setup = madeSetup(request, changedSince(request), kAllStages, work);
+    Frame& frame = *setup->frame;
+    current_.reset(), spare_.reset();
+    if (!band_) band_ = std::make_shared<FrameBuffers>();
+    const int halo = TileWorker::hitsFirst(frame, request, kAllStages) ? kHaloRows : 0;
+    const bool mesh = setup->mesh != nullptr;
+    const int rows = parts.rows > 0 ? parts.rows : bandRows(frame.width, threads);
+    assert(rows % kTileHeight == 0);
+    fitBand(*band_, frame, std::min(frame.height, rows + 2 * halo), request, counts || mesh);
+    frame.rays = band_->rays, frame.hits = band_->hits, frame.color = band_->color, frame.shadows = band_->shadows;
+    frame.light = fitLight(band_->light, frame);
+    frame.stored = {0, 0};
+    if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(frame.height));
+    BandMaker maker(request, *setup, *band_, counts && !mesh, work);
+    for (int y = 0; y < frame.height; y += rows) {
+        maker.make({y, std::min(frame.height, y + rows)}, halo, !partOfMore_);
+        if (parts.done) parts.done(frame);
+    }
+    frame.rows = frame.stored = {0, frame.height};
+    frame.rays = nullptr, frame.hits = nullptr, frame.color = nullptr, frame.shadows = nullptr;
+    report(frame, request, setup->visible, maker.totals, kAllStages, mesh);
+    if (counts && !mesh) reportCounts(frame, maker.countTotals);
+    if (request.filter.name == kSupersample) {
+        // The samples take the place of what was made.
+        frame.light = nullptr;
+        band_.reset();
+        frame.light = std::make_shared<LightStage>(LightStage{supersampled(request, maps_, work, {}, frame.counters)});
+    }
+    finish(frame, begin, work);
+    // The picture is the caller's alone.
+    auto last = std::make_shared<Frame>(frame);
+    last->light = nullptr;
+    last_ = request, frame_ = std::move(last), tracer_ = setup->tracer;
+    return setup->frame;
+}
+
+}  // namespace relief

@@ -1,0 +1,55 @@
+// What a frame is made with, and loops over its tiles: inside the renderer, not for others.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "base/parallel.h"
+#include "relief/lanes/cone_twin.h"
+#include "rendering/tile_worker.h"
+
+namespace relief {
+
+inline constexpr std::uint32_t kAllStages = (1U << kStages) - 1;
+
+// The frame before any pixel is made, and the tools for its stale stages. The tools keep references to each other.
+struct FrameSetup {
+    std::shared_ptr<Frame> frame;
+    VisiblePolygons visible;
+    std::shared_ptr<const Tracer> tracer{};
+    std::unique_ptr<const MeshRaster> mesh{};
+    std::unique_ptr<const AnyHitQuery> query{};
+    std::unique_ptr<const FlatGround> ground{};
+    std::unique_ptr<const ConeTwin> twin{};
+
+    FrameTools tools() const { return {visible, *tracer, mesh.get(), query.get(), ground.get(), twin.get()}; }
+};
+
+// Throws InputError where the request's sizes or its filter are out of range.
+void checkRequest(const FrameRequest& request);
+
+// "--size WxH", for messages.
+std::string sizeSubject(const FrameRequest& request);
+
+// Tiles of these rows, which begin with a tile; from the top.
+inline std::vector<PixelArea> tilesOf(int width, RowRange rows) {
+    std::vector<PixelArea> tiles;
+    for (int y = rows.begin; y < rows.end; y += kTileHeight) {
+        for (int x = 0; x < width; x += kTileWidth) {
+            tiles.push_back({x, y, std::min(x + kTileWidth, width), std::min(y + kTileHeight, rows.end)});
+        }
+    }
+    return tiles;
+}
+
+// body(tile) for all tiles, in parallel. Throws Cancelled.
+template <class Body>
+void overTiles(const std::vector<PixelArea>& tiles, bool tellProgress, Work& work, const Body& body) {
+    parallelFor(work, tiles.size(), [&](std::size_t n) {
+        body(tiles[n]);
+        if (tellProgress) work.progress().advance();
+    });
+}
+
+}  // namespace relief
