@@ -1,7 +1,7 @@
 # Run at installation: installs the headers that the project's own programs include, and what those include in turn.
 # The others (SIMD kernels, builders of maps, ...) stay private.
 #   RELIEF_SOURCES: the checkout.
-cmake_policy(VERSION 3.25)
+cmake_policy(VERSION 3.25)  # installation scripts begin with none
 set(_algorithms ${RELIEF_SOURCES}/algorithms)
 
 # The files of algorithms/ that FILE includes, appended to the list.
