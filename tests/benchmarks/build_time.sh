@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Measures what a newcomer waits for: a clone of this checkout's last commit, no compiler cache, no display.
 #   tests/benchmarks/build_time.sh [FOLDER]     the clone is made in FOLDER (a temporary one, removed afterwards)
-# Prints lines of the table in build_time.md: seconds of app/run to its pictures and to its end, of tests/run after it, and of building
-# the program again after one source was edited. Packages that are missing are installed, and that time counts: the
-# first line says how many. Stop everything else first.
+# Prints lines of the table in build_time.md: seconds of app/run to its pictures and to its end, of tests/run after it,
+# and of building the program again after one source was edited. Packages that are missing are installed, and that time
+# counts. Stop everything else first.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
