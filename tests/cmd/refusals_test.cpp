@@ -92,6 +92,7 @@ TEST_P(RefusalTest, MoreMemoryThanThereIs) {
     RunSetup small;
     small.addressSpace = std::int64_t{2} << 30U;
     const std::string height = makeRelief("hills", "hills.png", {"--size", "16"});
+    const std::string wide = makeRelief("hills", "wide.png", {"--size", "1024"});
     // Nothing is behind the header: what is refused was not read.
     const std::string huge = write("huge.pgm", "P5\n32000 32000\n255\n");
     const std::string many = "1024000000";
@@ -120,7 +121,6 @@ TEST_P(RefusalTest, MoreMemoryThanThereIs) {
         if (command == "trace") arguments.insert(arguments.end(), {"--pixel", "1,1"});
         refuse(arguments, huge + ": ");
     }
-    const std::string wide = makeRelief("hills", "wide.png", {"--size", "1024"});
     refuse({"map", "euclidean", "--height", wide, "--set", "layers=512", "-o", path("x.tif")}, "map euclidean: ");
 }
 #endif
