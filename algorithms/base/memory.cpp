@@ -89,7 +89,7 @@ std::uint64_t freeInAllGroups(const fs::path& root) {
     for (std::string line; std::getline(lines, line);) {
         const std::size_t first = line.find(':'), second = line.find(':', first + 1);
         if (first == std::string::npos || second == std::string::npos) continue;
-        const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+        const std::string controllers = std::string(",").append(line, first + 1, second - first - 1).append(",");
         const std::string_view path = std::string_view(line).substr(second + 1);
         if (controllers == ",,") {
             for (const char* folder : {"", "unified"})
