@@ -104,7 +104,7 @@ class Judge {
             return at(out, Departure::MissedSpike, k, step.lambdaIn, to);
         }
         if (below && refines) return foundWithin(out, k);
-        if (step.decision == Decision::Skip || (step.decision == Decision::Advance && run_.walksMap)) {
+        if (step.decision == Decision::Skip || step.trustsMap()) {
             return at(out, Departure::UnsafeMap, k, step.lambdaIn, to);
         }
         if (step.decision == Decision::Test) {
@@ -143,11 +143,6 @@ std::vector<double> reaches(const DuelRun& run) {
 }
 
 }  // namespace
-
-bool walksMap(const MethodChoice& method) {
-    const StepContext context = stepContext(method, {}, {}, 0);
-    return context.distances || context.slopes;
-}
 
 Judgement judge(const DuelRun& run, const Hit& exact, const ViewRay& ray, const HeightField& field) {
     return Judge(run, exact, ray, field).judgement();

@@ -16,18 +16,12 @@
 
 namespace relief {
 
-// Answers that lie closer are one answer, texels: what texture coordinates may be wrong by without being seen.
-inline constexpr double kSameAnswer = 1.0 / 256;
-
 // A method's answer on the ray, and its log.
 struct DuelRun {
-    std::string name;       // for sentences
-    bool walksMap = false;  // its steps rely on a map of distances or cones
+    std::string name;  // for sentences
     Hit hit;
     std::vector<Step> steps;
 };
-// Whether the method, or the one inside it, walks a map of distances or cones.
-bool walksMap(const MethodChoice& method);
 
 // None: the exact answer, to kSameAnswer.
 // MissedSpike: it looked at the surface at single places, and went on past what stands between two of them.

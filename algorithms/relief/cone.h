@@ -9,11 +9,10 @@
 
 #include <optional>
 
+#include "relief/cell_record.h"
 #include "relief/lanes/cone_rays.h"
-#include "relief/leaf.h"
 #include "relief/maps/cone_map.h"
 #include "relief/maps/distance_map.h"
-#include "relief/step_log.h"
 
 namespace relief {
 
@@ -115,19 +114,22 @@ Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
     const double end = std::min(segment.out, ray.end(grid_));
     AxisCell cx = ray.x.cellAt(grid_.x, segment.in);
     AxisCell cy = ray.y.cellAt(grid_.y, segment.in);
+    // Where the cell's cone stands: under the point at which the ray leaves the cell.
+    const auto cone = [&](double out, double apex, double slope) {
+        const double s = ray.x.start + out * ray.x.run - grid_.x.shift;
+        const double t = ray.y.start + out * ray.y.run - grid_.y.shift;
+        return subject::Cone{s, t, apex, slope, sector, map_->parameters.sectors, true};
+    };
     const auto note = [&](Decision decision, double in, double out, double value, double after) {
         return [&, decision, in, out, value, after] {
-            Step step;
-            step.phase = decision == Decision::Start ? Phase::Start : Phase::Search;
-            step.decision = decision;
-            step.i = cx.index + grid_.x.firstName;
-            step.j = cy.index + grid_.y.firstName;
-            step.periodX = cx.base / grid_.x.cells;
-            step.periodY = cy.base / grid_.y.cells;
-            step.lambdaIn = in;
-            step.lambdaOut = out;
-            step.value = value;
-            step.lambdaAfter = after;
+            return cellRecord(field_, grid_, cx, cy, decision, in, out, value, after);
+        };
+    };
+    const auto noteCone = [&](Decision decision, double in, double out, double apex, double slope, double after) {
+        return [&, decision, in, out, apex, slope, after] {
+            const double value = decision == Decision::Advance ? slope : apex;
+            Step step = cellRecord(field_, grid_, cx, cy, decision, in, out, value, after);
+            step.subject = cone(out, apex, slope);
             return step;
         };
     };
@@ -151,17 +153,17 @@ Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
             sink.read(1);
             const double free = (1 - out - apex) / (1 + kappa * runLength) * kShorter;
             after = out + std::max(0.0, free - kExclusionMargin);
-            sink.step(note(Decision::Advance, lambda, out, kappa, std::min(after, segment.out)));
+            sink.step(noteCone(Decision::Advance, lambda, out, apex, kappa, std::min(after, segment.out)));
         } else {
             sink.read(field_.surface() == Surface::Bilinear ? 4 : 1);
             const auto hit = field_.surface() == Surface::Bilinear
                                  ? leafHit<Surface::Bilinear>(field_.heights(), grid_, ray, cx, cy)
                                  : leafHit<Surface::Columns>(field_.heights(), grid_, ray, cx, cy);
             if (hit) {
-                sink.step(note(Decision::Hit, lambda, out, apex, *hit));
+                sink.step(noteCone(Decision::Hit, lambda, out, apex, 0, *hit));
                 return Hit::at(viewRay, *hit);
             }
-            sink.step(note(Decision::Test, lambda, out, apex, out));
+            sink.step(noteCone(Decision::Test, lambda, out, apex, 0, out));
         }
         lambda = after;
         if (!(lambda < end)) {

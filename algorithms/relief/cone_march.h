@@ -95,7 +95,11 @@ Hit ConeMarch::march(const ViewRay& ray, const SampledSurface& surface, Segment 
         before = lambda;
         lambda = std::min(lambda - gap / (1 + kappa * runLength), segment.out);
         const double after = lambda;
-        sink.step([&] { return surface.record(Phase::Search, Decision::Advance, before, before, kappa, after); });
+        sink.step([&] {
+            Step step = surface.record(Phase::Search, Decision::Advance, before, before, kappa, after);
+            step.subject = subject::Cone{s, t, gap + 1 - before, kappa, 0, 1, false};
+            return step;
+        });
     }
     if (lambda >= segment.out && segment.out < 1 && surface.gapAt(lambda) < 0) return Hit::none(Outcome::Miss);
     if (!surface.inside(lambda)) {
@@ -103,7 +107,8 @@ Hit ConeMarch::march(const ViewRay& ray, const SampledSurface& surface, Segment 
         return Hit::none(Outcome::Miss);
     }
     const double hit = surface.gapAt(lambda) > 0 ? bisected(surface, before, lambda, sink) : lambda;
-    sink.step([&] { return surface.record(Phase::Search, Decision::Hit, before, lambda, surface.heightAt(hit), hit); });
+    sink.step(
+        [&] { return surface.record(Phase::Search, Decision::Hit, before, lambda, surface.heightAt(lambda), hit); });
     return Hit::at(ray, hit);
 }
 

@@ -58,7 +58,8 @@ struct MethodDescription {
     ShadingNormal shading = ShadingNormal::Relief;
     std::vector<Surface> surfaces{Surface::Bilinear, Surface::Columns};
     std::vector<Address> addresses{Address::Repeat, Address::Clamp, Address::Border};
-    std::vector<std::string> maps;  // names of the maps needed
+    std::vector<std::string> maps;       // names of the maps needed
+    std::vector<std::string> otherMaps;  // which it accepts in place of the first, chosen by the option `map`
     std::vector<OptionDescription> options;
     std::map<std::string, std::string> defaults;  // of the options, as text
 };
@@ -100,6 +101,8 @@ template <class Options>
     }
 }
 
+// The option by which a method is given one of its MethodDescription::otherMaps.
+inline constexpr std::string_view kMapOption = "map";
 // Options of a method inside another one: "inner.layers".
 inline constexpr std::string_view kInnerPrefix = "inner.";
 

@@ -70,7 +70,9 @@ Hit DisplacementTracer::trace(const ViewRay& viewRay, Sink& sink) const {
             const auto h = mesh_.corners(cx, cy);
             const double highest = std::max({h[0], h[1], h[2], h[3]});
             const Phase phase = decision == Decision::Start ? Phase::Start : Phase::Search;
-            return surface.record(phase, decision, in, out, highest, after);
+            Step step = surface.record(phase, decision, in, out, highest, after);
+            step.subject = mesh_.quad(cx, cy, highest);
+            return step;
         });
     };
     record(Decision::Start, 0, 0, 0);

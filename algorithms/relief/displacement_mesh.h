@@ -15,6 +15,7 @@
 
 #include "relief/leaf.h"
 #include "relief/maps/mesh_heights.h"
+#include "relief/step_log.h"
 
 namespace relief {
 
@@ -47,6 +48,11 @@ class DisplacementMesh {
                 reduced(ray.t0, texture_.height()) / texelsPerRow(), ray.a / texelsPerColumn(), ray.b / texelsPerRow()};
     }
 
+    // As logs name it. What lies beyond the outermost vertices counts as one quad more.
+    subject::Quad quad(AxisCell cx, AxisCell cy, double highest) const {
+        return {(quadBegin(grid_.x, cx) - grid_.x.shift) * texelsPerColumn(),
+                (quadBegin(grid_.y, cy) - grid_.y.shift) * texelsPerRow(), texelsPerColumn(), texelsPerRow(), highest};
+    }
     // Heights of a quad's vertices (0,0), (1,0), (0,1), (1,1).
     using Corners = std::array<double, 4>;
     Corners corners(AxisCell cx, AxisCell cy) const {
@@ -82,6 +88,10 @@ class DisplacementMesh {
     std::optional<double> quadHit(const GridRay& ray, AxisCell cx, AxisCell cy) const;
 
   private:
+    static double quadBegin(const GridAxis& axis, AxisCell cell) {
+        const double begin = axis.edge(cell.index, cell.base);
+        return std::isfinite(begin) ? begin : axis.edge(1, cell.base) - 1;
+    }
     HeightField texture_;
     HeightField mesh_;
     CellGrid grid_;

@@ -3,7 +3,7 @@
 // Frame and units: any_ray.h. Surfaces: bilinear, columns; any addressing. Guarantee: exact.
 #pragma once
 
-#include "relief/distance_conservative.h"
+#include "relief/distance_options.h"
 #include "relief/jump_any.h"
 
 namespace relief {
@@ -23,9 +23,16 @@ class DistanceAnyHit {
         method.maps = {"euclidean-conservative"};
         return method;
     }
-    using Options = DistanceConservativeTracer::Options;
+    struct Options {
+        int footprint = 1;
+        int layers = 32;
+        std::string precision = "float";
+
+        static std::vector<OptionField<Options>> fields() { return distanceFields<Options>(); }
+    };
     static DistanceAnyHit make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
-        return DistanceAnyHit(DistanceConservativeTracer::make(field, options, cache, work));
+        constexpr auto kKind = DistanceKind::EuclideanConservative;
+        return DistanceAnyHit(DistanceWalk(field, distanceMapOf(kKind, options, field, cache, work)));
     }
     explicit DistanceAnyHit(const DistanceWalk& walk) : field_(walk.field()), map_(walk.distanceMap()), grid_(field_) {}
 

@@ -3,7 +3,7 @@
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Model: "exit + D" (distance_walk.h): leave the voxel, then go on by its distance; cells of surface voxels are tested.
-// `rule=classic`: "t + D". Guarantee: exact, the same bits as `exact`. Failure mode: many steps along walls; memory W H
+// `rule=classic`: "t + D". `map=refined`: the refined map in the unchanged tracer. Guarantee: exact, the same bits as `exact`. Failure mode: many steps along walls; memory W H
 // L / F^2. Cost: a distance a step, one leaf a cell near the surface.
 #pragma once
 
@@ -25,22 +25,27 @@ class DistanceConservativeTracer : public DistanceWalk {
             "tested.";
         method.source = "Donnelly 2005; [DIST17]";
         method.maps = {"euclidean-conservative"};
+        method.otherMaps = {"refined"};
         return method;
     }
     struct Options {
         int footprint = 1;
         int layers = 32;
         std::string precision = "float";
+        double flattest = 10;
+        int horizons = 16;
+        int sectors = 1;
         std::string rule = "exit";
+        std::string map = "euclidean-conservative";
 
+        static std::vector<std::string> maps() { return {"euclidean-conservative", "refined"}; }
         static std::vector<OptionField<Options>> fields() { return distanceFields<Options>(); }
     };
     static DistanceConservativeTracer make(const HeightField& field, const Options& options, MapCache& cache,
                                            Work& work) {
-        return {
-            field,
-            relief::distanceMap(DistanceKind::EuclideanConservative, distanceParameters(options), field, cache, work),
-            stepRule(options)};
+        const bool refined = options.map == "refined";
+        const auto kind = refined ? DistanceKind::Refined : DistanceKind::EuclideanConservative;
+        return {field, distanceMapOf(kind, options, field, cache, work), stepRule(options)};
     }
 
     using DistanceWalk::DistanceWalk;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "relief/describe.h"
+#include "relief/distance_march.h"
 #include "relief/distance_walk.h"
 #include "relief/maps/distance_map.h"
 
@@ -65,9 +66,34 @@ std::vector<OptionField<Options>> distanceFields() {
                            "a step by the distance: from where the ray leaves the voxel, or from where it is"},
                           &Options::rule});
     }
-    if constexpr (requires(Options o) { o.iterations; }) {
-        fields.push_back(
-            {{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "always that many"}, &Options::iterations});
+    if constexpr (requires(Options o) { o.stop; }) {
+        fields.push_back({{"stop",
+                           OptionKind::Choice,
+                           "",
+                           0,
+                           0,
+                           0,
+                           {"surface", "distance", "never"},
+                           "where the march ends: at the surface, where the distance is below `within`, or nowhere"},
+                          &Options::stop});
+        fields.push_back({{"within", OptionKind::Real, "texels", 0, 4, 0.01, {}, "of stop=distance"}, &Options::within});
+        fields.push_back({{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "at most; with stop=never all"},
+                          &Options::iterations});
+    }
+    if constexpr (requires(Options o) { o.to; }) {
+        fields.push_back({{"to",
+                           OptionKind::Choice,
+                           "",
+                           0,
+                           0,
+                           0,
+                           {"surface", "voxel"},
+                           "what Euclidean distances are measured to: the surface, or the nearest solid voxel's centre"},
+                          &Options::to});
+    }
+    if constexpr (requires(Options o) { o.map; }) {
+        fields.push_back({{"map", OptionKind::Choice, "", 0, 0, 0, Options::maps(), "the map that it traces with"},
+                          &Options::map});
     }
     return fields;
 }
@@ -77,24 +103,47 @@ StepRule stepRule(const Options& options) {
     return options.rule == "classic" ? StepRule::Classic : StepRule::Exit;
 }
 
+// Of a map of that kind: options that it does not use stay out.
 template <class Options>
-DistanceParameters distanceParameters(const Options& options) {
+DistanceParameters distanceParameters(DistanceKind kind, const Options& options) {
+    const bool refined = kind == DistanceKind::Refined;
+    const bool sampled = kind == DistanceKind::RefinedSampled;
     DistanceParameters parameters;
     parameters.footprint = options.footprint;
     parameters.layers = options.layers;
     parameters.precision = parsePrecision(options.precision);
-    if constexpr (requires { options.flattest; }) parameters.flattest = options.flattest;
+    if constexpr (requires { options.flattest; }) {
+        if (refined || sampled) parameters.flattest = options.flattest;
+    }
     if constexpr (requires { options.horizons; }) {
-        parameters.horizons = options.horizons;
-        parameters.sectors = options.sectors;
-        if (options.horizons % options.sectors != 0) {
+        if (refined && options.horizons % options.sectors != 0) {
             throw InputError(
                 "--set", Message(MessageId::OutOfRange,
                                  {{"what", "sectors"}, {"value", options.sectors}, {"range", "divisors of horizons"}}));
         }
+        if (refined) parameters.horizons = options.horizons, parameters.sectors = options.sectors;
     }
-    if constexpr (requires { options.directions; }) parameters.directions = options.directions;
+    if constexpr (requires { options.directions; }) {
+        if (sampled) parameters.directions = options.directions;
+    }
+    if constexpr (requires { options.to; }) {
+        if (kind == DistanceKind::Euclidean) parameters.to = parseDistanceTo(options.to);
+    }
     return parameters;
+}
+
+// The map that the options describe.
+template <class Options>
+std::shared_ptr<const DistanceMap> distanceMapOf(DistanceKind kind, const Options& options, const HeightField& field,
+                                                 MapCache& cache, Work& work) {
+    return distanceMap(kind, distanceParameters(kind, options), field, cache, work);
+}
+
+template <class Options>
+MarchEnd marchEnd(const Options& options) {
+    if (options.stop == "never") return {MarchStop::Never, 0};
+    if (options.stop == "distance") return {MarchStop::Distance, options.within};
+    return {MarchStop::Surface, 0};
 }
 
 }  // namespace relief

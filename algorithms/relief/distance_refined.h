@@ -38,8 +38,7 @@ class DistanceRefinedTracer : public DistanceWalk {
         static std::vector<OptionField<Options>> fields() { return distanceFields<Options>(); }
     };
     static DistanceRefinedTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
-        return {field, relief::distanceMap(DistanceKind::Refined, distanceParameters(options), field, cache, work),
-                stepRule(options)};
+        return {field, distanceMapOf(DistanceKind::Refined, options, field, cache, work), stepRule(options)};
     }
 
     using DistanceWalk::DistanceWalk;

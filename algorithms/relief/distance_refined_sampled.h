@@ -2,16 +2,16 @@
 // the first hit over sampled rays that reach its centre unhindered. [DIST17] figs. 5 to 8, [TEX].
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
-// Guarantee: none. Failure mode: overshoots at walls; more directions do not cure it (maps/refined.h says why).
-// Cost: as `distance`; building it traces `directions` rays a voxel.
+// Model: distance_march.h; `distance` with map=refined-sampled is the same. Guarantee: none. Failure mode: overshoots at
+// walls; more directions do not cure it (maps/refined.h says why). Rays flatter than `flattest` are not served: they walk
+// every cell. Cost: as `distance`; building it traces `directions` rays a voxel.
 #pragma once
 
-#include "relief/distance_fixed.h"
 #include "relief/distance_options.h"
 
 namespace relief {
 
-class DistanceRefinedSampledTracer : public DistanceFixed {
+class DistanceRefinedSampledTracer : public DistanceMarch {
   public:
     static MethodDescription describe() {
         MethodDescription method;
@@ -25,23 +25,24 @@ class DistanceRefinedSampledTracer : public DistanceFixed {
         return method;
     }
     struct Options {
-        int footprint = 4;
-        int layers = 16;
+        int footprint = 1;
+        int layers = 32;
         std::string precision = "float";
         double flattest = 10;
         int directions = 64;
-        int iterations = 32;
+        std::string stop = "surface";
+        double within = 0.05;
+        int iterations = 256;
 
         static std::vector<OptionField<Options>> fields() { return distanceFields<Options>(); }
     };
     static DistanceRefinedSampledTracer make(const HeightField& field, const Options& options, MapCache& cache,
                                              Work& work) {
-        return {field,
-                relief::distanceMap(DistanceKind::RefinedSampled, distanceParameters(options), field, cache, work),
-                options.iterations};
+        return {field, distanceMapOf(DistanceKind::RefinedSampled, options, field, cache, work), options.iterations,
+                marchEnd(options)};
     }
 
-    using DistanceFixed::DistanceFixed;
+    using DistanceMarch::DistanceMarch;
 };
 
 }  // namespace relief

@@ -11,10 +11,9 @@
 
 #include <optional>
 
+#include "relief/cell_record.h"
 #include "relief/distance_walk_lanes.h"
-#include "relief/leaf.h"
 #include "relief/maps/distance_map.h"
-#include "relief/step_log.h"
 
 namespace relief {
 
@@ -95,19 +94,12 @@ class DistanceWalk {
 
     Step record(Decision decision, const Voxel& voxel, AxisCell cx, AxisCell cy, double in, double out, double value,
                 double after) const {
-        Step step;
-        step.phase = decision == Decision::Start ? Phase::Start : Phase::Search;
-        step.decision = decision;
-        const bool cell = decision == Decision::Test || decision == Decision::Hit;
-        step.i = cell ? cx.index + grid_.x.firstName : voxel.bx;
-        step.j = cell ? cy.index + grid_.y.firstName : voxel.by;
+        Step step = cellRecord(field_, grid_, cx, cy, decision, in, out, value, after);
         step.k = voxel.layer;
-        step.periodX = cx.base / grid_.x.cells;
-        step.periodY = cy.base / grid_.y.cells;
-        step.lambdaIn = in;
-        step.lambdaOut = out;
-        step.value = value;
-        step.lambdaAfter = after;
+        if (!step.tests() && decision != Decision::Advance) return step;
+        step.subject =
+            subject::Voxel{voxel.bx, voxel.by, voxel.layer, map_->parameters.footprint, map_->layers(), value};
+        if (!step.tests()) step.i = voxel.bx, step.j = voxel.by;
         return step;
     }
 

@@ -6,10 +6,9 @@
 // Source: Amanatides & Woo 1987 for the walk.
 #pragma once
 
+#include "relief/cell_record.h"
 #include "relief/describe.h"
-#include "relief/leaf.h"
 #include "relief/maps/map_cache.h"
-#include "relief/step_log.h"
 
 namespace relief {
 
@@ -68,18 +67,8 @@ Hit ExactTracer::walk(const ViewRay& viewRay, Segment segment, Sink& sink) const
     AxisCell cy = ray.y.cellAt(grid_.y, segment.in);
     const auto record = [&](Decision decision, double in, double out, double after) {
         return [&, decision, in, out, after] {
-            Step step;
-            step.phase = decision == Decision::Start ? Phase::Start : Phase::Search;
-            step.decision = decision;
-            step.i = cx.index + grid_.x.firstName;
-            step.j = cy.index + grid_.y.firstName;
-            step.periodX = cx.base / grid_.x.cells;
-            step.periodY = cy.base / grid_.y.cells;
-            step.lambdaIn = in;
-            step.lambdaOut = out;
-            step.lambdaAfter = after;
-            step.value = cellMaximum<kSurface>(field_.heights(), grid_, cx.index, cy.index);
-            return step;
+            const double maximum = cellMaximum<kSurface>(field_.heights(), grid_, cx.index, cy.index);
+            return cellRecord(field_, grid_, cx, cy, decision, in, out, maximum, after);
         };
     };
     if constexpr (kWhole) {

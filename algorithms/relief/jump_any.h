@@ -4,7 +4,7 @@
 #pragma once
 
 #include "relief/any_leaf.h"
-#include "relief/step_log.h"
+#include "relief/cell_record.h"
 
 namespace relief {
 
@@ -18,17 +18,8 @@ Sight lookByJumps(const HeightField& field, const CellGrid& grid, const AnyRay& 
     AxisCell cy = course.y.startCell(grid.y);
     const auto note = [&](Decision decision, double in, double out) {
         return [&, decision, in, out] {
-            Step step;
-            step.phase = decision == Decision::Start ? Phase::Start : Phase::Search;
-            step.decision = decision;
-            step.i = cx.index + grid.x.firstName;
-            step.j = cy.index + grid.y.firstName;
-            step.periodX = cx.base / grid.x.cells;
-            step.periodY = cy.base / grid.y.cells;
-            step.lambdaIn = 1 - ray.heightAt(in);
-            step.lambdaOut = 1 - ray.heightAt(out);
-            step.lambdaAfter = step.lambdaOut;
-            return step;
+            const double lambdaOut = 1 - ray.heightAt(out);
+            return cellRecord(field, grid, cx, cy, decision, 1 - ray.heightAt(in), lambdaOut, 0, lambdaOut);
         };
     };
     sink.step(note(Decision::Start, 0, 0));

@@ -144,7 +144,10 @@ Hit LayersTracerOf<kRefinement>::search(const ViewRay& ray, const SampledSurface
     for (int n = 0; n <= options_.layers; ++n) {
         const double lambda = std::min(segment.in + static_cast<double>(n) / options_.layers, segment.out);
         const auto record = [&](Decision decision, double height, double after) {
-            return surface.record(Phase::Search, decision, above, lambda, height, after);
+            Step step = surface.record(Phase::Search, decision, above, lambda, height, after);
+            // Within a segment layers are counted from its begin: they are none of the slab's.
+            if (whole && decision != Decision::Miss) step.subject = subject::Layer{n, options_.layers, height};
+            return step;
         };
         if (!surface.inside(lambda)) {
             if (whole) sink.step([&] { return record(Decision::Miss, 0, lambda); });

@@ -146,6 +146,7 @@ class PyramidWalk {
         step.lambdaOut = out;
         step.value = value;
         step.lambdaAfter = after;
+        step.subject = subject::Texel{step.level, step.i, step.j, value};
         return step;
     }
 

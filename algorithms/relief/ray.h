@@ -105,4 +105,7 @@ struct HitBlock {
     }
 };
 
+// Answers that lie closer are one answer, texels: what texture coordinates may be wrong by without being seen.
+inline constexpr double kSameAnswer = 1.0 / 256;
+
 }  // namespace relief

@@ -35,12 +35,12 @@ class SampledSurface {
     }
     std::uint32_t readsEach() const { return field_.surface() == Surface::Bilinear ? 4 : 1; }
 
-    // The texel under the ray there, as logs name it.
+    // A record of the surface's height `value` at `out`, with the texel under the ray there.
     Step record(Phase phase, Decision decision, double in, double out, double value, double after) const {
         Step step;
         step.phase = phase;
         step.decision = decision;
-        step.primitive = Primitive::Point;
+        step.subject = subject::Point{value};
         const double s = std::floor(ray_.s0 + out * ray_.a);
         const double t = std::floor(ray_.t0 + out * ray_.b);
         const double w = field_.width();
@@ -59,6 +59,12 @@ class SampledSurface {
         step.value = value;
         step.lambdaAfter = after;
         return step;
+    }
+
+    // The sphere around the point at lambda.
+    subject::Sphere sphereAt(double lambda, double radius) const {
+        const auto [s, t] = placeAt(lambda);
+        return {s, t, 1 - lambda, radius};
     }
 
   private:

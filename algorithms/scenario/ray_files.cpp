@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "base/memory.h"
@@ -60,6 +62,26 @@ void forEachColumn(const Step& step, std::size_t ray, std::size_t number, const 
     put("value", step.value);
     putName("decision", decisionName(step.decision));
     put("lambda_after", step.lambdaAfter);
+}
+
+// What the kind holds beside the columns above, in the order of kSubjectColumns without the first.
+using SubjectValues = std::array<std::optional<double>, kSubjectColumns.size() - 1>;
+SubjectValues subjectValues(const Step& step) {
+    SubjectValues values;
+    auto& [s, t, z, width, height, index, count] = values;
+    if (const auto* const sphere = step.as<subject::Sphere>()) {
+        s = sphere->s, t = sphere->t, z = sphere->z;
+    } else if (const auto* const cone = step.as<subject::Cone>()) {
+        s = cone->s, t = cone->t, z = cone->apex, index = cone->sector, count = cone->sectors;
+        if (cone->ofCell) width = 1, height = 1;
+    } else if (const auto* const voxel = step.as<subject::Voxel>()) {
+        width = voxel->footprint, height = voxel->footprint, count = voxel->layers;
+    } else if (const auto* const quad = step.as<subject::Quad>()) {
+        s = quad->s, t = quad->t, width = quad->width, height = quad->height;
+    } else if (const auto* const layer = step.as<subject::Layer>()) {
+        index = layer->n, count = layer->count;
+    }
+    return values;
 }
 
 }  // namespace
@@ -149,6 +171,11 @@ void appendStepLines(std::string& out, const StepLog& log, std::size_t inLog, st
                 comma();
                 out += name;
             });
+        out.append(",").append(kSubjectNames[log.steps[s].subject.index()]);
+        for (const std::optional<double>& value : subjectValues(log.steps[s])) {
+            out += ',';
+            if (value) appendNumber(out, *value);
+        }
         out += '\n';
     }
 }
@@ -176,6 +203,14 @@ void appendStepObjects(std::string& out, const StepLog& log, std::size_t inLog, 
                 key(name);
                 out.append("\"").append(text).append("\"");
             });
+        key("kind");
+        out.append("\"").append(kSubjectNames[log.steps[s].subject.index()]).append("\"");
+        const SubjectValues values = subjectValues(log.steps[s]);
+        for (std::size_t n = 0; n < values.size(); ++n) {
+            if (!values[n] || !std::isfinite(*values[n])) continue;
+            key(kSubjectColumns[n + 1]);
+            appendNumber(out, *values[n]);
+        }
         out += '}';
     }
 }

@@ -2,6 +2,7 @@
 // the same doubles. Lines end in "\n"; "\r\n" and a byte order mark are accepted when reading.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -13,18 +14,29 @@ namespace relief {
 
 inline constexpr std::string_view kRaysHeader = "s0,t0,a,b";
 inline constexpr std::string_view kHitsHeader = "outcome,lambda,s,t,steps";
-inline constexpr std::string_view kStepsHeader =
+// What every steps file has, and what follows: the kind of what a step looked at (subject::, kSubjectNames), and what
+// that kind holds beside level, i, j, k and value; cells that it has no use for are empty.
+//   sphere: s, t, z its centre; cone: s, t, z its apex, index the sector of count, width and height 1 if it is a cell's
+//   voxel: width and height its footprint, count the layers; quad: s, t its first corner, width, height in texels
+//   layer: index of count
+inline constexpr std::string_view kStepColumns =
     "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after";
+inline constexpr std::array<std::string_view, 8> kSubjectColumns{"kind",  "s",      "t",     "z",
+                                                                 "width", "height", "index", "count"};
+inline constexpr std::string_view kStepsHeader =
+    "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after,"
+    "kind,s,t,z,width,height,index,count";
 
 // Header first, then one ray a line. fileName: for messages. Throws InputError with the line's number: another header,
 // not four numbers, a number that is not finite. Blank lines are accepted at the end only.
 RayBlock parseRays(std::string_view text, const std::string& fileName);
 // Steps as they are written below, CSV or JSON (the text begins with "["), of `rays` rays, counted from 0. The rays may
-// come in any order and some be missing, the steps of one are together and count from 1. phase, i, j, k, z_in and z_out
-// need not be known: in JSON they may be left out. InputError with the line: another header, wrong columns, an unknown
-// decision or phase, a number that is not finite, lambda outside of [0, 1] or before the stretch's begin, heights that
-// are not 1 - lambda, steps out of order, a ray that the rays file has not.
-// In files steps have no period and no primitive: placeSteps() finds them.
+// come in any order and some be missing, the steps of one are together and count from 1. phase, i, j, k, z_in, z_out
+// and all that belongs to the kind need not be known: in JSON they may be left out, in CSV the columns from `kind` on;
+// columns of other names are passed over. InputError with the line: another header, wrong columns, an unknown decision,
+// phase or kind, a number that is not finite, lambda outside of [0, 1] or before the part's begin, heights that are not
+// 1 - lambda, steps out of order, a ray that the rays file has not.
+// In files steps have no period, and in those of earlier versions no kind: placeSteps() finds them.
 StepLog parseSteps(std::string_view text, const std::string& fileName, std::size_t rays);
 // Which texels they are under repeat, by where ray number `number` is; a log that never speaks of cells is of points.
 // InputError if the picture has no such texel.

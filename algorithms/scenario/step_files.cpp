@@ -61,6 +61,56 @@ struct Place {
     }
 };
 
+// What a line says of the kind of what was looked at, in the order of kSubjectColumns.
+struct SubjectRow {
+    std::string kind;
+    std::array<std::optional<double>, kSubjectColumns.size() - 1> values;
+};
+
+// Texel::level of a step whose file does not say what was looked at.
+constexpr int kUnknownLevel = -1;
+
+Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
+    if (row.kind.empty()) return subject::Texel{kUnknownLevel, step.i, step.j, step.value};
+    const auto lacks = [&](std::size_t at, const char* wanted) {
+        const std::string key(kSubjectColumns[at + 1]);
+        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", wanted}}));
+    };
+    const auto real = [&](std::size_t at) {
+        const auto& value = row.values[at];
+        if (!value || !std::isfinite(*value)) lacks(at, "number");
+        return value.value_or(0);
+    };
+    constexpr std::size_t kS = 0, kT = 1, kZ = 2, kWidth = 3, kHeight = 4, kIndex = 5, kCount = 6;
+    const auto whole = [&](std::size_t at, int low) {
+        constexpr int kMost = 1 << 24;
+        const double value = real(at);
+        if (!(value >= low && value <= kMost && value == std::floor(value))) lacks(at, "whole number");
+        return static_cast<int>(value);
+    };
+    enum class Kind : std::uint8_t { Texel, Quad, Voxel, Sphere, Cone, Layer, Point };
+    switch (place.word<Kind>("kind", row.kind, kSubjectNames)) {
+        case Kind::Texel:
+            return subject::Texel{step.level, step.i, step.j, step.value};
+        case Kind::Quad:
+            return subject::Quad{real(kS), real(kT), real(kWidth), real(kHeight), step.value};
+        case Kind::Voxel:
+            return subject::Voxel{step.i, step.j, step.k, whole(kWidth, 1), whole(kCount, 1), step.value};
+        case Kind::Sphere:
+            return subject::Sphere{real(kS), real(kT), real(kZ), step.value};
+        case Kind::Cone: {
+            const double slope = step.decision == Decision::Advance ? step.value : 0;
+            const bool ofCell = row.values[kWidth].value_or(0) > 0;
+            return subject::Cone{real(kS), real(kT), real(kZ), slope, whole(kIndex, 0), whole(kCount, 1), ofCell};
+        }
+        case Kind::Layer:
+            return subject::Layer{whole(kIndex, 0), whole(kCount, 1), step.value};
+        case Kind::Point:
+            break;
+    }
+    return subject::Point{step.value};
+}
+
 // One line of the file: the step, and which it is.
 struct Row {
     std::int64_t ray = 0;
@@ -82,11 +132,35 @@ void check(const Row& row, const Place& place) {
     if (row.zOut) place.height("z_out", *row.zOut, step.lambdaOut);
 }
 
-Row csvRow(std::string_view text, const Place& place) {
-    constexpr std::ptrdiff_t kColumns = 14;
-    const auto count = std::count(text.begin(), text.end(), ',') + 1;
-    if (count != kColumns) {
-        place.refuse(Message(MessageId::StepColumns, {{"line", place.line}, {"wanted", kColumns}, {"count", count}}));
+// The header's columns behind those that every file has: each one's number in kSubjectColumns, or none.
+using FurtherColumns = std::vector<std::optional<std::size_t>>;
+
+FurtherColumns furtherColumns(std::string_view header, const std::string& fileName) {
+    const bool known = header.starts_with(kStepColumns) &&
+                       (header.size() == kStepColumns.size() || header[kStepColumns.size()] == ',');
+    if (!known) {
+        throw InputError(fileName, Message(MessageId::RaysHeader,
+                                           {{"header", std::string(kStepsHeader)}, {"text", quoted(header)}}));
+    }
+    header.remove_prefix(kStepColumns.size());
+    FurtherColumns columns;
+    while (!header.empty()) {
+        header.remove_prefix(1);  // the comma
+        const std::string_view name = header.substr(0, header.find(','));
+        header.remove_prefix(name.size());
+        const auto found = std::find(kSubjectColumns.begin(), kSubjectColumns.end(), name);
+        columns.emplace_back();
+        if (found != kSubjectColumns.end()) columns.back() = static_cast<std::size_t>(found - kSubjectColumns.begin());
+    }
+    return columns;
+}
+
+Row csvRow(std::string_view text, const FurtherColumns& further, const Place& place) {
+    constexpr std::size_t kColumns = 14;
+    const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
+    if (count != kColumns + further.size()) {
+        place.refuse(Message(MessageId::StepColumns,
+                             {{"line", place.line}, {"wanted", kColumns + further.size()}, {"count", count}}));
     }
     Row row;
     Step& step = row.step;
@@ -110,6 +184,17 @@ Row csvRow(std::string_view text, const Place& place) {
     step.value = endless ? HUGE_VAL : finiteNumber(value, place.fileName, place.line);
     step.decision = place.word<Decision>("decision", takeCell(text), kDecisionNames);
     step.lambdaAfter = number();
+    SubjectRow subject;
+    for (const std::optional<std::size_t>& column : further) {
+        const std::string_view cell = takeCell(text);
+        if (!column || cell.empty()) continue;
+        if (*column == 0) {
+            subject.kind = cell;
+        } else {
+            subject.values[*column - 1] = finiteNumber(cell, place.fileName, place.line);
+        }
+    }
+    step.subject = subjectOf(step, subject, place);
     check(row, place);
     return row;
 }
@@ -154,6 +239,13 @@ Row jsonRow(const Json& object, const Place& place) {
     step.value = object.contains("value") && object["value"].is_null() ? HUGE_VAL : real("value");
     step.decision = place.word<Decision>("decision", text("decision"), kDecisionNames);
     step.lambdaAfter = real("lambda_after");
+    SubjectRow subject;
+    if (object.contains("kind")) subject.kind = text("kind");
+    for (std::size_t n = 0; n < subject.values.size(); ++n) {
+        const std::string key(kSubjectColumns[n + 1]);
+        if (object.contains(key)) subject.values[n] = real(key.c_str());
+    }
+    step.subject = subjectOf(step, subject, place);
     check(row, place);
     return row;
 }
@@ -234,34 +326,34 @@ StepLog parseSteps(std::string_view text, const std::string& fileName, std::size
         gatherJson(std::string(text), fileName, gatherer);
         return gatherer.take();
     }
-    const std::string_view header = takeLine(text);
-    if (header != kStepsHeader) {
-        throw InputError(fileName, Message(MessageId::RaysHeader,
-                                           {{"header", std::string(kStepsHeader)}, {"text", quoted(header)}}));
-    }
+    const FurtherColumns further = furtherColumns(takeLine(text), fileName);
     for (std::size_t line = 2; !text.empty(); ++line) {
         const std::string_view row = takeLine(text);
         if (row.empty() && text.find_first_not_of("\r\n") == std::string_view::npos) break;
         const Place place{fileName, line};
-        gatherer.add(csvRow(row, place), place);
+        gatherer.add(csvRow(row, further, place), place);
     }
     return gatherer.take();
 }
 
 namespace {
 
-// One axis of a field: whether there is such a texel (of a point) or cell, and in which period the ray meets it.
+// One axis of a field: whether there is such a texel, cell or voxel, and in which period the ray meets it.
 struct PlaceAxis {
     const GridAxis& axis;
     const RayAxis& along;
-    bool cells;
 
-    bool place(std::int64_t name, const Step& step, std::int64_t& period) const {
-        const std::int64_t index = cells && step.level == 0 ? name - axis.firstName : name;
+    // known: the file says what was looked at.
+    bool place(std::int64_t name, const Step& step, bool known, std::int64_t& period) const {
+        const bool cells = !step.namesTexelUnderRay();
+        const auto* const voxel = step.tests() ? nullptr : step.as<subject::Voxel>();
+        const std::int64_t side = voxel != nullptr ? voxel->footprint : std::int64_t{1} << std::min(step.level, 31);
+        const bool cell = cells && voxel == nullptr && step.level == 0;
+        const std::int64_t index = cell ? name - axis.firstName : name;
         const std::int64_t most = cells ? axis.cells : axis.texels;
-        // Voxels of maps are numbered from 0, cells from their first name: both are known.
-        const std::int64_t lowest = cells ? axis.cells - axis.firstName : axis.texels;
-        const std::int64_t count = step.level == 0 ? lowest : (step.level < 31 ? ((most - 1) >> step.level) + 1 : 1);
+        std::int64_t count = (most - 1) / side + 1;
+        // Without kinds: voxels of maps are numbered from 0, cells from their first name.
+        if (cell && !known) count = axis.cells - axis.firstName;
         period = 0;
         if (index < 0 || index >= count) {
             // A ray may begin, and end, beside the picture.
@@ -269,8 +361,8 @@ struct PlaceAxis {
             return end && step.level == 0 && std::abs(name) < kFarthestBeside;
         }
         if (!axis.wraps) return true;
-        const double first = std::ldexp(static_cast<double>(index), step.level);
-        const double last = std::min(std::ldexp(static_cast<double>(index + 1), step.level), static_cast<double>(most));
+        const auto first = static_cast<double>(index * side);
+        const double last = std::min(static_cast<double>((index + 1) * side), static_cast<double>(most));
         const double middle = 0.5 * (first + last) - (cells ? axis.shift : 0.0);
         const double lambda = cells ? 0.5 * (step.lambdaIn + step.lambdaOut) : step.lambdaOut;
         const double at = along.start - axis.shift + lambda * along.run;
@@ -280,14 +372,27 @@ struct PlaceAxis {
     }
 };
 
-// The first step that names no texel of the field; the count of steps if all do.
-std::size_t placeAll(std::vector<Step>& steps, const CellGrid& grid, const GridRay& ray, bool cells) {
-    const PlaceAxis x{grid.x, ray.x, cells};
-    const PlaceAxis y{grid.y, ray.y, cells};
+// The first step that names no texel of the field; the count of steps if all do. known: of which steps the file says
+// what they looked at; cells: what the others are about, else points of the ray.
+std::size_t placeAll(std::vector<Step>& steps, const std::vector<bool>& known, const CellGrid& grid, const GridRay& ray,
+                     bool cells) {
+    const PlaceAxis x{grid.x, ray.x};
+    const PlaceAxis y{grid.y, ray.y};
     for (std::size_t n = 0; n < steps.size(); ++n) {
         Step& step = steps[n];
-        step.primitive = cells ? Primitive::Texel : Primitive::Point;
-        if (!x.place(step.i, step, step.periodX) || !y.place(step.j, step, step.periodY)) return n;
+        if (!known[n]) {
+            if (cells) {
+                step.subject = subject::Texel{step.level, step.i, step.j, step.value};
+            } else {
+                step.subject = subject::Point{step.value};
+            }
+        }
+        if (!x.place(step.i, step, known[n], step.periodX) || !y.place(step.j, step, known[n], step.periodY)) return n;
+        auto* const voxel = std::get_if<subject::Voxel>(&step.subject);
+        if (voxel == nullptr || !step.tests()) continue;
+        // The columns name the cell that was tested.
+        voxel->i = (step.i - grid.x.firstName) / voxel->footprint;
+        voxel->j = (step.j - grid.y.firstName) / voxel->footprint;
     }
     return steps.size();
 }
@@ -302,9 +407,14 @@ void placeSteps(std::vector<Step>& steps, const ViewRay& ray, const HeightField&
         return step.level > 0 || step.decision == Decision::Skip || step.decision == Decision::Descend ||
                step.decision == Decision::Ascend || step.decision == Decision::Test;
     });
-    std::size_t wrong = placeAll(steps, grid, inCells, cells);
+    std::vector<bool> known;
+    for (const Step& step : steps) {
+        const auto* const texel = step.as<subject::Texel>();
+        known.push_back(texel == nullptr || texel->level != kUnknownLevel);
+    }
+    std::size_t wrong = placeAll(steps, known, grid, inCells, cells);
     // Beyond the edge lie cells, not texels.
-    if (wrong < steps.size() && !cells) wrong = placeAll(steps, grid, inCells, true);
+    if (wrong < steps.size() && !cells) wrong = placeAll(steps, known, grid, inCells, true);
     if (wrong >= steps.size()) return;
     const Step& step = steps[wrong];
     throw InputError(fileName, Message(MessageId::StepNoTexel, {{"ray", number},

@@ -5,8 +5,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "relief/tracers.h"
-
 namespace relief {
 
 namespace {
@@ -28,48 +26,100 @@ Message aboutTexel(MessageId id, const Step& step) {
                         {"after", fixedText(1 - step.lambdaAfter, decimals)}});
 }
 
-// Of a look at one point of the surface: layer, heights of ray and surface, place of the answer.
+// Of the surface's height at one point: layer, heights of ray and surface, place of the answer.
 Message aboutPoint(MessageId id, const Step& step, const StepContext& context) {
     const int decimals = std::max(tellingDecimals(step.value, step.zOut()), kHeightDecimals);
     const auto height = [&](double z) { return fixedText(z, decimals); };
-    std::vector<MessageValue> values{{"layer", layerOf(step, context.layers)},
-                                     {"layers", context.layers},
-                                     {"value", height(step.value)},
-                                     {"in", height(step.zIn())},
-                                     {"out", height(step.zOut())},
-                                     {"after", height(1 - step.lambdaAfter)}};
+    const auto* const layer = step.as<subject::Layer>();
     const Hit hit = context.ray ? Hit::at(*context.ray, step.lambdaAfter) : Hit();
-    values.emplace_back("s", fixedText(hit.s, kTexelDecimals));
-    values.emplace_back("t", fixedText(hit.t, kTexelDecimals));
-    return Message(id, std::move(values));
+    return Message(id, {{"layer", layer != nullptr ? layer->n : 0},
+                        {"layers", layer != nullptr ? layer->count : 0},
+                        {"value", height(step.value)},
+                        {"in", height(step.zIn())},
+                        {"out", height(step.zOut())},
+                        {"after", height(1 - step.lambdaAfter)},
+                        {"s", fixedText(hit.s, kTexelDecimals)},
+                        {"t", fixedText(hit.t, kTexelDecimals)}});
 }
 
-Message startSentence(const Step& step, const StepContext& context) {
+// Of the highest texel of a pyramid of more than one level.
+bool ofTop(const Step& step) {
+    const auto* const texel = step.as<subject::Texel>();
+    return texel != nullptr && texel->level > 0;
+}
+
+Message startSentence(const Step& step) {
     if (step.lambdaIn > 0) {
         return Message(MessageId::StepStartInside, {{"in", fixedText(step.zIn(), kHeightDecimals)}});
     }
-    if (context.hierarchy && step.primitive == Primitive::Texel) {
+    if (ofTop(step)) {
         return Message(MessageId::StepStartHighest, {{"value", fixedText(step.value, kHeightDecimals)}});
     }
-    return Message(MessageId::StepStart, {{"i", step.i}, {"j", step.j}});
+    return Message(step.namesTexelUnderRay() ? MessageId::StepStart : MessageId::StepStartCell, {{"i", step.i}, {"j", step.j}});
+}
+
+// What a map promises from lambda `from` on, and what is said if the surface keeps to it or not.
+struct Claim {
+    double from;
+    std::string value;
+    MessageId kept;
+    MessageId broken;
+};
+
+Message claimSentence(const Step& step, const StepContext& context, const Claim& claim) {
+    const auto height = [](double lambda) { return fixedText(1 - lambda, kHeightDecimals); };
+    std::vector<MessageValue> values{
+        {"at", height(claim.from)}, {"value", claim.value}, {"after", height(step.lambdaAfter)}};
+    if (!context.exact || context.exact->outcome != Outcome::Hit) return Message(claim.kept, std::move(values));
+    const double met = context.exact->lambda;
+    const double scale = context.ray ? std::max(1.0, std::hypot(context.ray->a, context.ray->b)) : 1;
+    values.emplace_back("met", height(met));
+    if (claim.from > met + kSameAnswer / scale) return Message(MessageId::StepClaimBehind, std::move(values));
+    return Message(step.lambdaAfter > met + kSameAnswer / scale ? claim.broken : claim.kept, std::move(values));
 }
 
 Message advanceSentence(const Step& step, const StepContext& context) {
-    if (step.primitive == Primitive::Point) {
-        const bool layer = layerOf(step, context.layers) >= 0;
-        return aboutPoint(layer ? MessageId::StepLayerAbove : MessageId::StepPointAbove, step, context);
+    const auto height = [](double z) { return fixedText(z, kHeightDecimals); };
+    if (const auto* const cone = step.as<subject::Cone>()) {
+        const double from = cone->ofCell ? step.lambdaOut : step.lambdaIn;
+        return claimSentence(step, context, {from, height(cone->slope), MessageId::StepCone, MessageId::StepConeBroken});
     }
-    const auto height = fixedText(1 - step.lambdaAfter, kHeightDecimals);
+    const auto* const sphere = step.as<subject::Sphere>();
+    const auto* const voxel = step.as<subject::Voxel>();
+    if (sphere != nullptr || voxel != nullptr) {
+        // A voxel's distance counts from where the ray leaves it, another one from where the ray is.
+        const double from = voxel != nullptr ? step.lambdaOut : step.lambdaIn;
+        const std::string free = fixedText(voxel != nullptr ? voxel->distance : sphere->radius, kTexelDecimals);
+        return claimSentence(step, context, {from, free, MessageId::StepSphere, MessageId::StepSphereBroken});
+    }
+    if (step.as<subject::Layer>() != nullptr) return aboutPoint(MessageId::StepLayerAbove, step, context);
+    if (step.as<subject::Point>() != nullptr) return aboutPoint(MessageId::StepPointAbove, step, context);
     if (step.phase == Phase::Start) {
         return Message(MessageId::StepAdvanceHighest,
-                       {{"value", fixedText(step.value, kHeightDecimals)}, {"after", height}});
+                       {{"value", height(step.value)}, {"after", height(1 - step.lambdaAfter)}});
     }
-    return Message(MessageId::StepAdvance, {{"after", height}});
+    return Message(MessageId::StepAdvance, {{"after", height(1 - step.lambdaAfter)}});
 }
 
-// A straight line's answer lies within the stretch; a halving's is one of the ends that are left.
+Message testSentence(const Step& step) {
+    if (step.as<subject::Voxel>() != nullptr) return aboutTexel(MessageId::StepTestVoxel, step);
+    if (step.as<subject::Cone>() != nullptr) return aboutTexel(MessageId::StepTestApex, step);
+    if (const auto* const quad = step.as<subject::Quad>()) {
+        const auto texels = [](double x) { return fixedText(x, kTexelDecimals); };
+        const int decimals = tellingDecimals(quad->maximum, step.zOut());
+        return Message(MessageId::StepTestQuad, {{"s0", texels(quad->s)},
+                                                 {"s1", texels(quad->s + quad->width)},
+                                                 {"t0", texels(quad->t)},
+                                                 {"t1", texels(quad->t + quad->height)},
+                                                 {"value", fixedText(quad->maximum, decimals)},
+                                                 {"out", fixedText(step.zOut(), decimals)}});
+    }
+    return aboutTexel(MessageId::StepTest, step);
+}
+
+// A straight line's answer lies within the part; a halving's is one of the ends that are left.
 Message refineSentence(const Step& step, const StepContext& context) {
-    if (step.primitive == Primitive::Texel) return aboutTexel(MessageId::StepRefine, step);
+    if (!step.atPoint()) return aboutTexel(MessageId::StepRefine, step);
     if (step.lambdaAfter == step.lambdaIn) return aboutPoint(MessageId::StepHalvedAbove, step, context);
     const bool belowEnd = step.lambdaAfter == step.lambdaOut;
     // A line ends there too where the surface is met exactly on the layer.
@@ -78,18 +128,20 @@ Message refineSentence(const Step& step, const StepContext& context) {
 }
 
 Message pointHitSentence(const Step& step, const StepContext& context) {
-    if (context.before == Decision::Start && step.lambdaIn == 0) {
-        return aboutPoint(MessageId::StepOffsetHit, step, context);
-    }
-    const bool layer = layerOf(step, context.layers) >= 0;
-    return aboutPoint(layer ? MessageId::StepLayerHit : MessageId::StepPointHit, step, context);
+    if (step.as<subject::Layer>() != nullptr) return aboutPoint(MessageId::StepLayerHit, step, context);
+    const bool first = context.before != nullptr && context.before->decision == Decision::Start;
+    if (first && step.lambdaIn == 0) return aboutPoint(MessageId::StepOffsetHit, step, context);
+    // A search that ran out of steps answers with where it is.
+    const bool above = step.value < step.zOut();
+    return aboutPoint(above ? MessageId::StepPointGivenUp : MessageId::StepPointHit, step, context);
 }
 
 Message hitSentence(const Step& step, const StepContext& context) {
-    if (step.primitive == Primitive::Point) return pointHitSentence(step, context);
+    if (step.atPoint()) return pointHitSentence(step, context);
     const auto height = fixedText(1 - step.lambdaAfter, kHeightDecimals);
-    const bool atOnce = context.hierarchy && context.before &&
-                        (*context.before == Decision::Start || *context.before == Decision::Advance);
+    // Right after the start of a pyramid, or after going down to its highest point.
+    const Step* const before = context.before;
+    const bool atOnce = before != nullptr && before->phase == Phase::Start && ofTop(*before);
     if (atOnce) {
         return Message(MessageId::StepHitAtOnce, {{"i", step.i}, {"j", step.j}, {"after", height}});
     }
@@ -131,14 +183,6 @@ int tellingDecimals(double a, double b) {
     return decimals;
 }
 
-std::int64_t layerOf(const Step& step, int layers) {
-    // A layer's lambda is n / N, rounded once.
-    constexpr double kNear = 1e-9;
-    if (layers < 1 || step.primitive != Primitive::Point) return -1;
-    const double n = step.lambdaOut * layers;
-    return std::abs(n - std::round(n)) <= kNear * layers ? static_cast<std::int64_t>(std::round(n)) : -1;
-}
-
 Message decisionTitle(Decision decision) {
     constexpr std::array kTitles{MessageId::DecisionStart,  MessageId::DecisionSkip,    MessageId::DecisionDescend,
                                  MessageId::DecisionAscend, MessageId::DecisionAdvance, MessageId::DecisionTest,
@@ -148,69 +192,10 @@ Message decisionTitle(Decision decision) {
     return Message(kTitles[static_cast<std::size_t>(decision)]);
 }
 
-namespace {
-
-// The method, or the one inside it, that walks the maps.
-const MethodDescription& innermost(const MethodChoice& method) {
-    const MethodDescription* found = &findTracer(method.name);
-    for (const ChoiceOption& option : choiceOptions(method)) {
-        if (option.description.kind != OptionKind::Method) continue;
-        const auto given = method.options.find(option.description.name);
-        found = &findTracer(given == method.options.end() ? option.defaultValue : given->second);
-    }
-    return *found;
-}
-
-}  // namespace
-
-StepContext stepContext(const MethodChoice& method, const ViewRay& ray, const std::vector<Step>& steps,
-                        std::size_t index) {
-    const MethodDescription& description = findTracer(method.name);
-    StepContext context;
-    context.hierarchy =
-        std::find(description.maps.begin(), description.maps.end(), "max-pyramid") != description.maps.end();
-    if (index > 0) context.before = steps[index - 1].decision;
-    context.ray = ray;
-    for (const std::string& map : innermost(method).maps) {
-        context.slopes = context.slopes || map.find("cone") != std::string::npos;
-        context.distances = context.distances || map.starts_with("euclidean") || map.starts_with("refined");
-    }
-    // Of the method itself, or of the one inside it.
-    for (const ChoiceOption& option : choiceOptions(method)) {
-        const std::string& name = option.description.name;
-        if (name != "layers" && !name.ends_with(".layers")) continue;
-        const auto given = method.options.find(name);
-        const std::string& text = given == method.options.end() ? option.defaultValue : given->second;
-        context.layers = static_cast<int>(parseNumber(text, name));
-    }
-    return context;
-}
-
-namespace {
-
-// What a method that walks distances or cones says by its values; nothing where they are heights.
-std::optional<Message> mapSentence(const Step& step, const StepContext& context) {
-    if (!(context.distances || context.slopes) || step.level > 0 || step.phase != Phase::Search) return std::nullopt;
-    constexpr int kSlopeDecimals = 3;
-    if (step.decision == Decision::Advance) {
-        // A walk goes on from where it leaves the voxel or cell, a march from where it is.
-        const double at = step.primitive == Primitive::Point ? step.zIn() : step.zOut();
-        return Message(context.slopes ? MessageId::StepCone : MessageId::StepSphere,
-                       {{"at", fixedText(at, kHeightDecimals)},
-                        {"value", fixedText(step.value, context.slopes ? kSlopeDecimals : kTexelDecimals)},
-                        {"after", fixedText(1 - step.lambdaAfter, kHeightDecimals)}});
-    }
-    if (step.decision != Decision::Test) return std::nullopt;
-    return aboutTexel(context.slopes ? MessageId::StepTestApex : MessageId::StepTestVoxel, step);
-}
-
-}  // namespace
-
 Message stepSentence(const Step& step, const StepContext& context) {
-    if (const auto special = mapSentence(step, context)) return *special;
     switch (step.decision) {
         case Decision::Start:
-            return startSentence(step, context);
+            return startSentence(step);
         case Decision::Skip:
             return aboutTexel(MessageId::StepSkip, step);
         case Decision::Descend:
@@ -220,7 +205,7 @@ Message stepSentence(const Step& step, const StepContext& context) {
         case Decision::Advance:
             return advanceSentence(step, context);
         case Decision::Test:
-            return aboutTexel(MessageId::StepTest, step);
+            return testSentence(step);
         case Decision::Refine:
             return refineSentence(step, context);
         case Decision::Hit:
@@ -231,6 +216,11 @@ Message stepSentence(const Step& step, const StepContext& context) {
             return Message(MessageId::StepLimit, {{"out", fixedText(step.zOut(), kHeightDecimals)}});
     }
     return Message(MessageId::StepLimit, {{"out", fixedText(step.zOut(), kHeightDecimals)}});
+}
+
+Message stepSentence(const std::vector<Step>& steps, std::size_t index, const ViewRay& ray,
+                     const std::optional<Hit>& exact) {
+    return stepSentence(steps[index], {index > 0 ? &steps[index - 1] : nullptr, ray, exact});
 }
 
 }  // namespace relief

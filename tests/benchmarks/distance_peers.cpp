@@ -105,6 +105,7 @@ class Cell {
                  kReliefDepth),
           volume_(volumeOf(field_, layers)) {
         parameters_.layers = layers;
+        parameters_.to = DistanceTo::Voxel;  // as the peers measure
         contenders.push_back({"euclidean",
                               threads,
                               [this] { ours_ = buildDistanceMap(DistanceKind::Euclidean, parameters_, field_, work_); },

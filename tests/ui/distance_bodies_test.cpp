@@ -32,7 +32,7 @@ TEST_F(DistanceTest, SpheresAreCutByTheSlice) {
         int seen = 0;
         for (std::size_t k = 0; k < steps.size(); ++k) {
             const DistanceSource source = distanceSource(*snapshot(), {});
-            const StepBody body = stepBody(source.walk, *source.field, *source.maxima, source.ray, steps[k]);
+            const StepBody body = stepBody(steps[k]);
             if (!body || body.radius < 0.5) continue;
             // The tracer went on to where the ray leaves the sphere.
             const double perLambda = std::hypot(source.ray.a, source.ray.b, source.field->slabTexels());
@@ -75,7 +75,7 @@ TEST_F(DistanceTest, ConesEndWhereTheStepsDo) {
     const DistanceSource source = distanceSource(*snapshot(), {});
     int seen = 0;
     for (const relief::Step& step : snapshot()->trace.steps) {
-        const StepBody body = stepBody(source.walk, *source.field, *source.maxima, source.ray, step);
+        const StepBody body = stepBody(step);
         if (!body) continue;
         const double run = std::hypot(source.ray.a, source.ray.b);
         const double way = (step.lambdaAfter - body.lambda) * run;
@@ -114,7 +114,7 @@ TEST_F(DistanceTest, ConesAreCutFromTheSideAndFromAbove) {
         int cones = 0;
         for (std::size_t k = 0; k < snapshot()->trace.steps.size(); ++k) {
             const relief::Step& step = snapshot()->trace.steps[k];
-            const StepBody body = stepBody(source.walk, *source.field, *source.maxima, source.ray, step);
+            const StepBody body = stepBody(step);
             if (!body) continue;
             workspace_->chooseStep(static_cast<int>(k));
             show(options);

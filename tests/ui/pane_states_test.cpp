@@ -185,7 +185,7 @@ TEST_F(PaneStates, AClickOnASlabChoosesTheStep) {
     int clicked = 0;
     for (std::size_t k = 0; k < steps.size() && clicked < 3; ++k) {
         const relief::Step& step = steps[k];
-        if (step.level < 1 || step.primitive != relief::Primitive::Texel) continue;
+        if (step.level < 1 || step.as<relief::subject::Texel>() == nullptr) continue;
         const Box box = stepBox(snapshot()->request->field, step, snapshot()->trace.baseLevel);
         const LevelBlock& block = view->blocks()[static_cast<std::size_t>(step.level)];
         const Box seen = box.cut(block.domain);
@@ -251,9 +251,9 @@ TEST(PyramidMarks, VoxelsLieOverTheirCells) {
         const PyramidSource source = pyramidSource(*made, {relief::PyramidKind::Max, false});
         const RayPath path(made->request->field, made->trace.ray);
         for (const relief::Step& step : made->trace.steps) {
-            if (!liesInVoxel(source.walk, step)) continue;
+            if (!liesInVoxel(step)) continue;
             ++voxels;
-            const Box box = placeOf(source.walk, made->request->field, step);
+            const Box box = stepBox(made->request->field, step);
             EXPECT_NEAR(box.width(), 4, 1e-9);
             const Point at = path.at(std::clamp(step.lambdaIn, 0.0, 1.0));
             constexpr double kRounding = 1e-6;

@@ -39,9 +39,6 @@ struct Traced {
         source.ray = ray;
         source.hit = hits[0];
         source.steps = &log.steps;
-        const relief::MethodDescription& description = relief::findTracer(method.name);
-        source.atPoints = description.guarantee == relief::Guarantee::Approximate && description.maps.empty();
-        source.layers = method.options.count("layers") > 0 ? std::stoi(method.options.at("layers")) : 0;
     }
     relief::PyramidWalk walk() const { return {field, source.maxima}; }
 };

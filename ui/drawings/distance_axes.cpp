@@ -172,8 +172,9 @@ Drawing distanceLegend(const DistanceSource& source, const DistancePicture& pict
     if (!picture.frame.slopes) rows.line(Role::Surface, Message(MessageId::DrawSurface));
     if (!source.hasRay) return rows.take();
     rows.line(Role::Ray, Message(MessageId::DrawRay));
-    if (source.walk) {
-        rows.line(Role::Empty, Message(source.walk.cones ? MessageId::DrawEmptyCone : MessageId::DrawEmptySphere));
+    if (const StepBody::Kind bodies = bodiesOf(source.steps); bodies != StepBody::Kind::None) {
+        const bool cones = bodies == StepBody::Kind::Cone;
+        rows.line(Role::Empty, Message(cones ? MessageId::DrawEmptyCone : MessageId::DrawEmptySphere));
     }
     return rows.take();
 }

@@ -36,7 +36,6 @@ struct DistanceSource {
     relief::ViewRay ray;
     relief::Hit hit;
     const std::vector<relief::Step>* steps = nullptr;
-    MapWalk walk;
 };
 
 // Where what lies on the drawing, whose units are points.

@@ -125,7 +125,7 @@ Place3 stepPlace(const DistanceSource& source, int step) {
     if (source.steps == nullptr || source.steps->empty()) return placeOnRay(source, 0);
     const auto last = static_cast<int>(source.steps->size()) - 1;
     const relief::Step& s = (*source.steps)[static_cast<std::size_t>(std::clamp(step, 0, last))];
-    const StepBody body = stepBody(source.walk, *source.field, *source.maxima, source.ray, s);
+    const StepBody body = stepBody(s);
     if (body) return placeOnRay(source, std::clamp(body.lambda, 0.0, 1.0));
     return placeOnRay(source, std::clamp(s.decision == relief::Decision::Hit ? s.lambdaAfter : s.lambdaIn, 0.0, 1.0));
 }
@@ -137,11 +137,12 @@ std::optional<double> voxelMiddle(const DistanceSource& source, int step, SliceA
     if (!source.hasRay || source.steps == nullptr || source.steps->empty()) return std::nullopt;
     const auto last = static_cast<int>(source.steps->size()) - 1;
     const relief::Step& s = (*source.steps)[static_cast<std::size_t>(std::clamp(step, 0, last))];
-    if (!namesVoxel(source.walk, s)) return std::nullopt;
-    const VoxelBox box = voxelBox(source.walk, *source.field, s);
-    const double middle = axis == SliceAxis::X   ? box.sides.center().x
-                          : axis == SliceAxis::Y ? box.sides.center().y
-                                                 : (box.low + box.high) / 2 * source.field->slabTexels();
+    if (!liesInVoxel(s)) return std::nullopt;
+    const Box sides = stepBox(*source.field, s);
+    const VoxelHeights heights = voxelHeights(s);
+    const double middle = axis == SliceAxis::X   ? sides.center().x
+                          : axis == SliceAxis::Y ? sides.center().y
+                                                 : (heights.low + heights.high) / 2 * source.field->slabTexels();
     // The outermost cells of a clamped picture have no end.
     return std::isfinite(middle) ? std::optional(middle) : std::nullopt;
 }

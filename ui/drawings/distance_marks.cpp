@@ -58,7 +58,7 @@ class Marks {
     }
 
     void body(std::size_t k, Emphasis strength) {
-        const StepBody body = stepBody(source_.walk, *source_.field, *source_.maxima, source_.ray, step(k));
+        const StepBody body = stepBody(step(k));
         if (!body) return;
         const Place3 center = placeOnRay(source_, body.lambda);
         if (body.kind == StepBody::Kind::Sphere) {
@@ -214,7 +214,7 @@ class Marks {
                      emphasis(k));
         if (k != chosen_) return;
         drawing_.add(stepId(k), Role::Highlight, Rectangle{{at.x, at.y, at.x, at.y}, false, 0, 13});
-        const StepBody body = stepBody(source_.walk, *source_.field, *source_.maxima, source_.ray, s);
+        const StepBody body = stepBody(s);
         if (body) return;
         Label label{at, plainText(std::to_string(k + 1)), Anchor::Left, kNumberSize, {9, 0}, true, false, {}};
         drawing_.add({}, roleOf(s.decision), std::move(label), Emphasis::Strong);

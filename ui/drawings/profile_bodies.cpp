@@ -23,7 +23,7 @@ class Bodies {
         : drawing_(drawing), source_(source), frame_(frame) {}
 
     void add(std::size_t k, bool chosen) {
-        const StepBody body = stepBody(source_.walk, *source_.field, *source_.maxima, source_.ray, (*source_.steps)[k]);
+        const StepBody body = stepBody((*source_.steps)[k]);
         if (!body || body.lambda > frame_.lambdaEnd) return;
         body.kind == StepBody::Kind::Sphere ? sphere(k, body, chosen) : cone(k, body, chosen);
     }
@@ -103,7 +103,7 @@ class Bodies {
 
 void addBodies(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame, std::size_t chosen) {
     // Over the descent, a sphere has no width.
-    if (!source.walk || frame.vertical || source.field->slabTexels() <= 0) return;
+    if (frame.vertical || source.field->slabTexels() <= 0) return;
     Bodies bodies(drawing, source, frame);
     const std::size_t first = chosen > kMost ? chosen - kMost : 0;
     const std::size_t last = std::min(source.steps->size(), chosen + kMost);

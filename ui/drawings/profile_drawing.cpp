@@ -87,7 +87,7 @@ void addPlateaus(Drawing& drawing, const ProfileSource& source, const relief::Py
     std::set<TexelName> visited;
     if (source.steps != nullptr) {
         for (std::size_t k = 0; k < source.steps->size(); ++k) {
-            if (stepShape(source, k) == StepShape::Plateau) visited.insert(nameOf((*source.steps)[k]));
+            if (stepShape((*source.steps)[k]) == StepShape::Plateau) visited.insert(nameOf((*source.steps)[k]));
         }
     }
     const SliceRange range = sliceRange(frame);
@@ -115,10 +115,11 @@ void addPlateaus(Drawing& drawing, const ProfileSource& source, const relief::Py
 
 void addLayers(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame) {
     constexpr double kClosest = 5;  // points
-    const double gap = frame.plot.height() / (frame.high - frame.low) / std::max(source.layers, 1);
+    const int layers = source.layers();
+    const double gap = frame.plot.height() / (frame.high - frame.low) / std::max(layers, 1);
     const auto every = std::max<std::int64_t>(1, std::llround(std::ceil(kClosest / (gap * frame.zoom))));
-    for (std::int64_t n = 0; n <= source.layers && source.layers > 0; n += every) {
-        const double height = 1 - static_cast<double>(n) / source.layers;
+    for (std::int64_t n = 0; n <= layers && layers > 0; n += every) {
+        const double height = 1 - static_cast<double>(n) / layers;
         if (height < frame.low) break;
         drawing.add({ItemKind::Layer, 0, n, 0}, Role::Layer,
                     Polyline{{{frame.plot.x0, frame.yAt(height)}, {frame.plot.x1, frame.yAt(height)}}, false},
@@ -128,29 +129,41 @@ void addLayers(Drawing& drawing, const ProfileSource& source, const ProfileFrame
 
 }  // namespace
 
-StepShape stepShape(const ProfileSource& source, std::size_t step) {
-    const relief::Step& s = (*source.steps)[step];
-    if (s.phase == Phase::Refine) return StepShape::Point;
-    if (source.walk && s.level == 0) {
-        if (s.phase == Phase::Search && s.decision == Decision::Advance) return StepShape::Body;
-        const bool apex = valueIsHeight(source.walk, s) && !source.walk.interpolated;
-        return apex && s.decision != Decision::Start ? StepShape::Plateau : StepShape::Mark;
+bool ProfileSource::atPoints() const {
+    return steps != nullptr && std::all_of(steps->begin(), steps->end(), [](const relief::Step& s) {
+               return s.as<relief::subject::Point>() != nullptr || s.as<relief::subject::Layer>() != nullptr;
+           });
+}
+
+int ProfileSource::layers() const {
+    if (steps == nullptr) return 0;
+    for (const relief::Step& s : *steps) {
+        if (const auto* const layer = s.as<relief::subject::Layer>()) return layer->count;
     }
-    if (s.phase == Phase::Search && s.decision == Decision::Advance) return StepShape::Layer;
-    if (s.decision == Decision::Start || !source.atPoints) return StepShape::Plateau;
-    return StepShape::Point;
+    return 0;
+}
+
+StepShape stepShape(const relief::Step& s) {
+    if (s.phase == Phase::Refine) return StepShape::Point;
+    if (s.trustsMap()) return StepShape::Body;
+    const bool ends =
+        s.decision == Decision::Start || s.decision == Decision::Miss || s.decision == Decision::Limit;
+    if (ends && s.level == 0) return StepShape::Mark;
+    if (s.as<relief::subject::Voxel>() != nullptr || s.as<relief::subject::Sphere>() != nullptr) return StepShape::Mark;
+    if (!s.atPoint()) return StepShape::Plateau;
+    return s.decision == Decision::Advance ? StepShape::Layer : StepShape::Point;
 }
 
 std::vector<int> profileLevels(const ProfileSource& source, const ProfileOptions& options) {
     std::set<int> levels;
     if (options.levels == LevelsShown::All) {
         for (int l = 0; l < source.maxima->pyramid.levels(); ++l) levels.insert(l);
-    } else if (options.levels == LevelsShown::Visited && source.steps != nullptr && !source.atPoints) {
+    } else if (options.levels == LevelsShown::Visited && source.steps != nullptr && !source.atPoints()) {
         for (std::size_t k = 0; k < source.steps->size(); ++k) {
-            // The apex of a cone is the maximum of no texel.
             const relief::Step& step = (*source.steps)[k];
-            const bool maximum = !source.walk || step.level > 0;
-            if (maximum && stepShape(source, k) == StepShape::Plateau) levels.insert(step.level);
+            // The apex of a cone is the maximum of no texel.
+            const bool maximum = step.as<relief::subject::Texel>() != nullptr;
+            if (maximum && stepShape(step) == StepShape::Plateau) levels.insert(step.level);
         }
     }
     return {levels.begin(), levels.end()};
@@ -227,11 +240,13 @@ Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options
         rows.line(Role::Plateau, what, {level, levels}, kShort);
         first = false;
     }
-    if (source.walk && runOf(source.ray) >= kVerticalRun) {
-        rows.line(Role::Empty, Message(source.walk.cones ? MessageId::DrawEmptyCone : MessageId::DrawEmptySphere));
+    const StepBody::Kind bodies = bodiesOf(source.steps);
+    if (bodies != StepBody::Kind::None && runOf(source.ray) >= kVerticalRun) {
+        const bool cones = bodies == StepBody::Kind::Cone;
+        rows.line(Role::Empty, Message(cones ? MessageId::DrawEmptyCone : MessageId::DrawEmptySphere));
     }
-    if (source.layers > 0) rows.line(Role::Layer, Message(MessageId::DrawLayer));
-    if (source.atPoints) {
+    if (source.layers() > 0) rows.line(Role::Layer, Message(MessageId::DrawLayer));
+    if (source.atPoints()) {
         const Message read(MessageId::DrawSample);
         const Point at = rows.place(LegendRows::kSign + rows.textRoom(read) + LegendRows::kBetween);
         rows.add(Role::Sample, Marker{{at.x + 5, at.y}, Shape::Dot, 5});

@@ -26,9 +26,11 @@ struct ProfileSource {
     relief::ViewRay ray;
     relief::Hit hit;
     const std::vector<relief::Step>* steps = nullptr;
-    bool atPoints = false;  // the method looks at points of the ray only (offset, layers), not at cells
-    int layers = 0;         // into which it cuts the slab; 0: it does not
-    MapWalk walk;           // the map of distances or cones that it walks
+
+    // Whether its steps looked at the surface at points of the ray only, not at cells and not at a map.
+    bool atPoints() const;
+    // Equal layers that they cut the slab into; 0: they do not.
+    int layers() const;
 };
 
 // Of which levels the maxima are shown: of those that the log names, of all.
@@ -45,7 +47,7 @@ struct ProfileOptions {
 // How a log's steps are shown; the decision gives colour and shape. The next kinds of method add theirs. Body: an empty
 // sphere or cone. Mark: nothing but its mark on the ray.
 enum class StepShape : std::uint8_t { Plateau, Point, Layer, Body, Mark };
-StepShape stepShape(const ProfileSource& source, std::size_t step);
+StepShape stepShape(const relief::Step& step);
 
 // Where what lies on the drawing. `visible` is the part that is seen, `zoom` points of the screen a unit of it: what is
 // thinned out, and where the axes stand, depends on them.

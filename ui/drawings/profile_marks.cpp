@@ -121,7 +121,7 @@ class Marks {
         label.offset = {0, -7};
         label.size = 0.85;
         drawing_.add({}, Role::Label, std::move(label), Emphasis::Strong);
-        if (stepShape(source_, chosen_) != StepShape::Plateau || s.value < frame_.low) return;
+        if (stepShape(s) != StepShape::Plateau || s.value < frame_.low) return;
         // The maximum that decided, where it did.
         drawing_.items.push_back({{},
                                   Role::Plateau,
@@ -167,10 +167,10 @@ class Marks {
     // The heights that were read, joined to the ray where they were compared with it.
     void samples() {
         std::size_t drawn = 0;
-        const bool single = source_.atPoints && source_.steps->size() <= 2;
+        const bool single = source_.atPoints() && source_.steps->size() <= 2;
         for (std::size_t k = 0; k < source_.steps->size() && drawn < kMostSamples; ++k) {
             const relief::Step& s = step(k);
-            const StepShape shape = stepShape(source_, k);
+            const StepShape shape = stepShape(s);
             const bool read = shape == StepShape::Point || shape == StepShape::Layer;
             if (!read || s.decision == Decision::Miss || s.decision == Decision::Limit) continue;
             // A single height is read where the ray enters.
@@ -285,7 +285,7 @@ class Marks {
     bool mark(std::size_t k, bool always) {
         const relief::Step& s = step(k);
         if (s.decision == Decision::Hit && isHit()) return false;  // the ring
-        const StepBody body = stepBody(source_.walk, *source_.field, *source_.maxima, source_.ray, s);
+        const StepBody body = stepBody(s);
         const double lambda = body ? body.lambda : markLambda(s, frame_.lambdaEnd);
         if (!(lambda <= frame_.lambdaEnd)) return false;
         const Point on = frame_.onRay(lambda);

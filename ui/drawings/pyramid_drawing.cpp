@@ -135,7 +135,7 @@ class Marks {
         if (s.level < 0 || s.level >= static_cast<int>(blocks_.size())) return {};
         const LevelBlock& block = blocks_[static_cast<std::size_t>(s.level)];
         std::vector<Box> boxes =
-            wrapped(placeOf(source_.walk, *source_.field, s, source_.baseLevel), block.domain, wraps_);
+            wrapped(stepBox(*source_.field, s, source_.baseLevel), block.domain, wraps_);
         for (Box& box : boxes) box = block.toDrawing(box);
         return boxes;
     }
@@ -146,7 +146,7 @@ class Marks {
         std::map<Texel, Visit> visits;
         for (std::size_t k = first; k < last; ++k) {
             const relief::Step& s = step(k);
-            Visit& visit = visits[{liesInVoxel(source_.walk, s), s.level, s.i, s.j}];
+            Visit& visit = visits[{liesInVoxel(s), s.level, s.i, s.j}];
             visit.steps.push_back(k);
             for (const Box& box : boxesOf(s)) {
                 visit.box = box;

@@ -25,7 +25,6 @@ struct PyramidSource {
     relief::ViewRay ray;
     relief::Hit hit;
     const std::vector<relief::Step>* steps = nullptr;
-    MapWalk walk;          // whose voxels some of the steps are about
     bool nearRay = false;  // only the surroundings of the ray, on all levels, if it is not longer than the texture
 };
 

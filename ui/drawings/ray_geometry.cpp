@@ -12,13 +12,23 @@ RayPath::RayPath(const relief::HeightField& field, const relief::ViewRay& ray) {
 }
 
 Box stepBox(const relief::HeightField& field, const relief::Step& step, int baseLevel) {
-    if (step.primitive == relief::Primitive::Point) {
-        // Points are named by the texel that holds them, not by the cell.
+    if (const auto* const quad = step.as<relief::subject::Quad>()) {
+        return {quad->s, quad->t, quad->s + quad->width, quad->t + quad->height};
+    }
+    if (step.namesTexelUnderRay()) {
         const auto x = static_cast<double>(step.i + step.periodX * field.width());
         const auto y = static_cast<double>(step.j + step.periodY * field.height());
         return {x, y, x + 1, y + 1};
     }
+    const auto* const voxel = step.tests() ? nullptr : step.as<relief::subject::Voxel>();
     const auto side = [&](int texels, std::int64_t name, std::int64_t period, double& low, double& high) {
+        if (voxel != nullptr) {
+            const relief::GridAxis axis(texels, field.surface(), field.address());
+            const auto first = static_cast<int>(name) * voxel->footprint;
+            low = axis.edge(first, period * axis.cells) - axis.shift;
+            high = axis.edge(std::min(first + voxel->footprint, axis.cells), period * axis.cells) - axis.shift;
+            return;
+        }
         int base = texels;
         for (int level = 0; level < baseLevel; ++level) base = (base + 1) / 2;
         const relief::GridAxis axis(base, field.surface(), field.address());

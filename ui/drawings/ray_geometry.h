@@ -19,8 +19,8 @@ struct RayPath {
     Point at(double lambda) const { return {start.x + lambda * run.x, start.y + lambda * run.y}; }
 };
 
-// The texel of a pyramid (or the cell, or the texel that holds the point) that a step is about. Sides that have no end
-// (clamp) are infinite.
+// What a step is about, as seen from above: texel of a pyramid, cell, voxel, quad, or the texel that holds the point.
+// Sides that have no end (clamp) are infinite.
 // baseLevel: what the method traced instead of the heights; its texels need not be whole texels of the field.
 Box stepBox(const relief::HeightField& field, const relief::Step& step, int baseLevel = 0);
 

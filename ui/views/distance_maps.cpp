@@ -26,13 +26,14 @@ bool fits(const relief::OptionDescription& option, const std::string& text) {
 
 std::string shownKind(const DistanceOptions& options, const Snapshot& snapshot) {
     if (!options.kind.empty()) return options.kind;
-    const MapWalk walk = walkedMap(snapshot.scenario.method);
-    return walk ? walk.kind : relief::mapKinds().front();
+    const auto used = relief::usedMap(snapshot.scenario.method);
+    return used ? used->kind : relief::mapKinds().front();
 }
 
 std::vector<MapOptions> mapOptions(const DistanceOptions& options, const Snapshot& snapshot) {
     std::vector<MapOptions> all;
-    relief::OptionValues wanted = walkedMap(snapshot.scenario.method).options;
+    const auto used = relief::usedMap(snapshot.scenario.method);
+    relief::OptionValues wanted = used ? used->options : relief::OptionValues{};
     for (const std::string& kind : {shownKind(options, snapshot), options.minus}) {
         if (kind.empty()) continue;
         const relief::MethodDescription& method = relief::findTracer(relief::methodOfMap(kind));
@@ -79,7 +80,6 @@ DistanceSource distanceSource(const Snapshot& snapshot, const DistanceMaps& maps
     source.ray = snapshot.trace.ray;
     source.hit = snapshot.trace.hit;
     source.steps = &snapshot.trace.steps;
-    source.walk = walkedMap(snapshot.scenario.method);
     return source;
 }
 

@@ -17,8 +17,6 @@ DuelSource Duel::source() const {
     DuelSource out;
     out.profile = profileSource(*snapshot);
     out.profile.steps = nullptr;
-    out.profile.layers = 0;
-    out.profile.walk = {};
     out.profile.hit = exact;
     for (const relief::DuelRun& run : runs) {
         const bool farther =
@@ -74,20 +72,20 @@ std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,
         relief::HitBlock hits;
         relief::StepLog log;
         relief::makeTracer(method, field, *snapshot->maps, work)->trace(rays, hits, log, work);
-        duel->runs.push_back({nameOf(method), relief::walksMap(method), hits[0], std::move(log.steps)});
+        duel->runs.push_back({nameOf(method), hits[0], std::move(log.steps)});
     };
     if (shown.fromFile) {
         trace(snapshot->scenario.method);
     } else {
         const relief::MethodChoice& method = snapshot->scenario.method;
-        duel->runs.push_back({nameOf(method), relief::walksMap(method), shown.hit, shown.steps});
+        duel->runs.push_back({nameOf(method), shown.hit, shown.steps});
     }
     for (const relief::MethodChoice& rival : rivals) {
         if (relief::supports(rival, field.surface(), field.address())) trace(rival);
     }
     if (snapshot->other) {
         const std::string name = std::filesystem::path(snapshot->scenario.other.steps).filename().string();
-        duel->runs.push_back({name, false, snapshot->other->hit, snapshot->other->steps});
+        duel->runs.push_back({name, snapshot->other->hit, snapshot->other->steps});
     }
     for (const relief::DuelRun& run : duel->runs) {
         duel->judgements.push_back(relief::judge(run, duel->exact, shown.ray, field));

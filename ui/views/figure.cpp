@@ -238,7 +238,6 @@ PyramidSource pyramidSource(const Snapshot& s, const PyramidOptions& options) {
     source.hit = s.trace.hit;
     source.steps = &s.trace.steps;
     source.baseLevel = s.trace.baseLevel;
-    source.walk = walkedMap(s.scenario.method);
     source.nearRay = options.nearRay;
     return source;
 }
@@ -251,17 +250,6 @@ ProfileSource profileSource(const Snapshot& s) {
     source.ray = s.trace.ray;
     source.hit = s.trace.hit;
     source.steps = &s.trace.steps;
-    source.walk = walkedMap(s.scenario.method);
-    for (const relief::MethodDescription& method : relief::tracerList()) {
-        if (method.name != s.scenario.method.name) continue;
-        source.atPoints = method.guarantee == relief::Guarantee::Approximate && method.maps.empty();
-        if (source.walk) continue;  // layers of voxels are looked at in none
-        // Whatever method has layers says so by an option of this name.
-        const auto standard = method.defaults.find("layers");
-        if (standard == method.defaults.end()) continue;
-        const auto chosen = s.scenario.method.options.find("layers");
-        source.layers = std::stoi(chosen == s.scenario.method.options.end() ? standard->second : chosen->second);
-    }
     return source;
 }
 

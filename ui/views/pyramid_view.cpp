@@ -263,14 +263,13 @@ void PyramidView::choose(const ItemId& id) {
     if (at == nullptr) return;
     const auto& steps = shown_->trace.steps;
     const auto count = static_cast<std::int64_t>(steps.size());
-    const MapWalk walk = walkedMap(shown_->scenario.method);
     // Of all steps on this texel, the next one after the current, round and round.
     const std::int64_t current = std::clamp<std::int64_t>(workspace_->scenario().step, 0, count - 1);
     for (std::int64_t n = 1; n <= count; ++n) {
         const std::int64_t k = (current + n) % count;
         const relief::Step& step = steps[static_cast<std::size_t>(k)];
         if (step.level == at->level && step.i == at->i && step.j == at->j &&
-            liesInVoxel(walk, step) == liesInVoxel(walk, *at)) {
+            liesInVoxel(step) == liesInVoxel(*at)) {
             workspace_->chooseStep(static_cast<int>(k));
             return;
         }
@@ -294,7 +293,7 @@ QString PyramidView::reading(Point drawing) const {
 QString PyramidView::textOf(const PyramidPart& part, const ItemId& id) const {
     ItemId texel = id;
     if (const relief::Step* const step = stepOf(id)) {
-        if (liesInVoxel(part.source.walk, *step)) {
+        if (liesInVoxel(*step)) {
             return tr("step %1 · voxel (%2, %3, %4)").arg(id.i + 1).arg(step->i).arg(step->j).arg(step->k);
         }
         texel = {ItemKind::Texel, step->level, step->i, step->j};

@@ -307,8 +307,7 @@ void StepTable::followStep(int step) {
     table_->setCurrentIndex(indexOf(row));
     table_->scrollTo(indexOf(row));
     following_ = false;
-    const relief::StepContext context = relief::stepContext(snapshot->scenario.method, trace.ray, trace.steps, at);
-    const relief::Message message = relief::stepSentence(trace.steps[at], context);
+    const relief::Message message = relief::stepSentence(trace.steps, at, trace.ray, trace.exact);
     sentence_->setText(QString::fromStdString(relief::sentence(message, language)));
 }
 

@@ -73,9 +73,7 @@ TableSource stepTable(const Snapshot& snapshot, relief::Language language) {
         row.mark = steps[k].decision;
         table.rows.push_back(std::move(row));
     }
-    const relief::StepContext context =
-        relief::stepContext(snapshot.scenario.method, snapshot.trace.ray, steps, chosen);
-    table.below = relief::sentence(relief::stepSentence(steps[chosen], context), language);
+    table.below = relief::sentence(relief::stepSentence(steps, chosen, snapshot.trace.ray, snapshot.trace.exact), language);
     return table;
 }
 

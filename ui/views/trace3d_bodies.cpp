@@ -151,24 +151,21 @@ Place aboveBody(const TraceScene& scene, const Snapshot& snapshot, const StepBod
     return at;
 }
 
-std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const Snapshot& snapshot, const MapWalk& walk,
-                                                 std::size_t chosen, const Style& style, double radius) {
+std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const Snapshot& snapshot, std::size_t chosen,
+                                                 const Style& style, double radius) {
     std::vector<vtkSmartPointer<vtkActor>> marks;
     const std::vector<relief::Step>& steps = snapshot.trace.steps;
-    if (!walk || !snapshot.maxima || chosen >= steps.size()) return marks;
+    if (chosen >= steps.size()) return marks;
     const Bodies bodies(scene, snapshot, style, radius);
-    const auto bodyOf = [&](std::size_t k) {
-        return stepBody(walk, snapshot.request->field, *snapshot.maxima, snapshot.trace.ray, steps[k]);
-    };
     Tubes earlier;
     for (std::size_t k = chosen > kMostOutlines ? chosen - kMostOutlines : 0; k < chosen; ++k) {
-        if (const StepBody body = bodyOf(k)) bodies.outline(earlier, body, 0.22);
+        if (const StepBody body = stepBody(steps[k])) bodies.outline(earlier, body, 0.22);
     }
     auto faint = actorOf(earlier.take());
     lightLittle(faint);
     faint->GetProperty()->SetOpacity(kFaint);
     marks.push_back(faint);
-    const StepBody body = bodyOf(chosen);
+    const StepBody body = stepBody(steps[chosen]);
     if (!body) return marks;
     Tubes strong;
     bodies.outline(strong, body, 0.6);

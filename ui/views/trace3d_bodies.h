@@ -13,8 +13,8 @@
 
 namespace reliefui {
 
-std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const Snapshot& snapshot, const MapWalk& walk,
-                                                 std::size_t chosen, const Style& style, double radius);
+std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const Snapshot& snapshot, std::size_t chosen,
+                                                 const Style& style, double radius);
 
 // Where words about it stand: above it.
 Place aboveBody(const TraceScene& scene, const Snapshot& snapshot, const StepBody& body);

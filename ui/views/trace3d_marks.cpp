@@ -130,22 +130,24 @@ vtkSmartPointer<vtkActor> TraceMarks::shadow() const {
     return actor;
 }
 
-TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const MapWalk& walk,
-                                    const relief::MaxPyramidMap& maxima) const {
+TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const relief::MaxPyramidMap& maxima) const {
     const auto z = [&](double height) { return std::max(scene_.bottom, std::min(height, 1.0) * scene_.scale); };
-    if (namesVoxel(walk, step)) {
-        const VoxelBox voxel = voxelBox(walk, field_, step);
-        return {voxel.sides, z(voxel.low), z(voxel.high), paint_.color(step, style_)};
+    const Box sides = stepBox(field_, step, scene_.baseLevel);
+    if (liesInVoxel(step)) {
+        const VoxelHeights heights = voxelHeights(step);
+        return {sides, z(heights.low), z(heights.high), paint_.color(step, style_)};
     }
     double height = step.value;
-    if (walk && step.level == 0 && !valueIsHeight(walk, step)) {
+    if (const auto* const texel = step.as<relief::subject::Texel>()) {
+        height = texel->maximum;
+    } else if (!valueIsHeight(step)) {
         const relief::CellGrid grid(field_);
         const relief::FloatImage& cells = maxima.pyramid.level(0);
         const auto i = static_cast<int>(std::clamp<std::int64_t>(step.i - grid.x.firstName, 0, cells.width() - 1));
         const auto j = static_cast<int>(std::clamp<std::int64_t>(step.j - grid.y.firstName, 0, cells.height() - 1));
         height = static_cast<double>(cells(i, j));
     }
-    return {placeOf(walk, field_, step, scene_.baseLevel), scene_.bottom, z(height), paint_.color(step, style_)};
+    return {sides, scene_.bottom, z(height), paint_.color(step, style_)};
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::box(const Prism& prism) const {

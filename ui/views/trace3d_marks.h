@@ -40,7 +40,7 @@ class TraceMarks {
         double high = 0;  // Z
         Rgba color;
     };
-    Prism prism(const relief::Step& step, const MapWalk& walk, const relief::MaxPyramidMap& maxima) const;
+    Prism prism(const relief::Step& step, const relief::MaxPyramidMap& maxima) const;
     vtkSmartPointer<vtkActor> box(const Prism& prism) const;
     vtkSmartPointer<vtkActor> boxEdges(const Prism& prism) const;
     // A ring that faces the eye, before what it lies on.

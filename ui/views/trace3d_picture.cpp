@@ -37,7 +37,7 @@ void addLight(vtkRenderer* renderer) {
 }
 
 // The number of the step, and what it read.
-QString stepWords(const relief::Step& step, const StepBody& body, const MapWalk& walk, std::size_t number) {
+QString stepWords(const relief::Step& step, const StepBody& body, std::size_t number) {
     const QString value = QString::fromStdString(relief::fixedText(step.value, 3));
     constexpr double kNone = 0.005;  // texels
     if (body.kind == StepBody::Kind::Sphere && body.radius < kNone) return QString::number(number + 1);
@@ -48,8 +48,8 @@ QString stepWords(const relief::Step& step, const StepBody& body, const MapWalk&
     }
     if (body.kind == StepBody::Kind::Cone) return Trace3dView::tr("%1: cone of slope %2").arg(number + 1).arg(value);
     const bool ends = step.decision == relief::Decision::Start || step.decision == relief::Decision::Miss;
-    if (!valueIsHeight(walk, step)) return QString::number(number + 1);
-    if (step.primitive == relief::Primitive::Texel) {
+    if (!valueIsHeight(step)) return QString::number(number + 1);
+    if (!step.atPoint()) {
         return Trace3dView::tr("%1: level %2, %3").arg(number + 1).arg(step.level).arg(value);
     }
     return ends ? QString::number(number + 1) : Trace3dView::tr("%1: surface at %2").arg(number + 1).arg(value);
@@ -231,22 +231,17 @@ void TracePicture::addStep(const relief::Step& step, std::size_t number) {
         stepProps_.push_back(marks.stretches(shown_->trace.steps, number, later));
     }
     if (step.lambdaOut > step.lambdaIn) stepProps_.push_back(marks.stretch(step));
-    const MapWalk walk = walkedMap(shown_->scenario.method);
-    const relief::HeightField& field = shown_->request->field;
-    if (step.primitive == relief::Primitive::Texel) {
-        const TraceMarks::Prism prism = marks.prism(step, walk, *shown_->maxima);
+    if (!step.atPoint()) {
+        const TraceMarks::Prism prism = marks.prism(step, *shown_->maxima);
         stepProps_.push_back(marks.box(prism));
         stepProps_.push_back(marks.boxEdges(prism));
     }
-    for (const auto& mark : bodyMarks(*scene_, *shown_, walk, number, style, marks.radius())) {
+    for (const auto& mark : bodyMarks(*scene_, *shown_, number, style, marks.radius())) {
         stepProps_.push_back(mark);
     }
-    const StepBody body = stepBody(walk, field, *shown_->maxima, shown_->trace.ray, step);
-    const QString words = stepWords(step, body, walk, number);
-    // Samples of layers are shown as sheets; those of a map have their spheres or cones.
-    const std::vector<relief::Step> none;
-    for (const auto& mark :
-         sampleMarks(*scene_, walk.interpolated ? none : shown_->trace.steps, number, paint(), style, marks.radius())) {
+    const StepBody body = stepBody(step);
+    const QString words = stepWords(step, body, number);
+    for (const auto& mark : sampleMarks(*scene_, shown_->trace.steps, number, paint(), style, marks.radius())) {
         stepProps_.push_back(mark);
     }
     stepProps_.push_back(marks.words(body ? aboveBody(*scene_, *shown_, body) : marks.labelPlace(step),

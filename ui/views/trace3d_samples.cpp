@@ -14,10 +14,9 @@ namespace {
 constexpr double kOutside = 0.003;  // of the scene's diagonal
 
 using relief::Decision;
-using relief::Primitive;
 
 bool isPoint(const relief::Step& step) {
-    return step.primitive == Primitive::Point;
+    return step.as<relief::subject::Point>() != nullptr || step.as<relief::subject::Layer>() != nullptr;
 }
 
 // A look at a layer: the next sample of a search.
@@ -110,7 +109,9 @@ std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, cons
                                                    double radius) {
     constexpr std::size_t kMostStems = 200;
     std::vector<vtkSmartPointer<vtkActor>> marks;
-    if (std::none_of(steps.begin(), steps.end(), isPoint)) return marks;
+    // The steps of a map's distances and cones are shown by these.
+    const bool trusts = std::any_of(steps.begin(), steps.end(), [](const relief::Step& s) { return s.trustsMap(); });
+    if (trusts || std::none_of(steps.begin(), steps.end(), isPoint)) return marks;
     std::vector<double> lambdas = sheetLambdas(steps, chosen);
     // What lies under the foot of the block is not seen.
     std::erase_if(lambdas, [&](double lambda) { return (1 - lambda) * scene.scale < scene.bottom; });

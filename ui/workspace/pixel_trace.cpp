@@ -33,8 +33,8 @@ relief::Hit exactHit(const relief::ViewRay& ray, const relief::HeightField& fiel
     return hits[0];
 }
 
-void judgeIt(PixelTrace& out, const std::string& name, bool walksMap, const relief::HeightField& field) {
-    const relief::DuelRun run{name, walksMap, out.hit, out.steps};
+void judgeIt(PixelTrace& out, const std::string& name, const relief::HeightField& field) {
+    const relief::DuelRun run{name, out.hit, out.steps};
     out.judgement = relief::judge(run, out.exact, out.ray, field);
 }
 
@@ -81,7 +81,7 @@ RayTraces traceRay(const relief::Scenario& scenario, const relief::FrameRequest&
         auto other = std::make_shared<PixelTrace>(*fileTrace(scenario.other, *files, request.field));
         other->pixel = own.pixel;
         other->exact = exactHit(other->ray, request.field, maps, work);
-        judgeIt(*other, scenario.other.steps, false, request.field);
+        judgeIt(*other, scenario.other.steps, request.field);
         own.ray = other->ray;
         out.other = other;
         out.otherRays = files->rays.size();
@@ -100,7 +100,7 @@ RayTraces traceRay(const relief::Scenario& scenario, const relief::FrameRequest&
     }
     trace(own, tracer, work);
     own.exact = exactHit(own.ray, request.field, maps, work);
-    judgeIt(own, scenario.method.name, relief::walksMap(scenario.method), request.field);
+    judgeIt(own, scenario.method.name, request.field);
     out.shown = std::move(own);
     return out;
 }

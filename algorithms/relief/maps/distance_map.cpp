@@ -11,6 +11,7 @@
 #include "relief/maps/lower_envelope.h"
 #include "relief/maps/map_memory.h"
 #include "relief/maps/refined.h"
+#include "relief/maps/surface_distance.h"
 #include "relief/maps/window_lanes.h"
 
 namespace relief {
@@ -19,6 +20,8 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kKindNames{"euclidean", "euclidean-conservative", "refined-sampled",
                                                      "refined"};
+
+constexpr std::array<std::string_view, 2> kToNames{"surface", "voxel"};
 
 int voxelsAcross(int cells, int footprint) {
     return (cells + footprint - 1) / footprint;
@@ -47,9 +50,34 @@ float* plane(std::vector<float>& values, const Shape& shape, int layer) {
            static_cast<std::size_t>(layer) * static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny);
 }
 
+// From each voxel's centre to the surface. From the row before, and the layer below, a distance is known that is not
+// exceeded by more than the way between the centres.
+void toSurface(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
+    MapCache own;
+    const SurfaceDistance distance(field, maxPyramidMap(field, own, work));
+    const double across = static_cast<double>(field.width()) / shape.nx;
+    const double along = static_cast<double>(field.height()) / shape.ny;
+    const double up = field.slabTexels() / map.layers();
+    parallelFor(work, shape.ny, [&](int y) {
+        constexpr double kNone = std::numeric_limits<double>::infinity();
+        for (int x = 0; x < shape.nx; ++x) {
+            double below = kNone;
+            for (int k = 0; k < map.layers(); ++k) {
+                float* const row = plane(values, shape, k) + static_cast<std::size_t>(y) * static_cast<std::size_t>(shape.nx);
+                const double beside = x > 0 ? static_cast<double>(row[x - 1]) + across : kNone;
+                constexpr double kRounding = 1e-4;  // texels: of the floats
+                const double known = std::min(below + up, beside) + kRounding;
+                below = distance.at((x + 0.5) * across, (y + 0.5) * along, map.centreZ(k), known);
+                row[x] = static_cast<float>(below);
+            }
+        }
+        work.progress().advance();
+    });
+}
+
 // A voxel is solid if its centre is not above the surface; below the slab all is solid. The distance of a voxel is that
-// of its centre to the nearest solid centre, as in Donnelly's volume.
-void euclidean(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
+// of its centre to the nearest solid centre.
+void toVoxel(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
     const int layers = map.layers();
     Image<int> top(shape.nx, shape.ny);  // the highest solid layer
     parallelFor(work, shape.ny, [&](int y) {
@@ -116,6 +144,19 @@ void euclideanConservative(DistanceMap& map, const Shape& shape, const CellHeigh
 
 std::string_view distanceKindName(DistanceKind kind) {
     return kKindNames[static_cast<std::size_t>(kind)];
+}
+
+std::string_view distanceToName(DistanceTo to) {
+    return kToNames[static_cast<std::size_t>(to)];
+}
+
+DistanceTo parseDistanceTo(std::string_view text) {
+    for (std::size_t n = 0; n < kToNames.size(); ++n) {
+        if (kToNames[n] == text) return static_cast<DistanceTo>(n);
+    }
+    throw InputError("--set", Message(MessageId::UnknownName, {{"what", "target of distances"},
+                                                               {"name", std::string(text)},
+                                                               {"known", "surface, voxel"}}));
 }
 
 int azimuthSector(double x, double y, int sectors) {
@@ -250,10 +291,12 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
     }
     std::vector<float> values(static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny) *
                               static_cast<std::size_t>(shape.planes));
-    work.progress().begin(std::string("map ") + std::string(distanceKindName(kind)), map.layers());
+    const bool byRows = kind == DistanceKind::Euclidean && parameters.to == DistanceTo::Surface;
+    work.progress().begin(std::string("map ") + std::string(distanceKindName(kind)), byRows ? shape.ny : map.layers());
     switch (kind) {
         case DistanceKind::Euclidean:
-            euclidean(map, shape, field, values, work);
+            parameters.to == DistanceTo::Surface ? toSurface(map, shape, field, values, work)
+                                                 : toVoxel(map, shape, field, values, work);
             break;
         case DistanceKind::EuclideanConservative:
             euclideanConservative(map, shape, CellHeights(field), field.address() == Address::Repeat,
@@ -281,7 +324,7 @@ MapKey distanceMapKey(DistanceKind kind, const DistanceParameters& parameters, c
                                 static_cast<double>(parameters.sectors), static_cast<double>(parameters.directions)}) {
         key.append("/").append(numberText(number));
     }
-    key.append("/").append(precisionName(parameters.precision));
+    key.append("/").append(precisionName(parameters.precision)).append("/").append(distanceToName(parameters.to));
     return {key, field.sharedHeights()};
 }
 

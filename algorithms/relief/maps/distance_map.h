@@ -3,7 +3,8 @@
 // Metric: X = (x, y, D z) in texels, D = relief_depth * W. Distances are in that metric; a ray moves
 // |(a, b, D)| of it a unit of lambda. The metric and the flattest ray travel with the map.
 // Voxels: nx x ny footprints, L layers of equal height, layer 0 at the bottom.
-//   Centres: one value at the voxel's centre, meant to be interpolated (the papers'). Footprints tile W x H evenly.
+//   Centres: one value at the voxel's centre, meant to be interpolated (the papers'). Footprints tile W x H evenly. On
+//   one grid the refined value is nowhere smaller than the Euclidean one: both measure to the surface.
 //   Boxes: a bound for every point of the box, never to be interpolated. Footprints of F x F cells of the cell grid
 //   (cell_grid.h), the last of a row clipped. Marks: surface (the patch must be tested), buried.
 #pragma once
@@ -29,6 +30,13 @@ constexpr bool ofBoxes(DistanceKind kind) {
     return kind == DistanceKind::EuclideanConservative || kind == DistanceKind::Refined;
 }
 
+// What a Euclidean map measures to. Surface: the surface itself. Voxel: the centre of the nearest solid voxel, as in
+// Donnelly's volume; a third of a texel too long on average.
+enum class DistanceTo : std::uint8_t { Surface, Voxel };
+std::string_view distanceToName(DistanceTo to);
+// InputError("--set", ...) with the known names.
+DistanceTo parseDistanceTo(std::string_view text);
+
 // What a map is built with; those that its kind does not use stay at their defaults.
 struct DistanceParameters {
     int footprint = 1;     // F, texels (cells) a side
@@ -38,6 +46,7 @@ struct DistanceParameters {
     int sectors = 1;       // azimuth sectors that distances are stored for (refined)
     int directions = 64;   // rays a voxel (refined, sampled)
     Precision precision = Precision::Float;
+    DistanceTo to = DistanceTo::Surface;  // (euclidean)
 
     bool operator==(const DistanceParameters&) const = default;
 };

@@ -44,7 +44,8 @@ std::vector<ParameterText> parameterTexts(const DistanceMap& map) {
             {"horizons", std::to_string(p.horizons), std::to_string(unused.horizons)},
             {"sectors", std::to_string(p.sectors), std::to_string(unused.sectors)},
             {"directions", std::to_string(p.directions), std::to_string(unused.directions)},
-            {"precision", std::string(precisionName(p.precision)), std::string(precisionName(unused.precision))}};
+            {"precision", std::string(precisionName(p.precision)), std::string(precisionName(unused.precision))},
+            {"to", std::string(distanceToName(p.to)), std::string(distanceToName(unused.to))}};
 }
 
 std::vector<ParameterText> parameterTexts(const ConeMap& map) {
@@ -67,8 +68,10 @@ bool contains(const std::vector<std::string>& all, const std::string& wanted) {
 // The method, or the one inside it, that walks such maps: the prefix of its options.
 std::optional<std::string> prefixOfWalker(const MethodChoice& choice, const std::string& kind, std::string& wanted) {
     const MethodDescription& method = findTracer(choice.name);
-    if (contains(method.maps, kind)) return "";
-    for (const std::string& map : method.maps) wanted += (wanted.empty() ? "" : ", ") + map;
+    if (contains(method.maps, kind) || contains(method.otherMaps, kind)) return "";
+    for (const auto* const maps : {&method.maps, &method.otherMaps}) {
+        for (const std::string& map : *maps) wanted += (wanted.empty() ? "" : ", ") + map;
+    }
     for (const OptionDescription& option : method.options) {
         if (option.kind != OptionKind::Method) continue;
         const auto given = choice.options.find(option.name);
@@ -95,6 +98,28 @@ const std::vector<std::string>& mapKinds() {
     return kinds;
 }
 
+std::optional<UsedMap> usedMap(const MethodChoice& choice) {
+    const MethodDescription& method = findTracer(choice.name);
+    for (const std::string& kind : mapKinds()) {
+        if (!contains(method.maps, kind)) continue;
+        UsedMap used{kind, choice.options};
+        used.options.insert(method.defaults.begin(), method.defaults.end());
+        const auto other = used.options.find(std::string(kMapOption));
+        if (other != used.options.end()) used.kind = other->second;
+        return used;
+    }
+    for (const OptionDescription& option : method.options) {
+        if (option.kind != OptionKind::Method) continue;
+        const auto given = choice.options.find(option.name);
+        MethodChoice inner{given == choice.options.end() ? method.defaults.at(option.name) : given->second, {}};
+        for (const auto& [name, text] : choice.options) {
+            if (name.starts_with(kInnerPrefix)) inner.options[name.substr(kInnerPrefix.size())] = text;
+        }
+        return usedMap(inner);
+    }
+    return std::nullopt;
+}
+
 const std::string& methodOfMap(const std::string& kind) {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
@@ -112,10 +137,12 @@ const std::string& methodOfMap(const std::string& kind) {
 StoredMap buildMap(const std::string& kind, const OptionValues& options, const HeightField& field, MapCache& cache,
                    Work& work) {
     const std::string& method = methodOfMap(kind);
+    OptionValues own = options;
+    own.erase(std::string(kMapOption));
     StoredMap map;
     forEachMapTracer([&]<class T>() {
         if (T::describe().name != method) return;
-        const auto parsed = parseOptions<typename T::Options>(method, options);
+        const auto parsed = parseOptions<typename T::Options>(method, own);
         if constexpr (requires { T::makeMap(field, parsed, cache, work); }) {
             map = T::makeMap(field, parsed, cache, work);
         } else if constexpr (requires(const T& tracer) { tracer.distanceMap(); }) {
@@ -156,6 +183,14 @@ MethodChoice useMap(const std::string& path, const StoredMap& map, const MethodC
                           {{"method", choice.name}, {"wanted", wanted.empty() ? "-" : wanted}, {"given", kind}}));
     }
     MethodChoice chosen = choice;
+    const std::string mapOption = *prefix + std::string(kMapOption);
+    for (const ChoiceOption& option : choiceOptions(choice)) {
+        if (option.description.name != mapOption) continue;
+        const auto [given, added] = chosen.options.emplace(mapOption, kind);
+        if (given->second == kind) break;
+        throw InputError(path, Message(MessageId::MapNotForMethod,
+                                       {{"method", choice.name}, {"wanted", given->second}, {"given", kind}}));
+    }
     for (const OptionDescription& option : findTracer(methodOfMap(kind)).options) {
         for (const ParameterText& parameter : parameterTexts(map)) {
             if (parameter.name != option.name) continue;

@@ -2,6 +2,7 @@
 // to a tracer in place of one that it would build.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,13 @@ namespace relief {
 
 // Kinds that can be built and stored, in the order of lists.
 const std::vector<std::string>& mapKinds();
+// The stored map that the method, or the one inside it, traces with, and the options that build it: all of the tracing
+// method's, given or its defaults. Nothing if it uses none.
+struct UsedMap {
+    std::string kind;
+    OptionValues options;
+};
+std::optional<UsedMap> usedMap(const MethodChoice& choice);
 // The tracer that walks maps of this kind; throws InputError("", ...) with the known ones.
 const std::string& methodOfMap(const std::string& kind);
 

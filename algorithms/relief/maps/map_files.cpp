@@ -73,7 +73,8 @@ Json parametersJson(const DistanceParameters& p) {
             {"horizons", p.horizons},
             {"sectors", p.sectors},
             {"directions", p.directions},
-            {"precision", precisionName(p.precision)}};
+            {"precision", precisionName(p.precision)},
+            {"to", distanceToName(p.to)}};
 }
 Json parametersJson(const ConeParameters& p) {
     return {{"sectors", p.sectors},
@@ -90,6 +91,7 @@ void readParameters(const Json& json, DistanceParameters& p) {
     json.at("sectors").get_to(p.sectors);
     json.at("directions").get_to(p.directions);
     p.precision = parsePrecision(json.at("precision").get<std::string>());
+    if (json.contains("to")) p.to = parseDistanceTo(json.at("to").get<std::string>());
 }
 void readParameters(const Json& json, ConeParameters& p) {
     json.at("sectors").get_to(p.sectors);
@@ -228,6 +230,8 @@ Shell shellOf(const std::string& path, const Json& header, const HeightField& fi
     if (distance) {
         DistanceMap map;
         map.kind = *distance;
+        // Written before there was a choice.
+        if (map.kind == DistanceKind::Euclidean) map.parameters.to = DistanceTo::Voxel;
         fillCommon(map, header, field);
         map.slabTexels = field.slabTexels();
         map.maxRun = numberOf(header.at("metric").at("max run"));

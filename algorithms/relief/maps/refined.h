@@ -27,8 +27,9 @@ struct BoxHeights {
 };
 
 // The papers' idea as it stands: from each voxel's centre, `directions` rays spread evenly over the half sphere below
-// (steeper than the flattest); those that were blocked before they came there do not count. Not safe: a ray visits
-// points beside the centre, and directions in between meet nearer hits.
+// (steeper than the flattest); those that were blocked before they came there do not count. What is left is the least
+// distance to the surface along them, so nowhere less than the Euclidean one. Not safe: a ray visits points beside the
+// centre, and directions in between meet nearer hits.
 void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& field, std::vector<float>& values,
                     Work& work);
 

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "base/scratch_pool.h"
 #include "relief/maps/refined.h"
 #include "relief/max_pyramid.h"
 
@@ -35,30 +36,47 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
     // A hit this little before the voxel's own height is the voxel's own place on the surface.
     constexpr double kReached = 1e-9;
     MapCache own;
-    const MaxPyramidTracer tracer(PyramidWalk(field, maxPyramidMap(field, own, work)));
+    const MaxPyramidTracer tracer = MaxPyramidTracer::make(field, {}, own, work);
     const std::vector<Direction> directions = spread(map.parameters.directions, map.slabTexels, map.maxRun);
-    const int layers = map.layers();
-    const auto voxel = [&](int x, int y, int k) {
-        const double s = (x + 0.5) * field.width() / nx;
-        const double t = (y + 0.5) * field.height() / ny;
-        const double lambda = 1 - map.centreZ(k);
-        if (field.at(s, t) >= 1 - lambda) return 0.0;
-        double least = (1 - lambda + 1) * map.slabTexels;  // where no ray comes: more than any drop
-        for (const Direction& d : directions) {
-            NullSink sink;
-            const Hit hit = tracer.trace({s - lambda * d.a, t - lambda * d.b, d.a, d.b}, sink);
-            if (hit.outcome != Outcome::Hit || hit.lambda < lambda - kReached) continue;
-            least = std::min(least, std::max(hit.lambda - lambda, 0.0) * d.length);
-        }
-        return least;
+    const std::size_t count = directions.size();
+    struct Scratch {
+        RayBlock rays;
+        HitBlock hits;
     };
+    ScratchPool<Scratch> pool;
+    // A row of voxels of layer k.
+    const auto row = [&](int y, int k, Scratch& scratch, float* out) {
+        const double lambda = 1 - map.centreZ(k);
+        const double t = (y + 0.5) * field.height() / ny;
+        scratch.rays.resize(static_cast<std::size_t>(nx) * count);
+        scratch.hits.resize(scratch.rays.size());
+        for (int x = 0; x < nx; ++x) {
+            const double s = (x + 0.5) * field.width() / nx;
+            for (std::size_t d = 0; d < count; ++d) {
+                const Direction& way = directions[d];
+                scratch.rays.set(static_cast<std::size_t>(x) * count + d,
+                                 {s - lambda * way.a, t - lambda * way.b, way.a, way.b});
+            }
+        }
+        tracer.traceLanes(scratch.rays, 0, scratch.rays.size(), scratch.hits);
+        for (int x = 0; x < nx; ++x) {
+            const bool solid = field.at((x + 0.5) * field.width() / nx, t) >= 1 - lambda;
+            double least = solid ? 0 : (1 - lambda + 1) * map.slabTexels;  // where no ray comes: more than any drop
+            for (std::size_t d = 0; !solid && d < count; ++d) {
+                const Hit hit = scratch.hits[static_cast<std::size_t>(x) * count + d];
+                if (hit.outcome != Outcome::Hit || hit.lambda < lambda - kReached) continue;
+                least = std::min(least, std::max(hit.lambda - lambda, 0.0) * directions[d].length);
+            }
+            out[x] = static_cast<float>(least);
+        }
+    };
+    const int layers = map.layers();
     work.progress().begin("map refined-sampled", ny);
     parallelFor(work, ny, [&](int y) {
+        const auto scratch = pool.borrow();
         for (int k = 0; k < layers; ++k) {
-            float* out = values.data() +
-                         (static_cast<std::size_t>(k) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(y)) *
-                             static_cast<std::size_t>(nx);
-            for (int x = 0; x < nx; ++x) *out++ = static_cast<float>(voxel(x, y, k));
+            const auto first = static_cast<std::size_t>(k) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(y);
+            row(y, k, *scratch, values.data() + first * static_cast<std::size_t>(nx));
         }
         work.progress().advance();
     });

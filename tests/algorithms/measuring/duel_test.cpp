@@ -17,7 +17,7 @@ DuelRun runOf(const MethodChoice& method, const HeightField& field, const ViewRa
     HitBlock hits;
     StepLog log;
     makeTracer(method, field, cache, work)->trace(rays, hits, log, work);
-    return {method.name, walksMap(method), hits[0], log.steps};
+    return {method.name, hits[0], log.steps};
 }
 
 Hit exactHit(const HeightField& field, const ViewRay& ray) {
@@ -84,13 +84,11 @@ TEST(Duel, AMapThatPromisesTooMuchIsUnsafe) {
     const HeightField ground(constantHeights(64, 64, 0.1F), Surface::Columns);
     const ViewRay ray{1.5, 30.5, 48, 0};
     const DuelRun run = runOf({"distance-conservative", {}}, ground, ray);
-    ASSERT_TRUE(run.walksMap);
     const Judgement judgement = judge(run, exactHit(field, ray), ray, field);
     EXPECT_EQ(judgement.kind, Departure::UnsafeMap);
     EXPECT_EQ(run.steps.at(judgement.step).decision, Decision::Advance);
     // A maximum that is too low is the same fault.
     const DuelRun pyramid = runOf({"max-pyramid", {}}, ground, ray);
-    EXPECT_FALSE(pyramid.walksMap);
     const Judgement skipped = judge(pyramid, exactHit(field, ray), ray, field);
     EXPECT_NE(skipped.kind, Departure::None);
     EXPECT_NE(skipped.kind, Departure::StoppedEarly);
@@ -162,7 +160,7 @@ TEST(Duel, EveryDepartureIsNamed) {
                 EXPECT_LE(judgement.from, exact.lambda) << method.name << " " << n;
                 EXPECT_GE(std::max(judgement.to, run.hit.lambda), exact.lambda) << method.name << " " << n << text;
                 // Of a coarser level's maxima as well: it is another relief.
-                const bool stored = run.walksMap || method.options.contains("base");
+                const bool stored = run.steps[judgement.step].trustsMap() || method.options.contains("base");
                 EXPECT_TRUE(stored || judgement.kind != Departure::UnsafeMap) << text;
             }
         }

@@ -8,6 +8,8 @@ namespace relief::test {
 namespace {
 
 const std::string kHeader = std::string(kStepsHeader) + "\n";
+// As earlier versions wrote it, and as other programs may.
+const std::string kFewColumns = std::string(kStepColumns) + "\n";
 
 std::string refusal(const std::string& text, std::size_t rays = 2) {
     try {
@@ -100,13 +102,13 @@ TEST(StepFiles, PeriodsAreFoundAgain) {
 
 TEST(StepFiles, FaultsNameTheLine) {
     const std::string good = "0,1,search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,test,0.2\n";
-    EXPECT_EQ(refusal(kHeader + good), "");
-    EXPECT_EQ(refusal(kHeader + good + "\n\n"), "");
+    EXPECT_EQ(refusal(kFewColumns + good), "");
+    EXPECT_EQ(refusal(kFewColumns + good + "\n\n"), "");
     EXPECT_EQ(refusal("rays\n").substr(0, 36), "s.csv: line 1: the header must be \"r");
     const auto with = [&](const std::string& from, const std::string& to) {
         std::string row = good;
         row.replace(row.find(from), from.size(), to);
-        return refusal(kHeader + good.substr(0, 0) + row);
+        return refusal(kFewColumns + row);
     };
     EXPECT_EQ(with(",test", ""), "s.csv: line 2: 14 values separated by commas are needed, here are 13");
     EXPECT_EQ(with("search", "look"), "s.csv: line 2: phase \"look\" is unknown; known: start, search, refine");
@@ -119,6 +121,16 @@ TEST(StepFiles, FaultsNameTheLine) {
     EXPECT_EQ(with("0,1,search", "5,1,search"), "s.csv: line 2: ray 5: the rays file has only 2, counted from 0");
     EXPECT_EQ(with("0,1,search", "0,2,search"), "s.csv: line 2: step 2 of ray 0 is out of order");
     EXPECT_EQ(with("search,0", "search,99"), "s.csv: line 2: \"99\" is not a whole number from 0 to 32");
+    // What was looked at, and columns of other names.
+    const std::string known = "0,1,search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,advance,0.2";
+    EXPECT_EQ(refusal(kHeader + known + ",sphere,1,2,0.9,,,,\n"), "");
+    EXPECT_EQ(refusal(kHeader + known + ",sphere,1,,0.9,,,,\n"), "s.csv: line 2: \"t\" is missing, or is no number");
+    EXPECT_EQ(refusal(kHeader + known + ",cone,1,2,0.9,,,1.5,8\n"),
+              "s.csv: line 2: \"index\" is missing, or is no whole number");
+    EXPECT_NE(refusal(kHeader + known + ",ball,1,2,0.9,,,,\n").find("kind \"ball\" is unknown; known: texel, quad"),
+              std::string::npos);
+    EXPECT_EQ(refusal(std::string(kStepColumns) + ",mine,kind\n" + known + ",whatever,point\n"), "");
+    EXPECT_NE(refusal(std::string(kStepColumns) + "s\n" + known + "\n"), "");
     EXPECT_NE(refusal("[\n{\"ray\": 0,\n\"number\": 1},\n3]").find("line 2: \"lambda_in\" is missing"),
               std::string::npos)
         << refusal("[\n{\"ray\": 0,\n\"number\": 1},\n3]");
@@ -132,7 +144,7 @@ TEST(StepFiles, FaultsNameTheLine) {
               std::string::npos);
     // A texel that the picture has not.
     const HeightField field(constantHeights(8, 8, 0.5F), Surface::Columns);
-    std::vector<Step> steps = parseSteps(kHeader + good, "s.csv", 1).steps;
+    std::vector<Step> steps = parseSteps(kFewColumns + good, "s.csv", 1).steps;
     EXPECT_NO_THROW(placeSteps(steps, {0, 0, 1, 1}, field, "s.csv", 0));
     steps[0].i = 8;
     try {

@@ -44,7 +44,7 @@ std::vector<std::string> said(const MethodChoice& method, const ViewRay& ray) {
     tracer->trace(rays, hits, log, work);
     std::vector<std::string> sentences;
     for (std::size_t k = 0; k < log.steps.size(); ++k) {
-        sentences.push_back(sentence(stepSentence(log.steps[k], stepContext(method, ray, log.steps, k))));
+        sentences.push_back(sentence(stepSentence(log.steps, k, ray)));
     }
     return sentences;
 }
@@ -95,21 +95,29 @@ TEST(StepSentence, closeNumbersReadDifferently) {
     EXPECT_EQ(fixedText(-1e-9, 2), "0.00");
 }
 
-TEST(StepSentence, everyDecisionInBothLanguagesWithNoValueLeftOpen) {
+TEST(StepSentence, everyDecisionAboutEverythingInBothLanguagesWithNoValueLeftOpen) {
+    const std::array<Subject, 7> subjects{
+        subject::Texel{3, 1, 0, 0.7},        subject::Quad{1, 2, 0.5, 0.5, 0.7},
+        subject::Voxel{1, 0, 2, 4, 16, 0.7}, subject::Sphere{1, 2, 0.9, 0.7},
+        subject::Cone{1, 2, 0.5, 0.7, 1, 8}, subject::Layer{9, 50, 0.7},
+        subject::Point{0.7}};
+    const Step top = step(Decision::Start);
     for (std::size_t d = 0; d < kDecisionNames.size(); ++d) {
-        for (const bool hierarchy : {false, true}) {
-            for (const std::optional<ViewRay>& ray :
-                 {std::optional<ViewRay>{}, std::optional<ViewRay>{ViewRay{1, 2, 3, 4}}}) {
-                for (const Phase phase : {Phase::Start, Phase::Search, Phase::Refine}) {
-                    for (const auto before : {std::optional<Decision>{}, std::optional{Decision::Start}}) {
-                        Step s = step(static_cast<Decision>(d));
-                        s.phase = phase;
-                        for (const Primitive primitive : {Primitive::Texel, Primitive::Point}) {
-                            s.primitive = primitive;
-                            for (const int layers : {0, 50}) {
-                                expectSaid(stepSentence(s, {hierarchy, before, ray, layers}));
-                            }
-                        }
+        for (const Subject& subject : subjects) {
+            for (const Phase phase : {Phase::Start, Phase::Search, Phase::Refine}) {
+                for (const bool known : {false, true}) {
+                    Step s = step(static_cast<Decision>(d));
+                    s.phase = phase;
+                    s.subject = subject;
+                    StepContext context;
+                    if (known) {
+                        context.before = &top;
+                        context.ray = ViewRay{1, 2, 3, 4};
+                    }
+                    expectSaid(stepSentence(s, context));
+                    for (const double met : {0.05, 0.15, 0.9}) {
+                        context.exact = Hit::at(ViewRay{1, 2, 3, 4}, met);
+                        expectSaid(stepSentence(s, context));
                     }
                 }
             }
@@ -125,10 +133,29 @@ TEST(StepSentence, tellsTheKindsOfHitApart) {
     context.ray = ViewRay{200, 77, 2, 1};
     EXPECT_EQ(sentence(stepSentence(hit, context)),
               "Level 0, texel (1,0): the ray meets the surface at height 0.387, at (201.23, 77.61): hit.");
-    context.before = Decision::Advance;
+    Step before = step(Decision::Advance);
+    before.subject = subject::Texel{3, 0, 0, 0.7};
+    context.before = &before;
     EXPECT_NE(sentence(stepSentence(hit, context)).find("nothing can hide it"), std::string::npos);
-    context.hierarchy = false;  // a walk over every cell knows no highest point
+    before.subject = subject::Texel{0, 0, 0, 0.7};  // a walk over every cell knows no highest point
     EXPECT_EQ(sentence(stepSentence(hit, context)).find("nothing can hide it"), std::string::npos);
+}
+
+// What a map claims is said as a claim; where the surface breaks it, that is said.
+TEST(StepSentence, aBrokenPromiseIsSaid) {
+    Step s = step(Decision::Advance);
+    s.phase = Phase::Search;
+    s.lambdaIn = s.lambdaOut = 0.1;
+    s.lambdaAfter = 0.3;
+    const ViewRay ray{0, 0, 10, 0};
+    const auto said = [&](double met) { return sentence(stepSentence(s, {nullptr, ray, Hit::at(ray, met)})); };
+    s.subject = subject::Sphere{1, 0, 0.9, 2.5};
+    EXPECT_EQ(said(0.4), "At height 0.900 the map promises 2.50 texels free: the ray goes on by as much, to height 0.700.");
+    EXPECT_NE(said(0.2).find("The promise does not hold: the surface is met at height 0.800."), std::string::npos);
+    EXPECT_NE(said(0.05).find("already behind the surface"), std::string::npos);
+    s.subject = subject::Cone{1, 0, 0.5, 0.25, 0, 1};
+    EXPECT_EQ(said(0.4).find("does not hold"), std::string::npos);
+    EXPECT_NE(said(0.2).find("The promise does not hold"), std::string::npos);
 }
 
 TEST(StepSentence, tellsTheKindsOfMissApart) {

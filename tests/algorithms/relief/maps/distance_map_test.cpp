@@ -2,6 +2,7 @@
 #include "relief/maps/distance_map.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -19,9 +20,11 @@ const std::vector<std::pair<int, int>>& sizes() {
     return all;
 }
 
-DistanceMap built(DistanceKind kind, int footprint, int layers, const HeightField& field) {
+DistanceMap built(DistanceKind kind, int footprint, int layers, const HeightField& field,
+                  DistanceTo to = DistanceTo::Surface) {
     Work work(2);
     DistanceParameters parameters;
+    parameters.to = to;
     parameters.footprint = footprint;
     parameters.layers = layers;
     return buildDistanceMap(kind, parameters, field, work);
@@ -51,7 +54,7 @@ void overFields(const Body& body) {
 
 TEST(EuclideanMap, IsTheDistanceBetweenVoxelCentres) {
     overFields([](const HeightField& field, int footprint, int layers) {
-        const DistanceMap map = built(DistanceKind::Euclidean, footprint, layers, field);
+        const DistanceMap map = built(DistanceKind::Euclidean, footprint, layers, field, DistanceTo::Voxel);
         const int nx = (field.width() + footprint - 1) / footprint;
         const int ny = (field.height() + footprint - 1) / footprint;
         ASSERT_EQ(map.nx(), nx);
@@ -87,6 +90,80 @@ TEST(EuclideanMap, IsTheDistanceBetweenVoxelCentres) {
                 }
             }
         }
+    });
+}
+
+// By many points of the surface, walls of columns included: the least of them is no less than the distance, and larger
+// by less than their spacing.
+TEST(EuclideanMap, IsTheDistanceToTheSurface) {
+    constexpr int kSpacing = 16;  // points a texel
+    overFields([](const HeightField& field, int footprint, int layers) {
+        const DistanceMap map = built(DistanceKind::Euclidean, footprint, layers, field);
+        const double slab = field.slabTexels();
+        const bool wraps = field.address() == Address::Repeat;
+        const int width = field.width() * kSpacing;
+        const int height = field.height() * kSpacing;
+        FloatImage surface(width, height);
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                surface(x, y) = static_cast<float>(field.at((x + 0.5) / kSpacing, (y + 0.5) / kSpacing));
+            }
+        }
+        const auto apart = [&](double a, double b, double size) {
+            const double d = std::abs(a - b);
+            return wraps ? std::min(d, size - d) : d;
+        };
+        int longer = 0;
+        for (int k = 0; k < layers; k += 3) {
+            const double z = (k + 0.5) / layers;
+            for (int by = 0; by < map.ny(); by += 2) {
+                for (int bx = 0; bx < map.nx(); ++bx) {
+                    const double s = map.centreS(bx);
+                    const double t = map.centreT(by);
+                    double least = 1e30;
+                    for (int y = 0; y < height; ++y) {
+                        for (int x = 0; x < width; ++x) {
+                            const double h = static_cast<double>(surface(x, y));
+                            least = std::min(least, std::hypot(apart(s, (x + 0.5) / kSpacing, field.width()),
+                                                               apart(t, (y + 0.5) / kSpacing, field.height()),
+                                                               std::max(z - h, 0.0) * slab));
+                        }
+                    }
+                    const auto got = static_cast<double>(map.at(bx, by, k, 0));
+                    if (field.at(s, t) >= z) {
+                        ASSERT_EQ(got, 0);
+                        continue;
+                    }
+                    constexpr double kHalf = 0.5 * std::numbers::sqrt2 / kSpacing;
+                    ASSERT_LE(got, least + kFloatRounding) << bx << ", " << by << ", " << k;
+                    ASSERT_GE(got, least - kHalf - 1e-4) << bx << ", " << by << ", " << k;
+                    longer += got > 0.2 ? 1 : 0;
+                }
+            }
+        }
+        EXPECT_GT(longer, 0);
+    });
+}
+
+// [DIST17]: what is left of the rays is never nearer than the surface.
+TEST(RefinedSampledMap, IsNowhereSmallerThanTheEuclideanOne) {
+    overFields([](const HeightField& field, int footprint, int layers) {
+        const DistanceMap euclidean = built(DistanceKind::Euclidean, footprint, layers, field);
+        const DistanceMap refined = built(DistanceKind::RefinedSampled, footprint, layers, field);
+        ASSERT_EQ(euclidean.nx(), refined.nx());
+        ASSERT_EQ(euclidean.ny(), refined.ny());
+        int larger = 0;
+        for (int k = 0; k < layers; ++k) {
+            for (int y = 0; y < euclidean.ny(); ++y) {
+                for (int x = 0; x < euclidean.nx(); ++x) {
+                    constexpr float kPatchSearch = 1e-4F;  // SurfaceDistance
+                    const float plain = euclidean.at(x, y, k, 0);
+                    ASSERT_GE(refined.at(x, y, k, 0), plain - kPatchSearch) << x << ", " << y << ", " << k;
+                    larger += refined.at(x, y, k, 0) > plain + 0.1F ? 1 : 0;
+                }
+            }
+        }
+        EXPECT_GT(larger, 0);
     });
 }
 

@@ -1,4 +1,4 @@
-#include "relief/distance_lanes.h"
+#include "relief/distance_march_lanes.h"
 
 #include <array>
 #include <cmath>
@@ -9,12 +9,12 @@
 
 #include "base/simd_targets.h"
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "relief/distance_lanes.cpp"
+#define HWY_TARGET_INCLUDE "relief/distance_march_lanes.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-#include "relief/lanes/double_lanes-inl.h"
+#include "relief/lanes/surface_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
@@ -76,15 +76,16 @@ class DistanceLanes {
 // A vector of rays on their way.
 class DistanceSteps : public VectorOfRays<DistanceSteps> {
   public:
-    explicit DistanceSteps(RayQueue<DistanceMarch>& queue)
-        : queue_(queue), field_(queue.search.field), distance_(queue.search.map) {}
+    explicit DistanceSteps(RayQueue<MarchSearch>& queue)
+        : queue_(queue), field_(queue.search.field), surface_(field_), distance_(queue.search.map) {}
 
     bool fill(std::size_t lane);
     void step();
 
   private:
-    RayQueue<DistanceMarch>& queue_;
+    RayQueue<MarchSearch>& queue_;
     const HeightField& field_;
+    SurfaceLanes surface_;
     DistanceLanes distance_;
     Row<double> s0_{}, t0_{}, a_{}, b_{}, perLambda_{}, lambda_{}, left_{};
     std::array<std::size_t, kLanes> ray_{};
@@ -99,13 +100,14 @@ bool DistanceSteps::fill(std::size_t lane) {
             queue_.hits.set(i, Hit::none(Outcome::Miss));
             continue;
         }
+        const bool served = std::hypot(ray.a, ray.b) <= queue_.search.map.maxRun;
+        if (!served || !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
+            queue_.left.push_back(i);
+            continue;
+        }
         const SampledSurface surface(field_, ray);
         if (!surface.inside(0)) {
             queue_.hits.set(i, Hit::none(Outcome::Miss));
-            continue;
-        }
-        if (!(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
-            queue_.left.push_back(i);
             continue;
         }
         const auto [s0, t0] = surface.placeAt(0);
@@ -124,18 +126,25 @@ void DistanceSteps::step() {
     const V one = constant(1), zero = hn::Zero(D());
     const V s0 = load(s0_), t0 = load(t0_), a = load(a_), b = load(b_);
     const V lambda = load(lambda_), perLambda = load(perLambda_);
-    const V distance =
-        distance_.at(hn::Add(s0, hn::Mul(lambda, a)), hn::Add(t0, hn::Mul(lambda, b)), hn::Sub(one, lambda));
+    const V s = hn::Add(s0, hn::Mul(lambda, a)), t = hn::Add(t0, hn::Mul(lambda, b));
+    const V distance = distance_.at(s, t, hn::Sub(one, lambda));
+    M arrived = hn::Ne(zero, zero);
+    if (queue_.search.end.stop == MarchStop::Surface) {
+        arrived = hn::Ge(hn::Sub(surface_.at(s, t), hn::Sub(one, lambda)), zero);
+    } else if (queue_.search.end.stop == MarchStop::Distance) {
+        arrived = hn::Lt(distance, constant(queue_.search.end.within));
+    }
     const V further = hn::Min(hn::Add(lambda, hn::Div(distance, perLambda)), one);
-    const V after = hn::IfThenElse(hn::Gt(perLambda, zero), further, one);
+    const V after = hn::IfThenElse(arrived, lambda, hn::IfThenElse(hn::Gt(perLambda, zero), further, one));
     const V left = hn::Sub(load(left_), one);
     M inside = hn::Eq(zero, zero);
     if (field_.address() == Address::Border) {
-        const V s = hn::Add(s0, hn::Mul(after, a)), t = hn::Add(t0, hn::Mul(after, b));
-        inside = hn::And(hn::And(hn::Ge(s, zero), hn::Le(s, constant(field_.width()))),
-                         hn::And(hn::Ge(t, zero), hn::Le(t, constant(field_.height()))));
+        const V nextS = hn::Add(s0, hn::Mul(after, a)), nextT = hn::Add(t0, hn::Mul(after, b));
+        inside = hn::And(hn::And(hn::Ge(nextS, zero), hn::Le(nextS, constant(field_.width()))),
+                         hn::And(hn::Ge(nextT, zero), hn::Le(nextT, constant(field_.height()))));
     }
-    const M goesOn = hn::And(inside, hn::And(hn::Gt(left, zero), hn::Lt(after, one)));
+    const M more = hn::And(hn::Gt(left, zero), hn::Lt(after, one));
+    const M goesOn = hn::AndNot(arrived, hn::And(inside, more));
     store(after, lambda_), store(left, left_);
     const std::uint32_t done = active_ & ~bitsOf(goesOn);
     const std::uint32_t in = bitsOf(inside);
@@ -148,9 +157,9 @@ void DistanceSteps::step() {
     });
 }
 
-void marchAll(const DistanceMarch& march, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
+void marchAll(const MarchSearch& search, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
               std::vector<std::size_t>& left) {
-    RayQueue<DistanceMarch> queue{march, rays, hits, first, last, left};
+    RayQueue<MarchSearch> queue{search, rays, hits, first, last, left};
     goInTurn<DistanceSteps>(queue);
 }
 
@@ -162,17 +171,17 @@ namespace relief {
 
 HWY_EXPORT(marchAll);
 
-std::vector<std::size_t> marchInLanes(const DistanceMarch& march, const RayBlock& rays, std::size_t first,
+std::vector<std::size_t> marchInLanes(const MarchSearch& search, const RayBlock& rays, std::size_t first,
                                       std::size_t last, HitBlock& hits) {
     std::vector<std::size_t> left;
-    const auto* values = std::get_if<std::vector<float>>(&march.map.values.codes());
+    const auto* values = std::get_if<std::vector<float>>(&search.map.values.codes());
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
-    if (values == nullptr || values->size() > kMost || march.iterations < 1) {
+    if (values == nullptr || values->size() > kMost || search.iterations < 1) {
         left.resize(last - first);
         std::iota(left.begin(), left.end(), first);
         return left;
     }
-    HWY_DYNAMIC_DISPATCH(marchAll)(march, rays, first, last, hits, left);
+    HWY_DYNAMIC_DISPATCH(marchAll)(search, rays, first, last, hits, left);
     return left;
 }
 
