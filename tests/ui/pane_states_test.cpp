@@ -235,10 +235,10 @@ TEST_F(PaneStates, AllThreePyramidsStandBesideEachOther) {
     }
 }
 
-// Voxels of four cells a side lie over these cells, not over those of their own number.
+// Voxels of two cells a side lie over these cells, not over those of their own number.
 TEST(PyramidMarks, VoxelsLieOverTheirCells) {
     relief::Scenario scenario = smallScenario();
-    scenario.method = {"distance-conservative", {{"footprint", "4"}, {"layers", "16"}}};
+    scenario.method = {"distance-conservative", {{"footprint", "2"}, {"layers", "64"}}};
     scenario.camera.elevation = 12;
     SnapshotMaker maker;
     relief::Work work;
@@ -254,7 +254,7 @@ TEST(PyramidMarks, VoxelsLieOverTheirCells) {
             if (!liesInVoxel(step)) continue;
             ++voxels;
             const Box box = stepBox(made->request->field, step);
-            EXPECT_NEAR(box.width(), 4, 1e-9);
+            EXPECT_NEAR(box.width(), 2, 1e-9);
             const Point at = path.at(std::clamp(step.lambdaIn, 0.0, 1.0));
             constexpr double kRounding = 1e-6;
             EXPECT_TRUE(box.grown(kRounding).contains(at))
