@@ -84,8 +84,8 @@
         <translation>уздовж яких вимірюються конуси</translation>
     </message>
     <message>
-        <source>Sphere tracing as published: trilinear distances, a fixed number of steps.</source>
-        <translation>Трасування сферами, як опубліковано: трилінійні відстані, стала кількість кроків.</translation>
+        <source>Sphere tracing by trilinear distances, until the ray is at the surface.</source>
+        <translation>Трасування сферами за трилінійними відстанями, доки промінь не дійде до поверхні.</translation>
     </message>
     <message>
         <source>Sphere tracing with distances that hold for whole voxels; near the surface the cells themselves are tested.</source>
@@ -128,8 +128,24 @@
         <translation>вибірка з кожного вокселя</translation>
     </message>
     <message>
-        <source>always that many</source>
-        <translation>завжди стільки</translation>
+        <source>at most; with stop=never all</source>
+        <translation>щонайбільше; за stop=never — усі</translation>
+    </message>
+    <message>
+        <source>where the march ends: at the surface, where the distance is below `within`, or nowhere</source>
+        <translation>де закінчується трасування: на поверхні, там, де відстань менша за `within`, або ніде</translation>
+    </message>
+    <message>
+        <source>of stop=distance</source>
+        <translation>для stop=distance</translation>
+    </message>
+    <message>
+        <source>what Euclidean distances are measured to: the surface, or the nearest solid voxel&apos;s centre</source>
+        <translation>до чого вимірюються евклідові відстані: до поверхні чи до центра найближчого заповненого вокселя</translation>
+    </message>
+    <message>
+        <source>the map that it traces with</source>
+        <translation>карта, за якою він трасує</translation>
     </message>
     <message>
         <source>Relief depth</source>

@@ -92,7 +92,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "of the last step"),
     QT_TRANSLATE_NOOP("core", "how far cones are looked for"),
     QT_TRANSLATE_NOOP("core", "along which cones are measured"),
-    QT_TRANSLATE_NOOP("core", "Sphere tracing as published: trilinear distances, a fixed number of steps."),
+    QT_TRANSLATE_NOOP("core", "Sphere tracing by trilinear distances, until the ray is at the surface."),
     QT_TRANSLATE_NOOP(
         "core",
         "Sphere tracing with distances that hold for whole voxels; near the surface the cells themselves are tested."),
@@ -106,7 +106,13 @@ namespace {
     QT_TRANSLATE_NOOP("core", "azimuth sectors in which what hides a voxel is looked for"),
     QT_TRANSLATE_NOOP("core", "azimuth sectors that have distances of their own (a divisor of horizons)"),
     QT_TRANSLATE_NOOP("core", "sampled from each voxel"),
-    QT_TRANSLATE_NOOP("core", "always that many"),
+    QT_TRANSLATE_NOOP("core", "at most; with stop=never all"),
+    QT_TRANSLATE_NOOP(
+        "core", "where the march ends: at the surface, where the distance is below `within`, or nowhere"),
+    QT_TRANSLATE_NOOP("core", "of stop=distance"),
+    QT_TRANSLATE_NOOP(
+        "core", "what Euclidean distances are measured to: the surface, or the nearest solid voxel's centre"),
+    QT_TRANSLATE_NOOP("core", "the map that it traces with"),
     QT_TRANSLATE_NOOP("core", "a step by the distance: from where the ray leaves the voxel, or from where it is"),
     QT_TRANSLATE_NOOP("core", "map euclidean"),
     QT_TRANSLATE_NOOP("core", "map euclidean-conservative"),
