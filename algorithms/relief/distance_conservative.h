@@ -3,8 +3,9 @@
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Model: "exit + D" (distance_walk.h): leave the voxel, then go on by its distance; cells of surface voxels are tested.
-// `rule=classic`: "t + D". `map=refined`: the refined map in the unchanged tracer. Guarantee: exact, the same bits as `exact`. Failure mode: many steps along walls; memory W H
-// L / F^2. Cost: a distance a step, one leaf a cell near the surface.
+// `rule=classic`: "t + D". `map=refined`: the refined map in the unchanged tracer. Guarantee: exact, the same bits as
+// `exact`. Failure mode: many steps along walls; memory W H L / F^2. Cost: a distance a step, one leaf a cell near the
+// surface.
 #pragma once
 
 #include "relief/distance_options.h"

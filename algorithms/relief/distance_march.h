@@ -3,7 +3,8 @@
 //
 // Frame and units: ray.h; the map's own: distance_map.h.
 // Model: MarchStop::Surface: before each step the surface's height at the ray is looked up; where the ray is not above
-// it, the intersection is found, and tracing ends there ([DIST17]). Distance: where the distance is below `within`.
+// it, the intersection is found, and tracing ends ([DIST17]): the answer is where a straight line between the last two
+// heights meets the ray. Distance: where the distance is below `within`.
 // Never: all `iterations` steps are taken, as Donnelly's shader does. In each case, after `iterations` steps the answer
 // is where the ray is. A ray flatter than those that the map serves walks every cell instead, as `exact`.
 #pragma once
@@ -80,24 +81,32 @@ Hit DistanceMarch::march(const ViewRay& ray, const SampledSurface& surface, Segm
                          Sink& sink) const {
     const double perLambda = std::hypot(std::hypot(ray.a, ray.b), map_->slabTexels);
     double lambda = segment.in;
-    const auto hit = [&](const auto& make) {
+    double above = lambda;  // the last point that is above the surface, and by how much (negative)
+    double gapAbove = 0;
+    const auto hit = [&](const auto& make, double answer) {
         sink.step(make);
-        return Hit::at(ray, lambda);
+        return Hit::at(ray, answer);
     };
     for (int n = 0; n < iterations_ && lambda < segment.out; ++n) {
         if (end_.stop == MarchStop::Surface) {
             const double gap = surface.gapAt(lambda);
             sink.read(surface.readsEach());
             if (gap >= 0) {
-                const double height = gap + 1 - lambda;
-                return hit([&] { return surface.record(Phase::Search, Decision::Hit, lambda, lambda, height, lambda); });
+                const double answer = n > 0 ? above + gapAbove / (gapAbove - gap) * (lambda - above) : lambda;
+                return hit(
+                    [&] {
+                        return surface.record(Phase::Search, Decision::Hit, above, lambda, gap + 1 - lambda, answer);
+                    },
+                    answer);
             }
+            above = lambda;
+            gapAbove = gap;
         }
         const auto [s, t] = surface.placeAt(lambda);
         const double distance = map_->trilinear(s, t, 1 - lambda);
         sink.read(8);
         if (end_.stop == MarchStop::Distance && distance < end_.within) {
-            return hit([&] { return record(surface, Decision::Hit, lambda, distance, lambda); });
+            return hit([&] { return record(surface, Decision::Hit, lambda, distance, lambda); }, lambda);
         }
         const double after = perLambda > 0 ? std::min(lambda + distance / perLambda, 1.0) : 1.0;
         sink.step([&] { return record(surface, Decision::Advance, lambda, distance, after); });
@@ -109,9 +118,9 @@ Hit DistanceMarch::march(const ViewRay& ray, const SampledSurface& surface, Segm
     const bool left = !(lambda < segment.out) && segment.out < 1;
     if (left) return Hit::none(Outcome::Miss);
     // The floor of the slab, or the steps are used up.
-    return hit([&] {
-        return surface.record(Phase::Search, Decision::Hit, lambda, lambda, surface.heightAt(lambda), lambda);
-    });
+    return hit(
+        [&] { return surface.record(Phase::Search, Decision::Hit, lambda, lambda, surface.heightAt(lambda), lambda); },
+        lambda);
 }
 
 }  // namespace relief

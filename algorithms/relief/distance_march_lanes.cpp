@@ -87,7 +87,7 @@ class DistanceSteps : public VectorOfRays<DistanceSteps> {
     const HeightField& field_;
     SurfaceLanes surface_;
     DistanceLanes distance_;
-    Row<double> s0_{}, t0_{}, a_{}, b_{}, perLambda_{}, lambda_{}, left_{};
+    Row<double> s0_{}, t0_{}, a_{}, b_{}, perLambda_{}, lambda_{}, left_{}, above_{}, gapAbove_{}, gap_{};
     std::array<std::size_t, kLanes> ray_{};
 };
 
@@ -130,7 +130,11 @@ void DistanceSteps::step() {
     const V distance = distance_.at(s, t, hn::Sub(one, lambda));
     M arrived = hn::Ne(zero, zero);
     if (queue_.search.end.stop == MarchStop::Surface) {
-        arrived = hn::Ge(hn::Sub(surface_.at(s, t), hn::Sub(one, lambda)), zero);
+        const V gap = hn::Sub(surface_.at(s, t), hn::Sub(one, lambda));
+        arrived = hn::Ge(gap, zero);
+        store(gap, gap_);
+        store(hn::IfThenElse(arrived, load(above_), lambda), above_);
+        store(hn::IfThenElse(arrived, load(gapAbove_), gap), gapAbove_);
     } else if (queue_.search.end.stop == MarchStop::Distance) {
         arrived = hn::Lt(distance, constant(queue_.search.end.within));
     }
@@ -148,10 +152,15 @@ void DistanceSteps::step() {
     store(after, lambda_), store(left, left_);
     const std::uint32_t done = active_ & ~bitsOf(goesOn);
     const std::uint32_t in = bitsOf(inside);
+    const std::uint32_t met = queue_.search.end.stop == MarchStop::Surface ? bitsOf(arrived) : 0;
     active_ &= ~done;
     overLanes(done, [&](std::size_t lane) {
         const std::size_t i = ray_[lane];
         const bool hit = (in >> lane & 1) != 0;
+        if ((met >> lane & 1) != 0 && left_[lane] + 1 < queue_.search.iterations) {
+            const double share = gapAbove_[lane] / (gapAbove_[lane] - gap_[lane]);
+            lambda_[lane] = above_[lane] + share * (lambda_[lane] - above_[lane]);
+        }
         queue_.hits.set(i, hit ? Hit::at(queue_.rays[i], lambda_[lane]) : Hit::none(Outcome::Miss));
         lambda_[lane] = 0;  // idle lanes stay at the start: a place to read
     });

@@ -76,24 +76,26 @@ std::vector<OptionField<Options>> distanceFields() {
                            {"surface", "distance", "never"},
                            "where the march ends: at the surface, where the distance is below `within`, or nowhere"},
                           &Options::stop});
-        fields.push_back({{"within", OptionKind::Real, "texels", 0, 4, 0.01, {}, "of stop=distance"}, &Options::within});
+        fields.push_back(
+            {{"within", OptionKind::Real, "texels", 0, 4, 0.01, {}, "of stop=distance"}, &Options::within});
         fields.push_back({{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "at most; with stop=never all"},
                           &Options::iterations});
     }
     if constexpr (requires(Options o) { o.to; }) {
-        fields.push_back({{"to",
-                           OptionKind::Choice,
-                           "",
-                           0,
-                           0,
-                           0,
-                           {"surface", "voxel"},
-                           "what Euclidean distances are measured to: the surface, or the nearest solid voxel's centre"},
-                          &Options::to});
+        fields.push_back(
+            {{"to",
+              OptionKind::Choice,
+              "",
+              0,
+              0,
+              0,
+              {"surface", "voxel"},
+              "what Euclidean distances are measured to: the surface, or the nearest solid voxel's centre"},
+             &Options::to});
     }
     if constexpr (requires(Options o) { o.map; }) {
-        fields.push_back({{"map", OptionKind::Choice, "", 0, 0, 0, Options::maps(), "the map that it traces with"},
-                          &Options::map});
+        fields.push_back(
+            {{"map", OptionKind::Choice, "", 0, 0, 0, Options::maps(), "the map that it traces with"}, &Options::map});
     }
     return fields;
 }

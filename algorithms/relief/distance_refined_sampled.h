@@ -2,9 +2,9 @@
 // the first hit over sampled rays that reach its centre unhindered. [DIST17] figs. 5 to 8, [TEX].
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
-// Model: distance_march.h; `distance` with map=refined-sampled is the same. Guarantee: none. Failure mode: overshoots at
-// walls; more directions do not cure it (maps/refined.h says why). Rays flatter than `flattest` are not served: they walk
-// every cell. Cost: as `distance`; building it traces `directions` rays a voxel.
+// Model: distance_march.h; `distance` with map=refined-sampled is the same. Guarantee: none. Failure mode: overshoots
+// at walls; more directions do not cure it (maps/refined.h says why). Rays flatter than `flattest` are not served: they
+// walk every cell. Cost: as `distance`; building it traces `directions` rays a voxel.
 #pragma once
 
 #include "relief/distance_options.h"

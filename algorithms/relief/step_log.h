@@ -24,10 +24,9 @@ constexpr std::string_view phaseName(Phase phase) {
     return kPhaseNames[static_cast<std::size_t>(phase)];
 }
 
-// What a step looked at: a closed set, filled by the tracer. Sentences, drawings and files are keyed on it and never ask
-// which method or map it was, so a new tracer adds none.
-// (s, t): texels, in the period in which the ray meets the place; z in [0, 1]; distances: texels of the metric
-// (x, y, D z), D the relief's depth in texels.
+// What a step looked at: a closed set, filled by the tracer. Sentences, drawings and files are keyed on it and never
+// ask which method or map it was, so a new tracer adds none. (s, t): texels, in the period in which the ray meets the
+// place; z in [0, 1]; distances: texels of the metric (x, y, D z), D the relief's depth in texels.
 namespace subject {
 // A texel of a level of the max pyramid, or a cell of the surface (level 0), and the largest height in it.
 struct Texel {

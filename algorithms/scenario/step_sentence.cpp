@@ -55,7 +55,8 @@ Message startSentence(const Step& step) {
     if (ofTop(step)) {
         return Message(MessageId::StepStartHighest, {{"value", fixedText(step.value, kHeightDecimals)}});
     }
-    return Message(step.namesTexelUnderRay() ? MessageId::StepStart : MessageId::StepStartCell, {{"i", step.i}, {"j", step.j}});
+    return Message(step.namesTexelUnderRay() ? MessageId::StepStart : MessageId::StepStartCell,
+                   {{"i", step.i}, {"j", step.j}});
 }
 
 // What a map promises from lambda `from` on, and what is said if the surface keeps to it or not.
@@ -82,7 +83,8 @@ Message advanceSentence(const Step& step, const StepContext& context) {
     const auto height = [](double z) { return fixedText(z, kHeightDecimals); };
     if (const auto* const cone = step.as<subject::Cone>()) {
         const double from = cone->ofCell ? step.lambdaOut : step.lambdaIn;
-        return claimSentence(step, context, {from, height(cone->slope), MessageId::StepCone, MessageId::StepConeBroken});
+        return claimSentence(step, context,
+                             {from, height(cone->slope), MessageId::StepCone, MessageId::StepConeBroken});
     }
     const auto* const sphere = step.as<subject::Sphere>();
     const auto* const voxel = step.as<subject::Voxel>();

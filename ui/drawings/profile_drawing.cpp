@@ -146,8 +146,7 @@ int ProfileSource::layers() const {
 StepShape stepShape(const relief::Step& s) {
     if (s.phase == Phase::Refine) return StepShape::Point;
     if (s.trustsMap()) return StepShape::Body;
-    const bool ends =
-        s.decision == Decision::Start || s.decision == Decision::Miss || s.decision == Decision::Limit;
+    const bool ends = s.decision == Decision::Start || s.decision == Decision::Miss || s.decision == Decision::Limit;
     if (ends && s.level == 0) return StepShape::Mark;
     if (s.as<relief::subject::Voxel>() != nullptr || s.as<relief::subject::Sphere>() != nullptr) return StepShape::Mark;
     if (!s.atPoint()) return StepShape::Plateau;

@@ -134,8 +134,7 @@ class Marks {
     std::vector<Box> boxesOf(const relief::Step& s) const {
         if (s.level < 0 || s.level >= static_cast<int>(blocks_.size())) return {};
         const LevelBlock& block = blocks_[static_cast<std::size_t>(s.level)];
-        std::vector<Box> boxes =
-            wrapped(stepBox(*source_.field, s, source_.baseLevel), block.domain, wraps_);
+        std::vector<Box> boxes = wrapped(stepBox(*source_.field, s, source_.baseLevel), block.domain, wraps_);
         for (Box& box : boxes) box = block.toDrawing(box);
         return boxes;
     }

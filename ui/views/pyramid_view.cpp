@@ -268,8 +268,7 @@ void PyramidView::choose(const ItemId& id) {
     for (std::int64_t n = 1; n <= count; ++n) {
         const std::int64_t k = (current + n) % count;
         const relief::Step& step = steps[static_cast<std::size_t>(k)];
-        if (step.level == at->level && step.i == at->i && step.j == at->j &&
-            liesInVoxel(step) == liesInVoxel(*at)) {
+        if (step.level == at->level && step.i == at->i && step.j == at->j && liesInVoxel(step) == liesInVoxel(*at)) {
             workspace_->chooseStep(static_cast<int>(k));
             return;
         }

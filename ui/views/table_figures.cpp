@@ -73,7 +73,8 @@ TableSource stepTable(const Snapshot& snapshot, relief::Language language) {
         row.mark = steps[k].decision;
         table.rows.push_back(std::move(row));
     }
-    table.below = relief::sentence(relief::stepSentence(steps, chosen, snapshot.trace.ray, snapshot.trace.exact), language);
+    table.below =
+        relief::sentence(relief::stepSentence(steps, chosen, snapshot.trace.ray, snapshot.trace.exact), language);
     return table;
 }
 

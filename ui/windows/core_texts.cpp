@@ -107,11 +107,10 @@ namespace {
     QT_TRANSLATE_NOOP("core", "azimuth sectors that have distances of their own (a divisor of horizons)"),
     QT_TRANSLATE_NOOP("core", "sampled from each voxel"),
     QT_TRANSLATE_NOOP("core", "at most; with stop=never all"),
-    QT_TRANSLATE_NOOP(
-        "core", "where the march ends: at the surface, where the distance is below `within`, or nowhere"),
+    QT_TRANSLATE_NOOP("core", "where the march ends: at the surface, where the distance is below `within`, or nowhere"),
     QT_TRANSLATE_NOOP("core", "of stop=distance"),
-    QT_TRANSLATE_NOOP(
-        "core", "what Euclidean distances are measured to: the surface, or the nearest solid voxel's centre"),
+    QT_TRANSLATE_NOOP("core",
+                      "what Euclidean distances are measured to: the surface, or the nearest solid voxel's centre"),
     QT_TRANSLATE_NOOP("core", "the map that it traces with"),
     QT_TRANSLATE_NOOP("core", "a step by the distance: from where the ray leaves the voxel, or from where it is"),
     QT_TRANSLATE_NOOP("core", "map euclidean"),

@@ -63,7 +63,8 @@ void toSurface(DistanceMap& map, const Shape& shape, const HeightField& field, s
         for (int x = 0; x < shape.nx; ++x) {
             double below = kNone;
             for (int k = 0; k < map.layers(); ++k) {
-                float* const row = plane(values, shape, k) + static_cast<std::size_t>(y) * static_cast<std::size_t>(shape.nx);
+                float* const row =
+                    plane(values, shape, k) + static_cast<std::size_t>(y) * static_cast<std::size_t>(shape.nx);
                 const double beside = x > 0 ? static_cast<double>(row[x - 1]) + across : kNone;
                 constexpr double kRounding = 1e-4;  // texels: of the floats
                 const double known = std::min(below + up, beside) + kRounding;
@@ -154,9 +155,9 @@ DistanceTo parseDistanceTo(std::string_view text) {
     for (std::size_t n = 0; n < kToNames.size(); ++n) {
         if (kToNames[n] == text) return static_cast<DistanceTo>(n);
     }
-    throw InputError("--set", Message(MessageId::UnknownName, {{"what", "target of distances"},
-                                                               {"name", std::string(text)},
-                                                               {"known", "surface, voxel"}}));
+    throw InputError(
+        "--set", Message(MessageId::UnknownName,
+                         {{"what", "target of distances"}, {"name", std::string(text)}, {"known", "surface, voxel"}}));
 }
 
 int azimuthSector(double x, double y, int sectors) {

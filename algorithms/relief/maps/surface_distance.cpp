@@ -21,8 +21,8 @@ double gap(double x, Side side) {
     return std::max({side.low - x, x - side.high, 0.0});
 }
 
-// The squared distance of (a, b, z) to the patch h00 + hu u + hv v + huv u v over its sides, as a function of v: the least
-// over u, in closed form, for it is a parabola in u.
+// The squared distance of (a, b, z) to the patch h00 + hu u + hv v + huv u v over its sides, as a function of v: the
+// least over u, in closed form, for it is a parabola in u.
 struct Patch {
     double a, b;
     double e, eu, ev, euv;  // D (h - z) = e + eu u + ev v + euv u v
@@ -36,7 +36,8 @@ struct Patch {
     }
 };
 
-// The least of the patch over its sides. Samples first: the function has more than one valley where the patch is twisted.
+// The least of the patch over its sides. Samples first: the function has more than one valley where the patch is
+// twisted.
 double least(const Patch& patch, Side v) {
     constexpr int kSamples = 5;
     constexpr int kNarrowings = 22;  // by the golden section: to 1e-5 of the side

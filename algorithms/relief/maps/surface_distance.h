@@ -1,8 +1,8 @@
 // The distance of a point to the surface itself: the nearest of its bilinear patches or columns, found by branch and
 // bound over the max pyramid.
 //
-// Metric: X = (x, y, D z) in texels, D = HeightField::slabTexels. Columns have walls. Outside of a border is no surface.
-// Accuracy: columns exact to rounding; patches to better than 1e-4 texels, found by a search along one side.
+// Metric: X = (x, y, D z) in texels, D = HeightField::slabTexels. Columns have walls. Outside of a border is no
+// surface. Accuracy: columns exact to rounding; patches to better than 1e-4 texels, found by a search along one side.
 // Cost: some tens of nodes and a few patches per point. Thread-safe.
 #pragma once
 
@@ -17,8 +17,8 @@ class SurfaceDistance {
   public:
     SurfaceDistance(HeightField field, std::shared_ptr<const MaxPyramidMap> maxima);
 
-    // Of the point (s, t, z), texels and height; 0 at or below the surface. (s, t) lies in the picture. known: a distance
-    // that is certainly not exceeded (infinity: none known), which spares work where it is tight.
+    // Of the point (s, t, z), texels and height; 0 at or below the surface. (s, t) lies in the picture. known: a
+    // distance that is certainly not exceeded (infinity: none known), which spares work where it is tight.
     double at(double s, double t, double z, double known) const;
 
     struct Point {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "fields.h"
+#include "images/files.h"
+#include "relief/maps/map_choice.h"
 
 namespace relief::test {
 namespace {
@@ -108,6 +110,91 @@ INSTANTIATE_TEST_SUITE_P(All, MapTracers, testing::Values("distance-conservative
                              std::erase(name, '-');
                              return name;
                          });
+
+// [DIST17]: "only the data change, the tracer does not". A stored refined map in the unchanged tracers.
+TEST(DropIn, AStoredRefinedMapServesTheUnchangedTracers) {
+    Work work(2);
+    const HeightField field(share(makeRelief("bricks", 48, 40, 3)), Surface::Bilinear, Address::Repeat, 0.1);
+    RayBlock rays = randomRays(91, field, 3000, 3);
+    std::size_t flat = 0;
+    MapCache building;
+    HitBlock exact;
+    NullSink sink;
+    makeTracer({"exact", {}}, field, building, work)->trace(rays, exact, sink, work);
+    struct Case {
+        const char* tracer;
+        const char* kind;
+        const char* own;  // the tracer whose own map it is
+    };
+    for (const Case& c : {Case{"distance", "refined-sampled", "distance-refined-sampled"},
+                          Case{"distance-conservative", "refined", "distance-refined"}}) {
+        SCOPED_TRACE(c.tracer);
+        const StoredMap map = buildMap(c.kind, {{"layers", "8"}, {"footprint", "2"}}, field, building, work);
+        MapCache cache;
+        const MethodChoice choice = useMap("map.tif", map, {c.tracer, {}}, field, cache);
+        EXPECT_EQ(choice.options.at("map"), c.kind);
+        const auto tracer = makeTracer(choice, field, cache, work);
+        EXPECT_EQ(tracer->description().name, c.tracer);
+        HitBlock hits;
+        HitBlock own;
+        tracer->trace(rays, hits, sink, work);
+        const MethodChoice with = useMap("map.tif", map, {c.own, {}}, field, cache);
+        makeTracer(with, field, cache, work)->trace(rays, own, sink, work);
+        const double maxRun = std::get<std::shared_ptr<const DistanceMap>>(map)->maxRun;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            ASSERT_EQ(hits.outcome[i], own.outcome[i]) << describe(rays[i]);
+            ASSERT_EQ(hits.lambda[i], own.lambda[i]) << describe(rays[i]);
+            // Flatter than the map serves: still traced, and safely.
+            if (std::hypot(rays.a[i], rays.b[i]) <= maxRun) continue;
+            ++flat;
+            ASSERT_EQ(hits.lambda[i], exact.lambda[i]) << describe(rays[i]);
+        }
+        // Another one in its place is refused.
+        const MethodChoice wanted{c.tracer, {{"map", findTracer(c.tracer).maps.front()}}};
+        EXPECT_THROW((void)useMap("map.tif", map, wanted, field, cache), InputError);
+    }
+    EXPECT_GT(flat, 100U);
+}
+
+// The march that ends at the surface: what the pictures that we ship, at their own depth, make of it.
+TEST(DistanceMarch, FewRaysAreOffByMoreThanHalfATexel) {
+    constexpr double kMost = 0.06;
+    constexpr int kSide = 128;  // of a part of the picture, whose slab is as deep as the whole one's
+    Work work(2);
+    struct Case {
+        std::string name;
+        Heights heights;
+        double depth;
+    };
+    std::vector<Case> cases{{"bricks", share(makeRelief("bricks", 256, 256, 1)), 0.1},
+                            {"fractal", share(makeRelief("fractal", 256, 256, 1)), 0.1}};
+    for (const char* file : {"brick_tiles037/height.jpg", "gray_rocks/height.png", "stone_wall_bricks102/height.jpg",
+                             "terrain_srtm_east_africa/height.png"}) {
+        const FloatImage whole = readHeight(std::string(RELIEF_DATASETS) + "/" + file, {}, work).heights;
+        FloatImage part(kSide, kSide);
+        for (int y = 0; y < kSide; ++y) {
+            for (int x = 0; x < kSide; ++x) part(x, y) = whole(x, y);
+        }
+        cases.push_back({file, share(std::move(part)), 0.1 * whole.width() / kSide});
+    }
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.name);
+        MapCache cache;
+        const HeightField field(c.heights, Surface::Bilinear, Address::Repeat, c.depth);
+        const RayBlock rays = randomRays(61, field, 4000, 3);
+        HitBlock exact;
+        HitBlock hits;
+        NullSink sink;
+        makeTracer({"max-pyramid", {}}, field, cache, work)->trace(rays, exact, sink, work);
+        makeTracer({"distance", {}}, field, cache, work)->trace(rays, hits, sink, work);
+        int wrong = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const double off = std::abs(hits.lambda[i] - exact.lambda[i]);
+            wrong += off * std::max(1.0, std::hypot(rays.a[i], rays.b[i])) <= 0.5 ? 0 : 1;
+        }
+        EXPECT_LE(wrong, kMost * static_cast<double>(rays.size()));
+    }
+}
 
 }  // namespace
 }  // namespace relief::test

@@ -80,14 +80,16 @@ TEST(RayFiles, StepsAsTableAndAsJson) {
     log.begin = {0, 1, 3};
     std::string table;
     appendStepLines(table, log, 1, 7);
-    EXPECT_EQ(table, "7,1,search,2,-1,0,0,0.25,0,0.75,1,0,skip,0,texel,,,,,,,\n"
+    EXPECT_EQ(table,
+              "7,1,search,2,-1,0,0,0.25,0,0.75,1,0,skip,0,texel,,,,,,,\n"
               "7,2,search,0,0,0,0,0,0,1,1,inf,test,0,texel,,,,,,,\n");
     log.steps[1].subject = subject::Cone{1.5, 2, 0.25, 0.125, 3, 8, true};
     log.steps[2].subject = subject::Voxel{0, 0, 0, 4, 16, 0.5};
     table.clear();
     appendStepLines(table, log, 1, 7);
-    EXPECT_EQ(table, "7,1,search,2,-1,0,0,0.25,0,0.75,1,0,skip,0,cone,1.5,2,0.25,1,1,3,8\n"
-                     "7,2,search,0,0,0,0,0,0,1,1,inf,test,0,voxel,,,,4,4,,16\n");
+    EXPECT_EQ(table,
+              "7,1,search,2,-1,0,0,0.25,0,0.75,1,0,skip,0,cone,1.5,2,0.25,1,1,3,8\n"
+              "7,2,search,0,0,0,0,0,0,1,1,inf,test,0,voxel,,,,4,4,,16\n");
     std::string objects = "[";
     bool empty = true;
     appendStepObjects(objects, log, 0, 6, empty);

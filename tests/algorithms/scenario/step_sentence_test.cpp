@@ -96,11 +96,13 @@ TEST(StepSentence, closeNumbersReadDifferently) {
 }
 
 TEST(StepSentence, everyDecisionAboutEverythingInBothLanguagesWithNoValueLeftOpen) {
-    const std::array<Subject, 7> subjects{
-        subject::Texel{3, 1, 0, 0.7},        subject::Quad{1, 2, 0.5, 0.5, 0.7},
-        subject::Voxel{1, 0, 2, 4, 16, 0.7}, subject::Sphere{1, 2, 0.9, 0.7},
-        subject::Cone{1, 2, 0.5, 0.7, 1, 8}, subject::Layer{9, 50, 0.7},
-        subject::Point{0.7}};
+    const std::array<Subject, 7> subjects{subject::Texel{3, 1, 0, 0.7},
+                                          subject::Quad{1, 2, 0.5, 0.5, 0.7},
+                                          subject::Voxel{1, 0, 2, 4, 16, 0.7},
+                                          subject::Sphere{1, 2, 0.9, 0.7},
+                                          subject::Cone{1, 2, 0.5, 0.7, 1, 8},
+                                          subject::Layer{9, 50, 0.7},
+                                          subject::Point{0.7}};
     const Step top = step(Decision::Start);
     for (std::size_t d = 0; d < kDecisionNames.size(); ++d) {
         for (const Subject& subject : subjects) {
@@ -150,7 +152,8 @@ TEST(StepSentence, aBrokenPromiseIsSaid) {
     const ViewRay ray{0, 0, 10, 0};
     const auto said = [&](double met) { return sentence(stepSentence(s, {nullptr, ray, Hit::at(ray, met)})); };
     s.subject = subject::Sphere{1, 0, 0.9, 2.5};
-    EXPECT_EQ(said(0.4), "At height 0.900 the map promises 2.50 texels free: the ray goes on by as much, to height 0.700.");
+    EXPECT_EQ(said(0.4),
+              "At height 0.900 the map promises 2.50 texels free: the ray goes on by as much, to height 0.700.");
     EXPECT_NE(said(0.2).find("The promise does not hold: the surface is met at height 0.800."), std::string::npos);
     EXPECT_NE(said(0.05).find("already behind the surface"), std::string::npos);
     s.subject = subject::Cone{1, 0, 0.5, 0.25, 0, 1};

@@ -136,11 +136,11 @@ TEST(EuclideanMap, IsTheDistanceToTheSurface) {
                     for (const Square& square : squares) {
                         const double ds = apart(s, square.s, field.width());
                         const double dt = apart(t, square.t, field.height());
-                        nearest = std::min(nearest, std::hypot(std::max(ds - kSide / 2, 0.0),
-                                                               std::max(dt - kSide / 2, 0.0),
-                                                               std::max(z - square.high, 0.0) * slab));
-                        farthest = std::min(farthest, std::hypot(ds + kSide / 2, dt + kSide / 2,
-                                                                 std::max(z - square.low, 0.0) * slab));
+                        nearest =
+                            std::min(nearest, std::hypot(std::max(ds - kSide / 2, 0.0), std::max(dt - kSide / 2, 0.0),
+                                                         std::max(z - square.high, 0.0) * slab));
+                        farthest = std::min(
+                            farthest, std::hypot(ds + kSide / 2, dt + kSide / 2, std::max(z - square.low, 0.0) * slab));
                     }
                     const auto got = static_cast<double>(map.at(bx, by, k, 0));
                     if (field.at(s, t) >= z) {
