@@ -384,6 +384,10 @@
         <translation>приклад 8 × 8 зі статті про піраміду максимумів</translation>
     </message>
     <message>
+        <source>two walls with a trench between them: the example of the refined map&apos;s paper</source>
+        <translation>дві стіни й рів між ними: приклад зі статті про уточнену карту</translation>
+    </message>
+    <message>
         <source>frame</source>
         <translation>кадр</translation>
     </message>

@@ -20,6 +20,9 @@
 //   steps    hills cut into 8 terraces
 //   checker  0 and 1 in blocks of max(1, N/16) texels
 //   paper8x8 the example of [MIP18], fig. 3
+//   paper-walls  columns 7 2 2 2 2 2 2 2 10 of a slab 10 high, as in [DIST17], figs. 5 to 8: with 9 texels, relief
+//   depth
+//            10/9, columns and border, a point at (4, any, 0.6) is 3 texels from the surface, and 4 for rays from above
 // Heights are multiples of 1/65535, so that a 16-bit file holds them exactly; paper8x8's are tenths.
 // Only + - * / and rounding are used: no function of a C library can make a difference.
 namespace relief {
@@ -340,6 +343,18 @@ FloatImage paper8x8(const Canvas&) {
     return out;
 }
 
+// Columns 7 2 2 2 2 2 2 2 10 tenths high, all rows the same.
+FloatImage paperWalls(const Canvas& canvas) {
+    constexpr std::array<double, 9> kHeights{0.7, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 1.0};
+    FloatImage out = canvas.image();
+    for (int y = 0; y < canvas.height; ++y)
+        for (int x = 0; x < canvas.width; ++x) {
+            const auto column = static_cast<std::size_t>(cellOf(x, static_cast<int>(kHeights.size()), canvas.width));
+            out(x, y) = height(kHeights[column]);
+        }
+    return out;
+}
+
 struct Maker {
     ReliefRecipe recipe;
     FloatImage (*make)(const Canvas&);
@@ -356,6 +371,8 @@ constexpr std::array kMakers{
     Maker{{"steps", "eight terraces with vertical walls", 256, true}, steps},
     Maker{{"checker", "blocks of 0 and 1", 256, true}, checker},
     Maker{{"paper8x8", "the 8 x 8 example of the max pyramid's paper", 8, false}, paper8x8},
+    Maker{{"paper-walls", "two walls with a trench between them: the example of the refined map's paper", 9, true},
+          paperWalls},
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ struct ReliefRecipe {
     bool anySize;           // paper8x8 is 8 x 8 only
 };
 
-// bricks, spikes, pits, columns, city, fractal, hills, steps, checker, paper8x8
+// bricks, spikes, pits, columns, city, fractal, hills, steps, checker, paper8x8, paper-walls
 const std::vector<ReliefRecipe>& reliefRecipes();
 
 // Heights in [0, 1]; tile seamlessly where the recipe allows. Throws InputError for an unknown name or a size that

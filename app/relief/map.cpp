@@ -1,25 +1,70 @@
-// relief map KIND --height FILE [--set NAME=VALUE ...] -o FILE.tif
+// relief map KIND --height FILE [--set NAME=VALUE ...] (-o FILE.tif | --at s,t,z)
 #include <chrono>
 
 #include "options_common.h"
 #include "output.h"
 #include "relief/maps/map_choice.h"
+#include "relief/maps/refined.h"
+#include "scenario/step_sentence.h"
 
 namespace relief::app {
 
 namespace {
 
 struct MapOptions {
-    OptionText kind, output;
+    OptionText kind, output, at;
     ScenarioOptions scenario;
     RunOptions run;
 };
 
+// Both distances of a point, and what decides each.
+int printDistances(const std::string& at, const Scenario& scenario, const HeightField& field, Session& session) {
+    constexpr int kDecimals = 3;
+    const auto [s, t, z] = parseThree(at, "--at");
+    const auto within = [&](const char* what, double value, double high) {
+        if (value >= 0 && value <= high) return;
+        throw InputError("--at",
+                         Message(MessageId::OutOfRange,
+                                 {{"what", what}, {"value", value}, {"range", "within 0 and " + numberText(high)}}));
+    };
+    within("s", s, field.width());
+    within("t", t, field.height());
+    within("z", z, 1);
+    constexpr double kFlattest = 10;  // degrees, as the options' default
+    const auto given = scenario.method.options.find("flattest");
+    const double flattest = given == scenario.method.options.end() ? kFlattest : parseNumber(given->second, "flattest");
+    MapCache cache;
+    const PointDistances found = distancesAt(field, s, t, z, flattest, cache, session.work());
+    const auto fixed = [&](double value) { return fixedText(value, kDecimals); };
+    const auto place = [&](double x, double y, double h) { return fixed(x) + ", " + fixed(y) + ", " + fixed(h); };
+    const auto say = [&](const Message& message) { writeStandardOutput(sentence(message, session.language()) + "\n"); };
+    session.eraseBar();
+    if (found.rays == 0) {
+        say(Message(MessageId::PointInside, {{"point", place(s, t, z)}}));
+        return 0;
+    }
+    say(Message(MessageId::PointEuclidean, {{"point", place(s, t, z)},
+                                            {"distance", fixed(found.euclidean)},
+                                            {"nearest", place(found.s, found.t, found.z)}}));
+    const std::vector<MessageValue> rays{{"rays", found.rays}, {"blocked", found.blocked}};
+    if (!found.reached) {
+        say(Message(MessageId::PointNoRay, rays));
+        return 0;
+    }
+    const ViewRay& ray = found.ray;
+    const std::string text = fixed(ray.s0) + "," + fixed(ray.t0) + "," + fixed(ray.a) + "," + fixed(ray.b);
+    say(Message(MessageId::PointRefined, {{"distance", fixed(found.refined)},
+                                          {"ray", text},
+                                          {"hit", place(found.hit.s, found.hit.t, 1 - found.hit.lambda)},
+                                          {"rays", found.rays},
+                                          {"blocked", found.blocked}}));
+    return 0;
+}
+
 int runMap(const MapOptions& options, Session& session) {
     options.run.apply(session);
     const std::string& kind = needed(options.kind, "KIND", "map");
-    const std::string& output = needed(options.output, "--output", "map");
-    checkOutput(output, {"tif", "tiff"});
+    if (!options.at) checkOutput(needed(options.output, "--output", "map"), {"tif", "tiff"});
     ScenarioOptions chosen = options.scenario;
     chosen.chooseTracer(methodOfMap(kind));
     const Scenario scenario = chosen.scenario();
@@ -28,6 +73,8 @@ int runMap(const MapOptions& options, Session& session) {
     const Assets assets = store.load(scenario.pictures, work);
     noteHeights(session, assets, scenario);
     const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
+    if (options.at) return printDistances(*options.at, scenario, field, session);
+    const std::string& output = *options.output;
     MapCache maps;
     const auto begin = std::chrono::steady_clock::now();
     const StoredMap map = buildMap(kind, scenario.method.options, field, maps, work);
@@ -53,10 +100,16 @@ void addMapCommand(CLI::App& program, Commands& commands) {
         "depth, and is refused anywhere else. trace and render take it by --map. The kinds: " +
             kinds + "; each has the options of its tracer (relief list shows them).",
         "  relief map refined --height heights.png --set layers=16 --set precision=u8 -o refined.tif\n"
-        "  relief trace --height heights.png --tracer distance-refined --map refined.tif --ray 10,20,30,5");
+        "  relief trace --height heights.png --tracer distance-refined --map refined.tif --ray 10,20,30,5\n"
+        "  relief map refined --height heights.png --at 10,20,0.6");
     addArgument(*parser, "KIND", options->kind, "which map");
     options->scenario.add(*parser, ScenarioOptions::Look::Heights);
     addOutput(*parser, options->output, "the map: .tif");
+    addText(
+        *parser, "--at", options->at, "s,t,z",
+        "no map, but the distances at this point (texels and height): the Euclidean one, the one for rays from above "
+        "that come through the point unhindered, and the ray that decides it",
+        "Result");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runMap(*options, session); }});
 }

@@ -2,6 +2,7 @@
 // descriptions that the window's sliders use.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,6 +32,9 @@ CLI::Option* addTexts(CLI::App& parser, const std::string& names, std::vector<st
                       const std::string& kind, const std::string& help, const std::string& group);
 CLI::Option* addFlag(CLI::App& parser, const std::string& names, bool& target, const std::string& help,
                      const std::string& group);
+
+// "X,Y,Z"; InputError naming the option.
+std::array<double, 3> parseThree(const std::string& text, const std::string& option);
 
 // "--language": accepted everywhere, read by main().
 void addLanguage(CLI::App& parser);

@@ -46,9 +46,8 @@ std::vector<std::string> applySettings(Scenario& scenario, const std::string& te
 }
 
 glm::dvec3 parsePoint(const std::string& text, const std::string& option) {
-    const std::vector<std::string> parts = splitText(text, ',');
-    if (parts.size() != 3) throw InputError(option, Message(MessageId::NotAPoint, {{"text", text}}));
-    return {parseNumber(parts[0], option), parseNumber(parts[1], option), parseNumber(parts[2], option)};
+    const std::array<double, 3> p = parseThree(text, option);
+    return {p[0], p[1], p[2]};
 }
 
 std::string tracerNames() {
@@ -334,6 +333,12 @@ void ScenarioOptions::applyCamera(Scenario& scenario) const {
         if (target_) camera.target = parsePoint(*target_, "--target");
     }
     if (fov_) setScenarioNumber(scenario, "fov", parseNumber(*fov_, "--fov"), "--fov");
+}
+
+std::array<double, 3> parseThree(const std::string& text, const std::string& option) {
+    const std::vector<std::string> parts = splitText(text, ',');
+    if (parts.size() != 3) throw InputError(option, Message(MessageId::NotAPoint, {{"text", text}}));
+    return {parseNumber(parts[0], option), parseNumber(parts[1], option), parseNumber(parts[2], option)};
 }
 
 }  // namespace relief::app

@@ -48,6 +48,34 @@ TEST_P(MapTest, RenderUsesTheStoredMap) {
     EXPECT_EQ(read("a.png"), read("b.png"));
 }
 
+TEST_P(MapTest, TheRefinedMapIsTakenByTheUnchangedTracer) {
+    const std::string height = small();
+    runFine({"map", "refined-sampled", "--height", height, "--set", "layers=8", "-o", path("map.tif")});
+    const std::vector<std::string> rest{"--height", height, "--map", path("map.tif"), "--ray", "3.25,4.5,7,-3"};
+    std::vector<std::string> own{"trace", "--tracer", "distance-refined-sampled"};
+    std::vector<std::string> unchanged{"trace", "--tracer", "distance"};
+    own.insert(own.end(), rest.begin(), rest.end());
+    unchanged.insert(unchanged.end(), rest.begin(), rest.end());
+    EXPECT_EQ(runFine(unchanged), runFine(own));
+}
+
+TEST_P(MapTest, DistancesOfAPoint) {
+    const std::vector<std::string> walls{"map",    "refined",   "--relief", "paper-walls", "--relief-depth",
+                                         "1.1111", "--surface", "columns",  "--address",   "border",
+                                         "--at"};
+    const auto at = [&](const std::string& point) {
+        std::vector<std::string> all = walls;
+        all.push_back(point);
+        return all;
+    };
+    const std::string said = runFine(at("4,4.5,0.6"));
+    EXPECT_NE(said.find("3.000"), std::string::npos) << said;
+    EXPECT_NE(said.find("4.000"), std::string::npos) << said;
+    EXPECT_NE(said.find("4.000,4.500,0.000,0.000"), std::string::npos) << said;
+    expectRefusal(at("4,4.5"), 2, {"--at"});
+    expectRefusal(at("4,4.5,1.5"), 2, {"--at", "1.5"});
+}
+
 TEST_P(MapTest, WhatDoesNotBelongIsRefused) {
     const std::string height = small();
     const std::string map = path("map.tif");

@@ -173,6 +173,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "Pixel model"),
     QT_TRANSLATE_NOOP("core", "cells"),
     QT_TRANSLATE_NOOP("core", "the 8 x 8 example of the max pyramid's paper"),
+    QT_TRANSLATE_NOOP("core", "two walls with a trench between them: the example of the refined map's paper"),
     QT_TRANSLATE_NOOP("core", "u, v linear along the row, no perspective: wrong on purpose."),
     QT_TRANSLATE_NOOP("core", "(A x + B y + C) / (G x + H y + I), the denominator made for each of u and v."),
     QT_TRANSLATE_NOOP("core", "(u_t + A n) / (u_b + G n): what does not change along a row once."),

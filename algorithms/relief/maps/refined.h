@@ -33,6 +33,33 @@ struct BoxHeights {
 void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& field, std::vector<float>& values,
                     Work& work);
 
+// A direction of rays, and the length of a unit of lambda along it in the map's metric.
+struct SampledDirection {
+    double a;
+    double b;
+    double length;
+};
+// Evenly over the half sphere below the horizontal of the metric, down from the flattest ray served: a golden spiral.
+std::vector<SampledDirection> sampledDirections(int count, double slabTexels, double maxRun);
+
+// Which distance holds at one point of the slab: the Euclidean one, and the refined one of [DIST17], figs. 5 to 8, by
+// kPointDirections rays and the vertical one.
+struct PointDistances {
+    double euclidean = 0;  // texels, to (s, t, z) of the surface
+    double s = 0, t = 0, z = 0;
+    double refined = 0;    // along `ray`, from the point to its first hit; as in maps where no ray arrives
+    bool reached = false;  // by any ray from above
+    ViewRay ray;
+    Hit hit;
+    int rays = 0;
+    int blocked = 0;  // that hit something before the point
+};
+inline constexpr int kPointDirections = 16384;
+// flattest: degrees below which rays are not served. The point lies in the slab, over the picture; at or below the
+// surface both distances are 0. Throws Cancelled.
+PointDistances distancesAt(const HeightField& field, double s, double t, double z, double flattest, MapCache& cache,
+                           Work& work);
+
 // A bound for every point of a box and every admissible ray through it.
 // Backward, for each of K azimuth sectors: the gates (grid lines behind the box) that a ray from above must have
 // passed over, the least height g over the stretch where it can have crossed, within the horizontal way tau, give its

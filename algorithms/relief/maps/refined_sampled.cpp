@@ -1,43 +1,41 @@
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
 #include "relief/maps/refined.h"
+#include "relief/maps/surface_distance.h"
 #include "relief/max_pyramid.h"
+#include "relief/tracers.h"
 
 namespace relief {
 
-namespace {
-
-struct Direction {
-    double a;
-    double b;
-    double length;  // in the map's metric, a unit of lambda
-};
-
-// Evenly over the half sphere below the horizontal of the metric, down from the flattest: a golden spiral.
-std::vector<Direction> spread(int count, double slab, double maxRun) {
-    const double sinFlattest = slab / std::hypot(slab, maxRun);
+std::vector<SampledDirection> sampledDirections(int count, double slabTexels, double maxRun) {
+    const double sinFlattest = slabTexels / std::hypot(slabTexels, maxRun);
     const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
-    std::vector<Direction> directions;
+    std::vector<SampledDirection> directions;
     for (int i = 0; i < count; ++i) {
         const double sine = sinFlattest + (1 - sinFlattest) * (i + 0.5) / count;
-        const double run = slab * std::sqrt(1 - sine * sine) / sine;
-        directions.push_back({run * std::cos(golden * i), run * std::sin(golden * i), slab / sine});
+        const double run = slabTexels * std::sqrt(1 - sine * sine) / sine;
+        directions.push_back({run * std::cos(golden * i), run * std::sin(golden * i), slabTexels / sine});
     }
     return directions;
 }
+
+namespace {
+
+// A hit this little before the point's own height is the point's own place on the surface.
+constexpr double kReached = 1e-9;
 
 }  // namespace
 
 void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& field, std::vector<float>& values,
                     Work& work) {
-    // A hit this little before the voxel's own height is the voxel's own place on the surface.
-    constexpr double kReached = 1e-9;
     MapCache own;
     const MaxPyramidTracer tracer = MaxPyramidTracer::make(field, {}, own, work);
-    const std::vector<Direction> directions = spread(map.parameters.directions, map.slabTexels, map.maxRun);
+    const std::vector<SampledDirection> directions =
+        sampledDirections(map.parameters.directions, map.slabTexels, map.maxRun);
     const std::size_t count = directions.size();
     struct Scratch {
         RayBlock rays;
@@ -53,7 +51,7 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
         for (int x = 0; x < nx; ++x) {
             const double s = (x + 0.5) * field.width() / nx;
             for (std::size_t d = 0; d < count; ++d) {
-                const Direction& way = directions[d];
+                const SampledDirection& way = directions[d];
                 scratch.rays.set(static_cast<std::size_t>(x) * count + d,
                                  {s - lambda * way.a, t - lambda * way.b, way.a, way.b});
             }
@@ -80,6 +78,45 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
         }
         work.progress().advance();
     });
+}
+
+PointDistances distancesAt(const HeightField& field, double s, double t, double z, double flattest, MapCache& cache,
+                           Work& work) {
+    const double slab = field.slabTexels();
+    PointDistances out;
+    const SurfaceDistance surface(field, maxPyramidMap(field, cache, work));
+    const auto nearest = surface.nearest(s, t, z, std::numeric_limits<double>::infinity());
+    out.euclidean = nearest.distance;
+    out.s = nearest.s, out.t = nearest.t, out.z = nearest.z;
+    if (field.at(s, t) >= z) return out;
+    const double lambda = 1 - z;
+    std::vector<SampledDirection> directions =
+        sampledDirections(kPointDirections, slab, slab / std::tan(flattest * std::numbers::pi / 180));
+    directions.push_back({0, 0, slab});
+    RayBlock rays;
+    for (const SampledDirection& way : directions) {
+        rays.push({s - lambda * way.a, t - lambda * way.b, way.a, way.b});
+    }
+    HitBlock hits;
+    NullSink sink;
+    makeTracer({"max-pyramid", {}}, field, cache, work)->trace(rays, hits, sink, work);
+    out.rays = static_cast<int>(rays.size());
+    out.refined = (z + 1) * slab;
+    for (std::size_t d = 0; d < directions.size(); ++d) {
+        const Hit hit = hits[d];
+        if (hit.outcome != Outcome::Hit) continue;
+        if (hit.lambda < lambda - kReached) {
+            ++out.blocked;
+            continue;
+        }
+        const double distance = std::max(hit.lambda - lambda, 0.0) * directions[d].length;
+        if (out.reached && distance >= out.refined) continue;
+        out.reached = true;
+        out.refined = distance;
+        out.ray = rays[d];
+        out.hit = hit;
+    }
+    return out;
 }
 
 }  // namespace relief

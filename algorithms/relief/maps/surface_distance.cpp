@@ -28,23 +28,25 @@ struct Patch {
     double e, eu, ev, euv;  // D (h - z) = e + eu u + ev v + euv u v
     Side u;
 
-    double at(double v) const {
-        const double base = e + ev * v;
+    double bestU(double v) const {
         const double slope = eu + euv * v;
-        const double best = std::clamp((a - slope * base) / (1 + slope * slope), u.low, u.high);
-        return squared(best - a) + squared(v - b) + squared(base + slope * best);
+        return std::clamp((a - slope * (e + ev * v)) / (1 + slope * slope), u.low, u.high);
+    }
+    double at(double v) const {
+        const double best = bestU(v);
+        return squared(best - a) + squared(v - b) + squared(e + ev * v + (eu + euv * v) * best);
     }
 };
 
-// The least of the patch over its sides. Samples first: the function has more than one valley where the patch is
-// twisted.
-double least(const Patch& patch, Side v) {
+// The v of the least of the patch over its sides. Samples first: the function has more than one valley where the patch
+// is twisted.
+double leastV(const Patch& patch, Side v) {
     constexpr int kSamples = 5;
     constexpr int kNarrowings = 22;  // by the golden section: to 1e-5 of the side
     const double middle = std::clamp(patch.b, v.low, v.high);
-    double best = patch.at(middle);
     // A side without an end is a rim on which the height does not change.
-    if (!std::isfinite(v.low) || !std::isfinite(v.high)) return best;
+    if (!std::isfinite(v.low) || !std::isfinite(v.high)) return middle;
+    double best = patch.at(middle);
     const double spacing = (v.high - v.low) / (kSamples - 1);
     double at = middle;
     for (int n = 0; n < kSamples; ++n) {
@@ -70,7 +72,8 @@ double least(const Patch& patch, Side v) {
             atRight = patch.at(right);
         }
     }
-    return std::min({best, atLeft, atRight});
+    if (best <= std::min(atLeft, atRight)) return at;
+    return atLeft < atRight ? left : right;
 }
 
 }  // namespace
@@ -88,7 +91,7 @@ double SurfaceDistance::lowerBound(const Node& node, const Point& p) const {
            squared(std::max(p.z - highest, 0.0) * slab_);
 }
 
-double SurfaceDistance::patch(const Node& cell, const Point& p) const {
+SurfaceDistance::Best SurfaceDistance::patch(const Node& cell, const Point& p) const {
     const FloatImage& heights = field_.heights();
     const int i0 = grid_.x.nodeBefore(cell.i);
     const int i1 = grid_.x.nodeAfter(cell.i);
@@ -107,14 +110,22 @@ double SurfaceDistance::patch(const Node& cell, const Point& p) const {
                       slab_ * (h01 - h00),
                       slab_ * ((h11 - h10) - (h01 - h00)),
                       {grid_.x.edge(cell.i, cell.baseX) - x, grid_.x.edge(cell.i + 1, cell.baseX) - x}};
-    return least(patch, {grid_.y.edge(cell.j, cell.baseY) - y, grid_.y.edge(cell.j + 1, cell.baseY) - y});
+    const double v = leastV(patch, {grid_.y.edge(cell.j, cell.baseY) - y, grid_.y.edge(cell.j + 1, cell.baseY) - y});
+    return {patch.at(v), x + patch.bestU(v), y + v};
 }
 
-void SurfaceDistance::visit(const Node& node, const Point& p, double& best) const {
-    if (!(lowerBound(node, p) < best)) return;
+// The bound of a column is its distance.
+SurfaceDistance::Best SurfaceDistance::column(const Node& cell, const Point& p) const {
+    const double x = std::clamp(p.x, grid_.x.edge(cell.i, cell.baseX), grid_.x.edge(cell.i + 1, cell.baseX));
+    const double y = std::clamp(p.y, grid_.y.edge(cell.j, cell.baseY), grid_.y.edge(cell.j + 1, cell.baseY));
+    return {lowerBound(cell, p), x, y};
+}
+
+void SurfaceDistance::visit(const Node& node, const Point& p, Best& best) const {
+    if (!(lowerBound(node, p) < best.squared)) return;
     if (node.level == 0) {
-        // The bound of a column is its distance.
-        best = std::min(best, field_.surface() == Surface::Columns ? lowerBound(node, p) : patch(node, p));
+        const Best found = field_.surface() == Surface::Columns ? column(node, p) : patch(node, p);
+        if (found.squared < best.squared) best = found;
         return;
     }
     const FloatImage& children = maxima_->pyramid.level(node.level - 1);
@@ -131,12 +142,12 @@ void SurfaceDistance::visit(const Node& node, const Point& p, double& best) cons
     }
 }
 
-double SurfaceDistance::at(double s, double t, double z, double known) const {
+SurfaceDistance::Nearest SurfaceDistance::nearest(double s, double t, double z, double known) const {
     const double drop = (z - field_.at(s, t)) * slab_;
-    if (drop <= 0) return 0;
+    if (drop <= 0) return {0, s, t, z};
     const double start = std::min(drop, known);
-    double best = squared(start);
     const Point p{s + grid_.x.shift, t + grid_.y.shift, z};
+    Best best{squared(start), p.x, p.y};
     const int top = maxima_->top();
     const auto periods = [&](const GridAxis& axis, double x) {
         if (!axis.wraps) return std::pair<std::int64_t, std::int64_t>(0, 0);
@@ -150,7 +161,9 @@ double SurfaceDistance::at(double s, double t, double z, double known) const {
             visit({top, 0, 0, n * grid_.x.cells, m * grid_.y.cells}, p, best);
         }
     }
-    return std::sqrt(best);
+    // Of a column its top, or its wall at the point's height.
+    const double rise = std::sqrt(std::max(best.squared - squared(best.x - p.x) - squared(best.y - p.y), 0.0));
+    return {std::sqrt(best.squared), best.x - grid_.x.shift, best.y - grid_.y.shift, slab_ > 0 ? z - rise / slab_ : z};
 }
 
 }  // namespace relief

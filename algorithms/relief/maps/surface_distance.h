@@ -19,7 +19,15 @@ class SurfaceDistance {
 
     // Of the point (s, t, z), texels and height; 0 at or below the surface. (s, t) lies in the picture. known: a
     // distance that is certainly not exceeded (infinity: none known), which spares work where it is tight.
-    double at(double s, double t, double z, double known) const;
+    double at(double s, double t, double z, double known) const { return nearest(s, t, z, known).distance; }
+    // And where the nearest point is, unwrapped texels and height; on a wall at the point's own height.
+    struct Nearest {
+        double distance = 0;
+        double s = 0;
+        double t = 0;
+        double z = 0;
+    };
+    Nearest nearest(double s, double t, double z, double known) const;
 
     struct Point {
         double x;  // cell coordinates
@@ -35,9 +43,16 @@ class SurfaceDistance {
         std::int64_t baseX;  // first cell of the period
         std::int64_t baseY;
     };
-    void visit(const Node& node, const Point& p, double& best) const;
+    // The least squared distance so far, and the point's place in cell coordinates.
+    struct Best {
+        double squared;
+        double x;
+        double y;
+    };
+    void visit(const Node& node, const Point& p, Best& best) const;
     double lowerBound(const Node& node, const Point& p) const;
-    double patch(const Node& cell, const Point& p) const;
+    Best column(const Node& cell, const Point& p) const;
+    Best patch(const Node& cell, const Point& p) const;
 
     HeightField field_;
     std::shared_ptr<const MaxPyramidMap> maxima_;

@@ -7,6 +7,7 @@
 
 #include "brute_cells.h"
 #include "relief/maps/distance_map.h"
+#include "relief/maps/refined.h"
 
 namespace relief::test {
 namespace {
@@ -280,6 +281,41 @@ TEST_F(WorkedExample, AsAVoxel) {
     for (const int sector : {3, 4}) EXPECT_NEAR(voxel(DistanceKind::Refined, sector), left, kRounding);
     // Along the walls there is the floor, 4 below.
     for (const int sector : {1, 2, 5, 6}) EXPECT_LE(voxel(DistanceKind::Refined, sector), 4);
+}
+
+// The recipe of the paper's figures: 3 texels to the wall, 4 to the floor for whoever comes from above.
+TEST(PointDistances, OfThePapersExample) {
+    Work work(1);
+    MapCache cache;
+    const HeightField field(share(makeRelief("paper-walls", 9, 9, 1)), Surface::Columns, Address::Border, 10.0 / 9);
+    const PointDistances found = distancesAt(field, 4, 4.5, 0.6, 10, cache, work);
+    constexpr double kRounding = 1e-9;
+    EXPECT_NEAR(found.euclidean, 3, kRounding);
+    EXPECT_NEAR(found.s, 1, kRounding);
+    EXPECT_NEAR(found.z, 0.6, kRounding);
+    EXPECT_NEAR(found.refined, 4, kRounding);
+    EXPECT_EQ(found.ray.a, 0);
+    EXPECT_EQ(found.ray.b, 0);
+    EXPECT_TRUE(found.reached);
+    EXPECT_GT(found.blocked, 0);
+    // In a wall, and on the floor: nothing is free.
+    EXPECT_EQ(distancesAt(field, 0.5, 4.5, 0.6, 10, cache, work).refined, 0);
+    EXPECT_EQ(distancesAt(field, 4, 4.5, 0.1, 10, cache, work).euclidean, 0);
+}
+
+// Never less than the Euclidean distance, nor more than a voxel's map of fewer rays.
+TEST(PointDistances, RefinedIsNeverTheSmaller) {
+    Work work(1);
+    MapCache cache;
+    Random random(5);
+    for (const Surface surface : allSurfaces()) {
+        const HeightField field(randomHeights(12, 10, 3), surface, Address::Repeat, 0.5);
+        for (int n = 0; n < 40; ++n) {
+            const double z = random.between(0.3, 1);
+            const PointDistances found = distancesAt(field, random.unit() * 12, random.unit() * 10, z, 10, cache, work);
+            EXPECT_GE(found.refined, found.euclidean - 1e-4);
+        }
+    }
 }
 
 }  // namespace
