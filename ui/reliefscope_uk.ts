@@ -3376,6 +3376,18 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>влучання в тексель (%1, %2), λ %3</translation>
     </message>
     <message>
+        <source>, the exact answer is a hit</source>
+        <translation>, точна відповідь — влучання</translation>
+    </message>
+    <message>
+        <source>, there is no hit</source>
+        <translation>, влучання немає</translation>
+    </message>
+    <message>
+        <source>, %1 texels from the exact hit</source>
+        <translation>, за %1 текселя від точного влучання</translation>
+    </message>
+    <message>
         <source>frame %1 ms</source>
         <translation>кадр %1 мс</translation>
     </message>

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace relief {
 
@@ -223,6 +224,29 @@ Message stepSentence(const Step& step, const StepContext& context) {
 Message stepSentence(const std::vector<Step>& steps, std::size_t index, const ViewRay& ray,
                      const std::optional<Hit>& exact) {
     return stepSentence(steps[index], {index > 0 ? &steps[index - 1] : nullptr, ray, exact});
+}
+
+double answerError(const Hit& answer, const Hit& exact, const ViewRay& ray) {
+    if (exact.outcome == Outcome::Limit || exact.outcome == Outcome::Unset) return 0;
+    if (answer.outcome != exact.outcome) return std::numeric_limits<double>::infinity();
+    if (exact.outcome != Outcome::Hit) return 0;
+    return std::abs(answer.lambda - exact.lambda) * std::max(1.0, std::hypot(ray.a, ray.b));
+}
+
+Message answerSentence(const Hit& answer, const Hit& exact, const ViewRay& ray) {
+    constexpr int kDigits = 2;
+    const double off = answerError(answer, exact, ray);
+    const bool known = exact.outcome == Outcome::Hit || exact.outcome == Outcome::Miss;
+    if (!known) return Message(MessageId::AnswerUnknown);
+    if (exact.outcome == Outcome::Miss) {
+        return Message(answer.outcome == Outcome::Miss ? MessageId::AnswerRightMiss : MessageId::AnswerWrongHit);
+    }
+    const std::vector<MessageValue> values{{"height", fixedText(1 - exact.lambda, kHeightDecimals)},
+                                           {"s", fixedText(exact.s, kTexelDecimals)},
+                                           {"t", fixedText(exact.t, kTexelDecimals)},
+                                           {"texels", std::isfinite(off) ? numberText(off, kDigits) : std::string()}};
+    if (off <= kSameAnswer) return Message(MessageId::AnswerExact, values);
+    return Message(std::isfinite(off) ? MessageId::AnswerOff : MessageId::AnswerWrongMiss, values);
 }
 
 }  // namespace relief

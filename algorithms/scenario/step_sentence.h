@@ -27,6 +27,12 @@ int tellingDecimals(double a, double b);
 Message decisionTitle(Decision decision);
 
 Message stepSentence(const Step& step, const StepContext& context);
+
+// How far a method's answer is from the exact hit, texels: |lambda - exact lambda| max(1, hypot(a, b)); infinite where
+// the outcomes differ, 0 where neither hits or the exact one is not known (Limit, Unset).
+double answerError(const Hit& answer, const Hit& exact, const ViewRay& ray);
+// Where the exact hit is, and how far the answer is from it.
+Message answerSentence(const Hit& answer, const Hit& exact, const ViewRay& ray);
 // Of step `index` of a ray's log. exact: the first hit, if it is known.
 Message stepSentence(const std::vector<Step>& steps, std::size_t index, const ViewRay& ray,
                      const std::optional<Hit>& exact = {});

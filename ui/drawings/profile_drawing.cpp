@@ -251,6 +251,12 @@ Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options
         rows.add(Role::Sample, Marker{{at.x + 5, at.y}, Shape::Dot, 5});
         rows.text({at.x + LegendRows::kSign, at.y}, read);
     }
+    if (!options.guessing && source.exact.outcome == relief::Outcome::Hit) {
+        const Message exact(MessageId::DrawExact);
+        const Point at = rows.place(LegendRows::kSign + rows.textRoom(exact) + LegendRows::kBetween);
+        rows.add(Role::Hit, Ring{{at.x + 5, at.y}, 5.5});
+        rows.text({at.x + LegendRows::kSign, at.y}, exact);
+    }
     rows.decisions(decisionsSeen(source.steps, source.hit.outcome == relief::Outcome::Hit));
     return rows.take();
 }

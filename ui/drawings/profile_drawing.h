@@ -25,6 +25,7 @@ struct ProfileSource {
     bool hasRay = false;
     relief::ViewRay ray;
     relief::Hit hit;
+    relief::Hit exact;  // the first hit; Unset: not known
     const std::vector<relief::Step>* steps = nullptr;
 
     // Whether its steps looked at the surface at points of the ray only, not at cells and not at a map.

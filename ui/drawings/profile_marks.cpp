@@ -19,6 +19,7 @@ using relief::Phase;
 constexpr double kMarkSize = 8;
 constexpr double kMarkHalf = 5.5;
 constexpr double kRingHalf = 6.5;
+constexpr double kExactHalf = 8;
 constexpr double kRow = 12.5;  // by which a mark is moved up for want of room
 constexpr double kDigit = 5.3;
 constexpr double kPlatePad = 5;
@@ -84,6 +85,7 @@ class Marks {
             marks();
         }
         hit();
+        exactHit();
         addGuess(drawing_, source_, options_, frame_);
         levelNames();
         return std::move(drawing_);
@@ -312,6 +314,28 @@ class Marks {
     void hit() {
         if (!isHit() || source_.hit.lambda > frame_.lambdaEnd) return;
         drawing_.add({ItemKind::Hit, 0, 0, 0}, Role::Hit, Ring{frame_.onRay(source_.hit.lambda), 5});
+    }
+
+    // Round the exact hit, with how far the answer is from it where that is not nothing.
+    void exactHit() {
+        const relief::Hit& exact = source_.exact;
+        if (options_.guessing || exact.outcome != relief::Outcome::Hit || exact.lambda > frame_.lambdaEnd) return;
+        const Point at = frame_.onRay(exact.lambda);
+        drawing_.add({ItemKind::Hit, -1, 0, 0}, Role::Hit, Ring{at, kExactHalf});
+        const double off = relief::answerError(source_.hit, exact, source_.ray);
+        if (off <= relief::kSameAnswer) return;
+        constexpr int kDigits = 2;
+        Label label;
+        label.at = at;
+        label.text = std::isfinite(off)
+                         ? Message(MessageId::DrawExactOff, {{"texels", relief::numberText(off, kDigits)}})
+                         : Message(MessageId::DrawExact);
+        label.anchor = Anchor::Left;
+        label.offset = {kExactHalf + 3, 0};
+        label.size = kNumberSize;
+        label.plate = true;
+        label.yields = true;
+        drawing_.add({}, Role::Label, std::move(label), Emphasis::Strong);
     }
 
     // One name a level, beside one of its plateaus, clear of marks, lines and ray.

@@ -18,6 +18,7 @@ DuelSource Duel::source() const {
     out.profile = profileSource(*snapshot);
     out.profile.steps = nullptr;
     out.profile.hit = exact;
+    out.profile.exact = {};  // marked by the duel itself
     for (const relief::DuelRun& run : runs) {
         const bool farther =
             run.hit.outcome == relief::Outcome::Hit &&

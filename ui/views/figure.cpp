@@ -249,6 +249,7 @@ ProfileSource profileSource(const Snapshot& s) {
     source.hasRay = s.trace.onRelief;
     source.ray = s.trace.ray;
     source.hit = s.trace.hit;
+    if (!s.trace.hidden) source.exact = s.trace.exact;
     source.steps = &s.trace.steps;
     return source;
 }

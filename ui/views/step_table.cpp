@@ -308,7 +308,14 @@ void StepTable::followStep(int step) {
     table_->scrollTo(indexOf(row));
     following_ = false;
     const relief::Message message = relief::stepSentence(trace.steps, at, trace.ray, trace.exact);
-    sentence_->setText(QString::fromStdString(relief::sentence(message, language)));
+    QString text = QString::fromStdString(relief::sentence(message, language));
+    // At the end, and all along where the answer is another one.
+    const bool last = at + 1 == trace.steps.size();
+    if (last || relief::answerError(trace.hit, trace.exact, trace.ray) > relief::kSameAnswer) {
+        const relief::Message answer = relief::answerSentence(trace.hit, trace.exact, trace.ray);
+        text += QStringLiteral("\n\n") + QString::fromStdString(relief::sentence(answer, language));
+    }
+    sentence_->setText(text);
 }
 
 QModelIndex StepTable::indexOf(int step) const {

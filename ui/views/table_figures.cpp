@@ -73,8 +73,11 @@ TableSource stepTable(const Snapshot& snapshot, relief::Language language) {
         row.mark = steps[k].decision;
         table.rows.push_back(std::move(row));
     }
-    table.below =
-        relief::sentence(relief::stepSentence(steps, chosen, snapshot.trace.ray, snapshot.trace.exact), language);
+    const PixelTrace& trace = snapshot.trace;
+    table.below = relief::sentence(relief::stepSentence(steps, chosen, trace.ray, trace.exact), language);
+    if (relief::answerError(trace.hit, trace.exact, trace.ray) > relief::kSameAnswer) {
+        table.below += ' ' + relief::sentence(relief::answerSentence(trace.hit, trace.exact, trace.ray), language);
+    }
     return table;
 }
 

@@ -209,7 +209,7 @@ vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const Prism& prism) const {
     return actor;
 }
 
-std::vector<vtkSmartPointer<vtkActor>> TraceMarks::hitRing(vtkCamera* camera) const {
+std::vector<vtkSmartPointer<vtkActor>> TraceMarks::hitRing(vtkCamera* camera, double lambda) const {
     struct Disk {
         double inner;
         double outer;
@@ -218,7 +218,7 @@ std::vector<vtkSmartPointer<vtkActor>> TraceMarks::hitRing(vtkCamera* camera) co
     };
     constexpr Disk kDisks[2] = {{0, 4.6, {255, 255, 255, 255}, -40000}, {2.1, 3.6, {0, 0, 0, 255}, -60000}};
     std::vector<vtkSmartPointer<vtkActor>> ring;
-    const Place at = scene_.onRay(scene_.end);
+    const Place at = scene_.onRay(lambda);
     for (const Disk& disk : kDisks) {
         auto source = vtkSmartPointer<vtkDiskSource>::New();
         source->SetInnerRadius(disk.inner * radius_);

@@ -44,7 +44,7 @@ class TraceMarks {
     vtkSmartPointer<vtkActor> box(const Prism& prism) const;
     vtkSmartPointer<vtkActor> boxEdges(const Prism& prism) const;
     // A ring that faces the eye, before what it lies on.
-    std::vector<vtkSmartPointer<vtkActor>> hitRing(vtkCamera* camera) const;
+    std::vector<vtkSmartPointer<vtkActor>> hitRing(vtkCamera* camera, double lambda) const;
     vtkSmartPointer<vtkTextActor> words(const Place& at, const std::string& text, Role role, double size) const;
     double radius() const { return radius_; }
     // Where words about the step stand.

@@ -139,8 +139,18 @@ void TracePicture::addRay() {
     renderer_->AddActor(marks.shadow());
     renderer_->AddActor(marks.ray());
     renderer_->AddActor(marks.curtain());
-    if (shown_->trace.hit.outcome != relief::Outcome::Hit) return;
-    for (const auto& part : marks.hitRing(renderer_->GetActiveCamera())) renderer_->AddActor(part);
+    const PixelTrace& trace = shown_->trace;
+    vtkCamera* const eye = renderer_->GetActiveCamera();
+    if (trace.hit.outcome == relief::Outcome::Hit) {
+        for (const auto& part : marks.hitRing(eye, scene_->end)) renderer_->AddActor(part);
+    }
+    // Where it is another place.
+    if (trace.hidden || trace.exact.outcome != relief::Outcome::Hit || trace.exact.lambda > scene_->end) return;
+    if (relief::answerError(trace.hit, trace.exact, trace.ray) <= relief::kSameAnswer) return;
+    for (const auto& part : marks.hitRing(eye, trace.exact.lambda)) renderer_->AddActor(part);
+    const relief::Message exact(relief::MessageId::DrawExact);
+    renderer_->AddActor2D(
+        marks.words(scene_->onRay(trace.exact.lambda), relief::sentence(exact, style_.language), Role::Label, 0.85));
 }
 
 void TracePicture::addWords(const QString& words) {

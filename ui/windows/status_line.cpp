@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "messages.h"
+#include "scenario/step_sentence.h"
 #include "views/result_painting.h"
 #include "windows/core_texts.h"
 #include "workspace/pause_log.h"
@@ -158,6 +159,13 @@ QString StatusLine::pixelText() const {
                     .arg(trace.hit.lambda, 0, 'f', 3);
     } else {
         text += outcomeTitle(trace.hit.outcome);
+    }
+    const double off = relief::answerError(trace.hit, trace.exact, trace.ray);
+    if (std::isinf(off)) {
+        text +=
+            trace.exact.outcome == relief::Outcome::Hit ? tr(", the exact answer is a hit") : tr(", there is no hit");
+    } else if (off > relief::kSameAnswer) {
+        text += tr(", %1 texels from the exact hit").arg(rounded(off, 2));
     }
     return text + QStringLiteral("     ") +
            tr("steps: %1, reads: %2").arg(grouped(trace.steps.size()), grouped(trace.reads));
