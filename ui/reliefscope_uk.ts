@@ -416,16 +416,16 @@
         <translation>Рівні шари, потім ділення останнього навпіл.</translation>
     </message>
     <message>
-        <source>One level of the max pyramid marks the segments worth testing; another method works inside them and gives its guarantee.</source>
-        <translation>Один рівень піраміди максимумів позначає відрізки, які варто перевірити; всередині них працює інший метод і дає свою гарантію.</translation>
+        <source>One level of the max pyramid marks the segments worth testing; another method works inside them and gives its guarantee. It takes more steps than that method alone: compare the two.</source>
+        <translation>Один рівень піраміди максимумів позначає відрізки, які варто перевірити; всередині них працює інший метод і дає свою гарантію. Кроків більше, ніж у того методу самого: порівняйте обидва.</translation>
     </message>
     <message>
         <source>Density</source>
         <translation>Густота</translation>
     </message>
     <message>
-        <source>base level: above 0, the mean pyramid&apos;s level is traced instead of the heights (the last if there are fewer)</source>
-        <translation>базовий рівень: якщо більший за 0, замість висот простежується рівень піраміди середніх (останній, якщо рівнів менше)</translation>
+        <source>base level: above 0, the mean pyramid&apos;s level is traced instead of the heights (the last if there are fewer); auto: the highest whose texels are no wider than the narrowest pixel of the view</source>
+        <translation>базовий рівень: якщо більший за 0, замість висот простежується рівень піраміди середніх (останній, якщо рівнів менше); auto: найвищий, чиї текселі не ширші за найвужчий піксель виду</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -1432,6 +1432,13 @@
     </message>
 </context>
 <context>
+    <name>CoefficientText</name>
+    <message>
+        <source>ellipse: </source>
+        <translation>еліпс: </translation>
+    </message>
+</context>
+<context>
     <name>reliefui::FootprintView</name>
     <message>
         <source>Footprint: neighbours</source>
@@ -1496,6 +1503,10 @@
     <message>
         <source> · seen</source>
         <translation> · видно</translation>
+    </message>
+    <message>
+        <source> · r² %1</source>
+        <translation> · r² %1</translation>
     </message>
     <message>
         <source>Export the footprint</source>

@@ -120,16 +120,15 @@ class CheckedOutput : public OIIO::Filesystem::IOProxy {
     std::int64_t size_ = 0;
 };
 
-void writePixels(const std::string& path, const Format& format, const OIIO::ImageSpec& spec, const void* pixels) {
-    if (spec.width < 1 || spec.height < 1)
-        throw InputError(path, Message(MessageId::PictureEmpty, {{"width", spec.width}, {"height", spec.height}}));
+// write(output): opens it and writes all there is; true if nothing failed.
+template <class Write>
+void writeWhole(const std::string& path, const Format& format, const Write& write) {
     AtomicFile file(path);
     CheckedOutput sink(file.temporaryPath());
     bool done = false;
     std::string why;
     if (const auto output = OIIO::ImageOutput::create(std::string(format.library))) {
-        done = output->set_ioproxy(&sink) && output->open(file.temporaryPath(), spec) &&
-               output->write_image(spec.format, pixels);
+        done = output->set_ioproxy(&sink) && write(*output, file.temporaryPath());
         why = output->geterror();
         done = output->close() && done;
         if (why.empty()) why = output->geterror();
@@ -141,6 +140,14 @@ void writePixels(const std::string& path, const Format& format, const OIIO::Imag
                         systemMessage(error, FileAccess::Write, std::filesystem::path(path).parent_path().string()));
     if (!done) throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", oneLine(why)}}));
     file.commit();
+}
+
+void writePixels(const std::string& path, const Format& format, const OIIO::ImageSpec& spec, const void* pixels) {
+    if (spec.width < 1 || spec.height < 1)
+        throw InputError(path, Message(MessageId::PictureEmpty, {{"width", spec.width}, {"height", spec.height}}));
+    writeWhole(path, format, [&](OIIO::ImageOutput& output, const std::string& name) {
+        return output.open(name, spec) && output.write_image(spec.format, pixels);
+    });
 }
 
 OIIO::ImageSpec specOf(int width, int height, int channels, OIIO::TypeDesc::BASETYPE type) {
@@ -240,14 +247,66 @@ void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes)
     writePixels(path, format, spec, numbers.data());
 }
 
+namespace {
+
+const Format& tiffFormatOf(const std::string& path) {
+    const Format& format = formatOf(path);
+    if (format.library == "tiff") return format;
+    throw InputError(path,
+                     Message(MessageId::FormatNotForThis, {{"extension", extensionOf(path)}, {"known", "tif, tiff"}}));
+}
+
+// Whether the file has these very pages.
+bool holds(const std::string& path, const std::vector<DescribedPage>& pages) {
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) return false;
+    std::vector<float> read;
+    for (std::size_t p = 0; p < pages.size(); ++p) {
+        const FloatImage& picture = *pages[p].picture;
+        const OIIO::ImageSpec spec = input->spec(0, static_cast<int>(p));
+        if (spec.width != picture.width() || spec.height != picture.height()) return false;
+        read.assign(picture.size(), 0);
+        if (!input->read_image(0, static_cast<int>(p), 0, 1, OIIO::TypeDesc::FLOAT, read.data())) return false;
+        if (!std::equal(read.begin(), read.end(), picture.pixels().begin())) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void writeMipTiff(const std::string& path, const std::vector<DescribedPage>& pages) {
+    assert(!pages.empty());
+    const Format& format = tiffFormatOf(path);
+    AtomicFile file(path);
+    std::string why;
+    // Pages are appended by opening the file again, which a checked output of our own does not live through: what was
+    // written is read back instead.
+    const auto output = OIIO::ImageOutput::create(std::string(format.library));
+    bool done = output != nullptr;
+    for (std::size_t p = 0; done && p < pages.size(); ++p) {
+        const FloatImage& picture = *pages[p].picture;
+        OIIO::ImageSpec spec = specOf(picture.width(), picture.height(), 1, OIIO::TypeDesc::FLOAT);
+        spec.tile_width = kTiffTile;
+        spec.tile_height = kTiffTile;
+        spec.attribute("ImageDescription", pages[p].description);
+        // What readers know MIP levels in a TIFF by.
+        spec.attribute("textureformat", "Plain Texture");
+        const auto mode = p == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage;
+        done = output->open(file.temporaryPath(), spec, mode) && output->write_image(spec.format, picture.data());
+    }
+    why = output ? output->geterror() : OIIO::geterror();
+    if (output) done = output->close() && done;
+    if (!done || !holds(file.temporaryPath(), pages)) {
+        if (why.empty()) throw WorkError(path, Message(MessageId::DiskFull));
+        throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", oneLine(why)}}));
+    }
+    file.commit();
+}
+
 void writeDescribedTiff(const std::string& path, int width, int height, const PictureCodes& codes,
                         const std::string& description) {
     constexpr std::array kTypes{OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::UINT16, OIIO::TypeDesc::UINT8};
-    const Format& format = formatOf(path);
-    if (format.library != "tiff") {
-        throw InputError(
-            path, Message(MessageId::FormatNotForThis, {{"extension", extensionOf(path)}, {"known", "tif, tiff"}}));
-    }
+    const Format& format = tiffFormatOf(path);
     OIIO::ImageSpec spec = specOf(width, height, 1, kTypes[codes.index()]);
     spec.attribute("ImageDescription", description);
     std::visit([&](const auto& all) { writePixels(path, format, spec, all.data()); }, codes);

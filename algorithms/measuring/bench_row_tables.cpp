@@ -31,12 +31,51 @@ const std::vector<Column>& columns() {
         {"rate", [](const R& r) -> Value { return r.rate; }},
         {"spread", [](const R& r) -> Value { return r.spread; }},
         {"error_max", [](const R& r) -> Value { return r.errorMax; }},
+        {"rows", [](const R& r) -> Value { return r.rows; }},
     };
     return all;
 }
 
 bool sameBlock(const RowBenchRow& a, const RowBenchRow& b) {
-    return a.width == b.width && a.elevation == b.elevation && a.precision == b.precision;
+    return a.width == b.width && a.rows == b.rows && a.elevation == b.elevation && a.precision == b.precision;
+}
+
+// "10/10/4/1": as the papers count them.
+std::string paperCounts(const std::string& variant) {
+    for (const RowMethodDescription& method : rowMethodList()) {
+        if (method.name != variant || method.paper.empty()) continue;
+        std::string text = method.paper;
+        std::erase(text, ' ');
+        return text;
+    }
+    return "-";
+}
+
+// [PERSP]: rows by several threads are weak where rows are few and long. Of the same width, precision and elevation:
+// the block of fewest rows against that of most.
+std::string fewRowsText(std::span<const RowBenchRow> rows) {
+    std::string out;
+    for (const RowBenchRow& few : rows) {
+        if (few.variant != "rows-parallel") continue;
+        const RowBenchRow* many = nullptr;
+        bool fewest = true;
+        for (const RowBenchRow& other : rows) {
+            const bool same = other.variant == few.variant && other.width == few.width &&
+                              other.elevation == few.elevation && other.precision == few.precision &&
+                              other.streams == few.streams;
+            if (!same) continue;
+            if (other.rows < few.rows) fewest = false;
+            if (other.rows > few.rows && (many == nullptr || other.rows > many->rows)) many = &other;
+        }
+        if (!fewest || many == nullptr) continue;
+        out += "Rows in parallel on " + std::to_string(few.threads) + " threads, " + std::to_string(few.width) +
+               " pixels a row, " + std::string(precisionName(few.precision)) + ": " + std::to_string(few.rows) +
+               (few.rows == 1 ? " row " : " rows ") + readable(few.rate / 1e6, kDigits) + ", " +
+               std::to_string(many->rows) + " rows " + readable(many->rate / 1e6, kDigits) + " Mpixels/s, " +
+               readable(many->rate / few.rate, kDigits) + " times as many: a row is one thread's, so fewer rows than " +
+               "threads leave threads idle.\n";
+    }
+    return out.empty() ? out : "\n" + out;
 }
 
 TableRow tableRow(const RowBenchRow& row) {
@@ -45,6 +84,7 @@ TableRow tableRow(const RowBenchRow& row) {
         return value == none ? std::string("-") : std::to_string(value);
     };
     return {row.variant,
+            paperCounts(row.variant),
             count(row.streams, 1),
             count(row.span, 1),
             count(row.anchor, 0),
@@ -81,16 +121,18 @@ std::string rowBenchText(std::span<const RowBenchRow> rows) {
     while (first < rows.size()) {
         std::size_t last = first;
         std::vector<TableRow> block{
-            {"", "streams", "span", "anchor", "threads", "mul", "add", "div", "Mpixels/s", "+-%", "error"}};
+            {"", "paper", "streams", "span", "anchor", "threads", "mul", "add", "div", "Mpixels/s", "+-%", "error"}};
         for (; last < rows.size() && sameBlock(rows[first], rows[last]); ++last) block.push_back(tableRow(rows[last]));
         out += (first == 0 ? "" : "\n") + std::to_string(rows[first].width) + " pixels a row, elevation " +
                numberText(rows[first].elevation) + " degrees, " + std::string(precisionName(rows[first].precision)) +
-               "\n" + textTable(block);
+               ", blocks of " + std::to_string(rows[first].rows) + (rows[first].rows == 1 ? " row" : " rows") + "\n" +
+               textTable(block);
         first = last;
     }
     if (rows.empty()) return out;
-    return out +
-           "\nmul, add, div: of a pixel, u and v together, restarts in them; derivatives: of its ellipse. Mpixels/s: "
+    return out + fewRowsText(rows) +
+           "\npaper: mul/add/div of a pixel as [PERSP] counts u and v, mul/add/div/sub as [TEX] counts the four "
+           "derivatives.\nmul, add, div: of a pixel, u and v together, restarts in them; derivatives: of its ellipse. Mpixels/s: "
            "millions of pixels\na second, median; +-: (p75 - p25) / median. error: the largest, texels; of "
            "derivatives, "
            "in the ellipse's half extents.\n" +

@@ -55,7 +55,8 @@ class Block {
         : options_(options),
           work_(work),
           width_(width),
-          rows_(std::max<std::int64_t>(options.pixels / width, 1)),
+          rows_(rowsOf(options, width)),
+          times_(std::max<std::int64_t>(options.pixels / (width * rows_), 1)),
           map_(obliqueWall(options.texels, width, elevation)),
           block_(wallRows(width, rows_, elevation)),
           cached_(width, rows_),
@@ -71,9 +72,9 @@ class Block {
     // Pixels a second.
     double rate(std::size_t i) {
         const auto begun = Clock::now();
-        run(ready_[i]);
+        for (std::int64_t n = 0; n < times_; ++n) run(ready_[i]);
         const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
-        return static_cast<double>(width_ * rows_) / std::max(seconds, 1e-9);
+        return static_cast<double>(width_ * rows_ * times_) / std::max(seconds, 1e-9);
     }
 
     void count(std::size_t i) {
@@ -85,6 +86,11 @@ class Block {
     }
 
   private:
+    static std::int64_t rowsOf(const RowBenchOptions& options, std::int64_t width) {
+        const std::int64_t most = std::max<std::int64_t>(options.pixels / width, 1);
+        return options.rows > 0 ? std::min(options.rows, most) : most;
+    }
+
     double lineOf(std::int64_t r) const { return block_.firstY + static_cast<double>(r) * block_.stepY; }
 
     Ready<T> make(const RowMethod& method, double elevation) const {
@@ -92,6 +98,7 @@ class Block {
         RowBenchRow& row = ready.row;
         row.variant = method.description->name;
         row.width = width_;
+        row.rows = rows_;
         row.elevation = elevation;
         row.precision = sizeof(T) == sizeof(float) ? RowPrecision::Float : RowPrecision::Double;
         if (const auto* derivative = std::get_if<DerivativeVariant>(&method.description->kind)) {
@@ -164,7 +171,7 @@ class Block {
         const std::int64_t rows = std::clamp<std::int64_t>(kErrorPixels / width_, kFewestErrorRows, rows_ + 2);
         for (std::int64_t k = 0; k < rows; ++k) {
             work_.throwIfStopped();
-            visit(k * (rows_ - 1) / (rows - 1));
+            visit(rows > 1 ? k * (rows_ - 1) / (rows - 1) : 0);
         }
     }
 
@@ -211,7 +218,7 @@ class Block {
 
     const RowBenchOptions& options_;
     Work& work_;
-    std::int64_t width_, rows_;
+    std::int64_t width_, rows_, times_;
     Homography map_;
     RowBlock block_;
     // Two, so that what is written past the cache does not meet the lines that others left in it.

@@ -28,6 +28,7 @@ RowBlock wallRows(std::int64_t width, std::int64_t rows, double elevation);
 struct RowBenchRow {
     std::string variant;
     std::int64_t width = 0;
+    std::int64_t rows = 0;  // of a block
     double elevation = 0;
     RowPrecision precision{};
     std::int64_t streams = 1;
@@ -40,7 +41,7 @@ struct RowBenchRow {
     double errorMax = 0;
 };
 
-std::string rowBenchCsvHeader();  // variant,width,elevation,precision,streams,span,anchor,threads,mul,add,div,rate,...
+std::string rowBenchCsvHeader();  // variant,width,elevation,precision,streams,span,anchor,threads,mul,add,div,rate,...,rows
 std::string rowBenchCsvLine(const RowBenchRow& row);
 std::string rowBenchJson(std::span<const RowBenchRow> rows);
 // For people: a block for each width, elevation and precision.
@@ -54,7 +55,8 @@ struct RowBenchOptions {
     std::vector<double> elevations{60, 25, 8};                  // kLowestElevation to 90
     std::vector<RowPrecision> precisions{RowPrecision::Float, RowPrecision::Double};
     double texels = 4096;
-    std::int64_t pixels = 1 << 22;  // of a block of rows, at least one row: what one timing covers
+    std::int64_t pixels = 1 << 22;  // what one timing covers: a block of rows, or one of fewer rows again and again
+    std::int64_t rows = 0;          // of a block, at most as many as the pixels make; 0: as many
     int rounds = 5;                 // over all methods in turn
     std::function<void(const RowBenchRow&)> onRow;
 };

@@ -19,10 +19,12 @@ std::vector<std::string> telling(const OptionDescription& option, const std::str
 }
 
 bool buildsMaps(const MethodChoice& choice) {
-    const auto& maps = findTracer(choice.name).maps;
-    const auto inner = choice.options.find("inner");
-    return (!maps.empty() && maps.front() != "max-pyramid") ||
-           (inner != choice.options.end() && buildsMaps({inner->second, {}}));
+    const MethodDescription& method = findTracer(choice.name);
+    if (!method.maps.empty() && method.maps.front() != "max-pyramid") return true;
+    const auto standard = method.defaults.find("inner");
+    if (standard == method.defaults.end()) return false;
+    const auto given = choice.options.find("inner");
+    return buildsMaps({given == choice.options.end() ? standard->second : given->second, {}});
 }
 
 }  // namespace

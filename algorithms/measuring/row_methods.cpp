@@ -15,11 +15,12 @@ constexpr const char* kPersp = "Romaniuk and Dudnyk, [PERSP]";
 constexpr const char* kTex = "Romaniuk and Dudnyk, [TEX]";
 
 RowMethodDescription described(RowVariant variant, std::string title, std::string help, std::string counts,
-                               std::string source, const std::vector<std::string>& takes) {
+                               std::string paper, std::string source, const std::vector<std::string>& takes) {
     RowMethodDescription method{std::string(rowVariantName(variant)),
                                 std::move(title),
                                 std::move(help),
                                 std::move(counts),
+                                std::move(paper),
                                 std::move(source),
                                 {},
                                 {},
@@ -34,8 +35,9 @@ RowMethodDescription described(RowVariant variant, std::string title, std::strin
 }
 
 RowMethodDescription described(std::string name, DerivativeVariant variant, std::string title, std::string help,
-                               std::string counts) {
-    return {std::move(name), std::move(title), std::move(help), std::move(counts), kTex, {}, {}, variant};
+                               std::string counts, std::string paper) {
+    return {std::move(name), std::move(title), std::move(help), std::move(counts), std::move(paper), kTex, {}, {},
+            variant};
 }
 
 std::vector<RowMethodDescription> makeList() {
@@ -44,39 +46,40 @@ std::vector<RowMethodDescription> makeList() {
     const std::string anchored = " Starts again from an exact value every anchor pixels; without that it drifts.";
     return {
         described(R::Affine, "Affine", "u, v linear along the row, no perspective: wrong on purpose.", "0 / 2 / 0",
-                  "Heckbert 1989", {}),
+                  "", "Heckbert 1989", {}),
         described(R::Direct, "Direct", "(A x + B y + C) / (G x + H y + I), the denominator made for each of u and v.",
-                  "8 / 8 / 2", "Heckbert 1989", {}),
+                  "8 / 8 / 2", "8 / 8 / 2", "Heckbert 1989", {}),
         described(R::RowConstant, "Row constants", "(u_t + A n) / (u_b + G n): what does not change along a row once.",
-                  "4 / 4 / 2", kPersp, {}),
+                  "4 / 4 / 2", "4 / 4 / 2", kPersp, {}),
         described(R::Incremental, "Incremental", "w += A, q += G, a denominator for each of u and v." + anchored,
-                  "0 / 4 / 2", kPersp, {"anchor"}),
+                  "0 / 4 / 2", "0 / 4 / 2", kPersp, {"anchor"}),
         described(R::IncrementalShared, "Incremental, one denominator", "The same with one q for u and v." + anchored,
-                  "0 / 3 / 2", kPersp, {"anchor"}),
+                  "0 / 3 / 2", "", kPersp, {"anchor"}),
         described(R::IncrementalReciprocal, "Incremental, one division",
-                  "The same with one 1 / q for u and v." + anchored, "2 / 3 / 1", kPersp, {"anchor"}),
+                  "The same with one 1 / q for u and v." + anchored, "2 / 3 / 1", "", kPersp, {"anchor"}),
         described(R::Streams, "Interleaved streams",
                   "Pixel n from pixel n - k, k streams at once; 2, 4, 8, 16 and 32 run in vector lanes." + anchored,
-                  "0 / 3 / 2", kPersp, {"streams", "anchor"}),
+                  "0 / 3 / 2", "0 / 4 / 2", kPersp, {"streams", "anchor"}),
         described(R::Opposed, "Opposed streams", "From both ends of the row to its middle." + anchored, "0 / 3 / 2",
-                  kPersp, {"anchor"}),
+                  "0 / 4 / 2", kPersp, {"anchor"}),
         described(R::RowsParallel, "Rows in parallel", "Interleaved streams, the rows by several threads." + anchored,
-                  "0 / 3 / 2", kPersp, {"streams", "anchor"}),
+                  "0 / 3 / 2", "0 / 4 / 2", kPersp, {"streams", "anchor"}),
         described(R::Subspan, "Sub-spans",
                   "A division every m pixels, u and v linear between; m as given, or the longest that keeps an error.",
-                  "4/m / 2+3/m / 1/m", "the games' classic", {"span", "error", "anchor"}),
+                  "4/m / 2+3/m / 1/m", "", "the games' classic", {"span", "error", "anchor"}),
         described("derivatives-direct", D::Direct, "Footprint ellipse, direct",
                   "Four derivatives anew at each pixel, and the ellipse of them.",
-                  "17 / 10 / 4, of them 7 / 6 / 4 the derivatives"),
+                  "17 / 10 / 4, of them 7 / 6 / 4 the derivatives", "10 / 10 / 4 / 1"),
         described("derivatives-iterative", D::Iterative, "Footprint ellipse, iterative",
                   "q += G, c += O, d += P along a row, and the ellipse of them.",
-                  "11 / 7 / 4, of them 1 / 3 / 4 the derivatives"),
+                  "11 / 7 / 4, of them 1 / 3 / 4 the derivatives", "2 / 6 / 4 / 0"),
         described("derivatives-cached", D::Cached, "Footprint ellipse, cached",
-                  "The ellipse times q^4 as sums of row and column caches shared by a polygon.", "1 / 4 / 1"),
+                  "The ellipse times q^4 as sums of row and column caches shared by a polygon.", "1 / 4 / 1", ""),
         {"fill",
          "Fill",
          "Computes nothing: as many bytes written past the cache, to compare rates with.",
          "0 / 0 / 0",
+         "",
          "",
          {},
          {},

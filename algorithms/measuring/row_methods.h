@@ -31,6 +31,7 @@ struct RowMethodDescription {
     std::string title;
     std::string help;
     std::string counts;  // of a pixel, mul / add / div, without restarts
+    std::string paper;   // the papers' own counts: mul / add / div, of derivatives mul / add / div / sub; empty: none
     std::string source;
     std::vector<OptionDescription> options;
     std::map<std::string, std::string> defaults;

@@ -68,6 +68,7 @@ void checkOption(const OptionDescription& option, const std::string& text) {
         throw InputError("--set",
                          Message(MessageId::UnknownName, {{"what", option.name}, {"name", text}, {"known", known}}));
     }
+    if (std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end()) return;
     const double value = parseNumber(text, option.name);
     const bool whole = option.kind != OptionKind::Integer || value == std::floor(value);
     if (value < option.low || value > option.high || !whole) {

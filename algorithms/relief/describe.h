@@ -24,7 +24,8 @@ struct OptionDescription {
     double low = 0;
     double high = 1;
     double step = 0.01;
-    std::vector<std::string> choices;  // Choice: the names; Method: which may stand here
+    // Choice: the names; Method: which may stand here; Integer: words that may stand instead of a number.
+    std::vector<std::string> choices;
     std::string help;
 };
 

@@ -28,12 +28,12 @@ class MaxPyramidTracer {
         return method;
     }
     struct Options {
-        int base = 0;
+        std::string base = "0";
 
         static std::vector<OptionField<Options>> fields() { return {baseLevelField(&Options::base)}; }
     };
     static MaxPyramidTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
-        const BaseField base = baseField(field, options.base, cache, work);
+        const BaseField base = baseField(field, baseLevelNumber(options.base), cache, work);
         MaxPyramidTracer tracer(PyramidWalk(base, field, maxPyramidMap(base.field, cache, work)));
         if (base.level == 0) tracer.useLanes(depthPyramid(field, tracer.walk_.map(), cache, work));
         return tracer;
@@ -88,7 +88,7 @@ Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink) const {
         sink.read(1);
         const bool skip = PyramidWalk::excluded(maximum, out);
         if (!skip && level > 0) {
-            sink.step([&] { return walk_.record(Decision::Descend, level, node, lambda, out, maximum, lambda); });
+            sink.step([&] { return walk_.descent(ray, level, node, lambda, out, maximum); });
             node = walk_.child(ray, level, node, lambda);
             --level;
             continue;
@@ -113,7 +113,7 @@ Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink) const {
         if (level < top && !PyramidWalk::sameParent(before, node)) {
             PyramidWalk::toParent(node);
             ++level;
-            sink.step([&] { return walk_.record(Decision::Ascend, level, node, lambda, lambda, maximum, lambda); });
+            sink.step([&] { return walk_.ascent(level, before, lambda); });
         }
     }
     sink.step([&] { return walk_.record(Decision::Limit, level, node, lambda, lambda, 0, lambda); });

@@ -101,7 +101,7 @@ Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
         if (level < walk_.top() && !PyramidWalk::sameParent(before, node)) {
             PyramidWalk::toParent(node);
             ++level;
-            sink.step([&] { return record(Decision::Ascend, level, node, mu, mu, maximum, mu); });
+            sink.step([&] { return walk_.ascent(level, before, 1 - ray.heightAt(mu)); });
         }
     }
     sink.step([&] { return record(Decision::Limit, level, node, mu, mu, 0, mu); });

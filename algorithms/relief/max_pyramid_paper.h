@@ -31,12 +31,12 @@ class MaxPyramidPaperTracer {
         return method;
     }
     struct Options {
-        int base = 0;
+        std::string base = "0";
 
         static std::vector<OptionField<Options>> fields() { return {baseLevelField(&Options::base)}; }
     };
     static MaxPyramidPaperTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
-        const BaseField base = baseField(field, options.base, cache, work);
+        const BaseField base = baseField(field, baseLevelNumber(options.base), cache, work);
         return MaxPyramidPaperTracer(PyramidWalk(base, field, maxPyramidMap(base.field, cache, work)));
     }
 
@@ -100,7 +100,7 @@ bool MaxPyramidPaperTracer::level(const GridRay& ray, int level, PyramidNode nod
         if (PyramidWalk::excluded(maximum, out)) {  // step 3
             sink.step([&] { return walk_.record(Decision::Skip, level, node, in, out, maximum, out); });
         } else if (level > 0) {  // step 4
-            sink.step([&] { return walk_.record(Decision::Descend, level, node, in, out, maximum, in); });
+            sink.step([&] { return walk_.descent(ray, level, node, in, out, maximum); });
             const PyramidNode child = walk_.child(ray, level, node, in);
             if (this->level(ray, level - 1, child, state, sink)) return true;
             sink.step([&] { return walk_.record(Decision::Ascend, level, node, out, out, maximum, out); });  // step 5

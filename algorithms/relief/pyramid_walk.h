@@ -146,8 +146,24 @@ class PyramidWalk {
         step.lambdaOut = out;
         step.value = value;
         step.lambdaAfter = after;
-        step.subject = subject::Texel{step.level, step.i, step.j, value};
+        step.subject = subject::Texel{step.level, step.i, step.j, value, {}};
         return step;
+    }
+    // A descent into the node at lambda `in`: with the coordinates that double on the level below.
+    Step descent(const GridRay& ray, int level, const PyramidNode& node, double in, double out, double value) const {
+        Step step = record(Decision::Descend, level, node, in, out, value, in);
+        const auto along = [&](const RayAxis& axis, const AxisCell& cell) {
+            return std::ldexp(axis.start + in * axis.run - static_cast<double>(cell.base), -level);
+        };
+        std::get<subject::Texel>(step.subject).ray = {along(ray.x, node.x), along(ray.y, node.y)};
+        return step;
+    }
+
+    // Back up to `level`, out of the parent of a child that was left at lambda: nothing was hit in it.
+    Step ascent(int level, PyramidNode child, double lambda) const {
+        toParent(child);
+        return record(Decision::Ascend, level, child, lambda, lambda, static_cast<double>(maximum(level, child)),
+                      lambda);
     }
 
   private:
@@ -215,16 +231,16 @@ class PyramidWalk {
 
 // The option that both forms have.
 template <class Options>
-OptionField<Options> baseLevelField(int Options::*member) {
+OptionField<Options> baseLevelField(std::string Options::*member) {
     return {{"base",
              OptionKind::Integer,
              "level",
              0,
              kMaxLevels - 1,
              1,
-             {},
+             {std::string(kBaseAuto)},
              "base level: above 0, the mean pyramid's level is traced instead of the heights (the last if there are "
-             "fewer)"},
+             "fewer); auto: the highest whose texels are no wider than the narrowest pixel of the view"},
             member};
 }
 

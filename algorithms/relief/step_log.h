@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -28,12 +29,20 @@ constexpr std::string_view phaseName(Phase phase) {
 // ask which method or map it was, so a new tracer adds none. (s, t): texels, in the period in which the ray meets the
 // place; z in [0, 1]; distances: texels of the metric (x, y, D z), D the relief's depth in texels.
 namespace subject {
+// Coordinates of the ray on a level of a pyramid, in texels of that level, counted from its first.
+struct LevelPoint {
+    double x = 0;
+    double y = 0;
+    bool operator==(const LevelPoint&) const = default;
+};
 // A texel of a level of the max pyramid, or a cell of the surface (level 0), and the largest height in it.
+// ray: where the ray is at the step's beginning, [MIP18]'s V(i), where the next level down is walked: V(i+1) = 2 V(i).
 struct Texel {
     int level = 0;
     std::int64_t i = 0;
     std::int64_t j = 0;
     double maximum = 0;
+    std::optional<LevelPoint> ray{};
     bool operator==(const Texel&) const = default;
 };
 // A quad of a displacement mesh, [s, s + width] x [t, t + height], and the height of its highest vertex.

@@ -78,6 +78,8 @@ SubjectValues subjectValues(const Step& step) {
         width = voxel->footprint, height = voxel->footprint, count = voxel->layers;
     } else if (const auto* const quad = step.as<subject::Quad>()) {
         s = quad->s, t = quad->t, width = quad->width, height = quad->height;
+    } else if (const auto* const texel = step.as<subject::Texel>()) {
+        if (texel->ray) s = texel->ray->x, t = texel->ray->y;
     } else if (const auto* const layer = step.as<subject::Layer>()) {
         index = layer->n, count = layer->count;
     }

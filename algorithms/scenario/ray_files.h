@@ -18,7 +18,7 @@ inline constexpr std::string_view kHitsHeader = "outcome,lambda,s,t,steps";
 // that kind holds beside level, i, j, k and value; cells that it has no use for are empty.
 //   sphere: s, t, z its centre; cone: s, t, z its apex, index the sector of count, width and height 1 if it is a cell's
 //   voxel: width and height its footprint, count the layers; quad: s, t its first corner, width, height in texels
-//   layer: index of count
+//   layer: index of count; texel: s, t the ray's coordinates on its level, where it goes on one level below
 inline constexpr std::string_view kStepColumns =
     "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after";
 inline constexpr std::array<std::string_view, 8> kSubjectColumns{"kind",  "s",      "t",     "z",

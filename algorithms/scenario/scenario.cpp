@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "rendering/base_level.h"
+
 namespace relief {
 
 namespace {
@@ -174,7 +176,6 @@ FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {
     FrameRequest request(HeightField(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth));
     request.width = scenario.width;
     request.height = scenario.height;
-    request.method = scenario.method;
     request.color = assets.color;
     request.normals = assets.normals;
     request.filter = scenario.filter;
@@ -185,6 +186,7 @@ FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {
     request.skip = scenario.skip;
     request.bounded = scenario.bounded;
     request.sky = Color(scenario.sky[0], scenario.sky[1], scenario.sky[2]);
+    request.method = methodOfView(request, scenario.method);
     return request;
 }
 

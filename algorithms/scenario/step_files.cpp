@@ -90,8 +90,11 @@ Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
     };
     enum class Kind : std::uint8_t { Texel, Quad, Voxel, Sphere, Cone, Layer, Point };
     switch (place.word<Kind>("kind", row.kind, kSubjectNames)) {
-        case Kind::Texel:
-            return subject::Texel{step.level, step.i, step.j, step.value};
+        case Kind::Texel: {
+            std::optional<subject::LevelPoint> ray;
+            if (row.values[kS] && row.values[kT]) ray = {*row.values[kS], *row.values[kT]};
+            return subject::Texel{step.level, step.i, step.j, step.value, ray};
+        }
         case Kind::Quad:
             return subject::Quad{real(kS), real(kT), real(kWidth), real(kHeight), step.value};
         case Kind::Voxel:

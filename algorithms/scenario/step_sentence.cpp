@@ -160,6 +160,29 @@ Message hitSentence(const Step& step, const StepContext& context) {
                                           {"t", fixedText(hit.t, kTexelDecimals)}});
 }
 
+// Where coordinates double on the level below, with the numbers: one decimal less doubled, so that both read alike.
+Message descendSentence(const Step& step) {
+    const auto* const texel = step.as<subject::Texel>();
+    if (texel == nullptr || !texel->ray) return aboutTexel(MessageId::StepDescend, step);
+    Message message = aboutTexel(MessageId::StepDescendDoubled, step);
+    message.values.emplace_back("x", fixedText(texel->ray->x, kTexelDecimals + 1));
+    message.values.emplace_back("y", fixedText(texel->ray->y, kTexelDecimals + 1));
+    message.values.emplace_back("doubleX", fixedText(2 * texel->ray->x, kTexelDecimals));
+    message.values.emplace_back("doubleY", fixedText(2 * texel->ray->y, kTexelDecimals));
+    return message;
+}
+
+// The paper's reason, unless the ray met the surface all the same.
+Message ascendSentence(const Step& step, const StepContext& context) {
+    Message message = aboutTexel(MessageId::StepAscend, step);
+    if (!context.exact || context.exact->outcome != Outcome::Hit) return message;
+    const double scale = context.ray ? std::max(1.0, std::hypot(context.ray->a, context.ray->b)) : 1;
+    if (context.exact->lambda + kSameAnswer / scale >= step.lambdaOut) return message;
+    message.id = MessageId::StepAscendBroken;
+    message.values.emplace_back("met", fixedText(1 - context.exact->lambda, kHeightDecimals));
+    return message;
+}
+
 Message missSentence(const Step& step) {
     if (step.lambdaOut <= 0) return Message(MessageId::StepMissOutside);
     return Message(MessageId::StepMiss, {{"out", fixedText(step.zOut(), kHeightDecimals)}});
@@ -202,9 +225,9 @@ Message stepSentence(const Step& step, const StepContext& context) {
         case Decision::Skip:
             return aboutTexel(MessageId::StepSkip, step);
         case Decision::Descend:
-            return aboutTexel(MessageId::StepDescend, step);
+            return descendSentence(step);
         case Decision::Ascend:
-            return aboutTexel(MessageId::StepAscend, step);
+            return ascendSentence(step, context);
         case Decision::Advance:
             return advanceSentence(step, context);
         case Decision::Test:

@@ -62,6 +62,10 @@ void RowBenchCommand::add(CLI::App& parser) {
             group);
     addText(parser, "--widths", widths, "N,...", "pixels of a row, up to 1048576, default 640,3840,16384,65536", group);
     addText(parser, "--precisions", precisions, "float,double", "default both", group);
+    addText(parser, "--rows", rows, "N,...",
+            "rows of a block, the same pixels in blocks of so many; the default is one block of all. Few long rows are "
+            "where rows in parallel are weak: --variants rows-parallel --widths 65536 --rows 1,2,64",
+            group);
     addText(parser, "--pixels", pixels, "N", "of the rows that one timing covers, default 4194304", group);
 }
 
@@ -69,19 +73,30 @@ int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds,
     const RowBenchOptions options = rowOptions(*this, elevations, rounds);
     to.what["rounds"] = options.rounds;
     to.what["pixels"] = options.pixels;
+    if (rows) to.what["rows"] = *rows;
+    std::vector<std::int64_t> blocks{0};
+    if (rows) {
+        blocks.clear();
+        for (const std::string& text : splitText(*rows, ',')) blocks.push_back(parseWhole(text, "--rows", 1, kMostPixels));
+    }
     to.what["variants"] = variants.value_or("");
     to.what["threads"] = session.threads();
     std::vector<BenchCell<RowBenchRow>> cells;
     for (const std::int64_t width : options.widths) {
         for (const double elevation : options.elevations) {
             for (const RowPrecision precision : options.precisions) {
-                RowBenchOptions one = options;
-                one.widths = {width};
-                one.elevations = {elevation};
-                one.precisions = {precision};
-                cells.push_back(
-                    {std::to_string(width) + "," + numberText(elevation) + "," + std::string(precisionName(precision)),
-                     0, [one = std::move(one)](Work& work) { return benchRows(one, work); }});
+                for (const std::int64_t block : blocks) {
+                    RowBenchOptions one = options;
+                    one.widths = {width};
+                    one.elevations = {elevation};
+                    one.precisions = {precision};
+                    one.rows = block;
+                    std::string name = std::to_string(width) + "," + numberText(elevation) + "," +
+                                       std::string(precisionName(precision));
+                    if (rows) name += "," + std::to_string(block);
+                    cells.push_back(
+                        {std::move(name), 0, [one = std::move(one)](Work& work) { return benchRows(one, work); }});
+                }
             }
         }
     }

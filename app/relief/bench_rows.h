@@ -7,7 +7,7 @@
 namespace relief::app {
 
 struct RowBenchCommand {
-    OptionText variants, widths, precisions, pixels;
+    OptionText variants, widths, precisions, pixels, rows;
 
     void add(CLI::App& parser);
     // elevations, rounds, to: as bench has them for all kinds.

@@ -41,9 +41,8 @@ Json optionJson(const OptionDescription& option, const Json& defaultValue) {
         json["low"] = option.low;
         json["high"] = option.high;
         json["step"] = option.step;
-    } else {
-        json["choices"] = option.choices;
     }
+    if (!isNumber(option) || !option.choices.empty()) json["choices"] = option.choices;
     json["default"] = defaultValue;
     json["help"] = option.help;
     return json;
@@ -71,7 +70,7 @@ Json methodJson(const MethodDescription& method) {
 
 Json rowMethodJson(const RowMethodDescription& method) {
     Json json{{"name", method.name},     {"title", method.title},   {"help", method.help},
-              {"counts", method.counts}, {"source", method.source}, {"options", Json::array()}};
+              {"counts", method.counts}, {"paper", method.paper}, {"source", method.source}, {"options", Json::array()}};
     for (const OptionDescription& option : method.options) {
         json["options"].push_back(optionJson(option, method.defaults.at(option.name)));
     }
@@ -128,6 +127,7 @@ std::string optionText(const OptionDescription& option, const std::string& defau
     if (!option.unit.empty()) text += ", " + option.unit;
     text += isNumber(option) ? ", " + numberText(option.low) + " to " + numberText(option.high)
                              : ": " + joined(option.choices);
+    if (isNumber(option) && !option.choices.empty()) text += " or " + joined(option.choices);
     return text + ", default " + defaultValue;
 }
 
@@ -152,6 +152,7 @@ std::string methodText(const MethodDescription& method) {
 std::string rowMethodText(const RowMethodDescription& method) {
     std::string out = entry(method.name, method.title + ". " + method.help, 2, 4);
     out += entry("mul / add / div", method.counts, 6, 18);
+    if (!method.paper.empty()) out += entry("in the papers", method.paper, 6, 18);
     if (!method.source.empty()) out += entry("source", method.source, 6, 18);
     for (const OptionDescription& option : method.options) {
         out += entry(option.name + "=..", optionText(option, method.defaults.at(option.name)), 6, 18);

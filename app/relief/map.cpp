@@ -1,9 +1,11 @@
 // relief map KIND --height FILE [--set NAME=VALUE ...] (-o FILE.tif | --at s,t,z)
+#include <algorithm>
 #include <chrono>
 
 #include "options_common.h"
 #include "output.h"
 #include "relief/maps/map_choice.h"
+#include "relief/maps/pyramid_files.h"
 #include "relief/maps/refined.h"
 #include "scenario/step_sentence.h"
 
@@ -61,10 +63,45 @@ int printDistances(const std::string& at, const Scenario& scenario, const Height
     return 0;
 }
 
+bool isPyramid(const std::string& kind) {
+    const std::vector<std::string>& kinds = pyramidMapKinds();
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+// The heights and their levels: they depend on nothing else, so there is nothing to set.
+int writePyramid(const MapOptions& options, const std::string& kind, const std::string& output, Session& session) {
+    ScenarioOptions chosen = options.scenario;
+    chosen.chooseTracer("max-pyramid");
+    const Scenario scenario = chosen.scenario();
+    for (const auto& [name, text] : scenario.method.options) {
+        throw InputError(
+            "--set", Message(MessageId::UnknownName, {{"what", "option of " + kind}, {"name", name}, {"known", "-"}}));
+    }
+    Work& work = session.work();
+    AssetStore store;
+    const Assets assets = store.load(scenario.pictures, work);
+    noteHeights(session, assets, scenario);
+    const auto begin = std::chrono::steady_clock::now();
+    const Pyramid pyramid(pyramidKindOf(kind), assets.heights, work);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    savePyramid(output, pyramid);
+    session.eraseBar();
+    std::size_t texels = 0;
+    for (int l = 0; l < pyramid.levels(); ++l) texels += pyramid.level(l).size();
+    writeStandardOutput(kind + ": " + std::to_string(assets.heights->width()) + " x " +
+                        std::to_string(assets.heights->height()) + ", " + std::to_string(pyramid.levels()) +
+                        " levels, " + std::to_string(texels) + " numbers, built in " + numberText(seconds, 3) + " s\n");
+    return 0;
+}
+
 int runMap(const MapOptions& options, Session& session) {
     options.run.apply(session);
     const std::string& kind = needed(options.kind, "KIND", "map");
+    if (isPyramid(kind) && options.at) {
+        throw InputError("--at", Message(MessageId::ArgumentsExclude, {{"other", kind}}));
+    }
     if (!options.at) checkOutput(needed(options.output, "--output", "map"), {"tif", "tiff"});
+    if (isPyramid(kind)) return writePyramid(options, kind, *options.output, session);
     ScenarioOptions chosen = options.scenario;
     chosen.chooseTracer(methodOfMap(kind));
     const Scenario scenario = chosen.scenario();
@@ -93,12 +130,16 @@ void addMapCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<MapOptions>();
     std::string kinds;
     for (const std::string& kind : mapKinds()) kinds += (kinds.empty() ? "" : ", ") + kind;
+    std::string pyramids;
+    for (const std::string& kind : pyramidMapKinds()) pyramids += (pyramids.empty() ? "" : " and ") + kind;
     CLI::App* parser = addCommand(
-        program, "map", "build a distance or cone map and store it",
+        program, "map", "build a distance map, a cone map or a pyramid and store it",
         "Builds one of the maps that methods walk and writes it as a TIFF: all layers in one picture, the numbers as "
         "they are, and what they mean in its description. It serves this height map with this surface, addressing and "
         "depth, and is refused anywhere else. trace and render take it by --map. The kinds: " +
-            kinds + "; each has the options of its tracer (relief list shows them).",
+            kinds + "; each has the options of its tracer (relief list shows them). " + pyramids +
+            " are written for other programs, which read them as a picture with MIP levels: 32-bit floats in tiles, "
+            "level 0 the heights, each level's description says what its texels are.",
         "  relief map refined --height heights.png --set layers=16 --set precision=u8 -o refined.tif\n"
         "  relief trace --height heights.png --tracer distance-refined --map refined.tif --ray 10,20,30,5\n"
         "  relief map refined --height heights.png --at 10,20,0.6");

@@ -8,7 +8,9 @@
 #include <CLI/Formatter.hpp>
 
 #include "help_formatter.h"
+#include "measuring/text_table.h"
 #include "relief/describe.h"
+#include "rendering/base_level.h"
 
 namespace relief::app {
 
@@ -170,6 +172,14 @@ void noteHeights(Session& session, const Assets& assets, const Scenario& scenari
     const Pictures& pictures = scenario.pictures;
     const std::string name = pictures.recipe.empty() ? heightsName(pictures) : pictures.recipe;
     for (const Message& message : assets.height->notes) session.note(name, message);
+}
+
+void noteBaseLevel(Session& session, const Scenario& scenario, const FrameRequest& request) {
+    if (scenario.method == request.method) return;
+    const FootprintLevel level = footprintLevel(request);
+    constexpr int kDigits = 3;
+    session.note("--set", Message(MessageId::BaseAutoLevel,
+                                  {{"level", level.level}, {"texels", readable(level.pixelTexels, kDigits)}}));
 }
 
 }  // namespace relief::app

@@ -144,5 +144,7 @@ void applyOrbit(Scenario& scenario, const std::string& text, const std::string& 
 
 // Says what was done to the heights on reading (once a file).
 void noteHeights(Session& session, const Assets& assets, const Scenario& scenario);
+// Says which level base=auto means in this view, where the method has it.
+void noteBaseLevel(Session& session, const Scenario& scenario, const FrameRequest& request);
 
 }  // namespace relief::app

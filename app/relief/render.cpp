@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "options_common.h"
+#include "measuring/base_level_measure.h"
 #include "output.h"
 #include "render_many.h"
 #include "rendering/skip_ledger.h"
@@ -71,6 +72,23 @@ Json countJson(double value) {
                                                                   : Json(value);
 }
 
+// Of base=auto: the level, and what it costs and gains.
+Json baseJson(const BaseLevelMeasure& measure) {
+    const auto row = [](const BenchRow& of) {
+        return Json{{"rate", of.rate},
+                    {"spread", of.spread},
+                    {"error_mean", of.errors.mean},
+                    {"error_p9999", of.errors.p9999},
+                    {"error_max", of.errors.max},
+                    {"steps_mean", of.stepsMean},
+                    {"reads_mean", of.readsMean}};
+    };
+    return {{"level", measure.footprint.level},
+            {"pixel_texels", measure.footprint.pixelTexels},
+            {"measured", row(measure.based)},
+            {"level_0", row(measure.whole)}};
+}
+
 Json stagesJson(const Frame& frame, bool shadows) {
     Json stages = Json::array();
     for (std::size_t s = 0; s < kStages; ++s) {
@@ -105,7 +123,7 @@ Json skippedJson(const Frame& frame, const FrameRequest& request, const BoundedE
 }
 
 // path: of the report; pictures near it are named relative to it, as in a scenario's own file.
-std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped,
+std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped, const Json& base,
                        Session& session, const Seconds& seconds) {
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     std::map<std::string, double> counters = session.work().counters().values();
@@ -124,6 +142,7 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
                       {"bytes", countJson(taken("map bytes"))},
                       {"build_seconds", taken("map build seconds")}};
     for (const auto& [name, value] : counters) report["counters"][name] = countJson(value);
+    if (!base.is_null()) report["base"] = base;
     report["stages"] = stagesJson(frame, scenario.shadows);
     report["skipped"] = skipped;
     report["seconds"] = {{"load", seconds.load},
@@ -155,6 +174,7 @@ int runRender(const RenderOptions& options, Session& session) {
     FrameRenderer renderer(maps);
     const FrameRequest request = frameRequest(scenario, assets);
     requirePictureMemory(request, layers, session);
+    noteBaseLevel(session, scenario, request);
     std::optional<LayerPlanes> planes;
     if (!layers.empty()) planes.emplace(request, layers, *maps);
     BoundedSums bounded;
@@ -179,7 +199,12 @@ int runRender(const RenderOptions& options, Session& session) {
     if (options.report) {
         TextOutput report(*options.report, session.stop());
         const Json skipped = skippedJson(*frame, request, bounded.error(), session.language());
-        report.write(reportText(*options.report, scenario, *frame, skipped, session, seconds));
+        Json base;
+        if (const auto measure = measureBaseLevel(request, scenario.method, *maps, session.work())) {
+            session.note("--set", baseLevelSentence(*measure));
+            base = baseJson(*measure);
+        }
+        report.write(reportText(*options.report, scenario, *frame, skipped, base, session, seconds));
         report.commit();
     }
     return 0;

@@ -5,7 +5,10 @@
 #include "base/memory.h"
 #include "options_common.h"
 #include "output.h"
+#include "measuring/child_counts.h"
 #include "rendering/frame.h"
+#include "rendering/pixel_coefficients.h"
+#include "rendering/visible_polygons.h"
 #include "scenario/ray_files.h"
 
 namespace relief::app {
@@ -16,11 +19,14 @@ namespace {
 constexpr std::size_t kLoggedBlock = 4096;
 // Characters of a hit: three numbers of 17 digits, the outcome, the steps.
 constexpr std::uint64_t kLongestLine = 88;
+constexpr int kDigits = 17;
 
 struct TraceOptions {
     ScenarioOptions scenario;
     OptionText rays, output, steps;
     std::vector<std::string> single, pixels;
+    bool coefficients = false;
+    bool children = false;
     RunOptions run;
 };
 
@@ -111,10 +117,65 @@ void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bo
     output.write(text);
 }
 
+// The numbers behind each pixel, a line a pixel; one that sees no polygon has none.
+std::string coefficientLines(const std::vector<PixelChoice>& pixels, const FrameRequest& request) {
+    std::string text;
+    for (const NamedNumber& number : namedNumbers({})) text += std::string(number.name) + ",";
+    text += "x,y\n";
+    for (const PixelChoice& pixel : pixels) {
+        const auto found = pixelCoefficients(request, pixel.x, pixel.y);
+        for (const NamedNumber& number : namedNumbers(found.value_or(PixelCoefficients{}))) {
+            if (found) text += numberText(number.value, kDigits);
+            text += ',';
+        }
+        text += std::to_string(pixel.x) + "," + std::to_string(pixel.y) + "\n";
+    }
+    return text;
+}
+
+// Every pixel of the view that sees a polygon.
+Asked raysOfView(const FrameRequest& request) {
+    const VisiblePolygons visible =
+        visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
+                        request.width, request.height, request.field.reliefDepth());
+    Asked asked;
+    for (int y = 0; y < request.height; ++y) {
+        for (int x = 0; x < request.width; ++x) {
+            const VisiblePolygon* const polygon = visible.at(x, y, request.width);
+            if (polygon != nullptr) asked.rays.push(polygon->entry(x, y).ray);
+        }
+    }
+    asked.answers = asked.rays.size();
+    return asked;
+}
+
+// Children entered at each level, of all rays, a block of logs at a time.
+ChildrenByLevel childrenOf(const Asked& asked, const Tracer& tracer, Session& session) {
+    Work& work = session.work();
+    ChildrenByLevel counts;
+    work.progress().begin("children", static_cast<std::int64_t>(asked.rays.size()));
+    for (std::size_t first = 0; first < asked.rays.size(); first += kLoggedBlock) {
+        const std::size_t count = std::min(kLoggedBlock, asked.rays.size() - first);
+        RayBlock block(count);
+        for (std::size_t r = 0; r < count; ++r) block.set(r, asked.rays[first + r]);
+        HitBlock hits;
+        StepLog log;
+        tracer.trace(block, hits, log, work);
+        for (std::size_t r = 0; r < count; ++r) addChildren(log.steps, log.begin[r], log.begin[r + 1], counts);
+        work.progress().advance(static_cast<std::int64_t>(count));
+    }
+    return counts;
+}
+
 void refuseTwoSources(const TraceOptions& options) {
     const auto refuse = [](const std::string& one, const std::string& other) {
         throw InputError(one, Message(MessageId::ArgumentsExclude, {{"other", other}}));
     };
+    const std::string table = options.coefficients ? "--coefficients" : "--children";
+    if (options.coefficients && options.children) refuse("--coefficients", "--children");
+    if ((options.coefficients || options.children) && options.steps) refuse(table, "--steps");
+    if (options.coefficients && options.rays) refuse(table, "--rays");
+    if (options.coefficients && !options.single.empty()) refuse(table, "--ray");
     if (options.rays && !options.pixels.empty()) refuse("--rays", "--pixel");
     if (options.rays && !options.single.empty()) refuse("--rays", "--ray");
     if (!options.single.empty() && !options.pixels.empty()) refuse("--ray", "--pixel");
@@ -131,7 +192,10 @@ int runTrace(const TraceOptions& options, Session& session) {
     scenario.pictures.color.clear();
     scenario.pictures.normal.clear();
     const bool given = options.rays || !options.single.empty();
-    const std::vector<PixelChoice> pixels = given ? std::vector<PixelChoice>{} : chosenPixels(options, scenario);
+    // A count of children without a ray is one of the whole view.
+    const bool wholeView = options.children && !given && options.pixels.empty();
+    const std::vector<PixelChoice> pixels =
+        given || wholeView ? std::vector<PixelChoice>{} : chosenPixels(options, scenario);
     const Asked single = raysOfTexts(options.single);
 
     Work& work = session.work();
@@ -141,14 +205,33 @@ int runTrace(const TraceOptions& options, Session& session) {
     MapCache maps;
     options.scenario.useStoredMap(scenario, assets, maps, work);
     const FrameRequest request = frameRequest(scenario, assets);
+    if (options.coefficients) {
+        const std::string lines = coefficientLines(pixels, request);
+        session.eraseBar();
+        TextOutput text(output, session.stop());
+        text.write(lines);
+        text.commit();
+        return 0;
+    }
+    noteBaseLevel(session, scenario, request);
     const Asked asked = options.rays              ? raysOfFile(*options.rays, session)
                         : !options.single.empty() ? single
+                        : wholeView               ? raysOfView(request)
                                                   : raysOfPixels(pixels, request);
 
     // What is traced, the answers, and their lines in pieces and whole.
     constexpr std::uint64_t kBytes = 2 * HitBlock::kBytes + 2 * kLongestLine;
     requireMemory(byteProduct({asked.answers, kBytes}), options.rays.value_or("--pixel"));
-    const auto tracer = makeTracer(scenario.method, request.field, maps, work);
+    // Rays that come without a view have no pixels either, whose width base=auto could be taken from.
+    const auto tracer = makeTracer(given ? scenario.method : request.method, request.field, maps, work);
+    if (options.children) {
+        const ChildrenByLevel counts = childrenOf(asked, *tracer, session);
+        session.eraseBar();
+        TextOutput text(output, session.stop());
+        text.write(output != "-" && fileEnding(output) == "csv" ? childrenCsv(counts) : childrenText(counts));
+        text.commit();
+        return 0;
+    }
     HitBlock traced;
     BlockCounts counts;
     tracer->trace(asked.rays, traced, counts, work);
@@ -186,6 +269,14 @@ void addTraceCommand(CLI::App& program, Commands& commands) {
     addOutput(*parser, options->output, "the hits; default -: standard output");
     addText(*parser, "--steps", options->steps, "FILE.csv|json",
             "every decision of every ray: the ray's number from 0, the step's from 1, texel, heights, decision",
+            "Output");
+    addFlag(*parser, "--coefficients", options->coefficients,
+            "instead of hits the numbers behind the pixels: the nine coefficients A to I (texels), q, the derivatives, "
+            "M, N, O, P, the ellipse; needs --pixel",
+            "Output");
+    addFlag(*parser, "--children", options->children,
+            "instead of hits how many children of a texel the rays enter at each level of a max pyramid: a table with a "
+            "histogram, or CSV into a file .csv; without rays, those of the whole view",
             "Output");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runTrace(*options, session); }});

@@ -20,7 +20,12 @@ namespace {
 // What [PERSP] counts for a pixel.
 std::string paperCounts(const std::string& variant) {
     static const std::map<std::string, std::string> counts{
-        {"direct", "8 / 8 / 2"}, {"row-constant", "4 / 4 / 2"}, {"incremental", "0 / 4 / 2"}, {"streams", "0 / 4 / 2"}};
+        {"direct", "8 / 8 / 2"},
+        {"row-constant", "4 / 4 / 2"},
+        {"incremental", "0 / 4 / 2"},
+        {"streams", "0 / 4 / 2"},
+        {"derivatives-direct", "10 / 10 / 4 / 1"},  // mul / add / div / sub, of the four derivatives alone
+        {"derivatives-iterative", "2 / 6 / 4 / 0"}};
     const auto found = counts.find(variant);
     return found == counts.end() ? "" : found->second;
 }

@@ -88,7 +88,7 @@ TEST_P(MeasureTest, RowsInFilesAndOnStandardOutput) {
     const auto out = lines(runFine(what));
     ASSERT_EQ(out.size(), 1 + 2 * 3U);
     EXPECT_EQ(out[0],
-              "variant,width,elevation,precision,streams,span,anchor,threads,mul,add,div,rate,spread,error_max,"
+              "variant,width,elevation,precision,streams,span,anchor,threads,mul,add,div,rate,spread,error_max,rows,"
               "compiler,cpu,commit");
     EXPECT_EQ(runFine(with(path("r.csv"))), "");
     const auto csv = lines(read("r.csv"));

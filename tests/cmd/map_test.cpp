@@ -111,4 +111,20 @@ TEST_P(MapTest, WrongUse) {
     EXPECT_EQ(files(), before);
 }
 
+// Read back by this program's own reader of pictures: level 0 are the heights.
+TEST_P(MapTest, PyramidsAreWrittenAsPictures) {
+    const std::string height = makeRelief("paper8x8", "paper.png", {});
+    for (const std::string kind : {"max-pyramid", "mean-pyramid"}) {
+        const std::string map = path(kind + ".tif");
+        const std::string said = runFine({"map", kind, "--height", height, "-o", map});
+        EXPECT_TRUE(said.starts_with(kind + ": 8 x 8, 4 levels, 85 numbers, built in ")) << said;
+        EXPECT_NE(runFine({"info", map}).find("8 x 8"), std::string::npos);
+        expectRefusal({"trace", "--height", height, "--tracer", "cone", "--map", map, "--ray", "1,1,1,1"}, 2,
+                      {map + ": ", "not a stored map"});
+    }
+    expectRefusal({"map", "max-pyramid", "--height", height, "--set", "base=1", "-o", path("b.tif")}, 2,
+                  {"--set", "\"base\""});
+    expectRefusal({"map", "max-pyramid", "--height", height, "-o", path("b.png")}, 2, {"b.png"});
+}
+
 }  // namespace relief::test

@@ -278,4 +278,78 @@ TEST_P(TraceTest, InterruptedWorkLeavesNothingBehind) {
     EXPECT_EQ(read("hits.csv"), "old\n");
 }
 
+TEST_P(TraceTest, CoefficientsInsteadOfHits) {
+    const std::string height = makeRelief("bricks", "h.png", {"--size", "32"});
+    const std::vector<std::string> view{"trace", "--height", height, "--scene", "wall", "--size", "60x40"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = view;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    const auto out = lines(runFine(with({"--pixel", "30,20", "--pixel", "0,0", "--coefficients"})));
+    ASSERT_EQ(out.size(), 3U);
+    EXPECT_TRUE(out[0].starts_with("A,B,C,D,E,F,G,H,I,q,ux,uy,vx,vy,M,N,O,P,")) << out[0];
+    const auto names = fields(out[0]);
+    const auto row = fields(out[1]);
+    ASSERT_EQ(row.size(), names.size());
+    const auto number = [&](const std::string& name) {
+        const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+        double value = 0;
+        const std::string& text = row[static_cast<std::size_t>(at)];
+        std::from_chars(text.data(), text.data() + text.size(), value);
+        return value;
+    };
+    const double q = number("G") * 30.5 + number("H") * 20.5 + number("I");
+    EXPECT_NEAR(number("q"), q, 1e-12);
+    EXPECT_NEAR(number("M"), number("A") * number("H") - number("B") * number("G"), 1e-12);
+    EXPECT_NEAR(number("ux"), (number("M") * 20.5 + number("A") * number("I") - number("C") * number("G")) / (q * q), 1e-9);
+    EXPECT_NEAR(number("ellipse_C"), number("ux") * number("ux") + number("uy") * number("uy"), 1e-9);
+    EXPECT_EQ(fields(out[2])[0], "") << "no polygon there";
+    expectRefusal(with({"--coefficients", "--ray", "1,1,1,1"}), 2, {"--coefficients", "--ray"});
+    expectRefusal(with({"--coefficients"}), 2, {"--pixel"});
+    expectRefusal(with({"--coefficients", "--children", "--pixel", "1,1"}), 2, {"--coefficients", "--children"});
+    expectRefusal(with({"--coefficients", "--pixel", "60,1"}), 2, {"--pixel", "60,1"});
+}
+
+TEST_P(TraceTest, ChildrenEnteredAtEachLevel) {
+    const std::string height = makeRelief("bricks", "h.png", {"--size", "32"});
+    const std::vector<std::string> view{"trace",   "--height", height,       "--tracer", "max-pyramid-paper",
+                                        "--scene", "wall",     "--size",     "60x40",    "--children"};
+    const std::string text = runFine(view);
+    EXPECT_NE(text.find("one "), std::string::npos) << text;
+    EXPECT_NE(text.find("#"), std::string::npos);
+    std::vector<std::string> table = view;
+    table.insert(table.end(), {"-o", path("c.csv")});
+    EXPECT_EQ(runFine(table), "");
+    const auto csv = lines(read("c.csv"));
+    ASSERT_EQ(csv.size(), 1 + 5 + 1U) << "levels 5 to 1 and all";
+    EXPECT_EQ(csv[0], "level,one,two,three,mean,ended");
+    EXPECT_TRUE(csv.back().starts_with("all,"));
+}
+
+TEST_P(TraceTest, BaseAutoIsOneLevelOfTheView) {
+    const std::string height = makeRelief("hills", "h.png", {"--size", "256"});
+    const std::vector<std::string> view{"trace", "--height", height,    "--tracer", "max-pyramid",
+                                        "--size", "60x40",   "--camera", "distance=6,elevation=60", "--pixel", "30,20"};
+    const auto with = [&](const std::string& base) {
+        std::vector<std::string> all = view;
+        all.insert(all.end(), {"--set", "base=" + base});
+        return all;
+    };
+    const Result automatic = run(with("auto"));
+    EXPECT_EQ(automatic.status, 0);
+    const std::size_t at = automatic.err.find("level ");
+    ASSERT_NE(at, std::string::npos) << automatic.err;
+    EXPECT_EQ(automatic.out, runFine(with(automatic.err.substr(at + 6, 1))));
+    expectRefusal({"trace", "--height", height, "--tracer", "max-pyramid", "--set", "base=auto", "--ray", "1,1,1,1"}, 2,
+                  {"base=auto"});
+    const Result picture = run({"render", "--height", height, "--tracer", "max-pyramid", "--set", "base=auto", "--size",
+                                "40x30", "--report", path("r.json"), "-o", path("p.png")});
+    EXPECT_EQ(picture.status, 0) << picture.err;
+    const std::string report = read("r.json");
+    for (const char* name : {"\"pixel_texels\"", "\"error_mean\"", "\"level_0\""}) {
+        EXPECT_NE(report.find(name), std::string::npos) << name;
+    }
+}
+
 }  // namespace relief::test

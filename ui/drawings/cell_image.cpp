@@ -93,16 +93,22 @@ CellText measuredText(const Cells& cells, double scale, const Style& style) {
 CellText cellText(const Cells& cells, const CellRange& range, double scale, const Style& style) {
     if (!cells.print) return {};
     if (cells.map == ColorMap::Distance || cells.map == ColorMap::Difference) return measuredText(cells, scale, style);
-    CellText text = cellText(cells.cellWidth * scale, cells.cellHeight * scale, style);
-    if (text.pixels <= 0) return text;
+    const CellText text = cellText(cells.cellWidth * scale, cells.cellHeight * scale, style);
+    // One decimal alone may be written smaller: fewer digits are easier to read, and figures in a column need it.
+    constexpr double kSmallest = 0.5;  // times the text size: 5 pt in print
+    CellText single;
+    single.decimals = 1;
+    const double pixels = std::min({cells.cellWidth * scale * 0.84 / (single.characters() * kDigitWidth),
+                                    cells.cellHeight * scale * 0.45, style.textPixels(1.7)});
+    if (pixels < style.textPixels(kSmallest)) return text;
+    single.pixels = pixels;
     for (int j = range.j0; j < range.j1; ++j) {
         for (int i = range.i0; i < range.i1; ++i) {
             const float value = (*cells.values)(i, j);
             if (static_cast<float>(std::round(static_cast<double>(value) * 10) / 10) != value) return text;
         }
     }
-    text.decimals = 1;
-    return text;
+    return single;
 }
 
 std::string cellValueText(const Cells& cells, float value, const CellText& text) {

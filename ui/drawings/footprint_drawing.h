@@ -11,7 +11,8 @@
 namespace reliefui {
 
 struct FootprintOptions {
-    int neighbours = 0;  // 0, 4 or 8 pixels around, their ellipses
+    int neighbours = 0;    // 0, 4 or 8 pixels around, their ellipses
+    bool numbers = false;  // derivatives and the ellipse's coefficients in the legend: figures have the room
 
     bool operator==(const FootprintOptions&) const = default;
 };

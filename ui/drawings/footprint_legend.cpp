@@ -54,6 +54,7 @@ class Rows {
                                                          {"minor", figures(f.minor)},
                                                          {"ratio", f.minor > 0 ? figures(f.major / f.minor) : "∞"}}));
         }
+        if (options_.numbers) coefficients();
         if (!f_.listed) {
             entry(Message(MessageId::DrawFootprintMany, {{"texels", f_.counts.texels}}));
         } else if (!f_.log.texels.empty()) {
@@ -68,6 +69,18 @@ class Rows {
         if (f.kind == FootprintKind::Shape) entry(Message(MessageId::DrawFootprintShape));
         if (f.kind == FootprintKind::Top) entry(Message(MessageId::DrawFootprintTop));
         visibility();
+    }
+
+    void coefficients() {
+        const relief::Jacobian& j = f_.behind.derivatives;
+        const relief::Ellipse& e = f_.behind.ellipse;
+        entry(Message(MessageId::DrawFootprintDerivatives, {{"ux", figures(j.ux)},
+                                                            {"uy", figures(j.uy)},
+                                                            {"vx", figures(j.vx)},
+                                                            {"vy", figures(j.vy)},
+                                                            {"q", figures(f_.behind.q)}}));
+        entry(Message(MessageId::DrawFootprintForm,
+                      {{"A", figures(e.a)}, {"B", figures(e.b)}, {"C", figures(e.c)}, {"F", figures(e.f)}}));
     }
 
     void visibility() {

@@ -56,7 +56,8 @@ std::vector<relief::MethodChoice> methodsToMeasure(const Snapshot& snapshot, boo
     for (const relief::MeasuredMethod& method : relief::defaultMethods()) {
         if (withMaps || !method.buildsMaps) add(method.choice);
     }
-    if (isTracer(snapshot.scenario.method)) add(snapshot.scenario.method);
+    // As it is in this view: base=auto is a level there.
+    if (isTracer(snapshot.request->method)) add(snapshot.request->method);
     return methods;
 }
 
@@ -87,7 +88,7 @@ std::shared_ptr<const ParetoSource> paretoSource(const Snapshot& snapshot, const
     source->measure = measure;
     source->title =
         relief::Message(relief::MessageId::DrawChartView, {{"rays", measured.rays}, {"rounds", measured.rounds}});
-    source->current = relief::shortMethodName(snapshot.scenario.method);
+    source->current = relief::shortMethodName(snapshot.request->method);
     source->old = !measured.of(snapshot);
     if (source->old) source->title = relief::Message(relief::MessageId::DrawChartOld);
     return source;

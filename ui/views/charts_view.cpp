@@ -78,7 +78,7 @@ void ChartsView::letGo() {
 
 // Where it is wanted, and not there yet.
 void ChartsView::startMeasuring() {
-    const relief::MethodChoice& method = snapshot_->scenario.method;
+    const relief::MethodChoice& method = snapshot_->request->method;
     const bool tracer = relief::findTracer(method.name).kind == relief::MethodKind::Tracer;
     const bool all = !maps_->isChecked() || (measured_ && measured_->withMaps);
     const bool there = measured_ && all && measured_->of(*snapshot_) && (!tracer || measured_->has(method));

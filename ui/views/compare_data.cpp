@@ -7,6 +7,7 @@
 
 #include "measuring/pareto.h"
 #include "measuring/view_bench.h"
+#include "rendering/base_level.h"
 #include "scenario/step_sentence.h"
 #include "views/result_painting.h"
 #include "workspace/discard.h"
@@ -126,7 +127,7 @@ Comparer::Rendered& Comparer::rendered(const Snapshot& snapshot, const relief::M
     at.used = calls_;
     if (!at.renderer) at.renderer = std::make_unique<relief::FrameRenderer>(snapshot.maps, true);
     relief::FrameRequest request = *snapshot.request;
-    request.method = method;
+    request.method = relief::methodOfView(request, method);
     const std::shared_ptr<const relief::Frame> frame = at.renderer->render(request, work);
     if (frame != at.frame || at.picture.isNull()) {
         at.frame = frame;
@@ -207,8 +208,11 @@ void Comparer::measure(ComparedView& view, const relief::Frame& reference, relie
 std::shared_ptr<const ComparedView> withRates(const ComparedView& view, const Snapshot& snapshot, relief::Work& work) {
     auto timed = makeFreedAside<ComparedView>(view);
     std::vector<relief::MethodChoice> methods;
+    const auto ofView = [&](const ComparedMethod& method) {
+        return relief::methodOfView(*snapshot.request, method.method);
+    };
     for (const ComparedMethod& method : view.methods) {
-        if (method.traces && !method.problem) methods.push_back(method.method);
+        if (method.traces && !method.problem) methods.push_back(ofView(method));
     }
     const relief::RayBlock rays = relief::sampledRays(*snapshot.frame, kComparedRays);
     if (methods.empty() || rays.size() == 0) return timed;
@@ -218,7 +222,7 @@ std::shared_ptr<const ComparedView> withRates(const ComparedView& view, const Sn
     timed->rounds = kRounds;
     for (ComparedMethod& method : timed->methods) {
         for (const relief::BenchRow& row : rows) {
-            if (relief::shortMethodName(row.method) != relief::shortMethodName(method.method)) continue;
+            if (relief::shortMethodName(row.method) != relief::shortMethodName(ofView(method))) continue;
             method.rate = row.rate / 1e6;
             method.steps = row.stepsMean;
         }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "measuring/measured_method.h"
+#include "rendering/base_level.h"
 #include "views/figure.h"
 
 namespace reliefui {
@@ -72,7 +73,8 @@ std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,
         rays.push(shown.ray);
         relief::HitBlock hits;
         relief::StepLog log;
-        relief::makeTracer(method, field, *snapshot->maps, work)->trace(rays, hits, log, work);
+        const relief::MethodChoice inView = relief::methodOfView(*snapshot->request, method);
+        relief::makeTracer(inView, field, *snapshot->maps, work)->trace(rays, hits, log, work);
         duel->runs.push_back({nameOf(method), hits[0], std::move(log.steps)});
     };
     if (shown.fromFile) {

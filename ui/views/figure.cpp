@@ -152,12 +152,14 @@ void paintFootprint(QPainter& painter, const Snapshot& snapshot, const Footprint
     }
     const PixelFootprint& footprint = *snapshot.footprint;
     const double width = page.width() / style.pixelsPerPoint() - 12;
-    Drawing legend = footprintLegend(footprint, options, true, width, style.language);
+    FootprintOptions named = options;
+    named.numbers = true;
+    Drawing legend = footprintLegend(footprint, named, true, width, style.language);
     const Box room = figureRoom(legend, page, style);
     const Drawing texture = footprintTexture(footprint, room.width() / room.height());
     const double scale = ViewMap::fitting(texture.bounds, room).scale / style.pixelsPerPoint();
     const FootprintMarks marks = footprintMarks(footprint, options, texture.bounds, scale);
-    if (!marks.weights) legend = footprintLegend(footprint, options, false, width, style.language);
+    if (!marks.weights) legend = footprintLegend(footprint, named, false, width, style.language);
     painter.save();
     painter.setClipRect(QRectF(page.x0, page.y0, page.width(), page.height()));
     paintFigure(painter, {&texture, &marks.drawing}, legend, page, style);

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "scenario/step_sentence.h"
+#include "views/coefficient_text.h"
 #include "views/drawing_canvas.h"
 #include "workspace/pause_log.h"
 
@@ -181,6 +182,9 @@ void FootprintView::showEmpty(relief::MessageId why) {
 void FootprintView::tell(const QPointF& widget) {
     if (!footprint_) return setReadout({});
     const PixelFootprint& f = *footprint_;
+    const QStringList behind = coefficientLines(f.behind);
+    canvas_->setToolTip(behind.join('\n'));
+    const QString more = QStringLiteral(" · ") + behind.join(QStringLiteral(" · "));
     const auto chosen = footprintTexelAt(f, canvas_->toDrawing(widget));
     if (chosen != chosen_) {
         chosen_ = chosen;
@@ -189,7 +193,7 @@ void FootprintView::tell(const QPointF& widget) {
     const ItemId id = canvas_->itemAt(widget);
     if (!chosen) {
         setReadout(id.kind == ItemKind::Texel
-                       ? tr("level %1, texel (%2, %3): does not count").arg(id.level).arg(id.i).arg(id.j)
+                       ? tr("level %1, texel (%2, %3): does not count").arg(id.level).arg(id.i).arg(id.j) + more
                        : QString());
         return;
     }
@@ -210,7 +214,13 @@ void FootprintView::tell(const QPointF& widget) {
         }
         if (texel.tested) text += tr(" · seen");
     }
-    setReadout(text);
+    const relief::LevelFootprint& footprint = f.log.footprint;
+    if (footprint.kind == relief::FootprintKind::Ellipse) {
+        const double square = relief::squaredRadius(footprint.ellipse, texel.u - footprint.centre.x,
+                                                    texel.v - footprint.centre.y);
+        text += tr(" · r² %1").arg(number(square, 3));
+    }
+    setReadout(text + more);
 }
 
 void FootprintView::fillFigure(FigureRequest& request) const {

@@ -286,6 +286,15 @@ QString PyramidView::reading(Point drawing) const {
     if (part == nullptr) return {};
     ItemId id = pick(pyramidMarks(part->source, part->picture, workspace_->scenario().step), ViewMap{}, drawing, 1, 0);
     if (stepOf(id) == nullptr) id = pick(part->picture.levels, ViewMap{}, drawing, 1, 0);
+    // The tool tip of a step says it in its sentence.
+    QString tip;
+    if (stepOf(id) != nullptr) {
+        const PixelTrace& trace = shown_->trace;
+        tip = QString::fromStdString(
+            relief::sentence(relief::stepSentence(trace.steps, static_cast<std::size_t>(id.i), trace.ray, trace.exact),
+                             workspace_->style().language));
+    }
+    canvas_->setToolTip(tip);
     return textOf(*part, id);
 }
 
@@ -319,6 +328,14 @@ QString PyramidView::textOf(const PyramidPart& part, const ItemId& id) const {
                              : kind == relief::PyramidKind::Mean ? tr("mean")
                                                                  : tr("min");
         text = name + QStringLiteral(" · ") + text;
+    }
+    if (const relief::Step* const step = stepOf(id)) {
+        const auto* const descent = step->as<relief::subject::Texel>();
+        if (descent != nullptr && descent->ray) {
+            const relief::subject::LevelPoint at = *descent->ray;
+            text += QStringLiteral(" · V(i+1) = 2 V(i) = 2 × (%1, %2) = (%3, %4)")
+                        .arg(number(at.x, 3), number(at.y, 3), number(2 * at.x, 2), number(2 * at.y, 2));
+        }
     }
     return id.kind == ItemKind::Step ? tr("step %1 · %2").arg(id.i + 1).arg(text) : text;
 }

@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 
 #include "scenario/step_sentence.h"
+#include "views/coefficient_text.h"
 #include "views/drawing_canvas.h"
 #include "views/pane_options.h"
 #include "workspace/pause_log.h"
@@ -229,7 +230,14 @@ void RowsView::tell(const QPointF& widget) {
     if (!at.inside) return setReadout({});
     const auto i = static_cast<std::size_t>(at.pixel - data_->row.span.begin);
     QString text = tr("pixel %1").arg(at.pixel);
-    if (!at.curve) return setReadout(text + tr(" · beyond the horizon"));
+    const QStringList behind = coefficientLines(
+        relief::pixelCoefficients(data_->place.map, static_cast<double>(at.pixel) + 0.5, data_->place.y));
+    canvas_->setToolTip(behind.join('\n'));
+    const QString more = QStringLiteral(" · ") + behind.join(QStringLiteral(" · "));
+    if (!at.curve) {
+        canvas_->setToolTip({});
+        return setReadout(text + tr(" · beyond the horizon"));
+    }
     const relief::RowCurve& curve = data_->row.curves[*at.curve];
     if (std::isnan(curve.error[i])) return setReadout(text + tr(" · beyond the horizon"));
     text += QStringLiteral(" · %1 %2").arg(*at.curve + 1).arg(QString::fromStdString(data_->names[*at.curve]));
@@ -239,7 +247,7 @@ void RowsView::tell(const QPointF& widget) {
     const int streams = streamsOf(curve);
     if (streams > 1) text += tr(" · stream %1 of %2").arg(curve.stream[i]).arg(streams);
     if (std::binary_search(curve.exact.begin(), curve.exact.end(), at.pixel)) text += tr(" · made anew here");
-    setReadout(text);
+    setReadout(text + more);
 }
 
 void RowsView::fillFigure(FigureRequest& request) const {

@@ -54,7 +54,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "Equal layers, then halving the last one."),
     QT_TRANSLATE_NOOP("core",
                       "One level of the max pyramid marks the segments worth testing; another method works inside them "
-                      "and gives its guarantee."),
+                      "and gives its guarantee. It takes more steps than that method alone: compare the two."),
     QT_TRANSLATE_NOOP("core", "Plain texturing: no relief, lit as the polygon is."),
     QT_TRANSLATE_NOOP("core", "The picture stays flat; the light sees the slopes of the heights."),
     QT_TRANSLATE_NOOP(
@@ -67,7 +67,8 @@ namespace {
     QT_TRANSLATE_NOOP("core", "Density"),
     QT_TRANSLATE_NOOP(
         "core",
-        "base level: above 0, the mean pyramid's level is traced instead of the heights (the last if there are fewer)"),
+        "base level: above 0, the mean pyramid's level is traced instead of the heights (the last if there are "
+        "fewer); auto: the highest whose texels are no wider than the narrowest pixel of the view"),
     QT_TRANSLATE_NOOP("core", "Layers"),
     QT_TRANSLATE_NOOP("core", "Bisections"),
     QT_TRANSLATE_NOOP("core", "Level"),

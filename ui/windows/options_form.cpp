@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -75,6 +76,7 @@ void OptionsForm::addControl(const Control& control) {
         number->setObjectName(name);
         label->setBuddy(number);
         form_->addRow(label, number);
+        addWords(control, number);
         connect(number, &NumberControl::settled, this, &OptionsForm::settled);
         connect(number, &NumberControl::changed, this, [this, name](double value, bool live) {
             Q_EMIT changed(name, QString::fromStdString(relief::numberText(value)), live);
@@ -94,12 +96,40 @@ void OptionsForm::addControl(const Control& control) {
         [this, name, choices](int) { Q_EMIT changed(name, choices->currentText(), false); }, Qt::QueuedConnection);
 }
 
+// A box for each word that may stand instead of the number; without a check the number counts.
+void OptionsForm::addWords(const Control& control, NumberControl* number) {
+    const QString name = QString::fromStdString(control.key);
+    for (const std::string& word : control.option.choices) {
+        const QString text = QString::fromStdString(word);
+        auto* const box = new QCheckBox(text, this);
+        box->setObjectName(name + '=' + text);
+        box->setToolTip(optionToolTip(control.option));
+        box->setAccessibleName(controlTitle(control.option.name) + QStringLiteral(": ") + text);
+        form_->addRow(QString(), box);
+        connect(box, &QCheckBox::clicked, this, [this, name, number, text](bool on) {
+            const QString value = QString::fromStdString(relief::numberText(number->value()));
+            Q_EMIT changed(name, on ? text : value, false);
+        });
+    }
+}
+
 void OptionsForm::setText(const Control& control, const std::string& text) {
     const QString name = QString::fromStdString(control.key);
     if (isNumber(control.option)) {
         double value = 0;
         std::from_chars(text.data(), text.data() + text.size(), value);
-        if (auto* const number = findChild<NumberControl*>(name)) number->setValue(value);
+        auto* const number = findChild<NumberControl*>(name);
+        if (number == nullptr) return;
+        const auto& words = control.option.choices;
+        const bool word = std::find(words.begin(), words.end(), text) != words.end();
+        for (const std::string& one : words) {
+            auto* const box = findChild<QCheckBox*>(name + '=' + QString::fromStdString(one));
+            if (box == nullptr) continue;
+            const QSignalBlocker quiet(box);
+            box->setChecked(one == text);
+        }
+        number->setEnabled(!word);
+        if (!word) number->setValue(value);
     } else if (auto* const choices = findChild<QComboBox*>(name)) {
         choices->setCurrentText(QString::fromStdString(text));
     }

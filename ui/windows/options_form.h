@@ -13,6 +13,8 @@ class QFormLayout;
 
 namespace reliefui {
 
+class NumberControl;
+
 class OptionsForm : public QWidget {
     Q_OBJECT
   public:
@@ -38,6 +40,7 @@ class OptionsForm : public QWidget {
                         const std::string& prefix, int depth, std::vector<Control>& out);
     void rebuild(const std::vector<Control>& controls);
     void addControl(const Control& control);
+    void addWords(const Control& control, NumberControl* number);
     void setText(const Control& control, const std::string& text);
 
     QFormLayout* form_;

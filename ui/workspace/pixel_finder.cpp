@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/base_level.h"
+
 namespace reliefui {
 
 namespace {
@@ -19,7 +21,8 @@ std::vector<float> valuesOf(const Snapshot& snapshot, relief::Worth worth, const
         case Worth::Steps:
             return relief::stepWorth(frame, *snapshot.tracer, work);
         case Worth::Disagreement: {
-            const auto tracer = relief::makeTracer(rival, snapshot.request->field, *snapshot.maps, work);
+            const auto method = relief::methodOfView(*snapshot.request, rival);
+            const auto tracer = relief::makeTracer(method, snapshot.request->field, *snapshot.maps, work);
             return relief::disagreement(frame, *tracer, work);
         }
         default:

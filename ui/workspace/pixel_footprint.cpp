@@ -169,11 +169,12 @@ std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame,
     const relief::ColorImage& colors = *picture.picture();
     const glm::dvec2 perField{static_cast<double>(colors.width()) / request.field.width(),
                               static_cast<double>(colors.height()) / request.field.height()};
+    auto out = std::make_shared<PixelFootprint>();
+    out->behind = relief::pixelCoefficients(query->view->texelFromScreen, x + 0.5, y + 0.5);
     query->jacobian = scaled(query->jacobian, {scale, scale});
     const relief::Jacobian j = scaled(query->jacobian, perField);
     const glm::dvec2 place = query->place * perField;
 
-    auto out = std::make_shared<PixelFootprint>();
     out->filter = request.filter;
     out->log.footprint.kind = FootprintKind::Bilinear;
     out->log.footprint.centre = place;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filtering/footprint_log.h"
+#include "mapping/coefficients.h"
 #include "rendering/frame.h"
 
 namespace reliefui {
@@ -45,6 +46,7 @@ struct PixelFootprint {
     double weightSum = 0;
     double greatest = 0;                  // weight of all that count; of the hidden where nothing else is listed
     relief::Jacobian seen;                // of the pixel as it is, texels of the level
+    relief::PixelCoefficients behind;     // the numbers behind the pixel, of the top plane, texels of the height map
     bool bounded = true;                  // the pixel's circle is finite
     std::vector<PixelCircle> neighbours;  // of the eight pixels around
     std::shared_ptr<const relief::ColorImage> colors;  // of the level, linear

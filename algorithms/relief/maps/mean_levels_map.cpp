@@ -28,6 +28,11 @@ std::shared_ptr<const MeanLevelsMap> meanLevelsMap(const HeightField& field, Map
                                     });
 }
 
+int baseLevelNumber(const std::string& text) {
+    if (text == kBaseAuto) throw InputError("--set", Message(MessageId::BaseAutoNoView));
+    return static_cast<int>(parseNumber(text, std::string(kBaseOption)));
+}
+
 BaseField baseField(const HeightField& field, int level, MapCache& cache, Work& work) {
     const int base = std::min(level, Pyramid::levelCount(field.width(), field.height()) - 1);
     if (base <= 0) return {field, 0, 1, 1};

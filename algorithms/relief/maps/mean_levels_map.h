@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "images/image.h"
@@ -29,6 +31,13 @@ struct BaseField {
     double perS = 1;
     double perT = 1;
 };
+
+// The option of methods that trace a base level: a number, or `auto`, which only who knows the view turns into one
+// (rendering/base_level.h).
+inline constexpr std::string_view kBaseOption = "base";
+inline constexpr std::string_view kBaseAuto = "auto";
+// The number of a checked option. Throws InputError("--set", ...) for auto.
+int baseLevelNumber(const std::string& text);
 
 // Level: clamped to the last there is. Level 0 builds nothing.
 BaseField baseField(const HeightField& field, int level, MapCache& cache, Work& work);

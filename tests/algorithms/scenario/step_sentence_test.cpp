@@ -84,6 +84,66 @@ TEST(StepSentence, saysTheSkipOfTheSketch) {
               "Level 3, texel (1,0): maximum 0.70, the ray leaves it at 0.82: nothing here, skipped.");
 }
 
+// [MIP18]'s only formula, with the numbers of the step.
+TEST(StepSentence, aDescentDoublesItsCoordinates) {
+    Step down = step(Decision::Descend);
+    down.subject = subject::Texel{3, 1, 0, 0.7, {}};
+    EXPECT_EQ(sentence(stepSentence(down, {})).find("V(i+1)"), std::string::npos) << "no pyramid below it";
+    down.subject = subject::Texel{3, 1, 0, 0.7, subject::LevelPoint{1.125, 0.25}};
+    EXPECT_EQ(sentence(stepSentence(down, {})),
+              "Level 3, texel (1,0): maximum 0.70, the ray would leave it at 0.82: a hit is possible, one level down. "
+              "There coordinates double: V(i+1) = 2 V(i) = 2 × (1.125, 0.250) = (2.25, 0.50).");
+    expectSaid(stepSentence(down, {}));
+    // As the methods fill it: the coordinates lie in the texel, and their double in the child that comes next.
+    auto heights = std::make_shared<FloatImage>(16, 8);
+    for (int x = 0; x < 16; ++x) {
+        for (int y = 0; y < 8; ++y) (*heights)(x, y) = static_cast<float>((7 * x + 3 * y) % 11) / 11;
+    }
+    Work work;
+    MapCache cache;
+    for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+        const HeightField field(heights, Surface::Columns, address, 0.25);
+        for (const char* name : {"max-pyramid", "max-pyramid-paper"}) {
+            RayBlock rays;
+            rays.push({3.3, 2.6, 21, -9});
+            HitBlock hits;
+            StepLog log;
+            makeTracer({name, {}}, field, cache, work)->trace(rays, hits, log, work);
+            int descents = 0;
+            for (std::size_t n = 0; n + 1 < log.steps.size(); ++n) {
+                const Step& at = log.steps[n];
+                if (at.decision != Decision::Descend) continue;
+                const auto ray = at.as<subject::Texel>()->ray;
+                ASSERT_TRUE(ray);
+                const auto inside = [](double v, std::int64_t texel) {
+                    constexpr double kRounding = 1e-9;
+                    return v >= static_cast<double>(texel) - kRounding && v <= static_cast<double>(texel + 1) + kRounding;
+                };
+                EXPECT_TRUE(inside(ray->x, at.i) && inside(ray->y, at.j));
+                const Step& child = log.steps[n + 1];
+                ASSERT_EQ(child.level, at.level - 1);
+                EXPECT_TRUE(inside(2 * ray->x, child.i) && inside(2 * ray->y, child.j));
+                ++descents;
+            }
+            EXPECT_GT(descents, 2) << name;
+        }
+    }
+}
+
+TEST(StepSentence, anAscentGivesThePapersReason) {
+    Step up = step(Decision::Ascend);
+    up.lambdaIn = up.lambdaOut;
+    up.subject = subject::Texel{3, 1, 0, 0.7, {}};
+    const std::string reason = sentence(stepSentence(up, {}));
+    EXPECT_NE(reason.find("The point of height 0.70 is there, but not on the projection of the ray"), std::string::npos)
+        << reason;
+    const ViewRay ray{0, 0, 10, 0};
+    EXPECT_EQ(sentence(stepSentence(up, {nullptr, ray, Hit::at(ray, 0.4)})), reason) << "the hit comes later";
+    const std::string broken = sentence(stepSentence(up, {nullptr, ray, Hit::at(ray, 0.1)}));
+    EXPECT_NE(broken.find("although the ray has met the surface by then, at height 0.900"), std::string::npos);
+    EXPECT_EQ(broken.find("not on the projection"), std::string::npos);
+}
+
 TEST(StepSentence, closeNumbersReadDifferently) {
     Step close = step(Decision::Skip);
     close.value = 0.70011;
