@@ -56,7 +56,7 @@ beside frames "$bin/relief_frames" 3
 advice() {
     printf '~~~\n'
     local form map
-    for form in lanes scalar; do
+    for form in simd scalar; do
         printf 'form %s\n' $form
         "$bin/relief" recommend --check --form $form --threads 1 --no-filter -q
         for map in datasets/*/height.{png,jpg}; do
