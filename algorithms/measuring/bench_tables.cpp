@@ -34,6 +34,7 @@ TableRow tableRow(const BenchRow& row) {
     const auto number = [](double value) { return std::isnan(value) ? std::string("-") : readable(value, kDigits); };
     const TracerErrors& e = row.errors;
     return {methodText(row.method),
+            std::string(formName(row.form)),
             number(row.rate / 1e6),
             number(row.spread * 100),
             number(e.mean),
@@ -60,6 +61,7 @@ const std::vector<BenchColumn>& benchColumns() {
         {"address", [](const R& r) -> V { return std::string(addressName(r.address)); }},
         {"relief_depth", [](const R& r) -> V { return r.reliefDepth; }},
         {"method", [](const R& r) -> V { return r.method.name; }},
+        {"form", [](const R& r) -> V { return std::string(formName(r.form)); }},
         {"options", [](const R& r) -> V { return optionsText(r.method, true); }},
         {"elevation", [](const R& r) -> V { return r.elevation ? V(*r.elevation) : V(std::string("random")); }},
         {"seed", [](const R& r) -> V { return r.seed; }},
@@ -102,7 +104,7 @@ std::string benchText(std::span<const BenchRow> rows) {
     std::size_t first = 0;
     while (first < rows.size()) {
         std::size_t last = first;
-        std::vector<TableRow> block{{"", "Mrays/s", "+-%", "error", "95%", "99.99%", "max", "wrong", "overshot",
+        std::vector<TableRow> block{{"", "form", "Mrays/s", "+-%", "error", "95%", "99.99%", "max", "wrong", "overshot",
                                      "steps", "reads", "maps", "build ms"}};
         for (; last < rows.size() && sameBlock(rows[first], rows[last]); ++last) block.push_back(tableRow(rows[last]));
         out += (first == 0 ? "" : "\n") + blockTitle(rows[first]) + textTable(block);

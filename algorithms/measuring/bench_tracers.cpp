@@ -72,6 +72,7 @@ RayBlock viewRays(const HeightField& field, double degrees, std::size_t count, s
 // A method over one map, made.
 struct Ready {
     MethodChoice choice;
+    Form form{};  // the one asked for
     std::unique_ptr<MapCache> maps;
     std::unique_ptr<Tracer> tracer;
     double buildSeconds = 0;
@@ -95,7 +96,7 @@ struct PreparedTracers {
             return false;
         }
         for (std::size_t m = 0; m < methods.size(); ++m) {
-            if ((*tracers)[m].choice != methods[m]->choice) return false;
+            if ((*tracers)[m].choice != methods[m]->choice || (*tracers)[m].form != methods[m]->form) return false;
         }
         return true;
     }
@@ -149,7 +150,7 @@ class Bench {
     std::vector<Ready> make(const HeightField& field) {
         std::vector<Ready> all;
         for (const MeasuredMethod* method : methods_) {
-            Ready ready{method->choice, std::make_unique<MapCache>(), nullptr, 0};
+            Ready ready{method->choice, method->form, std::make_unique<MapCache>(), nullptr, 0};
             const auto begun = Clock::now();
             ready.tracer = method->make(field, *ready.maps, work_);
             ready.buildSeconds = secondsSince(begun);
@@ -211,6 +212,7 @@ class Bench {
         row.address = field.address();
         row.reliefDepth = field.reliefDepth();
         row.method = ready.choice;
+        row.form = ready.tracer->form();
         row.elevation = elevation;
         row.seed = options_.seed;
         row.threads = work_.threads().size();

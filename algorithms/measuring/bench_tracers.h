@@ -52,6 +52,7 @@ struct BenchRow {
     Address address{};
     double reliefDepth = 0;
     MethodChoice method;
+    Form form{};  // what the rate is of
     Elevation elevation;
     std::uint64_t seed = 0;
     int threads = 0;
@@ -67,7 +68,7 @@ struct BenchRow {
 };
 
 using BenchColumn = BenchColumnOf<BenchRow>;
-// height,size,surface,address,relief_depth,method,options,elevation,seed,threads,rate,spread,error_mean,error_p95,
+// height,size,surface,address,relief_depth,method,form,options,elevation,seed,threads,rate,spread,error_mean,error_p95,
 // error_p9999,error_max,wrong_outcome,overshoots,steps_mean,steps_p95,steps_max,reads_mean,memory_bytes,build_seconds,
 // compiler,cpu,commit
 const std::vector<BenchColumn>& benchColumns();

@@ -36,9 +36,10 @@ bool MeasuredMethod::knows(Surface surface, Address address) const {
     return has(surfaces, surface) && has(addresses, address);
 }
 
-MeasuredMethod measuredMethod(const MethodChoice& choice) {
+MeasuredMethod measuredMethod(const MethodChoice& choice, Form form) {
     MeasuredMethod method;
     method.choice = choice;
+    method.form = form;
     method.surfaces.clear();
     method.addresses.clear();
     for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
@@ -48,8 +49,8 @@ MeasuredMethod measuredMethod(const MethodChoice& choice) {
         if (supports(choice, method.surfaces.front(), address)) method.addresses.push_back(address);
     }
     method.buildsMaps = buildsMaps(choice);
-    method.make = [choice](const HeightField& field, MapCache& cache, Work& work) {
-        return makeTracer(choice, field, cache, work);
+    method.make = [choice, form](const HeightField& field, MapCache& cache, Work& work) {
+        return makeTracer(choice, field, cache, work, form);
     };
     return method;
 }
@@ -93,10 +94,10 @@ std::string methodText(const MethodChoice& choice) {
     return choice.options.empty() ? choice.name : choice.name + ":" + optionsText(choice, false);
 }
 
-std::vector<MeasuredMethod> defaultMethods() {
+std::vector<MeasuredMethod> defaultMethods(Form form) {
     std::vector<MeasuredMethod> methods;
     for (const MethodDescription& method : tracerList()) {
-        if (method.kind == MethodKind::Tracer) methods.push_back(measuredMethod({method.name, {}}));
+        if (method.kind == MethodKind::Tracer) methods.push_back(measuredMethod({method.name, {}}, form));
     }
     return methods;
 }

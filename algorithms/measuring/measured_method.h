@@ -14,6 +14,7 @@ struct MeasuredMethod {
     using Make = std::function<std::unique_ptr<Tracer>(const HeightField&, MapCache&, Work&)>;
 
     MethodChoice choice;
+    Form form = Form::Simd;  // Scalar: the reference alone, even where there is a SIMD version
     std::vector<Surface> surfaces{Surface::Bilinear, Surface::Columns};  // those it knows
     std::vector<Address> addresses{Address::Repeat, Address::Clamp, Address::Border};
     bool buildsMaps = false;  // other than pyramids: distances, cones, which take their time
@@ -23,7 +24,7 @@ struct MeasuredMethod {
 };
 
 // A method of the list with these options. Throws InputError for unknown names.
-MeasuredMethod measuredMethod(const MethodChoice& choice);
+MeasuredMethod measuredMethod(const MethodChoice& choice, Form form = Form::Simd);
 
 // "NAME:OPTION=VALUE:OPTION=VALUE" taken apart, not checked. Throws InputError naming `option`.
 MethodChoice splitMethodChoice(const std::string& text, const std::string& option);
@@ -35,7 +36,7 @@ std::string optionsText(const MethodChoice& choice, bool all);
 std::string methodText(const MethodChoice& choice);
 
 // Every method of the list that is a tracer, as it is by default.
-std::vector<MeasuredMethod> defaultMethods();
+std::vector<MeasuredMethod> defaultMethods(Form form = Form::Simd);
 // Each of them with every combination of its options' defaults, ends (numbers) and choices, the default form first;
 // those that build maps with each option turned by itself.
 std::vector<MeasuredMethod> methodVariants();

@@ -52,6 +52,7 @@ double orInfinite(double error) {
 ParetoPoint pointOf(const std::vector<const BenchRow*>& rows) {
     ParetoPoint point;
     point.method = rows.front()->method;
+    point.form = rows.front()->form;
     point.name = shortMethodName(point.method);
     double logSum = 0;
     std::array<double, 4> sums{};
@@ -95,7 +96,7 @@ ParetoTable paretoTable(std::span<const BenchRow> rows) {
     for (const BenchRow& row : rows) {
         const Cell cell = cellOf(row);
         if (std::find(cells.begin(), cells.end(), cell) == cells.end()) cells.push_back(cell);
-        const std::string name = methodText(row.method);
+        const std::string name = methodText(row.method) + " " + std::string(formName(row.form));
         addOnce(names, name);
         ofMethod[name].push_back(&row);
         addOnce(table.heights, nameOf(row) + " " + sizeText(row));
@@ -117,6 +118,10 @@ ParetoTable paretoTable(std::span<const BenchRow> rows) {
     return table;
 }
 
+bool ParetoTable::bothForms() const {
+    return std::any_of(points.begin(), points.end(), [&](const ParetoPoint& p) { return p.form != points[0].form; });
+}
+
 std::vector<bool> dominatedPoints(std::span<const ParetoPoint> points, ErrorMeasure measure) {
     std::vector<bool> dominated(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -124,6 +129,7 @@ std::vector<bool> dominatedPoints(std::span<const ParetoPoint> points, ErrorMeas
         const double errorB = orInfinite(b.errorOf(measure));
         for (const ParetoPoint& a : points) {
             const double errorA = orInfinite(a.errorOf(measure));
+            if (a.form != b.form) continue;
             const bool noWorse = a.nanoseconds <= b.nanoseconds && errorA <= errorB && a.wrongOutcome <= b.wrongOutcome;
             const bool better = a.nanoseconds < b.nanoseconds || errorA < errorB || a.wrongOutcome < b.wrongOutcome;
             if (noWorse && better) dominated[i] = true;

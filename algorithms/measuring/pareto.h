@@ -21,6 +21,7 @@ ErrorMeasure parseErrorMeasure(const std::string& text, const std::string& optio
 
 struct ParetoPoint {
     MethodChoice method;
+    Form form{};                  // what its time is of
     std::string name;             // for people: without options that are the defaults
     double nanoseconds = 0;       // a ray, median of the rounds
     double spread = 0;            // (p75 - p25) / median
@@ -28,6 +29,8 @@ struct ParetoPoint {
     std::int64_t wrongOutcome = 0;
     double steps = 0;  // mean of a ray
 
+    // The name; with the form where `marked`.
+    std::string label(bool marked) const { return marked ? name + " (" + std::string(formName(form)) + ")" : name; }
     double errorOf(ErrorMeasure measure) const { return error[static_cast<std::size_t>(measure)]; }
 };
 
@@ -39,13 +42,17 @@ struct ParetoTable {
     std::vector<std::string> leftOut;  // methods that were not measured in all of them
     int threads = 0;
     std::string cpu, compiler;
+
+    // Whether points of both forms are in it: then each is labelled with its own.
+    bool bothForms() const;
 };
 
 // Over all rows: the geometric mean of times, the mean of errors and steps (of the largest error, the largest), the sum
 // of wrong outcomes; the spread is the largest.
 ParetoTable paretoTable(std::span<const BenchRow> rows);
 
-// Of each point whether another is no slower, no less exact and has no more wrong outcomes, and better in one of them.
+// Of each point whether another of the same form is no slower, no less exact and has no more wrong outcomes, and better
+// in one of them. Times of SIMD and of scalar code tell nothing of the methods.
 std::vector<bool> dominatedPoints(std::span<const ParetoPoint> points, ErrorMeasure measure);
 
 // "layers:layers=128": options that are the method's defaults are left out. Methods that are not in the list (of other

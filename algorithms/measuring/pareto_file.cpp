@@ -54,6 +54,7 @@ class RowReader {
             fail(column);
         }
     }
+    bool has(const char* column) const { return object_.contains(column); }
     const Json& at(const char* column) const {
         const auto found = object_.find(column);
         if (found == object_.end()) fail(column);
@@ -91,6 +92,18 @@ Elevation elevationAt(const RowReader& from) {
     return std::nullopt;
 }
 
+// Tables of the first version have no such column: their rates are of what ran unless it was told otherwise.
+Form formAt(const RowReader& from, const MethodChoice& method) {
+    if (from.has("form")) {
+        return from.parsed("form", [](const std::string& text) { return parseForm(text, "form"); });
+    }
+    try {
+        return methodForm(method);
+    } catch (const InputError&) {
+        return Form::Scalar;  // of another library
+    }
+}
+
 BenchRow readRow(const RowReader& from) {
     BenchRow row;
     row.height = from.text("height");
@@ -102,6 +115,7 @@ BenchRow readRow(const RowReader& from) {
     row.method = from.parsed("method", [&](const std::string& name) {
         return splitMethodChoice(options.empty() ? name : name + ":" + options, "method");
     });
+    row.form = formAt(from, row.method);
     row.elevation = elevationAt(from);
     if (!from.at("seed").is_number_integer()) from.fail("seed");
     row.seed = from.at("seed").get<std::uint64_t>();

@@ -36,14 +36,14 @@ class Elimination {
 
     std::vector<AdviceTrial> run(std::size_t& stillClose) {
         const std::vector<MethodChoice> forms =
-            options_.forms.empty() ? adviceForms(options_.field, lowest()) : options_.forms;
+            options_.forms.empty() ? adviceForms(options_.field, lowest(), options_.maxSteps) : options_.forms;
         work_.progress().begin("recommend", static_cast<std::int64_t>(forms.size()) + kRounds);
         for (const MethodChoice& form : forms) {
             trials_.emplace_back();
             trials_.back().facts.method = form;
         }
         screen();
-        if (options_.form == AdviceForm::Lanes) {
+        if (options_.form == Form::Simd) {
             rounds(stillClose);
         } else {
             byCounts();
@@ -80,6 +80,10 @@ class Elimination {
                 drop(trial, Verdict::Error);
                 continue;
             }
+            if (!rays_.keepsSteps(trial.facts)) {
+                drop(trial, Verdict::Steps);
+                continue;
+            }
             best = std::min(best, trial.facts.cost);
             if (trial.facts.cost > kOutAtOnce * best) drop(trial, Verdict::Slow);
             trial.times.clear();
@@ -88,7 +92,7 @@ class Elimination {
 
     void setTime(AdviceTrial& trial, double seconds) const {
         trial.facts.secondsARay = seconds;
-        if (options_.form == AdviceForm::Lanes) trial.facts.cost = seconds;
+        if (options_.form == Form::Simd) trial.facts.cost = seconds;
     }
 
     std::vector<AdviceTrial*> live() {
@@ -156,7 +160,11 @@ class Elimination {
     void verify() {
         for (AdviceTrial* trial : live()) {
             rays_.count(*trial, AdviceRays::kBlocks, work_);
-            if (!rays_.keepsBound(trial->facts)) drop(*trial, Verdict::Error);
+            if (!rays_.keepsBound(trial->facts)) {
+                drop(*trial, Verdict::Error);
+            } else if (!rays_.keepsSteps(trial->facts)) {
+                drop(*trial, Verdict::Steps);
+            }
         }
     }
 
@@ -183,6 +191,20 @@ bool keepsBounds(const AdvisedForm& form) {
 
 bool leaner(const AdvisedForm& a, const AdvisedForm& b) {
     return a.bytes != b.bytes ? a.bytes < b.bytes : a.buildSeconds < b.buildSeconds;
+}
+
+// Of the forms that take no more steps than they may the one with the fewest rays past the error bound.
+std::size_t nearestToBounds(const AdviceOptions& options, const std::vector<AdvisedForm>& forms) {
+    std::size_t best = 0;
+    const auto worse = [&](const AdvisedForm& form) {
+        const bool measured = form.beyond >= 0;  // NaN: it was not
+        const bool fits = measured && (options.maxSteps == 0 || form.overSteps <= options.outliers);
+        return fits ? form.beyond : 2 + (measured ? form.overSteps : 1);
+    };
+    for (std::size_t f = 1; f < forms.size(); ++f) {
+        if (worse(forms[f]) < worse(forms[best])) best = f;
+    }
+    return best;
 }
 
 // Where the heights change after each picture, building counts.
@@ -221,13 +243,18 @@ Advice adviceOf(const AdviceOptions& options, const std::vector<AdviceTrial>& tr
             advice.chosen = f;
         }
     }
-    advice.next = advice.chosen == 0 && forms.size() > 1 && keepsBounds(forms[1]) ? 1 : 0;
+    advice.relief = reliefFigures(options.field);
     for (std::size_t f = 0; f < forms.size(); ++f) {
         if (forms[f].method.name == "exact") advice.exact = f;
         if (!advice.withoutMap && keepsBounds(forms[f]) && forms[f].bytes == 0) advice.withoutMap = f;
     }
-    weighBuilding(advice);
-    advice.relief = reliefFigures(options.field);
+    // Over a flat map every method is at the hit at once: no map is worth its building.
+    if (advice.relief.flat && advice.withoutMap) advice.chosen = advice.cheapest = *advice.withoutMap;
+    advice.keepsBounds = keepsBounds(forms[advice.chosen]);
+    if (!advice.keepsBounds) advice.chosen = advice.cheapest = nearestToBounds(options, forms);
+    advice.next = advice.chosen;
+    if (advice.chosen == 0 && forms.size() > 1 && keepsBounds(forms[1])) advice.next = 1;
+    if (advice.keepsBounds) weighBuilding(advice);
     return advice;
 }
 

@@ -19,13 +19,6 @@
 
 namespace relief {
 
-// Lanes: processor time of this library's own code, on one thread. Scalar: what a writer of shaders would port; there
-// the look-ups decide: cost = reads + stepCost x steps, counted, so the same on every machine.
-enum class AdviceForm : std::uint8_t { Lanes, Scalar };
-std::string_view adviceFormName(AdviceForm form);
-// InputError("--form", ...) with the known names.
-AdviceForm parseAdviceForm(const std::string& text);
-
 // "10,80" into kAdviceViews elevations evenly from the one to the other (one number: that alone), "random" into the
 // random one. InputError naming the option.
 inline constexpr int kAdviceViews = 4;
@@ -42,8 +35,12 @@ struct AdviceOptions {
     double outliers = 1e-4;                         // share of the rays that may be further off, or wrong
     std::int64_t memory = std::int64_t{256} << 20;  // bytes, of maps beside the heights
     double seconds = 20;                            // for all; a filter's reference may take a little longer
-    AdviceForm form = AdviceForm::Lanes;
-    double stepCost = 2;  // reads that a step's arithmetic is worth, Scalar
+    // Simd: processor time of this library's fastest code, on one thread. Scalar: what a writer of shaders would port,
+    // and the maps of that alone; there the look-ups decide: cost = reads + stepCost x steps, counted, so the same on
+    // every machine.
+    Form form = Form::Simd;
+    std::int64_t maxSteps = 0;  // a ray may take, but for the share of outliers; 0: any number
+    double stepCost = 2;        // reads that a step's arithmetic is worth, Scalar
     std::uint64_t seed = 1;
     bool filters = true;
     std::shared_ptr<const ColorImage> color = nullptr;  // for the filters; none: coloured patches
@@ -52,9 +49,10 @@ struct AdviceOptions {
 
 // Every tracer of the list as it is by default and with those values of its options that are worth a trial. lowest: of
 // the views, degrees.
-std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest);
+// maxSteps: of a ray, 0: any number; numbers of layers and iterations that it allows are then tried, too.
+std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, std::int64_t maxSteps = 0);
 
-enum class Verdict : std::uint8_t { Kept, Error, Memory, BuildTime, Refused, Slow };
+enum class Verdict : std::uint8_t { Kept, Error, Steps, Memory, BuildTime, Refused, Slow };
 std::string_view verdictName(Verdict verdict);
 
 // What is known of a form; NaN: not measured, because it was out before.
@@ -66,10 +64,12 @@ struct AdvisedForm {
     Guarantee guarantee{};
     double secondsARay = kUnknown;  // of one thread's processor, median of the rounds; Lanes only
     double steps = kUnknown, reads = kUnknown;
-    double cost = kUnknown;     // what decides: seconds a ray, or reads + stepCost x steps
-    double beyond = kUnknown;   // share of the rays past the bound
-    double largest = kUnknown;  // error, texels
-    std::int64_t bytes = 0;     // beside the heights
+    std::int64_t mostSteps = 0;   // of a ray
+    double overSteps = kUnknown;  // share of the rays that take more than AdviceOptions::maxSteps
+    double cost = kUnknown;       // what decides: seconds a ray, or reads + stepCost x steps
+    double beyond = kUnknown;     // share of the rays past the bound
+    double largest = kUnknown;    // error, texels
+    std::int64_t bytes = 0;       // beside the heights
     double buildSeconds = 0;
     int rounds = 0;
 };
@@ -79,6 +79,7 @@ struct ReliefFigures {
     double roughness = 0;            // mean of |height difference| of neighbours over their distance
     double flatTiles = 0;            // share of tiles that rise by less than half a texel
     double steep = 0;                // share of neighbours with more than 45 degrees between them
+    bool flat = false;               // all heights are equal
 };
 ReliefFigures reliefFigures(const HeightField& field);
 
@@ -108,6 +109,7 @@ struct Advice {
     std::optional<std::size_t> withoutMap;  // the cheapest form without a map that keeps the bound
     std::optional<std::size_t> rebuilt;     // better than the chosen where heights change; see pays()
     double paysAfterRays = 0;               // when the chosen one's map has paid for itself against that
+    bool keepsBounds = true;                // the chosen form does; else it is the one that comes nearest
     std::size_t stillClose = 0;             // forms that the time was too short to tell apart; 0: told apart
     ReliefFigures relief;
     std::optional<FilterAdvice> filter;

@@ -10,7 +10,7 @@ namespace {
 
 // Values of an option that are worth a trial beside the default, whichever method has it.
 std::vector<std::string> worthATrial(const MethodDescription& method, const OptionDescription& option, bool buildsMaps,
-                                     double lowest) {
+                                     double lowest, std::int64_t maxSteps) {
     const std::string& name = option.name;
     const bool promises = method.guarantee != Guarantee::Approximate;
     if (option.kind == OptionKind::Method) {
@@ -23,8 +23,17 @@ std::vector<std::string> worthATrial(const MethodDescription& method, const Opti
     }
     if (name == "base") return {"1", "2"};
     if (name == "level") return {"2", "4"};
-    if (name == "layers" && !buildsMaps) return {"32", "128", "256", "512"};
-    if (name == "iterations") return {"128"};
+    const auto allowed = [&](std::vector<std::string> values, std::int64_t others) {
+        if (maxSteps > others) values.push_back(numberText(static_cast<double>(maxSteps - others)));
+        return values;
+    };
+    if (name == "layers" && !buildsMaps) {
+        // Besides the layers: the start, the one at the top, and what refines the last.
+        const auto halvings = method.defaults.find("bisections");
+        const double refining = halvings == method.defaults.end() ? 1 : parseNumber(halvings->second, name);
+        return allowed({"32", "128", "256", "512"}, 3 + static_cast<std::int64_t>(refining));
+    }
+    if (name == "iterations") return allowed({"128"}, 3);
     if (name == "sectors") return {"4", "8"};
     if (name == "footprint") return {"4"};
     if (name == "rule") return option.choices;
@@ -36,13 +45,18 @@ std::vector<std::string> worthATrial(const MethodDescription& method, const Opti
     return {};
 }
 
-void addForms(const MeasuredMethod& method, double lowest, std::vector<MethodChoice>& forms) {
+void addForms(const MeasuredMethod& method, double lowest, std::int64_t maxSteps, std::vector<MethodChoice>& forms) {
     const MethodDescription& description = findTracer(method.choice.name);
     std::vector<OptionValues> all{{}};
     for (const OptionDescription& option : description.options) {
         const std::size_t before = all.size();
-        for (const std::string& value : worthATrial(description, option, method.buildsMaps, lowest)) {
+        for (const std::string& value : worthATrial(description, option, method.buildsMaps, lowest, maxSteps)) {
             if (value == description.defaults.at(option.name)) continue;
+            if (std::any_of(all.begin(), all.end(), [&](const OptionValues& known) {
+                    return known.contains(option.name) && known.at(option.name) == value && known.size() == 1;
+                })) {
+                continue;
+            }
             // Each map takes its time: one option turned at a time. A rule needs no map of its own.
             const bool each = !method.buildsMaps || option.name == "rule";
             for (std::size_t v = 0; v < (each ? before : 1); ++v) {
@@ -57,9 +71,9 @@ void addForms(const MeasuredMethod& method, double lowest, std::vector<MethodCho
 
 }  // namespace
 
-std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest) {
+std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, std::int64_t maxSteps) {
     std::vector<MethodChoice> forms;
-    for (const MeasuredMethod& method : defaultMethods()) addForms(method, lowest, forms);
+    for (const MeasuredMethod& method : defaultMethods()) addForms(method, lowest, maxSteps, forms);
     std::erase_if(forms, [&](const MethodChoice& form) { return !supports(form, field.surface(), field.address()); });
     // What needs the time most surely well spent first: no maps, then maps of methods that promise something.
     std::stable_sort(forms.begin(), forms.end(), [](const MethodChoice& a, const MethodChoice& b) {
@@ -77,6 +91,8 @@ ReliefFigures reliefFigures(const HeightField& field) {
     const FloatImage& heights = field.heights();
     const double texels = field.slabTexels();
     ReliefFigures figures;
+    const auto pixels = heights.pixels();
+    figures.flat = std::all_of(pixels.begin(), pixels.end(), [&](float height) { return height == pixels[0]; });
     std::int64_t pairs = 0;
     std::int64_t steep = 0;
     double sum = 0;
@@ -117,24 +133,14 @@ ReliefFigures reliefFigures(const HeightField& field) {
     return figures;
 }
 
-std::string_view adviceFormName(AdviceForm form) {
-    return form == AdviceForm::Lanes ? "lanes" : "scalar";
-}
-
-AdviceForm parseAdviceForm(const std::string& text) {
-    for (const AdviceForm form : {AdviceForm::Lanes, AdviceForm::Scalar}) {
-        if (text == adviceFormName(form)) return form;
-    }
-    throw InputError("--form",
-                     Message(MessageId::UnknownName, {{"what", "form"}, {"name", text}, {"known", "lanes, scalar"}}));
-}
-
 std::string_view verdictName(Verdict verdict) {
     switch (verdict) {
         case Verdict::Kept:
             return "kept";
         case Verdict::Error:
             return "error";
+        case Verdict::Steps:
+            return "steps";
         case Verdict::Memory:
             return "memory";
         case Verdict::BuildTime:

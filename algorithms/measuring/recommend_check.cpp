@@ -25,7 +25,7 @@ void measureAll(const AdviceOptions& options, const AdviceRays& rays, std::vecto
         rays.count(*trial, AdviceRays::kBlocks, work);
         trial->times.clear();
     }
-    if (options.form == AdviceForm::Scalar) return;
+    if (options.form == Form::Scalar) return;
     std::vector<double> middles;
     for (int round = 0; round < kTableRounds; ++round) {
         std::vector<double> times;

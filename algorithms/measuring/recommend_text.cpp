@@ -56,7 +56,12 @@ class AdviceSentences {
                                      {"error", options_.error},
                                      {"outliers", number(options_.outliers * 100)},
                                      {"memory", bytesText(options_.memory)}});
+        if (options_.maxSteps > 0) say(MessageId::AdviceMaxSteps, {{"steps", options_.maxSteps}});
         text_ += '\n';
+        if (advice_.relief.flat) {
+            say(MessageId::AdviceFlat, {{"height", static_cast<double>(field.heights().pixels()[0])}});
+        }
+        if (!advice_.keepsBounds) say(MessageId::AdviceNothingKept, {});
         method();
         reasons();
         if (advice_.filter) filter();
@@ -80,7 +85,7 @@ class AdviceSentences {
                                        {"bytes", bytesText(best.bytes)},
                                        {"seconds", number(best.buildSeconds)}});
         }
-        if (options_.form == AdviceForm::Lanes) {
+        if (options_.form == Form::Simd) {
             say(MessageId::AdviceRate, {{"rate", number(1e-6 / best.secondsARay)},
                                         {"exact", number(1e-6 / exact.secondsARay)},
                                         {"times", number(exact.secondsARay / best.secondsARay)}});
@@ -89,6 +94,17 @@ class AdviceSentences {
                                         {"factor", options_.stepCost},
                                         {"exact", number(exact.cost)},
                                         {"times", number(exact.cost / best.cost)}});
+        }
+    }
+
+    // How much more than the chosen form: twice and more as a factor.
+    void dearer(MessageId percent, MessageId times, const AdvisedForm& form) {
+        constexpr double kTwice = 100;
+        const double more = percentMore(form, advice_.best());
+        if (more < kTwice) {
+            say(percent, {{"method", methodText(form.method)}, {"percent", number(more)}});
+        } else {
+            say(times, {{"method", methodText(form.method)}, {"times", number(1 + more / 100)}});
         }
     }
 
@@ -106,7 +122,8 @@ class AdviceSentences {
                                       {"flat", number(advice_.relief.flatTiles * 100)},
                                       {"side", ReliefFigures::kTile},
                                       {"steep", number(advice_.relief.steep * 100)}});
-        if (advice_.cheapest != advice_.chosen) {
+        if (!advice_.keepsBounds) {
+        } else if (advice_.cheapest != advice_.chosen) {
             const AdvisedForm& cheapest = advice_.forms[advice_.cheapest];
             say(MessageId::AdviceLean, {{"method", methodText(cheapest.method)},
                                         {"percent", number((1 - cheapest.cost / best.cost) * 100)},
@@ -114,13 +131,11 @@ class AdviceSentences {
                                         {"seconds", number(cheapest.buildSeconds)}});
         } else if (advice_.next != advice_.chosen) {
             const AdvisedForm& next = advice_.forms[advice_.next];
-            say(MessageId::AdviceNext,
-                {{"method", methodText(next.method)}, {"percent", number(percentMore(next, best))}});
+            dearer(MessageId::AdviceNext, MessageId::AdviceNextTimes, next);
         }
-        if (advice_.withoutMap && best.bytes > 0) {
+        if (advice_.keepsBounds && advice_.withoutMap && best.bytes > 0) {
             const AdvisedForm& plain = advice_.forms[*advice_.withoutMap];
-            say(MessageId::AdviceWithoutMap,
-                {{"method", methodText(plain.method)}, {"percent", number(percentMore(plain, best))}});
+            dearer(MessageId::AdviceWithoutMap, MessageId::AdviceWithoutMapTimes, plain);
         }
         const auto count = [&](Verdict verdict) {
             return std::count_if(advice_.forms.begin(), advice_.forms.end(),
@@ -128,6 +143,7 @@ class AdviceSentences {
         };
         say(MessageId::AdviceDropped, {{"total", advice_.forms.size()},
                                        {"error", count(Verdict::Error)},
+                                       {"steps", count(Verdict::Steps)},
                                        {"memory", count(Verdict::Memory)},
                                        {"time", count(Verdict::BuildTime)},
                                        {"other", count(Verdict::Refused)},
@@ -155,18 +171,44 @@ class AdviceSentences {
     }
 
     void table() {
-        const bool lanes = options_.form == AdviceForm::Lanes;
-        std::vector<TableRow> rows{
-            {"", lanes ? "ns/ray" : "cost", "steps", "reads", "beyond %", "error", "maps", "build s", "verdict"}};
+        const bool simd = options_.form == Form::Simd;
+        const char* cost = simd ? "ns/ray" : "cost";
+        const TableRow heading{"",      cost,   "steps",   "most",    "reads",    "beyond %",
+                               "error", "maps", "build s", "verdict", "guarantee"};
+        constexpr std::size_t kVerdict = 9;
+        const auto line = [&](const AdvisedForm& form) {
+            return TableRow{methodText(form.method),
+                            number(simd ? form.cost * 1e9 : form.cost),
+                            number(form.steps),
+                            form.mostSteps > 0 ? std::to_string(form.mostSteps) : "-",
+                            number(form.reads),
+                            number(form.beyond * 100),
+                            number(form.largest),
+                            bytesText(form.bytes),
+                            number(form.buildSeconds),
+                            std::string(verdictName(form.verdict)),
+                            std::string(guaranteeName(form.guarantee))};
+        };
+        std::vector<TableRow> safe{heading};
+        std::vector<const AdvisedForm*> others;
         for (const AdvisedForm& form : advice_.forms) {
-            if (rows.size() > kLines) break;
-            rows.push_back({methodText(form.method), number(lanes ? form.cost * 1e9 : form.cost), number(form.steps),
-                            number(form.reads), number(form.beyond * 100), number(form.largest), bytesText(form.bytes),
-                            number(form.buildSeconds), std::string(verdictName(form.verdict))});
+            const bool keeps = form.verdict == Verdict::Kept || form.verdict == Verdict::Slow;
+            if (keeps && safe.size() <= kLines) safe.push_back(line(form));
+            if (form.verdict == Verdict::Error || form.verdict == Verdict::Steps) others.push_back(&form);
         }
-        constexpr std::size_t kVerdict = 8;
-        text_ += "\n" + textTable(rows, 1, kVerdict);
-        text_ += (lanes ? "ns/ray: processor time on one thread. " : "") + cpuText() + ", " + compilerText() + ", " +
+        text_ += "\n" + textTable(safe, 1, kVerdict);
+        if (!others.empty()) {
+            std::stable_sort(others.begin(), others.end(),
+                             [](const AdvisedForm* a, const AdvisedForm* b) { return a->cost < b->cost; });
+            std::vector<TableRow> past{heading};
+            for (const AdvisedForm* form : others) {
+                if (past.size() <= kLines) past.push_back(line(*form));
+            }
+            text_ += '\n';
+            say(MessageId::AdvicePastBounds, {});
+            text_ += textTable(past, 1, kVerdict);
+        }
+        text_ += (simd ? "ns/ray: processor time on one thread. " : "") + cpuText() + ", " + compilerText() + ", " +
                  commitText() + "\n";
     }
 
@@ -188,6 +230,7 @@ Json formJson(const AdvisedForm& form) {
             {"seconds_a_ray", form.secondsARay},
             {"steps", form.steps},
             {"reads", form.reads},
+            {"steps_max", form.mostSteps},
             {"beyond", form.beyond},
             {"error_max", form.largest},
             {"memory_bytes", form.bytes},
@@ -227,8 +270,9 @@ std::string adviceJson(const AdviceOptions& options, const Advice& advice) {
               {"error", options.error},
               {"outliers", options.outliers},
               {"memory_limit_bytes", options.memory},
+              {"max_steps", options.maxSteps},
               {"seconds", options.seconds},
-              {"form", std::string(adviceFormName(options.form))},
+              {"form", std::string(formName(options.form))},
               {"step_cost", options.stepCost},
               {"seed", options.seed},
               {"chosen", formJson(advice.best())}};
@@ -236,7 +280,9 @@ std::string adviceJson(const AdviceOptions& options, const Advice& advice) {
     json["relief"] = {{"roughness", advice.relief.roughness},
                       {"flat_tiles", advice.relief.flatTiles},
                       {"tile", ReliefFigures::kTile},
-                      {"steep", advice.relief.steep}};
+                      {"steep", advice.relief.steep},
+                      {"flat", advice.relief.flat}};
+    json["keeps_bounds"] = advice.keepsBounds;
     if (advice.filter) json["filter"] = filterJson(*advice.filter);
     if (advice.rebuilt) json["where_heights_change"] = methodText(advice.forms[*advice.rebuilt].method);
     json["forms"] = Json::array();
@@ -253,7 +299,11 @@ std::vector<Message> adviceNotes(const AdviceOptions&, const Advice& advice) {
         notes.emplace_back(MessageId::AdviceTimeUp,
                            std::vector<MessageValue>{{"count", advice.stillClose}, {"percent", kClosePercent}});
     }
-    if (advice.rebuilt) {
+    if (advice.rebuilt && std::isinf(advice.paysAfterRays)) {
+        notes.emplace_back(MessageId::AdviceBuildNeverPays,
+                           std::vector<MessageValue>{{"seconds", numberText(advice.best().buildSeconds, kDigits)},
+                                                     {"method", methodText(advice.forms[*advice.rebuilt].method)}});
+    } else if (advice.rebuilt) {
         notes.emplace_back(MessageId::AdviceBuildDominates,
                            std::vector<MessageValue>{{"rays", numberText(advice.paysAfterRays / 1e6, kDigits)},
                                                      {"method", methodText(advice.forms[*advice.rebuilt].method)}});

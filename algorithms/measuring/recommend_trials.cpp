@@ -141,8 +141,10 @@ void AdviceRays::count(AdviceTrial& trial, std::size_t blocks, Work& work) const
     AdvisedForm& facts = trial.facts;
     std::size_t rays = 0;
     std::size_t beyond = 0;
+    std::size_t over = 0;
     BlockCounts counts;
     facts.largest = 0;
+    facts.mostSteps = 0;
     for (const auto& view : views_) {
         for (std::size_t b = 0; b < blocks; ++b) {
             const Block& block = view[b];
@@ -150,6 +152,9 @@ void AdviceRays::count(AdviceTrial& trial, std::size_t blocks, Work& work) const
             trial.tracer->trace(block.rays, hits, counts, work);
             rays += block.rays.size();
             for (std::size_t i = 0; i < block.rays.size(); ++i) {
+                const auto steps = static_cast<std::int64_t>(hits.steps[i]);
+                facts.mostSteps = std::max(facts.mostSteps, steps);
+                if (options_.maxSteps > 0 && steps > options_.maxSteps) ++over;
                 if (hits.outcome[i] != block.truth.outcome[i]) {
                     ++beyond;
                     continue;
@@ -165,8 +170,9 @@ void AdviceRays::count(AdviceTrial& trial, std::size_t blocks, Work& work) const
     const auto each = 1 / static_cast<double>(rays);
     facts.steps = static_cast<double>(counts.steps) * each;
     facts.reads = static_cast<double>(counts.reads) * each;
+    facts.overSteps = static_cast<double>(over) * each;
     facts.beyond = static_cast<double>(beyond) * each;
-    if (options_.form == AdviceForm::Scalar) facts.cost = facts.reads + options_.stepCost * facts.steps;
+    if (options_.form == Form::Scalar) facts.cost = facts.reads + options_.stepCost * facts.steps;
 }
 
 void AdviceRays::time(AdviceTrial& trial, std::size_t block, Work& work) const {
@@ -181,6 +187,10 @@ void AdviceRays::time(AdviceTrial& trial, std::size_t block, Work& work) const {
         seconds += (processorSeconds() - begun) / static_cast<double>(rays.size());
     }
     trial.times.push_back(std::max(seconds / static_cast<double>(views_.size()), 1e-12));
+}
+
+bool AdviceRays::keepsSteps(const AdvisedForm& facts) const {
+    return options_.maxSteps == 0 || facts.overSteps <= options_.outliers;
 }
 
 bool AdviceRays::keepsBound(const AdvisedForm& facts) const {
@@ -201,7 +211,7 @@ bool AdviceMaps::fits(AdviceTrial& trial, double limit) {
     constexpr double kWorthLooking = 0.05;  // seconds; below them are what any map takes
     MapCache maps;
     const auto begun = Clock::now();
-    const auto tracer = makeTracer(trial.facts.method, piece(field), maps, work_);
+    const auto tracer = makeTracer(trial.facts.method, piece(field), maps, work_, options_.form);
     const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
     const double times = static_cast<double>(field.width()) * field.height() / (kPieceSide * kPieceSide);
     // Half as much again may be the piece's own, as are the rims of maps.
@@ -218,7 +228,7 @@ std::unique_ptr<Tracer> AdviceMaps::built(const MethodChoice& method, double lim
     const Watch watch(work_, limit);
     Work work(work_.threads().size(), watch.token());
     const auto begun = Clock::now();
-    auto tracer = makeTracer(method, options_.field, maps_, work);
+    auto tracer = makeTracer(method, options_.field, maps_, work, options_.form);
     seconds = std::chrono::duration<double>(Clock::now() - begun).count();
     return tracer;
 }

@@ -26,6 +26,7 @@ class AdviceRays {
     // One round of one form: that block of each view, on the calling thread.
     void time(AdviceTrial& trial, std::size_t block, Work& work) const;
     bool keepsBound(const AdvisedForm& facts) const;
+    bool keepsSteps(const AdvisedForm& facts) const;
 
   private:
     struct Block {

@@ -51,6 +51,7 @@ BenchRow countedRow(const HeightField& field, const MethodChoice& choice, const 
     row.address = field.address();
     row.reliefDepth = field.reliefDepth();
     row.method = choice;
+    row.form = tracer.form();
     row.threads = work.threads().size();
     row.errors = tracerErrors(rays, truth, hits);
     row.stepsMean = meanOf(hits.steps);

@@ -57,11 +57,15 @@ class ConeTracer {
         parameters.precision = parsePrecision(options.precision);
         return relief::coneMap(ConeKind::Conservative, parameters, field, cache, work);
     }
-    static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+    // Other values than these are chosen to see that map at work: nothing else is built for it.
+    static bool simdWith(const Options& options) {
+        return options.sectors == 1 && parsePrecision(options.precision) == Precision::Float;
+    }
+    static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work,
+                           Form form = Form::Simd) {
         ConeTracer tracer(field, makeMap(field, options, cache, work));
-        // Another form of the map, or one from a file, is chosen to see that map at work: nothing else is built for it.
-        if (options.sectors != 1 || parsePrecision(options.precision) != Precision::Float) return tracer;
-        if (tracer.map_->fromFile) return tracer;
+        // A map from a file likewise.
+        if (form == Form::Scalar || !simdWith(options) || tracer.map_->fromFile) return tracer;
         tracer.packed_ = packedCones(field, cache, work);
         tracer.scene_ = LaneScene(field, *tracer.packed_);
         return tracer;
@@ -88,6 +92,7 @@ class ConeTracer {
 
     const HeightField& field() const { return field_; }
     const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }
+    bool hasSimdMap() const { return packed_ != nullptr; }
     std::size_t bytes() const { return map_->bytes() + (packed_ ? packed_->bytes() : 0); }
     double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 6; }
     double segmentRecords() const { return 3; }

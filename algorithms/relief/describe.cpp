@@ -44,6 +44,16 @@ std::string_view rayClassName(RayClass rayClass) {
     return kRayClasses[static_cast<std::size_t>(rayClass)];
 }
 
+std::string_view formName(Form form) {
+    return form == Form::Simd ? "simd" : "scalar";
+}
+Form parseForm(std::string_view text, const std::string& option) {
+    if (text == "simd" || text == "lanes") return Form::Simd;
+    if (text == "scalar") return Form::Scalar;
+    throw InputError(option, Message(MessageId::UnknownName,
+                                     {{"what", "form"}, {"name", std::string(text)}, {"known", "simd, scalar"}}));
+}
+
 Surface parseSurface(std::string_view text) {
     return parseName<Surface>(kSurfaces, text, "surface");
 }

@@ -45,6 +45,8 @@ enum class MethodKind : std::uint8_t { Tracer, Shading, AnyHit, Mesh };
 // hit. Plane: the polygon's. Heights: the surface's slope. NormalMap: the normal picture's, or one made from the
 // heights.
 enum class ShadingNormal : std::uint8_t { Relief, Plane, Heights, NormalMap };
+// Which implementation runs. Simd: the method's SIMD version. Scalar: the reference, one ray after the other.
+enum class Form : std::uint8_t { Simd, Scalar };
 // Which rays a method (its maps) is valid for.
 enum class RayClass : std::uint8_t { ViewRays, AnyRays };
 
@@ -80,6 +82,9 @@ std::string_view addressName(Address address);
 std::string_view guaranteeName(Guarantee guarantee);
 std::string_view methodKindName(MethodKind kind);
 std::string_view rayClassName(RayClass rayClass);
+std::string_view formName(Form form);
+// "simd" or "scalar"; "lanes", as earlier versions had it, is simd. Throws InputError naming the option.
+Form parseForm(std::string_view text, const std::string& option);
 // Throw InputError("--surface", ...) and ("--address", ...) with the known names.
 Surface parseSurface(std::string_view text);
 Address parseAddress(std::string_view text);

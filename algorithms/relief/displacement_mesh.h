@@ -1,9 +1,10 @@
 // The mesh of displacement mapping: what the walk of a single ray and the rasteriser of whole frames share.
 //
-// Vertices: density x density of them over the texture, at the centres of equal parts, as high as the surface there
-// (maps/mesh_heights.h). So with density = the map's size the vertices are the map's texels. Quads lie between four
-// neighbouring vertices and are numbered as the cells of a bilinear surface of that size (cell_grid.h): under repeat
-// they wrap; under clamp and border the half quads at the rim are level outwards; under border nothing lies outside.
+// Vertices: `density` of them to a side of the texture, the first at the first texel's centre, as high as the surface
+// there (maps/mesh_heights.h). So with density = the map's size the vertices are the map's texels, and with multiples
+// of it the texels are among the vertices. Quads lie between four neighbouring vertices and are numbered as the cells
+// of a bilinear surface of that size (cell_grid.h): under repeat they wrap; under clamp and border the mesh is level
+// outside the outermost vertices; under border nothing lies outside the picture.
 // Each quad is two triangles, cut along the diagonal from its vertex (0, 0) to its vertex (1, 1).
 // Unit of its ViewRays: mesh coordinates, vertex (i, j) at (i + 1/2, j + 1/2).
 #pragma once
@@ -26,7 +27,14 @@ class DisplacementMesh {
           mesh_(std::shared_ptr<const FloatImage>(heights, &heights->heights), Surface::Bilinear, field.address(),
                 field.reliefDepth()),
           grid_(mesh_),
-          bytes_(heights->bytes()) {}
+          density_(heights->density),
+          bytes_(heights->bytes()) {
+        if (field.address() != Address::Border) return;
+        grid_.x.low = meshPlace(0, texelsPerColumn()) + grid_.x.shift;
+        grid_.x.high = meshPlace(texture_.width(), texelsPerColumn()) + grid_.x.shift;
+        grid_.y.low = meshPlace(0, texelsPerRow()) + grid_.y.shift;
+        grid_.y.high = meshPlace(texture_.height(), texelsPerRow()) + grid_.y.shift;
+    }
 
     const HeightField& texture() const { return texture_; }
     // The vertices' heights as a bilinear surface: its cells are the quads.
@@ -34,8 +42,11 @@ class DisplacementMesh {
     const CellGrid& grid() const { return grid_; }
     std::size_t bytes() const { return bytes_; }
     // Size of a quad in texels.
-    double texelsPerColumn() const { return static_cast<double>(texture_.width()) / mesh_.width(); }
-    double texelsPerRow() const { return static_cast<double>(texture_.height()) / mesh_.height(); }
+    double texelsPerColumn() const { return static_cast<double>(texture_.width()) / density_; }
+    double texelsPerRow() const { return static_cast<double>(texture_.height()) / density_; }
+    // Texels to mesh coordinates and back, of one axis; `each` texels to a quad.
+    static double meshPlace(double texel, double each) { return (texel - 0.5) / each + 0.5; }
+    static double texelPlace(double place, double each) { return (place - 0.5) * each + 0.5; }
 
     // The ray in mesh coordinates; under repeat reduced to the first texture, so that far rays keep their digits.
     ViewRay inMesh(const ViewRay& ray) const {
@@ -44,14 +55,16 @@ class DisplacementMesh {
             const double rest = std::fmod(x, size);
             return rest < 0 ? rest + size : rest;
         };
-        return {reduced(ray.s0, texture_.width()) / texelsPerColumn(),
-                reduced(ray.t0, texture_.height()) / texelsPerRow(), ray.a / texelsPerColumn(), ray.b / texelsPerRow()};
+        return {meshPlace(reduced(ray.s0, texture_.width()), texelsPerColumn()),
+                meshPlace(reduced(ray.t0, texture_.height()), texelsPerRow()), ray.a / texelsPerColumn(),
+                ray.b / texelsPerRow()};
     }
 
     // As logs name it. What lies beyond the outermost vertices counts as one quad more.
     subject::Quad quad(AxisCell cx, AxisCell cy, double highest) const {
-        return {(quadBegin(grid_.x, cx) - grid_.x.shift) * texelsPerColumn(),
-                (quadBegin(grid_.y, cy) - grid_.y.shift) * texelsPerRow(), texelsPerColumn(), texelsPerRow(), highest};
+        return {texelPlace(quadBegin(grid_.x, cx) - grid_.x.shift, texelsPerColumn()),
+                texelPlace(quadBegin(grid_.y, cy) - grid_.y.shift, texelsPerRow()), texelsPerColumn(), texelsPerRow(),
+                highest};
     }
     // Heights of a quad's vertices (0,0), (1,0), (0,1), (1,1).
     using Corners = std::array<double, 4>;
@@ -95,6 +108,7 @@ class DisplacementMesh {
     HeightField texture_;
     HeightField mesh_;
     CellGrid grid_;
+    int density_;
     std::size_t bytes_;
 };
 

@@ -51,7 +51,7 @@ class HybridTracer {
     };
     static HybridTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
         return {PyramidWalk(field, maxPyramidMap(field, cache, work)), options.level,
-                makeTracer({options.inner, options.innerOptions}, field, cache, work)};
+                makeTracer({options.inner, options.innerOptions}, field, cache, work, Form::Scalar)};
     }
 
     HybridTracer(PyramidWalk walk, int level, std::shared_ptr<const Tracer> inner)

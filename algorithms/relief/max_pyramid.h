@@ -32,10 +32,14 @@ class MaxPyramidTracer {
 
         static std::vector<OptionField<Options>> fields() { return {baseLevelField(&Options::base)}; }
     };
-    static MaxPyramidTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+    // An automatic base level counts as one above 0.
+    static bool simdWith(const Options& options) { return options.base == "0"; }
+    static MaxPyramidTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work,
+                                 Form form = Form::Simd) {
         const BaseField base = baseField(field, baseLevelNumber(options.base), cache, work);
         MaxPyramidTracer tracer(PyramidWalk(base, field, maxPyramidMap(base.field, cache, work)));
-        if (base.level == 0) tracer.useLanes(depthPyramid(field, tracer.walk_.map(), cache, work));
+        if (base.level == 0 && form == Form::Simd)
+            tracer.useLanes(depthPyramid(field, tracer.walk_.map(), cache, work));
         return tracer;
     }
 
@@ -52,6 +56,7 @@ class MaxPyramidTracer {
     }
 
     const HeightField& field() const { return walk_.wholeField(); }
+    bool hasSimdMap() const { return depths_ != nullptr; }
     std::size_t bytes() const { return walk_.bytes() + (depths_ ? depths_->bytes() : 0); }
     double stepBound(const ViewRay& ray) const { return walk_.stepBound(walk_.gridRay(ray)); }
     // A base level above 0 is another surface.

@@ -63,9 +63,29 @@ concept PyramidTracer = requires(const T& tracer) {
 };
 
 template <class T>
+concept SimdTracer = requires(const T& tracer, const RayBlock& rays, HitBlock& hits) {
+    tracer.traceLanes(rays, std::size_t{}, std::size_t{}, hits);
+};
+
+// The form with these options, if the caller leaves the choice to the method.
+template <class T>
+Form formWith(const typename T::Options& options) {
+    if constexpr (!SimdTracer<T>) return Form::Scalar;
+    if constexpr (requires { T::simdWith(options); }) return T::simdWith(options) ? Form::Simd : Form::Scalar;
+    return SimdTracer<T> ? Form::Simd : Form::Scalar;
+}
+
+template <class T>
 class TracerOf final : public Tracer {
   public:
-    explicit TracerOf(T tracer) : tracer_(std::move(tracer)) {}
+    TracerOf(T tracer, Form form) : tracer_(std::move(tracer)), form_(form) {
+        // Maps of the SIMD version may be missing: a map from a file, or a picture too large for them.
+        if constexpr (requires { tracer_.hasSimdMap(); }) {
+            if (!tracer_.hasSimdMap()) form_ = Form::Scalar;
+        }
+    }
+
+    Form form() const override { return form_; }
 
     const MethodDescription& description() const override { return descriptionOf<T>(); }
     const HeightField& field() const override { return tracer_.field(); }
@@ -105,12 +125,11 @@ class TracerOf final : public Tracer {
     void trace(const RayBlock& rays, HitBlock& hits, NullSink&, Work& work) const override {
         hits.resize(rays.size());
         overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
-            if constexpr (requires { tracer_.traceLanes(rays, first, last, hits); }) {
-                tracer_.traceLanes(rays, first, last, hits);
-            } else {
-                NullSink sink;
-                for (std::size_t i = first; i < last; ++i) hits.set(i, tracer_.trace(rays[i], sink));
+            if constexpr (SimdTracer<T>) {
+                if (form_ == Form::Simd) return tracer_.traceLanes(rays, first, last, hits);
             }
+            NullSink sink;
+            for (std::size_t i = first; i < last; ++i) hits.set(i, tracer_.trace(rays[i], sink));
         });
     }
 
@@ -161,6 +180,7 @@ class TracerOf final : public Tracer {
     }
 
     T tracer_;
+    Form form_;
 };
 
 // Calls visit<T>() for each type of the list.
@@ -252,13 +272,29 @@ void checkMethod(const MethodChoice& choice, const std::string& subject) {
     }
 }
 
-std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work) {
+Form methodForm(const MethodChoice& choice) {
+    checkMethod(choice, "--set");
+    Form form = Form::Scalar;
+    forEachTracer([&]<class T>() {
+        if (descriptionOf<T>().name != choice.name) return;
+        form = formWith<T>(parseOptions<typename T::Options>(choice.name, choice.options));
+    });
+    return form;
+}
+
+std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work,
+                                   Form form) {
     checkMethod(choice, "--set");
     std::unique_ptr<Tracer> made;
     forEachTracer([&]<class T>() {
         if (made || descriptionOf<T>().name != choice.name) return;
         const auto options = parseOptions<typename T::Options>(choice.name, choice.options);
-        made = std::make_unique<TracerOf<T>>(T::make(field, options, cache, work));
+        const Form chosen = form == Form::Simd ? formWith<T>(options) : Form::Scalar;
+        if constexpr (requires { T::make(field, options, cache, work, chosen); }) {
+            made = std::make_unique<TracerOf<T>>(T::make(field, options, cache, work, chosen), chosen);
+        } else {
+            made = std::make_unique<TracerOf<T>>(T::make(field, options, cache, work), chosen);
+        }
     });
     return made;
 }

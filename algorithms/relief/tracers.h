@@ -44,6 +44,8 @@ class Tracer {
     virtual Guarantee guarantee() const { return description().guarantee; }
     // Memory of the maps it uses, beside the heights.
     virtual std::size_t bytes() const = 0;
+    // What trace() into a NullSink runs. Steps are counted and logged by the reference in any case.
+    virtual Form form() const { return Form::Scalar; }
     // What a frame rasterises instead of tracing; null: it traces.
     virtual const DisplacementMesh* mesh() const { return nullptr; }
     // Decision records that this ray takes at most.
@@ -86,7 +88,12 @@ bool supports(const MethodChoice& choice, Surface surface, Address address);
 // Throws InputError(subject, ...) for an unknown method or option, or a value out of range.
 void checkMethod(const MethodChoice& choice, const std::string& subject);
 
-// Builds the maps it needs (from the cache if they are there). Throws InputError for unknown names and options.
-std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work);
+// Builds the maps it needs (from the cache if they are there). Form::Simd: the SIMD version where the method has one
+// for these options; Form::Scalar: the reference alone, and none of the maps that only the SIMD version reads. Throws
+// InputError for unknown names and options.
+std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work,
+                                   Form form = Form::Simd);
+// The form of what makeTracer() makes when it is free to choose. Throws InputError for unknown names and options.
+Form methodForm(const MethodChoice& choice);
 
 }  // namespace relief

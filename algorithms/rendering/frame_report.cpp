@@ -26,7 +26,12 @@ void reportFilter(Frame& frame, const FrameTotals& totals) {
 
 void reportCounts(Frame& frame, const FrameTotals& totals) {
     const auto count = [&](const char* name, double value) { frame.counters[name] = value; };
-    count("rays not needed: the start is the highest point", static_cast<double>(totals.startHighest));
+    // Those rays are not traced: they are counted once. Frames whose counts are made later are counted again.
+    double& highest = frame.counters["rays not needed: the start is the highest point"];
+    double& traced = frame.counters["rays traced"];
+    // Hits of an earlier frame that are shown again were not traced in this one.
+    traced = std::max(traced + highest - static_cast<double>(totals.startHighest), 0.0);
+    highest = static_cast<double>(totals.startHighest);
     count("steps", static_cast<double>(totals.steps));
     count("reads", static_cast<double>(totals.reads));
 }

@@ -109,10 +109,10 @@ void MeshRaster::Target::drawRow(const Quad& quad, const Homography& rows, glm::
         if (rays.polygon[pixel] != quad.number || !inside(rays.rays.s0[pixel], rays.rays.t0[pixel])) continue;
         const TexelPoint at = rows.at(x + 0.5 - origin.x, y + 0.5 - origin.y);
         // Place in the quad; a centre on an edge may be rounded out of it.
-        const double u = std::clamp(at.s / quad.mesh.texelsPerColumn() - 0.5 - quad.i, 0.0, 1.0);
-        const double v = std::clamp(at.t / quad.mesh.texelsPerRow() - 0.5 - quad.j, 0.0, 1.0);
-        const double s = (quad.i + 0.5 + u) * quad.mesh.texelsPerColumn();
-        const double t = (quad.j + 0.5 + v) * quad.mesh.texelsPerRow();
+        const double u = std::clamp((at.s - 0.5) / quad.mesh.texelsPerColumn() - quad.i, 0.0, 1.0);
+        const double v = std::clamp((at.t - 0.5) / quad.mesh.texelsPerRow() - quad.j, 0.0, 1.0);
+        const double s = 0.5 + (quad.i + u) * quad.mesh.texelsPerColumn();
+        const double t = 0.5 + (quad.j + v) * quad.mesh.texelsPerRow();
         if (!inside(s, t)) continue;
         ++hits.steps[pixel];
         double& nearest =
@@ -128,10 +128,12 @@ MeshRaster::MeshRaster(const DisplacementMesh& mesh, const VisiblePolygons& visi
                        int width, Work& work)
     : mesh_(mesh), camera_(camera), width_(width) {
     for (const VisiblePolygon& polygon : visible.polygons) {
-        // Quads from -1 on, which begins half a quad before the texture, as far as the polygon goes.
-        const auto quads = [](double size, double each) { return static_cast<int>(std::ceil(size / each - 0.5)) + 1; };
-        Part part{&polygon, quads(polygon.quad.width, mesh.texelsPerColumn()),
-                  quads(polygon.quad.height, mesh.texelsPerRow())};
+        // From the last vertex at or before the polygon's edge to the first at or behind the other one.
+        const auto first = [](double each) { return static_cast<int>(std::floor(-0.5 / each)); };
+        const auto last = [](double size, double each) { return static_cast<int>(std::ceil((size - 0.5) / each)); };
+        Part part{&polygon, first(mesh.texelsPerColumn()), first(mesh.texelsPerRow())};
+        part.columns = last(polygon.quad.width, mesh.texelsPerColumn()) - part.firstColumn;
+        part.rows = last(polygon.quad.height, mesh.texelsPerRow()) - part.firstRow;
         const double thickness =
             mesh.texture().reliefDepth() * glm::length(polygon.quad.plane.perS) * polygon.quad.width;
         part.slab = -thickness * polygon.quad.normal;
@@ -150,7 +152,7 @@ MeshRaster::MeshRaster(const DisplacementMesh& mesh, const VisiblePolygons& visi
 // Vertex (i, j) of the mesh, any integers, on this polygon.
 ClipVertex MeshRaster::vertex(const Part& part, int i, int j) const {
     const TexturedPlane& plane = part.polygon->quad.plane;
-    const glm::dvec2 texel{(i + 0.5) * mesh_.texelsPerColumn(), (j + 0.5) * mesh_.texelsPerRow()};
+    const glm::dvec2 texel{0.5 + i * mesh_.texelsPerColumn(), 0.5 + j * mesh_.texelsPerRow()};
     const glm::dvec3 down = (1.0 - mesh_.mesh().texel(i, j)) * part.slab;
     return {camera_.project(plane.at(texel.x, texel.y) + down), texel};
 }
@@ -162,7 +164,7 @@ MeshRaster::Box MeshRaster::boxOf(const Part& part, int blockX, int blockY) cons
     const int lastY = std::min((blockY + 1) * kBlock, part.rows);
     for (int j = blockY * kBlock; j <= lastY; ++j) {
         for (int i = blockX * kBlock; i <= lastX; ++i) {
-            const ClipVertex v = vertex(part, i - 1, j - 1);
+            const ClipVertex v = vertex(part, part.firstColumn + i, part.firstRow + j);
             if (v.projected.z < kNear) return {-kInfinity, -kInfinity, kInfinity, kInfinity};
             const glm::vec2 at(v.screen());
             box = {std::min(box.x0, at.x), std::min(box.y0, at.y), std::max(box.x1, at.x), std::max(box.y1, at.y)};
@@ -175,8 +177,8 @@ MeshRaster::Box MeshRaster::boxOf(const Part& part, int blockX, int blockY) cons
 void MeshRaster::drawBlock(const Part& part, int blockX, int blockY, Target& target) const {
     const int columns = std::min(kBlock, part.columns - blockX * kBlock);
     const int rows = std::min(kBlock, part.rows - blockY * kBlock);
-    const int firstI = blockX * kBlock - 1;
-    const int firstJ = blockY * kBlock - 1;
+    const int firstI = part.firstColumn + blockX * kBlock;
+    const int firstJ = part.firstRow + blockY * kBlock;
     std::array<ClipVertex, (kBlock + 1) * (kBlock + 1)> vertices;
     const auto at = [&](int i, int j) -> ClipVertex& {
         return vertices[static_cast<std::size_t>(j * (kBlock + 1) + i)];

@@ -37,12 +37,14 @@ class MeshRaster {
     std::int64_t draw(const PixelArea& area, const RayStage& rays, HitBlock& hits, int firstRow = 0) const;
 
   private:
-    // Blocks of quads over one polygon: block (i, j) has the quads from -1 + i * kBlock.
+    // Blocks of quads over one polygon: block (i, j) has the quads from firstColumn + i * kBlock.
     struct Box {
         float x0, y0, x1, y1;
     };
     struct Part {
         const VisiblePolygon* polygon = nullptr;
+        int firstColumn = 0;  // the quad that begins at the polygon's edge, or before it
+        int firstRow = 0;
         int columns = 0;  // of quads
         int rows = 0;
         int blocksAcross = 0;

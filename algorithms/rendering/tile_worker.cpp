@@ -309,17 +309,25 @@ void countTile(const PixelArea& tile, const Tracer& tracer, const Frame& frame, 
                Work& work) {
     std::vector<std::size_t> pixels;
     coveredPixels(tile, frame, pixels);
+    const auto others =
+        std::stable_partition(pixels.begin(), pixels.end(), [&](std::size_t i) { return hits.by[i] == HitBy::Traced; });
+    const std::vector<std::size_t> untraced(others, pixels.end());
+    pixels.erase(others, pixels.end());
     RayBlock block;
     HitBlock again;
-    BlockCounts counts;
-    tracer.trace(raysOf(pixels, *frame.rays, block), again, counts, work);
-    for (std::size_t n = 0; n < pixels.size(); ++n) {
-        hits.hits.steps[pixels[n]] = again.steps[n];
-        hits.hits.reads[pixels[n]] = again.reads[n];
+    const std::array<const std::vector<std::size_t>*, 2> parts{&pixels, &untraced};
+    for (const auto* part : parts) {
+        BlockCounts counts;
+        tracer.trace(raysOf(*part, *frame.rays, block), again, counts, work);
+        for (std::size_t n = 0; n < part->size(); ++n) {
+            hits.hits.steps[(*part)[n]] = again.steps[n];
+            hits.hits.reads[(*part)[n]] = again.reads[n];
+        }
+        totals.steps += static_cast<std::int64_t>(counts.steps);
+        totals.reads += static_cast<std::int64_t>(counts.reads);
+        // What was not traced is counted as that alone.
+        if (part == &pixels) totals.startHighest += static_cast<std::int64_t>(counts.startHighest);
     }
-    totals.steps += static_cast<std::int64_t>(counts.steps);
-    totals.reads += static_cast<std::int64_t>(counts.reads);
-    totals.startHighest += static_cast<std::int64_t>(counts.startHighest);
 }
 
 }  // namespace relief

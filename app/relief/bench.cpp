@@ -21,7 +21,7 @@ constexpr const char* kDefaultReliefs[] = {"bricks", "city", "fractal", "hills",
 
 struct BenchCommandOptions {
     OptionText kind, tracers, elevations, lowest, rays, rounds, seed, surface, address, reliefDepth, output;
-    OptionText sizes, threadCounts;
+    OptionText sizes, threadCounts, form;
     RestartOptions restart;
     std::vector<std::string> heights, recipes;
     ReadingOptions reading;
@@ -142,14 +142,19 @@ std::vector<int> chosenThreads(const BenchCommandOptions& given) {
     return counts;
 }
 
+Form formOf(const BenchCommandOptions& given) {
+    return given.form ? parseForm(*given.form, "--form") : Form::Simd;
+}
+
 BenchOptions benchOptions(const BenchCommandOptions& given) {
     BenchOptions options;
+    const Form form = formOf(given);
     if (given.tracers) {
         for (const std::string& text : splitText(*given.tracers, ',')) {
-            options.methods.push_back(measuredMethod(parseMethodChoice(text, "--tracers")));
+            options.methods.push_back(measuredMethod(parseMethodChoice(text, "--tracers"), form));
         }
     } else {
-        options.methods = defaultMethods();
+        options.methods = defaultMethods(form);
     }
     if (given.elevations) {
         options.elevations.clear();
@@ -185,6 +190,8 @@ Json sweepText(const BenchCommandOptions& given, const BenchOptions& options, co
               {"relief depth", options.reliefDepth},
               {"threads", session.threads()},
               {"tracers", given.tracers.value_or("")}};
+    // Told only where it is not the default, so that sweeps of the first version are gone on with.
+    if (formOf(given) == Form::Scalar) what["form"] = formName(Form::Scalar);
     return what;
 }
 
@@ -248,6 +255,11 @@ void addWhat(CLI::App& parser, BenchCommandOptions& options) {
     addText(parser, "--tracers", options.tracers, "NAME,...",
             "methods, each with options as NAME:OPTION=VALUE:OPTION=VALUE, such as exact,layers:layers=128; default: "
             "all tracers as relief list tells them",
+            group);
+    addText(parser, "--form", options.form, "simd|scalar",
+            "tracers: scalar measures the reference implementations alone, without the maps of their SIMD versions; "
+            "simd: the SIMD version where a method has one (relief list says which), default; the column form of the "
+            "table says what was measured",
             group);
     addText(parser, "--elevations", options.elevations, "DEGREES,...",
             "from which the relief is seen, " + numberText(kLowestElevation) +

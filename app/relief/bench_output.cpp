@@ -7,6 +7,7 @@
 
 #include "measuring/bench_columns.h"
 #include "measuring/machine.h"
+#include "measuring/measured_method.h"
 
 namespace relief::app {
 
@@ -62,6 +63,22 @@ std::string csvOfRows(const Json& rows, const std::string& header) {
         text += line + "\n";
     }
     return text;
+}
+
+// Rows that the first version measured have no form: it measured the fastest there was.
+void addForm(Json& rows) {
+    for (Json& row : rows) {
+        if (!row.contains("error_mean") || row.contains("form")) continue;
+        Json whole = Json::object();
+        for (const auto& [name, value] : row.items()) {
+            whole[name] = value;
+            if (name != "method") continue;
+            const std::string options = row.value("options", std::string());
+            whole["form"] = formName(methodForm(
+                splitMethodChoice(value.get<std::string>() + (options.empty() ? "" : ":" + options), "form")));
+        }
+        row = std::move(whole);
+    }
 }
 
 void overCells(std::string_view what, std::size_t cells, Session& session,
@@ -126,6 +143,7 @@ void sweepTo(const BenchRun& run, const std::vector<std::string>& names, const s
     if (!results) return;
     Json rows = Json::array();
     for (const Json& cell : *results) rows.insert(rows.end(), cell.begin(), cell.end());
+    addForm(rows);
     TextOutput file(*run.output, session.stop());
     file.write(fileEnding(*run.output) == "json" ? rows.dump(1) + "\n" : csvOfRows(rows, header));
     file.commit();

@@ -65,6 +65,7 @@ Json methodJson(const MethodDescription& method) {
     for (const OptionDescription& option : method.options) {
         json["options"].push_back(optionJson(option, method.defaults.at(option.name)));
     }
+    if (method.kind != MethodKind::AnyHit) json["form"] = formName(methodForm({method.name, {}}));
     return json;
 }
 
@@ -136,6 +137,9 @@ std::string methodText(const MethodDescription& method) {
     for (const Surface surface : method.surfaces) surfaces.emplace_back(surfaceName(surface));
     std::string out = entry(method.name, method.title + ". " + method.help, 2, 4);
     out += entry("guarantee", std::string(guaranteeName(method.guarantee)), 6, 12);
+    if (method.kind != MethodKind::AnyHit) {
+        out += entry("form", std::string(formName(methodForm({method.name, {}}))), 6, 12);
+    }
     out += entry("surfaces", joined(surfaces), 6, 12);
     std::vector<std::string> addresses;
     for (const Address address : method.addresses) addresses.emplace_back(addressName(address));

@@ -90,6 +90,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addStressCommand(program, commands);
     addCertifyCommand(program, commands);
     addRecommendCommand(program, commands);
+    addClaimsCommand(program, commands);
 }
 
 int parseAndRun(int count, char** arguments, Session& session) {

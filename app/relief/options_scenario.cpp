@@ -202,10 +202,13 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
     addText(parser, "--target", target_, "X,Y,Z", "what the free camera looks at", group);
     addText(parser, "--fov", fov_, "DEGREES", numberHelp("fov"), group);
     if (look == Look::No) return;
-    addFlag(
-        parser, "--no-skip", noSkip_,
-        "do all the work that cannot change a bit as well: the same picture, slower (the report says what is spared)",
-        group);
+    addFlag(parser, "--no-skip", noSkip_,
+            "do all the work that cannot change a bit as well: the same picture, slower (the report says what is "
+            "spared). What "
+            "stays: polygons that face away or lie off the screen are not drawn, and pyramid methods end a ray at once "
+            "that "
+            "starts at the highest point",
+            group);
     addText(parser, "--bounded", bounded_, "E", numberHelp("bounded"), group);
     addFlag(parser, "--shadows", shadows_, "the relief casts shadows: from every hit a ray to the light", group);
     addText(parser, "--light", light_, "azimuth=..,...",

@@ -18,11 +18,12 @@ constexpr double kMostError = 1e6;
 constexpr double kMostMemory = 1 << 20;  // megabytes
 constexpr double kMostSeconds = 24 * 3600;
 constexpr double kMostStepCost = 1000;
+constexpr std::int64_t kMostSteps = 1'000'000'000;
 constexpr int kCheckSide = 128;  // of the reliefs that are checked
 
 struct RecommendOptions {
     ScenarioOptions scenario;
-    OptionText views, error, outliers, memory, seconds, form, stepCost, seed, color, output;
+    OptionText views, error, outliers, memory, seconds, form, stepCost, maxSteps, seed, color, output;
     bool json = false;
     bool noFilter = false;
     bool check = false;
@@ -46,8 +47,9 @@ void applyAsked(const RecommendOptions& given, AdviceOptions& options) {
         options.memory = static_cast<std::int64_t>(parseRange(*given.memory, "--memory", 0, kMostMemory) * 1048576);
     }
     if (given.seconds) options.seconds = parseRange(*given.seconds, "--seconds", 1, kMostSeconds);
-    if (given.form) options.form = parseAdviceForm(*given.form);
+    if (given.form) options.form = parseForm(*given.form, "--form");
     if (given.stepCost) options.stepCost = parseRange(*given.stepCost, "--step-cost", 0, kMostStepCost);
+    if (given.maxSteps) options.maxSteps = parseWhole(*given.maxSteps, "--max-steps", 1, kMostSteps);
     if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
     options.filters = !given.noFilter;
 }
@@ -136,9 +138,13 @@ void addAsked(CLI::App& parser, RecommendOptions& options) {
             "of the rays that may be further off, or hit where exact misses, or the other way round; default 0.01",
             group);
     addText(parser, "--memory", options.memory, "MB", "of maps beside the heights, default 256", group);
-    addText(parser, "--form", options.form, "lanes|scalar",
-            "lanes: this library's own code, processor time on one thread; scalar: what a writer of shaders would "
-            "port, cost = reads + C x steps; default lanes",
+    addText(parser, "--form", options.form, "simd|scalar",
+            "simd: this library's own code, processor time on one thread; scalar: what a writer of shaders would "
+            "port, cost = reads + C x steps; default simd",
+            group);
+    addText(parser, "--max-steps", options.maxSteps, "N",
+            "steps that a ray may take (those of relief trace --steps, the start included), but for the share of "
+            "--outliers: the budget of a shader's loop; default: any number",
             group);
     addText(parser, "--step-cost", options.stepCost, "C",
             "reads that the arithmetic of a step is worth (scalar), default 2", group);

@@ -61,6 +61,7 @@ using Commands = std::vector<Command>;
 void addInfoCommand(CLI::App& program, Commands& commands);
 void addMakeCommand(CLI::App& program, Commands& commands);
 void addMapCommand(CLI::App& program, Commands& commands);
+void addClaimsCommand(CLI::App& program, Commands& commands);
 void addListCommand(CLI::App& program, Commands& commands);
 void addRenderCommand(CLI::App& program, Commands& commands);
 void addTraceCommand(CLI::App& program, Commands& commands);

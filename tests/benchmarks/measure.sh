@@ -56,7 +56,7 @@ beside frames "$bin/relief_frames" 3
 advice() {
     printf '~~~\n'
     local form map
-    for form in lanes scalar; do
+    for form in simd scalar; do
         printf 'form %s\n' $form
         "$bin/relief" recommend --check --form $form --threads 1 --no-filter -q
         for map in datasets/*/height.{png,jpg}; do
@@ -71,4 +71,7 @@ printed steps "$bin/relief_claims" steps
 printed wrong "$bin/relief_claims" --rays 100000 wrong
 printed gain "$bin/relief_claims" --rays 100000 gain
 printed cost "$bin/relief_claims" --rays 100000 cost
+printed claims "$bin/relief" claims --measure --json -q
+# The table that the program ships: it is part of the next build.
+{ printf 'R"json('; cat "$folder/claims.md"; printf ')json"\n'; } >algorithms/measuring/claims_shipped.inc
 "$bin/relief_claims" readme README.md "$folder"

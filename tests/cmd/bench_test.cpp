@@ -35,14 +35,15 @@ TEST_P(MeasureTest, TablesInFilesAndOnStandardOutput) {
     EXPECT_EQ(csv[0], out[0]);
     EXPECT_EQ(fields(csv[1])[0], field);
     EXPECT_EQ(fields(csv[7])[0], "hills:16x16:3");
-    EXPECT_EQ(fields(csv[3])[6], "layers=12");
+    EXPECT_EQ(fields(csv[3])[7], "layers=12");
     for (std::size_t r = 1; r < csv.size(); ++r) {
         const auto row = fields(csv[r]);
         // Rates and build times differ from run to run; rays, errors and steps do not.
         const auto other = fields(out[r]);
-        for (const std::size_t column : {5U, 7U, 12U, 15U, 16U, 18U}) EXPECT_EQ(row[column], other[column]) << csv[r];
+        for (const std::size_t column : {5U, 6U, 8U, 13U, 16U, 17U, 19U})
+            EXPECT_EQ(row[column], other[column]) << csv[r];
         if (row[5] == "max-pyramid") {
-            EXPECT_EQ(row[15], "0") << csv[r];
+            EXPECT_EQ(row[16], "0") << csv[r];
         }
     }
     EXPECT_EQ(runFine(with(path("b.json"))), "");
@@ -50,6 +51,24 @@ TEST_P(MeasureTest, TablesInFilesAndOnStandardOutput) {
     ASSERT_EQ(json.size(), csv.size() - 1);
     EXPECT_EQ(json[2]["method"], "layers");
     EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "b.json", "height.png"})) << "no .part is left";
+}
+
+TEST_P(MeasureTest, ScalarFormsAreMeasuredAlone) {
+    const std::vector<std::string> what{"--relief", "hills:16x16", "--tracers", "exact,max-pyramid,cone,layers"};
+    const auto scalarOnes = [&](const char* form) {
+        auto all = what;
+        all.insert(all.end(), {"--form", form});
+        const auto out = lines(runFine(bench(all)));
+        std::size_t scalar = 0;
+        for (std::size_t r = 1; r < out.size(); ++r) scalar += fields(out[r])[6] == "scalar" ? 1 : 0;
+        return scalar;
+    };
+    EXPECT_EQ(scalarOnes("scalar"), 8U);
+    EXPECT_EQ(scalarOnes("simd"), 2U) << "exact has no other";
+    EXPECT_EQ(scalarOnes("lanes"), 2U) << "as earlier versions named it";
+    auto wrong = what;
+    wrong.insert(wrong.end(), {"--form", "wide"});
+    expectRefusal(bench(wrong), 2, {"--form", "wide", "simd, scalar"});
 }
 
 TEST_P(MeasureTest, BrokenOffRunsKeepTheirRows) {

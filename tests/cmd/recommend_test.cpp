@@ -46,7 +46,7 @@ TEST_P(RecommendTest, Refusals) {
     expectRefusal({"recommend", "--relief", "city", "--seconds", "0"}, 2, {"--seconds", "0"});
     expectRefusal(with({"--outliers", "101"}), 2, {"--outliers", "101"});
     expectRefusal(with({"--height", "x.png"}), 2, {"--height", "--relief"});
-    expectRefusal({"recommend", "--relief", "city", "--form", "wide"}, 2, {"wide", "lanes, scalar"});
+    expectRefusal({"recommend", "--relief", "city", "--form", "wide"}, 2, {"wide", "simd, scalar"});
     expectRefusal({"recommend", "--height", path("none.png")}, 2, {"none.png", "no such file"});
     expectRefusal({"recommend"}, 2, {"no height map"});
     expectRefusal(with({"-o", path("no/a.txt")}), 1, {"no"});

@@ -107,11 +107,12 @@ Drawing axes(const ParetoSource& source, const ParetoFrame& frame) {
     return drawing;
 }
 
-// The staircase below which nobody is: as small an error as this takes at least that long.
-std::vector<Point> frontLine(const ParetoFrame& frame, const std::vector<ParetoMark>& marks) {
+// The staircase below which no method of that form is: as small an error as this takes at least that long.
+std::vector<Point> frontLine(const ParetoSource& source, relief::Form form, const ParetoFrame& frame,
+                             const std::vector<ParetoMark>& marks) {
     std::vector<Point> ends;
     for (const ParetoMark& mark : marks) {
-        if (!mark.dominated) ends.push_back(mark.at);
+        if (!mark.dominated && source.table.points[mark.point].form == form) ends.push_back(mark.at);
     }
     std::sort(ends.begin(), ends.end(), [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y > b.y); });
     std::vector<Point> line;
@@ -195,9 +196,13 @@ class Names {
         for (const ParetoMark& mark : picture_.marks) {
             if (whisker(source_, picture_.frame, mark).overlaps(box)) ++count;
         }
-        for (std::size_t i = 1; i < picture_.front.size(); ++i) {
-            const Point a = picture_.front[i - 1];
-            const Point b = picture_.front[i];
+        return count + crossings(picture_.front, box) + crossings(picture_.scalarFront, box);
+    }
+    static int crossings(const std::vector<Point>& front, const Box& box) {
+        int count = 0;
+        for (std::size_t i = 1; i < front.size(); ++i) {
+            const Point a = front[i - 1];
+            const Point b = front[i];
             const Box piece{std::min(a.x, b.x) - 0.5, std::min(a.y, b.y) - 0.5, std::max(a.x, b.x) + 0.5,
                             std::max(a.y, b.y) + 0.5};
             if (piece.overlaps(box)) ++count;
@@ -206,7 +211,8 @@ class Names {
     }
 
     void placeOne(ParetoMark& mark) {
-        const std::string& name = source_.table.points[mark.point].name;
+        const ParetoPoint& point = source_.table.points[mark.point];
+        const std::string name = point.label(source_.table.bothForms());
         const double width = chart::textWidth(name);
         constexpr double kNone = 1e9;
         constexpr double kCrossing = 26;  // points that a name goes farther to stand clear
@@ -235,7 +241,7 @@ class Names {
         const bool plain = mark.dominated || source_.old;
         chart::text(picture_.drawing, {left ? mark.label.x1 : mark.label.x0, y}, plainText(name),
                     left ? Anchor::Right : Anchor::Left, {}, plain ? Role::Layer : Role::Legend,
-                    name == source_.current ? Emphasis::Strong : Emphasis::Normal);
+                    point.name == source_.current ? Emphasis::Strong : Emphasis::Normal);
     }
 
     const ParetoSource& source_;
@@ -313,9 +319,16 @@ ParetoPicture paretoPicture(const ParetoSource& source, const Box& room) {
              dominated[p],
              Box{}});
     }
-    picture.front = frontLine(picture.frame, picture.marks);
+    // Times compare within a form only: each has a line of its own.
+    picture.front = frontLine(source, relief::Form::Simd, picture.frame, picture.marks);
+    picture.scalarFront = frontLine(source, relief::Form::Scalar, picture.frame, picture.marks);
+    if (picture.front.empty()) std::swap(picture.front, picture.scalarFront);
     picture.drawing.add({ItemKind::Surface, 0, 0, 0}, source.old ? Role::Layer : Role::Series,
                         Polyline{picture.front, false});
+    if (!picture.scalarFront.empty()) {
+        picture.drawing.add({}, source.old ? Role::Layer : Role::Series, Polyline{picture.scalarFront, false},
+                            Emphasis::Faint);
+    }
     Names(source, picture).place();
     for (const bool back : {true, false}) {
         for (const ParetoMark& mark : picture.marks) {

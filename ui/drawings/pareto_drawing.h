@@ -46,7 +46,8 @@ struct ParetoMark {
 struct ParetoPicture {
     ParetoFrame frame;
     std::vector<ParetoMark> marks;
-    std::vector<Point> front;  // its line, from the fastest on
+    std::vector<Point> front;        // its line, from the fastest on
+    std::vector<Point> scalarFront;  // where both forms were measured: that of the scalar one
     Drawing drawing;
 };
 ParetoPicture paretoPicture(const ParetoSource& source, const Box& room);

@@ -255,9 +255,10 @@ void ChartsView::chooseOf(const HistogramBar& bar) {
 
 // Speed never without its error.
 QString ChartsView::textOf(const relief::ParetoPoint& point) const {
-    QString text = tr("%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps")
-                       .arg(QString::fromStdString(point.name), number(point.nanoseconds), number(50 * point.spread),
-                            number(point.error[0]), number(point.error[3]), number(point.steps));
+    QString text =
+        tr("%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps")
+            .arg(QString::fromStdString(point.label(true)), number(point.nanoseconds), number(50 * point.spread),
+                 number(point.error[0]), number(point.error[3]), number(point.steps));
     if (point.wrongOutcome > 0) text += tr(" · wrong outcome: %1 rays").arg(point.wrongOutcome);
     return text;
 }

@@ -12,12 +12,14 @@
 
 #include "altered_tracer.h"
 #include "images/reliefs.h"
+#include "measuring/pareto.h"
 
 namespace relief::test {
 namespace {
 
 constexpr const char* kHeader =
-    "height,size,surface,address,relief_depth,method,options,elevation,seed,threads,rate,spread,error_mean,error_p95,"
+    "height,size,surface,address,relief_depth,method,form,options,elevation,seed,threads,rate,spread,error_mean,error_"
+    "p95,"
     "error_p9999,error_max,wrong_outcome,overshoots,steps_mean,steps_p95,steps_max,reads_mean,memory_bytes,"
     "build_seconds,compiler,cpu,commit\n";
 
@@ -62,6 +64,49 @@ HitBlock hitsOf(const std::vector<Outcome>& outcomes, const std::vector<double>&
 
 TEST(BenchTracers, ColumnsAreThoseThatScriptsRelyOn) {
     EXPECT_EQ(benchCsvHeader(), kHeader);
+}
+
+// Every method by its reference alone: the same hits and counts, none of the SIMD versions' maps.
+TEST(BenchTracers, FormsDifferInRateAndMemoryOnly) {
+    BenchOptions options = small({});
+    options.elevations = {25.0};
+    options.rays = 500;
+    options.rounds = 1;
+    for (const char* name : {"exact", "max-pyramid", "max-pyramid-paper", "cone", "layers", "distance", "hybrid"}) {
+        for (const Form form : {Form::Simd, Form::Scalar}) {
+            options.methods.push_back(measuredMethod({name, {}}, form));
+        }
+    }
+    Work work;
+    const std::vector<BenchRow> rows = benchTracers(options, work);
+    ASSERT_EQ(rows.size(), 14U);
+    for (std::size_t r = 0; r < rows.size(); r += 2) {
+        SCOPED_TRACE(rows[r].method.name);
+        EXPECT_EQ(rows[r].form, methodForm(rows[r].method));
+        EXPECT_EQ(rows[r + 1].form, Form::Scalar);
+        EXPECT_EQ(rows[r].errors.max, rows[r + 1].errors.max);
+        EXPECT_EQ(rows[r].stepsMean, rows[r + 1].stepsMean);
+        EXPECT_EQ(rows[r].readsMean, rows[r + 1].readsMean);
+        EXPECT_GE(rows[r].memoryBytes, rows[r + 1].memoryBytes);
+    }
+    EXPECT_GT(rows[6].memoryBytes, rows[7].memoryBytes) << "the packed cones are not counted";
+    EXPECT_EQ(rows[6].form, Form::Simd);
+    EXPECT_EQ(methodForm({"cone", {{"sectors", "4"}}}), Form::Scalar);
+    EXPECT_EQ(methodForm({"max-pyramid", {{"base", "1"}}}), Form::Scalar);
+    // Neither form dominates the other.
+    const ParetoTable table = paretoTable(rows);
+    EXPECT_TRUE(table.bothForms());
+    EXPECT_EQ(table.points.size(), 11U) << "exact, the paper's recursion and hybrid have one form";
+    for (const Form form : {Form::Simd, Form::Scalar}) {
+        const auto dominated = dominatedPoints(table.points, ErrorMeasure::Max);
+        bool front = false;
+        for (std::size_t p = 0; p < dominated.size(); ++p) {
+            front = front || (table.points[p].form == form && !dominated[p]);
+        }
+        EXPECT_TRUE(front);
+    }
+    EXPECT_EQ(parseForm("lanes", "--form"), Form::Simd);
+    EXPECT_THROW(parseForm("wide", "--form"), InputError);
 }
 
 TEST(BenchTracers, ErrorsByHand) {

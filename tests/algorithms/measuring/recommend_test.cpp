@@ -16,7 +16,7 @@ namespace {
 constexpr double kAmpleSeconds = 3600;
 constexpr int kSide = 64;
 
-AdviceOptions asked(const std::string& relief, AdviceForm form = AdviceForm::Scalar, int side = kSide) {
+AdviceOptions asked(const std::string& relief, Form form = Form::Scalar, int side = kSide) {
     AdviceOptions options(HeightField(std::make_shared<FloatImage>(makeRelief(relief, side, side, 1))));
     options.name = relief;
     options.form = form;
@@ -80,7 +80,7 @@ TEST(Recommend, ScalarRegretIsSmallOnEveryProceduralRelief) {
     std::vector<double> regrets;
     for (const ReliefRecipe& recipe : reliefRecipes()) {
         AdviceOptions options =
-            asked(std::string(recipe.name), AdviceForm::Scalar, recipe.anySize ? kSide : recipe.defaultSize);
+            asked(std::string(recipe.name), Form::Scalar, recipe.anySize ? kSide : recipe.defaultSize);
         options.views = parseViews("random", "--views");
         // The unsafe maps are out by their errors wherever they are tried; here they would only take time.
         options.forms = adviceForms(options.field, 10);
@@ -142,7 +142,7 @@ TEST(Recommend, CostsAreTheStatedOnesAndHangOnTheSeedAlone) {
 }
 
 TEST(Recommend, KeepsTheMemory) {
-    AdviceOptions options = asked("fractal", AdviceForm::Scalar, 256);
+    AdviceOptions options = asked("fractal", Form::Scalar, 256);
     options.forms = choices({"exact", "cone:precision=u8", "distance-conservative", "cone"});
     Work work;
     for (const std::int64_t memory : {std::int64_t{0}, std::int64_t{140000}, std::int64_t{64} << 20}) {
@@ -162,7 +162,7 @@ TEST(Recommend, KeepsTheMemory) {
 }
 
 TEST(Recommend, LanesAreTimedInRoundsAndTheSlowerDropped) {
-    AdviceOptions options = asked("hills", AdviceForm::Lanes);
+    AdviceOptions options = asked("hills", Form::Simd);
     options.forms = choices({"exact", "max-pyramid", "layers:layers=8192", "cone"});
     Work work;
     const Advice advice = recommend(options, work);
@@ -176,6 +176,67 @@ TEST(Recommend, LanesAreTimedInRoundsAndTheSlowerDropped) {
             EXPECT_NE(form.verdict, Verdict::Kept);
         }
     }
+}
+
+TEST(Recommend, FlatMapsAreNamedAndNeedNoMap) {
+    for (const Form form : {Form::Simd, Form::Scalar}) {
+        AdviceOptions options(HeightField(std::make_shared<FloatImage>(32, 32, 0.25F)));
+        options.form = form;
+        options.seconds = kAmpleSeconds;
+        options.filters = false;
+        options.forms = choices({"cone", "exact", "max-pyramid", "layers"});
+        Work work;
+        const Advice advice = recommend(options, work);
+        EXPECT_TRUE(advice.relief.flat);
+        EXPECT_EQ(advice.best().bytes, 0) << methodText(advice.best().method);
+        EXPECT_NE(adviceText(options, advice).find("This map is flat: every height is 0.25."), std::string::npos);
+        for (const Message& note : adviceNotes(options, advice)) {
+            EXPECT_EQ(sentence(note).find("inf"), std::string::npos) << sentence(note);
+        }
+    }
+    EXPECT_FALSE(reliefFigures(asked("hills").field).flat);
+}
+
+TEST(Recommend, KeepsTheStepBudget) {
+    AdviceOptions options = asked("hills");
+    options.maxSteps = 20;
+    options.outliers = 0.01;
+    options.error = 4;
+    options.forms = choices({"exact", "max-pyramid", "layers:layers=8", "layers-secant:layers=14", "layers:layers=64"});
+    Work work;
+    const Advice advice = recommend(options, work);
+    EXPECT_LE(advice.best().mostSteps, 20) << methodText(advice.best().method);
+    EXPECT_EQ(advice.best().verdict, advice.keepsBounds ? Verdict::Kept : advice.best().verdict);
+    for (const AdvisedForm& form : advice.forms) {
+        if (form.method.name == "exact") {
+            EXPECT_EQ(form.verdict, Verdict::Steps);
+        }
+    }
+    EXPECT_NE(adviceText(options, advice).find("At most 20 steps per ray"), std::string::npos);
+    // Numbers of layers that just fit are tried.
+    const auto forms = adviceForms(options.field, 10, 32);
+    EXPECT_NE(std::find(forms.begin(), forms.end(), choices({"layers-secant:layers=28"})[0]), forms.end());
+    // Nothing keeps all: the nearest is named, and the text says so.
+    options.maxSteps = 2;
+    options.error = 0;
+    options.outliers = 0;
+    const Advice none = recommend(options, work);
+    EXPECT_FALSE(none.keepsBounds);
+    EXPECT_NE(adviceText(options, none).find("No method keeps all bounds"), std::string::npos);
+}
+
+// Those past the bound stand in the table, with their errors, and no factor is told as thousands of percent.
+TEST(Recommend, ApproximateMethodsStandBesideTheSafeOnes) {
+    AdviceOptions options = asked("columns");
+    options.forms = choices({"exact", "max-pyramid", "cone", "offset", "layers", "relaxed-cone"});
+    Work work;
+    const Advice advice = recommend(options, work);
+    const std::string text = adviceText(options, advice);
+    const std::size_t past = text.find("Past the bounds");
+    ASSERT_NE(past, std::string::npos) << text;
+    EXPECT_NE(text.find("offset", past), std::string::npos) << text;
+    EXPECT_NE(text.find("approximate", past), std::string::npos) << text;
+    EXPECT_EQ(text.find("inf"), std::string::npos) << text;
 }
 
 TEST(Recommend, FiguresOfTheRelief) {

@@ -143,6 +143,75 @@ TEST(Displacement, aFineMeshShowsWhatExactTracingShows) {
     }
 }
 
+// Every multiple of the map's size has vertices on all texel centres: twice as many are nowhere farther from the
+// surface.
+TEST(Displacement, refiningTheMapsOwnMeshLowersTheError) {
+    constexpr int kSide = 32;
+    Work work;
+    for (const std::string relief : {"bricks", "fractal", "city", "hills"}) {
+        for (const Address address : allAddresses()) {
+            SCOPED_TRACE(relief + " " + std::string(addressName(address)));
+            const HeightField field(share(makeRelief(relief, kSide, kSide, 1)), Surface::Bilinear, address, 0.2);
+            MapCache cache;
+            double before = std::numeric_limits<double>::infinity();
+            for (const int density : {kSide, 2 * kSide, 4 * kSide, 8 * kSide}) {
+                const auto tracer =
+                    makeTracer({"displacement", {{"density", std::to_string(density)}}}, field, cache, work);
+                const HeightField& mesh = tracer->mesh()->mesh();
+                const int every = density / kSide;
+                // The mesh against the surface, in the middle of the finest quads and on the texels.
+                double error = 0;
+                constexpr int kLooks = 16;
+                for (int y = 0; y < kLooks * (kSide - 1); ++y) {
+                    for (int x = 0; x < kLooks * (kSide - 1); ++x) {
+                        const double s = (x + 0.5) / kLooks;
+                        const double t = (y + 0.5) / kLooks;
+                        const auto i = static_cast<int>(s * every);
+                        const auto j = static_cast<int>(t * every);
+                        const double height = DisplacementMesh::height(
+                            {mesh.texel(i, j), mesh.texel(i + 1, j), mesh.texel(i, j + 1), mesh.texel(i + 1, j + 1)},
+                            s * every - i, t * every - j);
+                        error += std::abs(height - field.at(s + 0.5, t + 0.5));
+                    }
+                }
+                for (int y = 0; y < kSide; ++y) {
+                    for (int x = 0; x < kSide; ++x) {
+                        ASSERT_EQ(mesh.texel(x * every, y * every), field.texel(x, y)) << density;
+                    }
+                }
+                EXPECT_LE(error, before * 0.5) << density << ": the error falls with the square of the quads";
+                before = error;
+            }
+        }
+    }
+}
+
+// The same by rays: mean error against exact.
+TEST(Displacement, refinedMeshesAreHitCloserToTheSurface) {
+    constexpr int kSide = 32;
+    Work work;
+    for (const std::string relief : {"bricks", "fractal", "hills"}) {
+        const HeightField field(share(makeRelief(relief, kSide, kSide, 1)), Surface::Bilinear, Address::Repeat, 0.2);
+        MapCache cache;
+        RayBlock rays;
+        Random random(9);
+        for (int n = 0; n < 3000; ++n) rays.push(randomRay(random, field, 3));
+        HitBlock truth;
+        NullSink sink;
+        makeTracer({"exact", {}}, field, cache, work)->trace(rays, truth, sink, work);
+        double before = std::numeric_limits<double>::infinity();
+        for (const int density : {kSide, 2 * kSide, 4 * kSide}) {
+            HitBlock hits;
+            makeTracer({"displacement", {{"density", std::to_string(density)}}}, field, cache, work)
+                ->trace(rays, hits, sink, work);
+            double sum = 0;
+            for (std::size_t i = 0; i < rays.size(); ++i) sum += std::abs(hits.lambda[i] - truth.lambda[i]);
+            EXPECT_LE(sum, before) << relief << " " << density;
+            before = sum;
+        }
+    }
+}
+
 TEST(Displacement, sameBitsForAnyNumberOfThreads) {
     const FrameRequest request = meshRequest(SceneKind::Cube, Address::Repeat, 100);
     const auto one = rendered(request, 1);
@@ -184,8 +253,8 @@ TEST(Displacement, theWalkFindsTheFirstPointOfTheMesh) {
         const auto tracer = makeTracer({"displacement", {{"density", "11"}}}, field, cache, work);
         const DisplacementMesh& mesh = *tracer->mesh();
         const auto heightAt = [&](double s, double t) {
-            const double x = s * density / field.width() - 0.5;
-            const double y = t * density / field.height() - 0.5;
+            const double x = (s - 0.5) * density / field.width();
+            const double y = (t - 0.5) * density / field.height();
             const auto i = static_cast<std::int64_t>(std::floor(x));
             const auto j = static_cast<std::int64_t>(std::floor(y));
             const double u = x - std::floor(x);

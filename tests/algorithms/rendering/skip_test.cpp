@@ -224,6 +224,40 @@ TEST(Skip, theLedgerNamesWhatHowMuchAndWhy) {
     EXPECT_NE(sentence(rows[11].why).find("0.5"), std::string::npos);
 }
 
+// Traced, over flat ground, of little parallax, started at the highest point: each ray is one of these, with counts or
+// without, with skipping or without.
+TEST(Skip, everyRayIsCountedOnce) {
+    std::int64_t highest = 0;
+    for (const bool skip : {true, false}) {
+        for (const double bounded : {0.0, 0.5}) {
+            for (const char* method : {"max-pyramid", "max-pyramid-paper", "exact"}) {
+                SCOPED_TRACE(std::string(method) + (skip ? "" : ", no skipping") + (bounded > 0 ? ", bounded" : ""));
+                FrameRequest request = small(HeightField(terraces()));
+                request.method.name = method;
+                request.skip = skip;
+                request.bounded = bounded;
+                Work work;
+                FrameRenderer renderer(std::make_shared<MapCache>());
+                const auto plain = renderer.render(request, work);
+                const auto sum = [](const Frame& frame, bool counts) {
+                    return counted(frame, "rays traced") + counted(frame, "rays not needed: flat ground") +
+                           counted(frame, "rays not traced: little parallax") +
+                           (counts ? counted(frame, "rays not needed: the start is the highest point") : 0);
+                };
+                EXPECT_EQ(sum(*plain, false), counted(*plain, "rays"));
+                const auto later = renderer.counted(work);
+                EXPECT_EQ(sum(*later, true), counted(*later, "rays"));
+                request.counts = true;
+                const auto atOnce = rendered(request);
+                EXPECT_EQ(sum(*atOnce, true), counted(*atOnce, "rays"));
+                highest +=
+                    static_cast<std::int64_t>(counted(*atOnce, "rays not needed: the start is the highest point"));
+            }
+        }
+    }
+    EXPECT_GT(highest, 0);
+}
+
 // The filter, the light and the shadows leave rays and hits alone; the depth leaves the maps of maxima alone.
 TEST(Skip, whatDidNotChangeIsNotComputedAgain) {
     Work work;

@@ -397,6 +397,11 @@ TEST_F(OldFiles, StepsLeadToTheirHits) {
 TEST_F(OldFiles, TablesAreReadAndTheirColumnsAreStillThere) {
     const std::vector<BenchRow> rows = readBenchJson((kVersion1 / "tables/tracers.json").string());
     ASSERT_EQ(rows.size(), 12U);
+    // They had no form: what ran unless it was told otherwise.
+    for (const BenchRow& row : rows) {
+        EXPECT_EQ(row.form, methodForm(row.method));
+        EXPECT_EQ(row.form, row.method.name == "exact" ? Form::Scalar : Form::Simd) << row.method.name;
+    }
     const ParetoTable table = paretoTable(chosenRows(rows, "bricks:16x16:1", "60"));
     ASSERT_EQ(table.points.size(), 3U);
     EXPECT_EQ(table.points[0].method.name, "exact");
@@ -406,7 +411,7 @@ TEST_F(OldFiles, TablesAreReadAndTheirColumnsAreStillThere) {
     const std::map<std::string, std::string> headers{
         {"tracers", benchCsvHeader()}, {"rows", rowBenchCsvHeader()}, {"filters", filterBenchCsvHeader()}};
     for (const fs::path& file : filesOf("tables", ".csv")) {
-        // New columns may come at the end; the command adds the last three where they are not there.
+        // New columns may have come; the command adds the last three where they are not there.
         std::istringstream today(headers.at(file.stem().string()) + ",compiler,cpu,commit");
         const std::vector<std::string> columns = rowsOf(file).at(0);
         for (const std::string& column : columns) {

@@ -1,0 +1,75 @@
+// relief claims [--measure] [-o FILE]
+#include "measuring/claims.h"
+
+#include "options_common.h"
+#include "output.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr int kLeastSide = 16;
+constexpr int kMostSide = 1024;
+constexpr std::int64_t kFewestRays = 100;
+constexpr std::int64_t kMostRays = 10'000'000;
+constexpr std::int64_t kMostRounds = 1000;
+
+struct ClaimsCommandOptions {
+    OptionText size, rays, rounds, output;
+    bool measure = false;
+    bool json = false;
+    RunOptions run;
+};
+
+int runClaims(const ClaimsCommandOptions& given, Session& session) {
+    given.run.apply(session);
+    if (given.output) checkOutput(*given.output, {"txt", "json"});
+    const auto onlyMeasured = [&](const OptionText& option, const char* name) {
+        if (option && !given.measure) {
+            throw InputError(name, Message(MessageId::NeedsArgument, {{"other", "--measure"}}));
+        }
+    };
+    onlyMeasured(given.size, "--size");
+    onlyMeasured(given.rays, "--rays");
+    onlyMeasured(given.rounds, "--rounds");
+    ClaimsOptions options;
+    if (given.size) options.size = static_cast<int>(parseWhole(*given.size, "--size", kLeastSide, kMostSide));
+    if (given.rays) options.rays = parseWhole(*given.rays, "--rays", kFewestRays, kMostRays);
+    if (given.rounds) options.rounds = static_cast<int>(parseWhole(*given.rounds, "--rounds", 1, kMostRounds));
+    const ClaimsTable table = given.measure ? measureClaims(options, session.work()) : shippedClaims();
+    session.eraseBar();
+    TextOutput out(given.output.value_or("-"), session.stop());
+    out.write(given.json || (given.output && fileEnding(*given.output) == "json")
+                  ? claimsJson(table)
+                  : claimsText(table, session.language()));
+    out.commit();
+    return 0;
+}
+
+}  // namespace
+
+void addClaimsCommand(CLI::App& program, Commands& commands) {
+    auto options = std::make_shared<ClaimsCommandOptions>();
+    CLI::App* parser = addCommand(
+        program, "claims", "what the papers claim, and what was measured of it",
+        "Prints every claim of the five papers that can be measured, one a line: paper and place, the sentence, the "
+        "measurement, and whether it is confirmed, refuted, or depends on what the measurement names. The table is "
+        "part "
+        "of the program; its first line says when and on which machine it was made. --measure makes it anew here, "
+        "which "
+        "takes some minutes. Operations, steps and errors are counted; the few rates stand with their spread, and "
+        "compare one form with itself.",
+        "  relief claims --language uk\n"
+        "  relief claims --measure --size 64 --rays 2000 -o claims.json");
+    addFlag(*parser, "--measure", options->measure, "measure again, on this machine", "Run");
+    addText(*parser, "--size", options->size, "N", "with --measure: texels along each side of the reliefs, default 128",
+            "Run");
+    addText(*parser, "--rays", options->rays, "N", "with --measure: rays over each relief, default 20000", "Run");
+    addText(*parser, "--rounds", options->rounds, "N", "with --measure: rounds of what is timed, default 5", "Run");
+    addOutput(*parser, options->output, "text, or JSON where the name ends in .json; default standard output");
+    addFlag(*parser, "--json", options->json, "JSON instead of text", "Output");
+    options->run.add(*parser);
+    commands.push_back({parser, [options](Session& session) { return runClaims(*options, session); }});
+}
+
+}  // namespace relief::app
