@@ -28,19 +28,32 @@ std::vector<NamedNumber> namedNumbers(const PixelCoefficients& pixel) {
     const Homography& f = pixel.map;
     const Jacobian& j = pixel.derivatives;
     const Ellipse& e = pixel.ellipse;
-    return {{"A", f.sx},         {"B", f.sy},
-            {"C", f.s1},         {"D", f.tx},
-            {"E", f.ty},         {"F", f.t1},
-            {"G", f.qx},         {"H", f.qy},
-            {"I", f.q1},         {"q", pixel.q},
-            {"ux", j.ux},        {"uy", j.uy},
-            {"vx", j.vx},        {"vy", j.vy},
-            {"M", pixel.m},      {"N", pixel.n},
-            {"O", pixel.o},      {"P", pixel.p},
-            {"u", pixel.u},      {"v", pixel.v},
-            {"ellipse_A", e.a},  {"ellipse_B", e.b},
-            {"ellipse_C", e.c},  {"ellipse_F", e.f},
-            {"major", pixel.axes.major}, {"minor", pixel.axes.minor}};
+    return {{"A", f.sx},
+            {"B", f.sy},
+            {"C", f.s1},
+            {"D", f.tx},
+            {"E", f.ty},
+            {"F", f.t1},
+            {"G", f.qx},
+            {"H", f.qy},
+            {"I", f.q1},
+            {"q", pixel.q},
+            {"ux", j.ux},
+            {"uy", j.uy},
+            {"vx", j.vx},
+            {"vy", j.vy},
+            {"M", pixel.m},
+            {"N", pixel.n},
+            {"O", pixel.o},
+            {"P", pixel.p},
+            {"u", pixel.u},
+            {"v", pixel.v},
+            {"ellipse_A", e.a},
+            {"ellipse_B", e.b},
+            {"ellipse_C", e.c},
+            {"ellipse_F", e.f},
+            {"major", pixel.axes.major},
+            {"minor", pixel.axes.minor}};
 }
 
 double squaredRadius(const Ellipse& ellipse, double du, double dv) {

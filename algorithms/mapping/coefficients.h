@@ -11,8 +11,8 @@
 namespace relief {
 
 struct PixelCoefficients {
-    Homography map;           // A to I, texels from pixels
-    double x = 0;             // the pixel's centre
+    Homography map;  // A to I, texels from pixels
+    double x = 0;    // the pixel's centre
     double y = 0;
     double q = 1;             // G x + H y + I
     double u = 0;             // (A x + B y + C) / q, texels

@@ -132,7 +132,8 @@ std::string rowBenchText(std::span<const RowBenchRow> rows) {
     if (rows.empty()) return out;
     return out + fewRowsText(rows) +
            "\npaper: mul/add/div of a pixel as [PERSP] counts u and v, mul/add/div/sub as [TEX] counts the four "
-           "derivatives.\nmul, add, div: of a pixel, u and v together, restarts in them; derivatives: of its ellipse. Mpixels/s: "
+           "derivatives.\nmul, add, div: of a pixel, u and v together, restarts in them; derivatives: of its ellipse. "
+           "Mpixels/s: "
            "millions of pixels\na second, median; +-: (p75 - p25) / median. error: the largest, texels; of "
            "derivatives, "
            "in the ellipse's half extents.\n" +

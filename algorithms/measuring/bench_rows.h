@@ -41,7 +41,8 @@ struct RowBenchRow {
     double errorMax = 0;
 };
 
-std::string rowBenchCsvHeader();  // variant,width,elevation,precision,streams,span,anchor,threads,mul,add,div,rate,...,rows
+std::string
+rowBenchCsvHeader();  // variant,width,elevation,precision,streams,span,anchor,threads,mul,add,div,rate,...,rows
 std::string rowBenchCsvLine(const RowBenchRow& row);
 std::string rowBenchJson(std::span<const RowBenchRow> rows);
 // For people: a block for each width, elevation and precision.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "messages.h"
 #include "measuring/text_table.h"
+#include "messages.h"
 
 namespace relief {
 
@@ -123,8 +123,9 @@ std::string childrenText(const ChildrenByLevel& counts) {
         const std::string bar(static_cast<std::size_t>(std::lround(kBar * share)), '#');
         out += std::string(kNames[n - 1]) + " " + readable(100 * share, 3) + "% " + bar + "\n";
     }
-    return out + "\nChildren entered in a texel descended into that confirmed nothing; ended: descents in which the ray "
-                 "ended.\n[MIP18] says at most two.\n";
+    return out +
+           "\nChildren entered in a texel descended into that confirmed nothing; ended: descents in which the ray "
+           "ended.\n[MIP18] says at most two.\n";
 }
 
 }  // namespace relief

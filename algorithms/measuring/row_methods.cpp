@@ -45,8 +45,8 @@ std::vector<RowMethodDescription> makeList() {
     using D = DerivativeVariant;
     const std::string anchored = " Starts again from an exact value every anchor pixels; without that it drifts.";
     return {
-        described(R::Affine, "Affine", "u, v linear along the row, no perspective: wrong on purpose.", "0 / 2 / 0",
-                  "", "Heckbert 1989", {}),
+        described(R::Affine, "Affine", "u, v linear along the row, no perspective: wrong on purpose.", "0 / 2 / 0", "",
+                  "Heckbert 1989", {}),
         described(R::Direct, "Direct", "(A x + B y + C) / (G x + H y + I), the denominator made for each of u and v.",
                   "8 / 8 / 2", "8 / 8 / 2", "Heckbert 1989", {}),
         described(R::RowConstant, "Row constants", "(u_t + A n) / (u_b + G n): what does not change along a row once.",

@@ -38,7 +38,9 @@ FootprintLevel footprintLevel(const FrameRequest& request) {
     double texels = std::numeric_limits<double>::infinity();
     const int step = std::max(request.height / kPlaces, 1);
     for (const VisiblePolygon& polygon : visible.polygons) {
-        const auto row = [&](int y) { texels = std::min(texels, narrowest(polygon, polygon.span(y, request.width), y)); };
+        const auto row = [&](int y) {
+            texels = std::min(texels, narrowest(polygon, polygon.span(y, request.width), y));
+        };
         for (int y = 0; y < request.height; y += step) row(y);
         row(request.height - 1);
     }

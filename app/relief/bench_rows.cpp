@@ -77,7 +77,8 @@ int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds,
     std::vector<std::int64_t> blocks{0};
     if (rows) {
         blocks.clear();
-        for (const std::string& text : splitText(*rows, ',')) blocks.push_back(parseWhole(text, "--rows", 1, kMostPixels));
+        for (const std::string& text : splitText(*rows, ','))
+            blocks.push_back(parseWhole(text, "--rows", 1, kMostPixels));
     }
     to.what["variants"] = variants.value_or("");
     to.what["threads"] = session.threads();

@@ -70,8 +70,8 @@ Json methodJson(const MethodDescription& method) {
 }
 
 Json rowMethodJson(const RowMethodDescription& method) {
-    Json json{{"name", method.name},     {"title", method.title},   {"help", method.help},
-              {"counts", method.counts}, {"paper", method.paper}, {"source", method.source}, {"options", Json::array()}};
+    Json json{{"name", method.name},   {"title", method.title},   {"help", method.help},     {"counts", method.counts},
+              {"paper", method.paper}, {"source", method.source}, {"options", Json::array()}};
     for (const OptionDescription& option : method.options) {
         json["options"].push_back(optionJson(option, method.defaults.at(option.name)));
     }

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "options_common.h"
 #include "measuring/base_level_measure.h"
+#include "options_common.h"
 #include "output.h"
 #include "render_many.h"
 #include "rendering/skip_ledger.h"
@@ -123,8 +123,8 @@ Json skippedJson(const Frame& frame, const FrameRequest& request, const BoundedE
 }
 
 // path: of the report; pictures near it are named relative to it, as in a scenario's own file.
-std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped, const Json& base,
-                       Session& session, const Seconds& seconds) {
+std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped,
+                       const Json& base, Session& session, const Seconds& seconds) {
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     std::map<std::string, double> counters = session.work().counters().values();
     for (const auto& [name, value] : frame.counters) counters[name] = value;

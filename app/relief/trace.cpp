@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/memory.h"
+#include "measuring/child_counts.h"
 #include "options_common.h"
 #include "output.h"
-#include "measuring/child_counts.h"
 #include "rendering/frame.h"
 #include "rendering/pixel_coefficients.h"
 #include "rendering/visible_polygons.h"
@@ -274,10 +274,11 @@ void addTraceCommand(CLI::App& program, Commands& commands) {
             "instead of hits the numbers behind the pixels: the nine coefficients A to I (texels), q, the derivatives, "
             "M, N, O, P, the ellipse; needs --pixel",
             "Output");
-    addFlag(*parser, "--children", options->children,
-            "instead of hits how many children of a texel the rays enter at each level of a max pyramid: a table with a "
-            "histogram, or CSV into a file .csv; without rays, those of the whole view",
-            "Output");
+    addFlag(
+        *parser, "--children", options->children,
+        "instead of hits how many children of a texel the rays enter at each level of a max pyramid: a table with a "
+        "histogram, or CSV into a file .csv; without rays, those of the whole view",
+        "Output");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runTrace(*options, session); }});
 }

@@ -302,7 +302,8 @@ TEST_P(TraceTest, CoefficientsInsteadOfHits) {
     const double q = number("G") * 30.5 + number("H") * 20.5 + number("I");
     EXPECT_NEAR(number("q"), q, 1e-12);
     EXPECT_NEAR(number("M"), number("A") * number("H") - number("B") * number("G"), 1e-12);
-    EXPECT_NEAR(number("ux"), (number("M") * 20.5 + number("A") * number("I") - number("C") * number("G")) / (q * q), 1e-9);
+    EXPECT_NEAR(number("ux"), (number("M") * 20.5 + number("A") * number("I") - number("C") * number("G")) / (q * q),
+                1e-9);
     EXPECT_NEAR(number("ellipse_C"), number("ux") * number("ux") + number("uy") * number("uy"), 1e-9);
     EXPECT_EQ(fields(out[2])[0], "") << "no polygon there";
     expectRefusal(with({"--coefficients", "--ray", "1,1,1,1"}), 2, {"--coefficients", "--ray"});
@@ -313,8 +314,8 @@ TEST_P(TraceTest, CoefficientsInsteadOfHits) {
 
 TEST_P(TraceTest, ChildrenEnteredAtEachLevel) {
     const std::string height = makeRelief("bricks", "h.png", {"--size", "32"});
-    const std::vector<std::string> view{"trace",   "--height", height,       "--tracer", "max-pyramid-paper",
-                                        "--scene", "wall",     "--size",     "60x40",    "--children"};
+    const std::vector<std::string> view{"trace",   "--height", height,   "--tracer", "max-pyramid-paper",
+                                        "--scene", "wall",     "--size", "60x40",    "--children"};
     const std::string text = runFine(view);
     EXPECT_NE(text.find("one "), std::string::npos) << text;
     EXPECT_NE(text.find("#"), std::string::npos);
@@ -329,8 +330,10 @@ TEST_P(TraceTest, ChildrenEnteredAtEachLevel) {
 
 TEST_P(TraceTest, BaseAutoIsOneLevelOfTheView) {
     const std::string height = makeRelief("hills", "h.png", {"--size", "256"});
-    const std::vector<std::string> view{"trace", "--height", height,    "--tracer", "max-pyramid",
-                                        "--size", "60x40",   "--camera", "distance=6,elevation=60", "--pixel", "30,20"};
+    const std::vector<std::string> view{"trace",    "--height",    height,
+                                        "--tracer", "max-pyramid", "--size",
+                                        "60x40",    "--camera",    "distance=6,elevation=60",
+                                        "--pixel",  "30,20"};
     const auto with = [&](const std::string& base) {
         std::vector<std::string> all = view;
         all.insert(all.end(), {"--set", "base=" + base});

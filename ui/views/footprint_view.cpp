@@ -216,8 +216,8 @@ void FootprintView::tell(const QPointF& widget) {
     }
     const relief::LevelFootprint& footprint = f.log.footprint;
     if (footprint.kind == relief::FootprintKind::Ellipse) {
-        const double square = relief::squaredRadius(footprint.ellipse, texel.u - footprint.centre.x,
-                                                    texel.v - footprint.centre.y);
+        const double square =
+            relief::squaredRadius(footprint.ellipse, texel.u - footprint.centre.x, texel.v - footprint.centre.y);
         text += tr(" · r² %1").arg(number(square, 3));
     }
     setReadout(text + more);

@@ -44,8 +44,7 @@ TEST(Coefficients, areThoseOfThePapers) {
         EXPECT_NEAR(by["uy"], (down.s - up.s) / (2 * kStep), 1e-3 * size);
         EXPECT_NEAR(by["vy"], (down.t - up.t) / (2 * kStep), 1e-3 * size);
         EXPECT_NEAR(by["ellipse_A"], by["vx"] * by["vx"] + by["vy"] * by["vy"], 1e-9 * (1 + by["ellipse_A"]));
-        EXPECT_NEAR(by["ellipse_F"],
-                    by["ellipse_A"] * by["ellipse_C"] - by["ellipse_B"] * by["ellipse_B"] / 4,
+        EXPECT_NEAR(by["ellipse_F"], by["ellipse_A"] * by["ellipse_C"] - by["ellipse_B"] * by["ellipse_B"] / 4,
                     1e-6 * (by["ellipse_A"] * by["ellipse_C"] + 1e-12));
     }
 }

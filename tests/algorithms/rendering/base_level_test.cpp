@@ -10,7 +10,8 @@ namespace relief::test {
 namespace {
 
 FrameRequest request(double distance, int texels) {
-    FrameRequest view(HeightField(share(makeRelief("hills", texels, texels, 1)), Surface::Bilinear, Address::Repeat, 0.05));
+    FrameRequest view(
+        HeightField(share(makeRelief("hills", texels, texels, 1)), Surface::Bilinear, Address::Repeat, 0.05));
     view.width = 64;
     view.height = 48;
     view.scene = SceneKind::Floor;

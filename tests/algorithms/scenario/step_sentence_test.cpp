@@ -117,7 +117,8 @@ TEST(StepSentence, aDescentDoublesItsCoordinates) {
                 ASSERT_TRUE(ray);
                 const auto inside = [](double v, std::int64_t texel) {
                     constexpr double kRounding = 1e-9;
-                    return v >= static_cast<double>(texel) - kRounding && v <= static_cast<double>(texel + 1) + kRounding;
+                    return v >= static_cast<double>(texel) - kRounding &&
+                           v <= static_cast<double>(texel + 1) + kRounding;
                 };
                 EXPECT_TRUE(inside(ray->x, at.i) && inside(ray->y, at.j));
                 const Step& child = log.steps[n + 1];

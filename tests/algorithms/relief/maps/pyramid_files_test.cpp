@@ -16,7 +16,8 @@ namespace {
 TEST(PyramidFiles, areReadAsMipLevelsElsewhere) {
     Work work;
     for (const std::string& name : pyramidMapKinds()) {
-        for (const auto& [width, height] : std::vector<std::pair<int, int>>{{8, 8}, {100, 37}, {1, 1}, {1, 9}, {130, 3}}) {
+        for (const auto& [width, height] :
+             std::vector<std::pair<int, int>>{{8, 8}, {100, 37}, {1, 1}, {1, 9}, {130, 3}}) {
             const Pyramid pyramid(pyramidKindOf(name), randomHeights(width, height, 5), work);
             const std::filesystem::path folder = std::filesystem::temp_directory_path() / "relief_pyramid_files";
             std::filesystem::create_directories(folder);
