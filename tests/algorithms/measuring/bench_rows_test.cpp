@@ -130,7 +130,7 @@ TEST(BenchRows, TablesHaveTheirColumns) {
     Work work;
     const auto rows = benchRows(options, work);
     EXPECT_EQ(rowBenchCsvHeader(),
-              "variant,width,elevation,precision,streams,span,anchor,threads,mul,add,div,rate,spread,error_max\n");
+              "variant,width,elevation,precision,streams,span,anchor,threads,mul,add,div,rate,spread,error_max,rows\n");
     const auto json = nlohmann::json::parse(rowBenchJson(rows));
     ASSERT_EQ(json.size(), rows.size());
     EXPECT_EQ(json[0]["variant"], "streams");

@@ -304,7 +304,8 @@ TEST(MapFiles, AnotherMethodOrOptionIsRefused) {
     expectPart(fault({"cone", {}}), "cone needs the map cone, this is refined");
     expectPart(fault({"distance-refined-sampled", {}}), "needs the map refined-sampled, this is refined");
     expectPart(fault({"exact", {}}), "this is refined");
-    expectPart(fault({"hybrid", {}}), "this is refined");
+    expectPart(fault({"hybrid", {{"inner", "layers"}}}), "this is refined");
+    EXPECT_EQ(fault({"hybrid", {}}), "") << "inside it the unchanged tracer takes the refined map";
 }
 
 TEST(MapFiles, TooLargeIsRefusedBeforeAllocating) {

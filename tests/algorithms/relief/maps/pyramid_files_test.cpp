@@ -1,6 +1,8 @@
 #include "relief/maps/pyramid_files.h"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -23,6 +25,8 @@ TEST(PyramidFiles, areReadAsMipLevelsElsewhere) {
             std::filesystem::create_directories(folder);
             const std::string path = (folder / (name + ".tif")).string();
             savePyramid(path, pyramid);
+            std::ifstream file(path, std::ios::binary);
+            const std::string bytes{std::istreambuf_iterator<char>(file), {}};
             const auto input = OIIO::ImageInput::open(path);
             ASSERT_TRUE(input);
             for (int l = 0; l < pyramid.levels(); ++l) {
@@ -36,12 +40,15 @@ TEST(PyramidFiles, areReadAsMipLevelsElsewhere) {
                 std::vector<float> numbers(level.size());
                 ASSERT_TRUE(input->read_image(0, l, 0, 1, OIIO::TypeDesc::FLOAT, numbers.data()));
                 EXPECT_TRUE(std::equal(numbers.begin(), numbers.end(), level.pixels().begin()));
+                // Of MIP levels OpenImageIO reads the first one's description only: it is each page's own in the file.
+                const std::string own = "\"level\":" + std::to_string(l) + ",\"levels\":";
+                EXPECT_NE(bytes.find(own + std::to_string(pyramid.levels())), std::string::npos) << l;
+                if (l > 0) continue;
                 const auto header = nlohmann::json::parse(spec.get_string_attribute("ImageDescription").c_str());
-                EXPECT_EQ(header.at("level"), l);
                 EXPECT_EQ(header.at("levels"), pyramid.levels());
                 EXPECT_EQ(header.at("kind"), name == "max-pyramid" ? "max" : "mean");
-                EXPECT_EQ(header.contains("checksums"), l + 1 == pyramid.levels());
             }
+            EXPECT_NE(bytes.find("\"checksums\":["), std::string::npos);
             EXPECT_FALSE(input->seek_subimage(0, pyramid.levels()));
             std::filesystem::remove_all(folder);
         }
