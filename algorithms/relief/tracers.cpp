@@ -245,6 +245,13 @@ bool supports(const MethodChoice& choice, Surface surface, Address address) {
         return std::find(all.begin(), all.end(), wanted) != all.end();
     };
     if (!has(method.surfaces, surface) || !has(method.addresses, address)) return false;
+    // Another map serves where the tracer that it is made for does.
+    const auto map = choice.options.find(std::string(kMapOption));
+    if (map != choice.options.end() && has(method.otherMaps, map->second)) {
+        for (const MethodDescription& other : tracerList()) {
+            if (has(other.maps, map->second) && !has(other.addresses, address)) return false;
+        }
+    }
     for (const OptionDescription& option : method.options) {
         if (option.kind != OptionKind::Method) continue;
         const auto given = choice.options.find(option.name);

@@ -213,7 +213,8 @@ int runTrace(const TraceOptions& options, Session& session) {
         text.commit();
         return 0;
     }
-    noteBaseLevel(session, scenario, request);
+    // Rays that are given have no view to take it from; the tracer refuses them.
+    if (!options.rays && options.single.empty()) noteBaseLevel(session, scenario, request);
     const Asked asked = options.rays              ? raysOfFile(*options.rays, session)
                         : !options.single.empty() ? single
                         : wholeView               ? raysOfView(request)

@@ -162,14 +162,17 @@ TEST_P(TraceTest, StepsTellEveryDecision) {
         lines(runFine({"trace", "--height", field, "--rays", path("rays.csv"), "--steps", path("steps.csv")}));
     const auto steps = lines(read("steps.csv"));
     ASSERT_FALSE(steps.empty());
-    EXPECT_EQ(steps[0], "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after");
+    EXPECT_EQ(steps[0],
+              "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after,"
+              "kind,s,t,z,width,height,index,count");
     std::size_t line = 1;
     for (std::size_t ray = 0; ray < 2; ++ray) {
         const auto count = static_cast<std::size_t>(number(fields(hits[ray + 1])[4]));
         for (std::size_t step = 1; step <= count; ++step, ++line) {
             ASSERT_LT(line, steps.size());
             const auto f = fields(steps[line]);
-            ASSERT_EQ(f.size(), 14U);
+            ASSERT_EQ(f.size(), 22U);
+            EXPECT_EQ(f[14], "texel");
             EXPECT_EQ(f[0], std::to_string(ray));
             EXPECT_EQ(f[1], std::to_string(step));
             EXPECT_DOUBLE_EQ(number(f[9]), 1 - number(f[7]));

@@ -249,7 +249,7 @@ TEST_F(WindowTest, BadStepsOfAnotherTracerAreRefusedWithTheLine) {
         return problems.empty() ? QString() : problems.first().first().toString();
     };
     const QString broken = files.folder.filePath(QStringLiteral("broken.csv"));
-    files.write(broken, std::string(relief::kStepsHeader) + "\n0,1,search,0,0,0,0,0,oops,1,1,0,start,0\n");
+    files.write(broken, std::string(relief::kStepColumns) + "\n0,1,search,0,0,0,0,0,oops,1,1,0,start,0\n");
     QString text = refused(files.rays, broken);
     EXPECT_TRUE(text.contains(QStringLiteral("broken.csv"))) << text.toStdString();
     EXPECT_TRUE(text.contains(QStringLiteral("2"))) << text.toStdString();
@@ -259,7 +259,7 @@ TEST_F(WindowTest, BadStepsOfAnotherTracerAreRefusedWithTheLine) {
     text = refused(files.folder.filePath(QStringLiteral("none.csv")), files.steps);
     EXPECT_TRUE(text.contains(QStringLiteral("none.csv"))) << text.toStdString();
     // A texel that this picture has not.
-    files.write(broken, std::string(relief::kStepsHeader) + "\n0,1,search,0,900,0,0,0,0.5,1,0.5,0,test,0.5\n");
+    files.write(broken, std::string(relief::kStepColumns) + "\n0,1,search,0,900,0,0,0,0.5,1,0.5,0,test,0.5\n");
     text = refused(files.rays, broken);
     EXPECT_TRUE(text.contains(QStringLiteral("900"))) << text.toStdString();
 }
