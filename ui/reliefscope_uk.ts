@@ -3710,8 +3710,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>%1: поверхня на %2</translation>
     </message>
     <message>
-        <source>%1: empty for %2 texels</source>
-        <translation>%1: порожньо на %2 текселів</translation>
+        <source>%1: %2 texels promised free</source>
+        <translation>%1: обіцяно %2 текселя без перешкод</translation>
     </message>
     <message>
         <source>%1: cone of slope %2</source>

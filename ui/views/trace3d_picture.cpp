@@ -42,7 +42,7 @@ QString stepWords(const relief::Step& step, const StepBody& body, std::size_t nu
     constexpr double kNone = 0.005;  // texels
     if (body.kind == StepBody::Kind::Sphere && body.radius < kNone) return QString::number(number + 1);
     if (body.kind == StepBody::Kind::Sphere) {
-        return Trace3dView::tr("%1: empty for %2 texels")
+        return Trace3dView::tr("%1: %2 texels promised free")
             .arg(number + 1)
             .arg(QString::fromStdString(relief::fixedText(body.radius, 2)));
     }
@@ -149,8 +149,11 @@ void TracePicture::addRay() {
     if (relief::answerError(trace.hit, trace.exact, trace.ray) <= relief::kSameAnswer) return;
     for (const auto& part : marks.hitRing(eye, trace.exact.lambda)) renderer_->AddActor(part);
     const relief::Message exact(relief::MessageId::DrawExact);
-    renderer_->AddActor2D(
-        marks.words(scene_->onRay(trace.exact.lambda), relief::sentence(exact, style_.language), Role::Label, 0.85));
+    const auto words =
+        marks.words(scene_->onRay(trace.exact.lambda), relief::sentence(exact, style_.language), Role::Label, 0.85);
+    // Below it: words about a step stand above.
+    words->GetTextProperty()->SetVerticalJustificationToTop();
+    renderer_->AddActor2D(words);
 }
 
 void TracePicture::addWords(const QString& words) {
