@@ -416,8 +416,8 @@
         <translation>Рівні шари, потім ділення останнього навпіл.</translation>
     </message>
     <message>
-        <source>One level of the max pyramid marks the segments worth testing; another method works inside them and gives its guarantee. It takes more steps than that method alone: compare the two.</source>
-        <translation>Один рівень піраміди максимумів позначає відрізки, які варто перевірити; всередині них працює інший метод і дає свою гарантію. Кроків більше, ніж у того методу самого: порівняйте обидва.</translation>
+        <source>One level of the max pyramid marks the segments worth testing; another method works inside them and gives its guarantee. It mostly takes more steps than that method alone: compare the two.</source>
+        <translation>Один рівень піраміди максимумів позначає відрізки, які варто перевірити; всередині них працює інший метод і дає свою гарантію. Кроків здебільшого більше, ніж у самого того методу: порівняйте обидва.</translation>
     </message>
     <message>
         <source>Density</source>

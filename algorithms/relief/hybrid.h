@@ -6,8 +6,8 @@
 // below the ray all along its stay is skipped; in the others the inner method starts at, and tests, the point of entry,
 // and works to the exit.
 // Guarantee: that of the inner method (the paper means those with a guaranteed-free step: distances, cones). Failure
-// mode: that of the inner method, within segments. Cost: a maximum a texel, and the inner method's. More steps than the
-// inner method alone takes: its own steps skip as far, and a segment's border ends them (README.md has the table).
+// mode: that of the inner method, within segments. Cost: a maximum a texel, and the inner method's. Mostly more
+// steps than the inner method alone: its own steps skip as far, and a segment's border ends them (README.md).
 #pragma once
 
 #include "relief/pyramid_walk.h"
@@ -24,7 +24,7 @@ class HybridTracer {
         method.guarantee = Guarantee::Approximate;
         method.help =
             "One level of the max pyramid marks the segments worth testing; another method works inside them and gives "
-            "its guarantee. It takes more steps than that method alone: compare the two.";
+            "its guarantee. It mostly takes more steps than that method alone: compare the two.";
         method.source = "[MIP18]";
         method.maps = {"max-pyramid"};
         return method;

@@ -54,7 +54,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "Equal layers, then halving the last one."),
     QT_TRANSLATE_NOOP("core",
                       "One level of the max pyramid marks the segments worth testing; another method works inside them "
-                      "and gives its guarantee. It takes more steps than that method alone: compare the two."),
+                      "and gives its guarantee. It mostly takes more steps than that method alone: compare the two."),
     QT_TRANSLATE_NOOP("core", "Plain texturing: no relief, lit as the polygon is."),
     QT_TRANSLATE_NOOP("core", "The picture stays flat; the light sees the slopes of the heights."),
     QT_TRANSLATE_NOOP(
