@@ -95,7 +95,7 @@ Hit ConeMarch::march(const ViewRay& ray, const SampledSurface& surface, Segment 
         before = lambda;
         lambda = std::min(lambda - gap / (1 + kappa * runLength), segment.out);
         const double after = lambda;
-        sink.step([&] {
+        sink.step([&, s = s, t = t] {
             Step step = surface.record(Phase::Search, Decision::Advance, before, before, kappa, after);
             step.subject = subject::Cone{s, t, gap + 1 - before, kappa, 0, 1, false};
             return step;
