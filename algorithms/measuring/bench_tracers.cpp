@@ -72,7 +72,7 @@ RayBlock viewRays(const HeightField& field, double degrees, std::size_t count, s
 // A method over one map, made.
 struct Ready {
     MethodChoice choice;
-    Form form{};  // the one asked for
+    Form form{};  // of the MeasuredMethod it was made from
     std::unique_ptr<MapCache> maps;
     std::unique_ptr<Tracer> tracer;
     double buildSeconds = 0;

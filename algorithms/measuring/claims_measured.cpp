@@ -298,7 +298,7 @@ void Measuring::twoALevel() {
         {{"all", all}, {"one", share(1)}, {"two", share(2)}, {"three", share(kMost)}});
 }
 
-// Texels of the base level that the leaf is asked for.
+// Texels of the base level in which the intersection with the surface is computed.
 void Measuring::excludes() {
     Range range;
     for (const Subject& s : subjects_) {

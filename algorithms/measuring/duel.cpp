@@ -28,12 +28,12 @@ bool moves(const Step& step) {
 class Judge {
   public:
     Judge(const DuelRun& run, const Hit& exact, const ViewRay& ray, const HeightField& field)
-        : run_(run), exact_(exact), surface_(field, ray), scale_(std::max(1.0, std::hypot(ray.a, ray.b))) {}
+        : run_(run), exact_(exact), ray_(ray), surface_(field, ray), scale_(std::max(1.0, std::hypot(ray.a, ray.b))) {}
 
     Judgement judgement() {
         Judgement out;
         if (exact_.outcome == Outcome::Limit) return out;
-        out.texels = error();
+        out.texels = answerError(run_.hit, exact_, ray_);
         const auto past = firstPast();
         if (past && run_.steps[*past].lambdaAfter > exact_.lambda + margin()) out.overshoot = past;
         if (out.texels <= kSameAnswer || run_.steps.empty()) return out;
@@ -47,11 +47,6 @@ class Judge {
 
   private:
     double margin() const { return kSameAnswer / scale_; }
-
-    double error() const {
-        if (run_.hit.outcome != exact_.outcome) return std::numeric_limits<double>::infinity();
-        return exact_.outcome == Outcome::Hit ? std::abs(run_.hit.lambda - exact_.lambda) * scale_ : 0;
-    }
 
     // The first step that goes on, or answers, behind the exact hit; or that finds none.
     std::optional<std::size_t> firstPast() const {
@@ -127,6 +122,7 @@ class Judge {
 
     const DuelRun& run_;
     Hit exact_;
+    ViewRay ray_;
     SampledSurface surface_;
     double scale_;
 };

@@ -62,7 +62,7 @@ struct AdvisedForm {
     MethodChoice method;
     Verdict verdict = Verdict::Kept;
     Guarantee guarantee{};
-    double secondsARay = kUnknown;  // of one thread's processor, median of the rounds; Lanes only
+    double secondsARay = kUnknown;  // of one thread's processor, median of the rounds; Form::Simd only
     double steps = kUnknown, reads = kUnknown;
     std::int64_t mostSteps = 0;   // of a ray
     double overSteps = kUnknown;  // share of the rays that take more than AdviceOptions::maxSteps

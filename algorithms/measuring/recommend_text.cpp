@@ -98,7 +98,7 @@ class AdviceSentences {
     }
 
     // How much more than the chosen form: twice and more as a factor.
-    void dearer(MessageId percent, MessageId times, const AdvisedForm& form) {
+    void moreExpensive(MessageId percent, MessageId times, const AdvisedForm& form) {
         constexpr double kTwice = 100;
         const double more = percentMore(form, advice_.best());
         if (more < kTwice) {
@@ -122,8 +122,7 @@ class AdviceSentences {
                                       {"flat", number(advice_.relief.flatTiles * 100)},
                                       {"side", ReliefFigures::kTile},
                                       {"steep", number(advice_.relief.steep * 100)}});
-        if (!advice_.keepsBounds) {
-        } else if (advice_.cheapest != advice_.chosen) {
+        if (advice_.cheapest != advice_.chosen) {
             const AdvisedForm& cheapest = advice_.forms[advice_.cheapest];
             say(MessageId::AdviceLean, {{"method", methodText(cheapest.method)},
                                         {"percent", number((1 - cheapest.cost / best.cost) * 100)},
@@ -131,11 +130,11 @@ class AdviceSentences {
                                         {"seconds", number(cheapest.buildSeconds)}});
         } else if (advice_.next != advice_.chosen) {
             const AdvisedForm& next = advice_.forms[advice_.next];
-            dearer(MessageId::AdviceNext, MessageId::AdviceNextTimes, next);
+            moreExpensive(MessageId::AdviceNext, MessageId::AdviceNextTimes, next);
         }
-        if (advice_.keepsBounds && advice_.withoutMap && best.bytes > 0) {
+        if (advice_.withoutMap && best.bytes > 0) {
             const AdvisedForm& plain = advice_.forms[*advice_.withoutMap];
-            dearer(MessageId::AdviceWithoutMap, MessageId::AdviceWithoutMapTimes, plain);
+            moreExpensive(MessageId::AdviceWithoutMap, MessageId::AdviceWithoutMapTimes, plain);
         }
         const auto count = [&](Verdict verdict) {
             return std::count_if(advice_.forms.begin(), advice_.forms.end(),

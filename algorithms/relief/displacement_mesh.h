@@ -68,14 +68,7 @@ class DisplacementMesh {
     }
     // Heights of a quad's vertices (0,0), (1,0), (0,1), (1,1).
     using Corners = std::array<double, 4>;
-    Corners corners(AxisCell cx, AxisCell cy) const {
-        const FloatImage& h = mesh_.heights();
-        const int i0 = grid_.x.nodeBefore(cx.index);
-        const int i1 = grid_.x.nodeAfter(cx.index);
-        const int j0 = grid_.y.nodeBefore(cy.index);
-        const int j1 = grid_.y.nodeAfter(cy.index);
-        return {h(i0, j0), h(i1, j0), h(i0, j1), h(i1, j1)};
-    }
+    Corners corners(AxisCell cx, AxisCell cy) const { return cellCorners(mesh_.heights(), grid_, cx.index, cy.index); }
 
     // Height of the two triangles at (u, v) in the quad, both in [0, 1]. Never below the slab, whatever is rounded.
     static double height(const Corners& h, double u, double v) {

@@ -9,6 +9,7 @@
 // Everything in double; the parameter is measured from the cell's entry, so far and flat rays keep their digits.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -53,6 +54,16 @@ float cellMinimum(const FloatImage& heights, const CellGrid& grid, int cx, int c
         const auto i1 = static_cast<std::size_t>(grid.x.nodeAfter(cx));
         return std::min(std::min(top[i0], top[i1]), std::min(bottom[i0], bottom[i1]));
     }
+}
+
+// Heights of the four nodes of a bilinear cell: (before, before), (after, before), (before, after), (after, after) in
+// (x, y).
+inline std::array<double, 4> cellCorners(const FloatImage& heights, const CellGrid& grid, int cx, int cy) {
+    const int i0 = grid.x.nodeBefore(cx);
+    const int i1 = grid.x.nodeAfter(cx);
+    const int j0 = grid.y.nodeBefore(cy);
+    const int j1 = grid.y.nodeAfter(cy);
+    return {heights(i0, j0), heights(i1, j0), heights(i0, j1), heights(i1, j1)};
 }
 
 namespace leaf_detail {

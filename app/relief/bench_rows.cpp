@@ -62,10 +62,11 @@ void RowBenchCommand::add(CLI::App& parser) {
             group);
     addText(parser, "--widths", widths, "N,...", "pixels of a row, up to 1048576, default 640,3840,16384,65536", group);
     addText(parser, "--precisions", precisions, "float,double", "default both", group);
-    addText(parser, "--rows", rows, "N,...",
-            "rows of a block, the same pixels in blocks of so many; the default is one block of all. Few long rows are "
-            "where rows in parallel are weak: --variants rows-parallel --widths 65536 --rows 1,2,64",
-            group);
+    addText(
+        parser, "--rows", rows, "N,...",
+        "rows of a block, the same pixels in blocks of that height; the default is one block of all. Few long rows are "
+        "where rows in parallel are weak: --variants rows-parallel --widths 65536 --rows 1,2,64",
+        group);
     addText(parser, "--pixels", pixels, "N", "of the rows that one timing covers, default 4194304", group);
 }
 

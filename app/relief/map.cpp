@@ -32,9 +32,9 @@ int printDistances(const std::string& at, const Scenario& scenario, const Height
     within("s", s, field.width());
     within("t", t, field.height());
     within("z", z, 1);
-    constexpr double kFlattest = 10;  // degrees, as the options' default
     const auto given = scenario.method.options.find("flattest");
-    const double flattest = given == scenario.method.options.end() ? kFlattest : parseNumber(given->second, "flattest");
+    const double flattest =
+        given == scenario.method.options.end() ? DistanceParameters().flattest : parseNumber(given->second, "flattest");
     MapCache cache;
     const PointDistances found = distancesAt(field, s, t, z, flattest, cache, session.work());
     const auto fixed = [&](double value) { return fixedText(value, kDecimals); };

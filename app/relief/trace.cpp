@@ -88,12 +88,11 @@ HitBlock answers(const Asked& asked, const HitBlock& traced) {
     return all;
 }
 
-// Traces again with the log, a block at a time: a million rays have more steps than memory should hold.
-void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bool json, Session& session) {
-    Work& work = session.work();
-    std::string text = json ? "[" : std::string(kStepsHeader) + "\n";
-    bool empty = true;
-    work.progress().begin("steps", static_cast<std::int64_t>(asked.rays.size()));
+// Traces again with the log, a block at a time: a million rays have more steps than memory should hold. Calls
+// body(log, first, count) for the rays from `first` on.
+template <class Body>
+void overLogs(const Asked& asked, const Tracer& tracer, const char* title, Work& work, const Body& body) {
+    work.progress().begin(title, static_cast<std::int64_t>(asked.rays.size()));
     for (std::size_t first = 0; first < asked.rays.size(); first += kLoggedBlock) {
         const std::size_t count = std::min(kLoggedBlock, asked.rays.size() - first);
         RayBlock block(count);
@@ -101,6 +100,15 @@ void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bo
         HitBlock hits;
         StepLog log;
         tracer.trace(block, hits, log, work);
+        body(log, first, count);
+        work.progress().advance(static_cast<std::int64_t>(count));
+    }
+}
+
+void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bool json, Session& session) {
+    std::string text = json ? "[" : std::string(kStepsHeader) + "\n";
+    bool empty = true;
+    overLogs(asked, tracer, "steps", session.work(), [&](const StepLog& log, std::size_t first, std::size_t count) {
         for (std::size_t r = 0; r < count; ++r) {
             const std::size_t ray = asked.answerOf(first + r);
             if (json) {
@@ -111,8 +119,7 @@ void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bo
         }
         output.write(text);
         text.clear();
-        work.progress().advance(static_cast<std::int64_t>(count));
-    }
+    });
     if (json) text += "\n]\n";
     output.write(text);
 }
@@ -149,21 +156,12 @@ Asked raysOfView(const FrameRequest& request) {
     return asked;
 }
 
-// Children entered at each level, of all rays, a block of logs at a time.
+// Children entered at each level, of all rays.
 ChildrenByLevel childrenOf(const Asked& asked, const Tracer& tracer, Session& session) {
-    Work& work = session.work();
     ChildrenByLevel counts;
-    work.progress().begin("children", static_cast<std::int64_t>(asked.rays.size()));
-    for (std::size_t first = 0; first < asked.rays.size(); first += kLoggedBlock) {
-        const std::size_t count = std::min(kLoggedBlock, asked.rays.size() - first);
-        RayBlock block(count);
-        for (std::size_t r = 0; r < count; ++r) block.set(r, asked.rays[first + r]);
-        HitBlock hits;
-        StepLog log;
-        tracer.trace(block, hits, log, work);
+    overLogs(asked, tracer, "children", session.work(), [&](const StepLog& log, std::size_t, std::size_t count) {
         for (std::size_t r = 0; r < count; ++r) addChildren(log.steps, log.begin[r], log.begin[r + 1], counts);
-        work.progress().advance(static_cast<std::int64_t>(count));
-    }
+    });
     return counts;
 }
 

@@ -107,7 +107,7 @@ Drawing axes(const ParetoSource& source, const ParetoFrame& frame) {
     return drawing;
 }
 
-// The staircase below which no method of that form is: as small an error as this takes at least that long.
+// The Pareto front of one form, as a staircase: the least time in which any method of the form reaches an error.
 std::vector<Point> frontLine(const ParetoSource& source, relief::Form form, const ParetoFrame& frame,
                              const std::vector<ParetoMark>& marks) {
     std::vector<Point> ends;

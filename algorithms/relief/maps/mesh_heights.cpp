@@ -11,7 +11,7 @@ namespace relief {
 
 namespace {
 
-// Vertices along a side of so many texels.
+// Number of vertices along a side of `texels` texels.
 int vertices(int texels, int density, const HeightField& field) {
     if (field.address() == Address::Repeat) return density;
     const std::int64_t quads = (static_cast<std::int64_t>(texels - 1) * density + texels - 1) / texels;

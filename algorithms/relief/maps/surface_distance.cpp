@@ -1,8 +1,9 @@
 #include "relief/maps/surface_distance.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "relief/leaf.h"
 
 namespace relief {
 
@@ -23,7 +24,7 @@ double gap(double x, Side side) {
 
 // The squared distance of (a, b, z) to the patch h00 + hu u + hv v + huv u v over its sides, as a function of v: the
 // least over u, in closed form, for it is a parabola in u.
-struct Patch {
+struct PatchDistance {
     double a, b;
     double e, eu, ev, euv;  // D (h - z) = e + eu u + ev v + euv u v
     Side u;
@@ -40,7 +41,7 @@ struct Patch {
 
 // The v of the least of the patch over its sides. Samples first: the function has more than one valley where the patch
 // is twisted.
-double leastV(const Patch& patch, Side v) {
+double leastV(const PatchDistance& patch, Side v) {
     constexpr int kSamples = 5;
     constexpr int kNarrowings = 22;  // by the golden section: to 1e-5 of the side
     const double middle = std::clamp(patch.b, v.low, v.high);
@@ -92,24 +93,16 @@ double SurfaceDistance::lowerBound(const Node& node, const Point& p) const {
 }
 
 SurfaceDistance::Best SurfaceDistance::patch(const Node& cell, const Point& p) const {
-    const FloatImage& heights = field_.heights();
-    const int i0 = grid_.x.nodeBefore(cell.i);
-    const int i1 = grid_.x.nodeAfter(cell.i);
-    const int j0 = grid_.y.nodeBefore(cell.j);
-    const int j1 = grid_.y.nodeAfter(cell.j);
-    const double h00 = heights(i0, j0);
-    const double h10 = heights(i1, j0);
-    const double h01 = heights(i0, j1);
-    const double h11 = heights(i1, j1);
+    const auto [h00, h10, h01, h11] = cellCorners(field_.heights(), grid_, cell.i, cell.j);
     const auto x = static_cast<double>(cell.baseX + cell.i);
     const auto y = static_cast<double>(cell.baseY + cell.j);
-    const Patch patch{p.x - x,
-                      p.y - y,
-                      slab_ * (h00 - p.z),
-                      slab_ * (h10 - h00),
-                      slab_ * (h01 - h00),
-                      slab_ * ((h11 - h10) - (h01 - h00)),
-                      {grid_.x.edge(cell.i, cell.baseX) - x, grid_.x.edge(cell.i + 1, cell.baseX) - x}};
+    const PatchDistance patch{p.x - x,
+                              p.y - y,
+                              slab_ * (h00 - p.z),
+                              slab_ * (h10 - h00),
+                              slab_ * (h01 - h00),
+                              slab_ * ((h11 - h10) - (h01 - h00)),
+                              {grid_.x.edge(cell.i, cell.baseX) - x, grid_.x.edge(cell.i + 1, cell.baseX) - x}};
     const double v = leastV(patch, {grid_.y.edge(cell.j, cell.baseY) - y, grid_.y.edge(cell.j + 1, cell.baseY) - y});
     return {patch.at(v), x + patch.bestU(v), y + v};
 }
