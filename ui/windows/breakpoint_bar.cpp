@@ -149,7 +149,7 @@ void BreakpointBar::refresh() {
     // A chip may be the one that was just clicked: it goes when its own event is over.
     QWidget* const old = chips_;
     chips_ = new QWidget(this);
-    row_->replaceWidget(old, chips_);
+    delete row_->replaceWidget(old, chips_);  // the item that held it is the caller's
     old->hide();
     old->deleteLater();
     auto* const row = new QHBoxLayout(chips_);

@@ -99,7 +99,12 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     refreshTitles();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // The docks go after this part of the window, and tell as they go that they are hidden.
+    for (const Pane& pane : panes_) {
+        if (pane.dock != nullptr) pane.dock->disconnect(this);
+    }
+}
 
 PaneTitle* MainWindow::titleOf(const QString& title, QWidget* whole) {
     auto* const bar = new PaneTitle(title, paneKey(panes_.size()), this);
