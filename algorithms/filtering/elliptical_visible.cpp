@@ -165,13 +165,14 @@ void VisibleKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span
     counts.flat += counts.footprints - before.footprints;
 }
 
-// clear: by the bounds of the whole footprint.
+// clear: nothing on the plane's footprint is hidden, by its tangent.
 Color VisibleKernel::filterPieces(const Jacobian& j, glm::dvec2 centre, const SeenPoint& seen, bool clear,
                                   Scratch& scratch, FootprintCounts& counts, Work& work, FootprintLog* log) const {
     const LevelFootprint f = plain_.footprint(j, centre);
     if (f.kind != FootprintKind::Ellipse) return plain_.filter(j, centre, counts, log);
     Region region = regionOf(f, seen);
-    region.clear = region.clear || clear;
+    // The tangent's word holds for the plane's footprint; the other forms look at ground beyond it, which it may hide.
+    region.clear = region.clear || (clear && form_ == VisibleForm::Plane);
     if (region.flat || (region.clear && skip_ && form_ == VisibleForm::Plane)) {
         const std::int64_t before = counts.texels;
         const Color color = plain_.filter(j, centre, counts, log);

@@ -8,7 +8,7 @@
 
 namespace reliefui {
 
-inline constexpr int kDistancePatienceMs = 20000;
+inline constexpr int kDistancePatienceMs = 120000;
 
 class DistanceTest : public WindowTest {
   protected:

@@ -102,7 +102,9 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
 MainWindow::~MainWindow() {
     // The docks go after this part of the window, and tell as they go that they are hidden.
     for (const Pane& pane : panes_) {
-        if (pane.dock != nullptr) pane.dock->disconnect(this);
+        if (pane.dock == nullptr) continue;
+        pane.dock->disconnect();
+        pane.dock->toggleViewAction()->disconnect();
     }
 }
 
