@@ -4,7 +4,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "drawings/legend_rows.h"
 #include "relief/maps/refined.h"
@@ -17,25 +16,24 @@ struct ProfileFrame;
 struct ProfileSource;
 
 struct PointQuery {
-    relief::QueryPoint point;           // as it was set, texels in any copy of the picture
-    relief::PointDistances distances;   // of the same point in the first copy
+    relief::QueryPoint point;   // as it was set; where the picture repeats, in any of its copies
+    relief::QueryPoint within;  // the same in the first copy, which the distances are of
+    relief::PointDistances distances;
 };
 
-// Whether the point has distances: over the picture or, where it repeats, anywhere.
+// Whether the point has distances: it lies over the picture, or the picture repeats.
 bool overPicture(const relief::HeightField& field, const relief::QueryPoint& point);
-// Null where the point is not over the picture. flattest: degrees below which rays are not served. Takes some
-// milliseconds; throws Cancelled.
+// Null where the point does not lie over the picture. flattest: degrees below which rays are not served. Traces some
+// ten thousand rays; throws Cancelled.
 std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, const relief::QueryPoint& point,
                                              double flattest, relief::MapCache& cache, relief::Work& work);
 
-// Adds point, spheres and lines where they cut the slice or the ray's plane; nothing if the slice misses them. A point
-// beyond the window is drawn in the copy of the picture that is nearest to its middle.
+// Adds the point, both spheres and both lines where the slice, or the plane of the profile's ray, cuts a sphere. A
+// point beyond what is shown is drawn in the copy of the picture that is nearest to its middle.
 void addPointMarks(Drawing& drawing, const PointQuery& query, const relief::HeightField& field,
                    const DistanceFrame& frame);
 void addPointMarks(Drawing& drawing, const PointQuery& query, const ProfileSource& source, const ProfileFrame& frame);
-// Names the two lines, and states both distances and the ray in a sentence.
+// Names both lines, with the distances and the ray.
 void addPointLegend(LegendRows& rows, const PointQuery& query);
-// "C: Euclidean 3.000, refined 4.000 texels; decided by the ray ..."
-relief::Message pointSentence(const PointQuery& query);
 
 }  // namespace reliefui
