@@ -87,8 +87,8 @@ ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& opt
 
 // The relief: surface, maxima, layers.
 Drawing profileRelief(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame);
-// The ray and its steps, and the point with its distances. Steps after the chosen one are drawn faintly; where there is no room for all marks and
-// numbers, those near the chosen one and the first come first.
+// The ray and its steps, and the point with its distances. Steps after the chosen one are drawn faintly; where there is
+// no room for all marks and numbers, those near the chosen one and the first come first.
 Drawing profileMarks(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame, int step);
 // Spheres and cones of the steps; part of the marks.
 void addBodies(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame, std::size_t chosen);
