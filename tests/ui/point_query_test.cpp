@@ -1,6 +1,7 @@
 // The distances of a point, asked for in the distance map and in the profile.
 #include "drawings/point_query.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "distance_fixture.h"
@@ -48,6 +49,12 @@ TEST_F(DistanceTest, OfThePapersPointBothSpheresAndLinesAreDrawn) {
         ASSERT_GT(found.size(), 50U);
         for (const double one : found) EXPECT_NEAR(one, radius, 0.01);
     }
+    // And the ray that the right wall stops.
+    const auto crossed = std::find_if(drawing.items.begin(), drawing.items.end(), [](const Item& item) {
+        return item.role == Role::Hidden && std::holds_alternative<Marker>(item.primitive);
+    });
+    ASSERT_NE(crossed, drawing.items.end());
+    EXPECT_GE(frame.uvAt(std::get<Marker>(crossed->primitive).at).x, 8 - kRounding);
     // A slice that misses both spheres shows nothing of them.
     frame.plane += 4.5;
     Drawing missed;

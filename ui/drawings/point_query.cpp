@@ -36,6 +36,13 @@ struct PlaneView {
     bool spheres = true;  // maps seen from above have no plane that could cut them
 };
 
+// Whether the nearest surface point does not count for any ray from above.
+bool hides(const PointQuery& query) {
+    constexpr double kSame = 1e-6;  // of the distance
+    const relief::PointDistances& found = query.distances;
+    return found.blocked > 0 && found.refined > found.euclidean * (1 + kSame);
+}
+
 class PointMarks {
   public:
     PointMarks(Drawing& drawing, const PointQuery& query, const PlaneView& view)
@@ -45,6 +52,7 @@ class PointMarks {
         const relief::PointDistances& found = query_.distances;
         const double radius = std::max(found.euclidean, found.reached ? found.refined : 0);
         if (view_.spheres && std::abs(view_.off) > std::max(radius, kBesidePlane)) return;
+        if (hides(query_)) hidden();
         if (found.rays > 0) euclidean();
         if (found.reached) refined();
         const Point at = view_.at(view_.center);
@@ -69,17 +77,26 @@ class PointMarks {
         number(from, to, found.euclidean, Role::Series, kEuclidean);
     }
 
+    // Where a ray through C is.
+    Point onRay(const relief::ViewRay& ray, double lambda) const {
+        const double along = lambda - (1 - query_.within.z);
+        return view_.at(placed(query_.within.s + along * ray.a, query_.within.t + along * ray.b, 1 - lambda));
+    }
+
+    // From where it enters the slab to C, crossed out where it hits something on its way.
+    void hidden() {
+        const relief::PointDistances& found = query_.distances;
+        const Point hit = onRay(found.blockedRay, found.blockedHit.lambda);
+        line({onRay(found.blockedRay, 0), view_.at(view_.center)}, Role::Hidden, {}, true);
+        if (view_.plot.grown(1).contains(hit)) put(Role::Hidden, Marker{hit, Shape::Cross, 9}, {});
+    }
+
     // From where the ray enters the slab, through C, to its hit.
     void refined() {
         const relief::PointDistances& found = query_.distances;
         sphere(found.refined, Role::SeriesDashed, kRefined);
-        const auto onRay = [&](double lambda) {
-            const double along = lambda - (1 - query_.within.z);
-            return view_.at(
-                placed(query_.within.s + along * found.ray.a, query_.within.t + along * found.ray.b, 1 - lambda));
-        };
-        const Point hit = onRay(found.hit.lambda);
-        line({onRay(0), hit}, Role::SeriesDashed, kRefined, true);
+        const Point hit = onRay(found.ray, found.hit.lambda);
+        line({onRay(found.ray, 0), hit}, Role::SeriesDashed, kRefined, true);
         number(view_.at(view_.center), hit, found.refined, Role::SeriesDashed, kRefined);
     }
 
@@ -222,6 +239,7 @@ void addPointLegend(LegendRows& rows, const PointQuery& query) {
     };
     if (found.rays == 0) return note(Message(MessageId::DrawPointInside));
     rows.line(Role::Series, Message(MessageId::DrawPointEuclidean, {{"texels", fixed(found.euclidean)}}), kEuclidean);
+    if (hides(query)) rows.line(Role::Hidden, Message(MessageId::DrawPointHidden));
     if (!found.reached) return note(Message(MessageId::DrawPointNoRay));
     const relief::ViewRay& ray = found.ray;
     const std::string text = fixed(ray.s0) + "," + fixed(ray.t0) + "," + fixed(ray.a) + "," + fixed(ray.b);

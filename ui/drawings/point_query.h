@@ -1,6 +1,7 @@
 // A point C of the slab with its two distances, as the distance map and the profile draw it: the sphere of the
 // Euclidean distance and the vector to the surface point that decides it, and the sphere of the refined distance with
-// the ray from above that decides it. [DIST17] figs. 5 to 8.
+// the ray from above that decides it; and a ray through C towards the nearest surface point that hits something before
+// C, which is why that point does not count. [DIST17] figs. 5 to 8.
 #pragma once
 
 #include <memory>
@@ -28,12 +29,12 @@ bool overPicture(const relief::HeightField& field, const relief::QueryPoint& poi
 std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, const relief::QueryPoint& point,
                                              double flattest, relief::MapCache& cache, relief::Work& work);
 
-// Adds the point, both spheres and both lines where the slice, or the plane of the profile's ray, cuts a sphere. A
+// Adds the point, the spheres and the rays where the slice, or the plane of the profile's ray, cuts a sphere. A
 // point beyond what is shown is drawn in the copy of the picture that is nearest to its middle.
 void addPointMarks(Drawing& drawing, const PointQuery& query, const relief::HeightField& field,
                    const DistanceFrame& frame);
 void addPointMarks(Drawing& drawing, const PointQuery& query, const ProfileSource& source, const ProfileFrame& frame);
-// Names both lines, with the distances and the ray.
+// Names the lines, with the distances and the ray.
 void addPointLegend(LegendRows& rows, const PointQuery& query);
 
 }  // namespace reliefui
