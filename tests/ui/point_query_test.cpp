@@ -6,6 +6,7 @@
 
 #include "distance_fixture.h"
 #include "lessons/lessons.h"
+#include "views/pane_options.h"
 #include "views/point_asker.h"
 #include "views/profile_view.h"
 
@@ -115,6 +116,20 @@ TEST_F(DistanceTest, InEveryCopyOfAPictureAPointHasTheSameDistances) {
     // Where nothing repeats, there is nothing to ask for beyond the picture.
     const relief::HeightField alone(field.sharedHeights(), field.surface(), relief::Address::Border, 0.2);
     EXPECT_EQ(pointQuery(alone, {-0.5, 4.5, 0.9}, 10, cache, work), nullptr);
+}
+
+// As `reliefscope FILE --export` makes them.
+TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
+    openWindow(walls());
+    for (const char* const name : {"distance", "profile"}) {
+        FigureRequest request;
+        request.view = name;
+        takePanes(request, walls().panes);
+        ASSERT_TRUE(request.query);
+        const QImage with = figureImage(*snapshot(), request, 500);
+        request.query.reset();
+        EXPECT_NE(figureImage(*snapshot(), request, 500), with) << name;
+    }
 }
 
 TEST_F(WindowTest, TheProfileShowsThePointAndAsksForAnother) {
