@@ -138,8 +138,8 @@ TEST_F(WindowTest, TheProfileShowsThePointAndAsksForAnother) {
     ProfileView* const view = window_->profile();
     ASSERT_TRUE(QTest::qWaitFor([&] { return view->point() != nullptr; }, kDistancePatienceMs));
     EXPECT_NEAR(view->point()->distances.refined, 4, kRounding);
-    // Next to the ray, half way to its hit.
-    const double lambda = snapshot()->trace.hit.lambda / 2;
+    // Next to the ray, before it comes to C.
+    const double lambda = snapshot()->trace.hit.lambda / 4;
     const QPoint at = view->canvas()->toWidget(view->frame().onRay(lambda)).toPoint() + QPoint(0, -6);
     QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::ControlModifier, at);
     ASSERT_TRUE(scenario().panes.query);
