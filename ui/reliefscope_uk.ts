@@ -1105,8 +1105,8 @@
         <translation>усе</translation>
     </message>
     <message>
-        <source>Show all of the slice (R); wheel zooms, drag moves, click chooses a step</source>
-        <translation>Показати весь зріз (R); колесо змінює масштаб, перетягування рухає, клацання вибирає крок</translation>
+        <source>Show all of the slice (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances of a point</source>
+        <translation>Показати весь зріз (R); колесо змінює масштаб, перетягування рухає, клацання вибирає крок, клацання з Ctrl запитує про відстані в точці</translation>
     </message>
     <message>
         <source>Slices at constant x, seen along the rows</source>
@@ -1408,6 +1408,18 @@
         <translation>Копіювати значення</translation>
     </message>
     <message>
+        <source>Distances at this point</source>
+        <translation>Відстані в цій точці</translation>
+    </message>
+    <message>
+        <source>Forget the point</source>
+        <translation>Забути точку</translation>
+    </message>
+    <message>
+        <source>Distances at a point</source>
+        <translation>Відстані в точці</translation>
+    </message>
+    <message>
         <source>Copy picture</source>
         <translation>Копіювати картинку</translation>
     </message>
@@ -1585,6 +1597,14 @@
     <message>
         <source>A pixel&apos;s ellipse on a slanted relief covers texels that the eye does not see; the filter elliptical-visible leaves them out.</source>
         <translation>Еліпс пікселя на похилому рельєфі накриває тексели, яких око не бачить; фільтр elliptical-visible їх не враховує.</translation>
+    </message>
+    <message>
+        <source>Refined distance: 3 texels or 4</source>
+        <translation>Уточнена відстань: 3 текселі чи 4</translation>
+    </message>
+    <message>
+        <source>Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 texels of C hit the right wall before they reach C; the nearest hit of all others is on the floor, 4 texels below. Ctrl+click asks about another point.</source>
+        <translation>Точка C лежить за 3 текселі від лівої стіни. Промені згори, які зустріли б цю стіну ближче ніж за 4 текселі від C, влучають у праву стіну ще до точки C; найближче влучання всіх інших — на дні, на 4 текселі нижче. Клацання з Ctrl запитує про іншу точку.</translation>
     </message>
     <message>
         <source>Unsafe map: interpolated distances</source>
@@ -2178,6 +2198,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>вгадати клацанням у профілі, куди влучить промінь</translation>
     </message>
     <message>
+        <source>Ctrl + click in the profile, the distance map</source>
+        <translation>Ctrl + клацання у профілі чи карті відстаней</translation>
+    </message>
+    <message>
+        <source>distances at that point; there again: forget it</source>
+        <translation>відстані в цій точці; там само ще раз: забути її</translation>
+    </message>
+    <message>
         <source>Next pixel &amp;worth seeing</source>
         <translation>Наступний &amp;вартий уваги піксель</translation>
     </message>
@@ -2690,8 +2718,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>усе</translation>
     </message>
     <message>
-        <source>Show all of the ray (R); wheel zooms, drag moves, click chooses a step</source>
-        <translation>Показати весь промінь (R); колесо наближає, перетягування зсуває, клацання вибирає крок</translation>
+        <source>Show all of the ray (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances of a point</source>
+        <translation>Показати весь промінь (R); колесо наближає, перетягування зсуває, клацання вибирає крок, клацання з Ctrl запитує про відстані в точці</translation>
     </message>
     <message>
         <source>λ %1</source>

@@ -14,12 +14,19 @@ namespace {
 constexpr double kLeastHeights = 0.25;
 constexpr double kMostHeights = 4;
 constexpr int kMostSlices = 1 << 26;
+constexpr double kFarthestPoint = 1 << 26;  // texels
 
 void inRange(const std::string& subject, const char* what, double value, double low, double high) {
     if (value >= low && value <= high) return;
     throw InputError(
         subject, Message(MessageId::OutOfRange,
                          {{"what", what}, {"value", value}, {"range", numberText(low) + " to " + numberText(high)}}));
+}
+
+void checkQuery(const std::string& subject, const QueryPoint& point) {
+    inRange(subject, "s", point.s, -kFarthestPoint, kFarthestPoint);
+    inRange(subject, "t", point.t, -kFarthestPoint, kFarthestPoint);
+    inRange(subject, "z", point.z, 0, 1);
 }
 
 }  // namespace
@@ -62,6 +69,7 @@ void checkPanes(const PaneStates& panes, const std::string& subject) {
     parseErrorMeasure(panes.charts.error, "error");
     checkPaneName("colors", panes.trace.colors, tracePaneColors());
     inRange(subject, "heights", panes.trace.heights, kLeastHeights, kMostHeights);
+    if (panes.query) checkQuery(subject, *panes.query);
 }
 
 }  // namespace relief

@@ -65,6 +65,15 @@ struct TracePane {
     bool operator==(const TracePane&) const = default;
 };
 
+// A point of the slab whose Euclidean and refined distances the distance map and the profile show: texels, and a height
+// from 0 to 1. Where the picture repeats, s and t may lie in any of its copies.
+struct QueryPoint {
+    double s = 0;
+    double t = 0;
+    double z = 0;
+    bool operator==(const QueryPoint&) const = default;
+};
+
 struct PaneStates {
     PyramidPane pyramid;
     ProfilePane profile;
@@ -73,6 +82,7 @@ struct PaneStates {
     RowsPane rows;
     ChartsPane charts;
     TracePane trace;
+    std::optional<QueryPoint> query;
     bool operator==(const PaneStates&) const = default;
 };
 

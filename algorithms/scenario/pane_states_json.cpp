@@ -65,6 +65,19 @@ void readPyramid(JsonReader reader, PyramidPane& pane) {
     reader.finish();
 }
 
+// All three: a point that a file gives in part is a mistake.
+void readQuery(JsonReader reader, std::optional<QueryPoint>& query) {
+    QueryPoint& point = query.emplace();
+    const auto number = [&](const char* key, double& value) {
+        if (!reader.has(key)) reader.fail(key, "a number");
+        reader.read(key, value);
+    };
+    number("s", point.s);
+    number("t", point.t);
+    number("z", point.z);
+    reader.finish();
+}
+
 Json distanceJson(const DistancePane& pane) {
     Json json = {{"lines", pane.lines}, {"near-ray", pane.nearRay}};
     if (!pane.map.empty()) json["map"] = pane.map;
@@ -104,6 +117,7 @@ void readPanes(JsonReader reader, PaneStates& panes) {
         part.read("follow", panes.trace.follow);
         part.finish();
     }
+    if (reader.has("query")) readQuery(reader.child("query"), panes.query);
     reader.finish();
 }
 
@@ -139,6 +153,7 @@ Json panesJson(const PaneStates& panes) {
         json["trace"] = {
             {"colors", panes.trace.colors}, {"heights", panes.trace.heights}, {"follow", panes.trace.follow}};
     }
+    if (panes.query) json["query"] = {{"s", panes.query->s}, {"t", panes.query->t}, {"z", panes.query->z}};
     return json;
 }
 

@@ -6,6 +6,7 @@
 
 #include "lessons/lessons.h"
 #include "views/duel_data.h"
+#include "views/point_asker.h"
 #include "window_fixture.h"
 #include "windows/message_bar.h"
 
@@ -42,6 +43,16 @@ void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
     } else if (lesson.name == QStringLiteral("hidden_texels")) {
         ASSERT_NE(snapshot.footprint, nullptr);
         EXPECT_GT(hiddenTexels(*snapshot.footprint), 3U);
+    } else if (lesson.name == QStringLiteral("paper_walls")) {
+        relief::Work work;
+        const auto point = pointOf(snapshot, snapshot.scenario.panes.query, work);
+        ASSERT_NE(point, nullptr);
+        constexpr double kRounding = 1e-5;  // of heights in float
+        EXPECT_NEAR(point->distances.euclidean, 3, kRounding);
+        EXPECT_NEAR(point->distances.s, 1, kRounding) << "the left wall";
+        EXPECT_NEAR(point->distances.refined, 4, kRounding);
+        EXPECT_NEAR(1 - point->distances.hit.lambda, 0.2, kRounding) << "the floor";
+        EXPECT_GT(point->distances.blocked, 0);
     } else {
         FAIL() << "what it shows is not tested";
     }

@@ -170,6 +170,7 @@ Drawing distanceLegend(const DistanceSource& source, const DistancePicture& pict
         rows.line(Role::IsoLine, Message(MessageId::DrawIsoLines, {{"step", relief::numberText(picture.isoStep, 3)}}));
     }
     if (!picture.frame.slopes) rows.line(Role::Surface, Message(MessageId::DrawSurface));
+    if (source.point != nullptr) addPointLegend(rows, *source.point);
     if (!source.hasRay) return rows.take();
     rows.line(Role::Ray, Message(MessageId::DrawRay));
     if (const StepBody::Kind bodies = bodiesOf(source.steps); bodies != StepBody::Kind::None) {

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "drawings/distance_slice.h"
+#include "drawings/point_query.h"
 #include "drawings/step_body.h"
+#include "relief/maps/max_pyramid_map.h"
 #include "relief/ray.h"
 #include "relief/step_log.h"
 
@@ -36,6 +38,7 @@ struct DistanceSource {
     relief::ViewRay ray;
     relief::Hit hit;
     const std::vector<relief::Step>* steps = nullptr;
+    std::shared_ptr<const PointQuery> point;  // whose distances are shown; null: none
 };
 
 // Where what lies on the drawing, whose units are points.
@@ -82,7 +85,7 @@ DistanceFrame distanceFrame(const DistanceSource& source, const DistanceOptions&
 // Numbers, units and the title; part of the picture.
 void addDistanceAxes(DistancePicture& picture, relief::Language language);
 
-// The ray, the steps up to the chosen one, and what they knew to be empty.
+// The ray, the steps up to the chosen one, and what they knew to be empty; the point with its distances.
 Drawing distanceMarks(const DistanceSource& source, const DistanceFrame& frame, int step);
 
 // Colours and marks, in at most `width` points.

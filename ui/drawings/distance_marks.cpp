@@ -235,8 +235,12 @@ class Marks {
 }  // namespace
 
 Drawing distanceMarks(const DistanceSource& source, const DistanceFrame& frame, int step) {
-    if (!source.hasRay) return {};
-    return Marks(source, frame, step).take();
+    Drawing marks;
+    if (source.hasRay) marks = Marks(source, frame, step).take();
+    if (source.point == nullptr) return marks;
+    marks.bounds = frame.whole;
+    addPointMarks(marks, *source.point, *source.field, frame);
+    return marks;
 }
 
 }  // namespace reliefui

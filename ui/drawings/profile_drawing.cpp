@@ -229,6 +229,7 @@ Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options
     LegendRows rows(width, language);
     rows.line(Role::Surface, Message(MessageId::DrawSurface));
     if (!source.hasRay) return rows.take();
+    if (source.point != nullptr) addPointLegend(rows, *source.point);
     rows.line(Role::Ray, Message(MessageId::DrawRay));
     const int levels = source.maxima->pyramid.levels();
     bool first = true;

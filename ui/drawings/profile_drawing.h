@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "drawings/drawing.h"
+#include "drawings/point_query.h"
 #include "drawings/step_body.h"
 #include "relief/height_field.h"
 #include "relief/maps/max_pyramid_map.h"
@@ -27,6 +28,7 @@ struct ProfileSource {
     relief::Hit hit;
     relief::Hit exact;  // the first hit; Unset: not known
     const std::vector<relief::Step>* steps = nullptr;
+    std::shared_ptr<const PointQuery> point;  // whose distances are shown; null: none
 
     // Whether its steps looked at the surface at points of the ray only, not at cells and not at a map.
     bool atPoints() const;
@@ -85,8 +87,8 @@ ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& opt
 
 // The relief: surface, maxima, layers.
 Drawing profileRelief(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame);
-// The ray and its steps. Steps after the chosen one are drawn faintly; where there is no room for all marks and
-// numbers, those near the chosen one and the first come first.
+// The ray and its steps, and the point with its distances. Steps after the chosen one are drawn faintly; where there is
+// no room for all marks and numbers, those near the chosen one and the first come first.
 Drawing profileMarks(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame, int step);
 // Spheres and cones of the steps; part of the marks.
 void addBodies(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame, std::size_t chosen);

@@ -415,7 +415,9 @@ class Marks {
 
 Drawing profileMarks(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame, int step) {
     if (!source.hasRay) return {};
-    return Marks(source, options, frame, step).take();
+    Drawing marks = Marks(source, options, frame, step).take();
+    if (source.point != nullptr) addPointMarks(marks, *source.point, source, frame);
+    return marks;
 }
 
 }  // namespace reliefui

@@ -60,6 +60,7 @@ DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
     };
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
     connect(canvas_, &DrawingCanvas::clicked, this, &DistanceView::choose);
+    connect(canvas_, &DrawingCanvas::asked, this, &DistanceView::askPoint);
     connect(canvas_, &DrawingCanvas::pointed, this, &DistanceView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &DistanceView::refresh);
@@ -109,8 +110,11 @@ void DistanceView::makeMapBar(QHBoxLayout* bar) {
     }
     iso_ = addButton(bar, tr("lines"), tr("Lines of equal value"), true);
     near_ = addButton(bar, tr("near the ray"), tr("Only the surroundings of the ray"), true);
-    auto* const fit = addButton(bar, tr("fit"),
-                                tr("Show all of the slice (R); wheel zooms, drag moves, click chooses a step"), false);
+    auto* const fit =
+        addButton(bar, tr("fit"),
+                  tr("Show all of the slice (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for "
+                     "the distances of a point"),
+                  false);
     connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] {
         DistanceOptions next = options_;
         next.kind = kind_->currentData().toString().toStdString();
@@ -272,6 +276,17 @@ void DistanceView::tell(const QPointF& widget) {
     const ItemId id = canvas_->itemAt(widget);
     if (id.kind == ItemKind::Step) text += tr(" · step %1").arg(id.i + 1);
     setReadout(text);
+}
+
+std::optional<relief::QueryPoint> DistanceView::pointAt(const QPointF& widget) const {
+    if (!result_) return std::nullopt;
+    const DistanceFrame& frame = result_->picture.frame;
+    const Point at = canvas_->toDrawing(widget);
+    // A cone map has no height under the pointer.
+    if (frame.slopes || frame.slab <= 0 || !frame.plot.contains(at)) return std::nullopt;
+    const Place3 place = fromSlice(frame.axis, frame.slab, frame.plane, frame.uvAt(at));
+    const relief::QueryPoint point{place[0], place[1], std::clamp(place[2] / frame.slab, 0.0, 1.0)};
+    return overPicture(result_->snapshot->request->field, point) ? std::optional(point) : std::nullopt;
 }
 
 void DistanceView::fillFigure(FigureRequest& request) const {

@@ -33,12 +33,14 @@ void DistanceView::change(const DistanceOptions& options, const char* drag) {
 }
 
 void DistanceView::adopt() {
-    const DistanceOptions options = distanceOptions(workspace_->scenario().panes.distance);
-    if (options == options_) return;
+    const relief::PaneStates& panes = workspace_->scenario().panes;
+    const DistanceOptions options = distanceOptions(panes.distance);
+    if (options == options_ && panes.query == query_) return;
+    query_ = panes.query;
     const bool other = options.kind != options_.kind || options.minus != options_.minus ||
                        options.axis != options_.axis || options.nearRay != options_.nearRay;
+    if (options != options_) failed_ = {};
     options_ = options;
-    failed_ = {};
     if (other) canvas_->resetZoom();
     refresh();
 }
@@ -48,7 +50,7 @@ bool DistanceView::ready() const {
 }
 
 bool DistanceView::settled() const {
-    return !stale_ && !job_->busy();
+    return !stale_ && !job_->busy() && !point_.busy();
 }
 
 void DistanceView::paintEvent(QPaintEvent* event) {
@@ -83,6 +85,7 @@ void DistanceView::refresh() {
         showEmpty(relief::MessageId::DrawNoPicture);
         return;
     }
+    point_.ask(snapshot_, query_);
     const MapNames now = namesNow();
     if (now == built_) {
         building_ = {};
@@ -98,6 +101,7 @@ void DistanceView::refresh() {
 // The maps themselves stay in the cache, within its budget.
 void DistanceView::letGo() {
     job_->drop();
+    point_.drop();
     snapshot_.reset();
     discard(std::exchange(maps_, {}));
     built_ = building_ = failed_ = {};
@@ -154,8 +158,9 @@ void DistanceView::draw() {
     auto result = makeFreedAside<Result>();
     result->snapshot = snapshot_;
     result->maps = maps_;
+    result->point = point_.known();
     const auto work = [result, options = options_, room, step, language](relief::Work&) {
-        const DistanceSource source = distanceSource(*result->snapshot, result->maps);
+        const DistanceSource source = result->source();
         if (source.second != nullptr) result->secondSector = sectorOf(*source.second, source, options);
         // Twice, where the legend turns out higher than one row.
         double legend = kOneRow + kMargin / 2;
@@ -173,6 +178,12 @@ void DistanceView::draw() {
     showWaiting();
 }
 
+DistanceSource DistanceView::Result::source() const {
+    DistanceSource source = distanceSource(*snapshot, maps);
+    source.point = point;
+    return source;
+}
+
 void DistanceView::take(std::shared_ptr<const Result> result) {
     result_ = std::move(result);
     drawing_ = {result_, &result_->picture.drawing};
@@ -184,7 +195,7 @@ void DistanceView::take(std::shared_ptr<const Result> result) {
 void DistanceView::showMarks() {
     const PauseLog::Part part("distance: marks");
     if (!result_) return;
-    const DistanceSource source = distanceSource(*result_->snapshot, result_->maps);
+    const DistanceSource source = result_->source();
     auto marks =
         std::make_shared<const Drawing>(distanceMarks(source, result_->picture.frame, workspace_->scenario().step));
     canvas_->setLayers({drawing_, std::move(marks)}, legend_);

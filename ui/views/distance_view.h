@@ -1,6 +1,7 @@
 // The distance map's pane: slices through any map, the difference of two, and the chosen ray with the empty spheres and
 // cones of its steps. Maps are built and slices are cut on a thread of the pane's own; what is waited for says so, and
-// can be cancelled. A click on a step chooses it; wheel and drag zoom and move, R shows all again.
+// can be cancelled. A click on a step chooses it, Ctrl+click asks for the distances of
+// a point; wheel and drag zoom and move, R shows all again.
 #pragma once
 
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "views/distance_maps.h"
 #include "views/figure_view.h"
+#include "views/point_asker.h"
 #include "workspace/latest_job.h"
 
 class QComboBox;
@@ -37,6 +39,8 @@ class DistanceView : public FigureView {
     const DistancePicture* shown() const { return result_ ? &result_->picture : nullptr; }
     // Nothing is waited for: what is on the screen is what was asked for, or a problem is said.
     bool settled() const;
+    // The point whose distances are shown; null: none.
+    const PointQuery* point() const { return result_ ? result_->point.get() : nullptr; }
     QString problem() const { return problem_; }
 
   public slots:
@@ -50,6 +54,8 @@ class DistanceView : public FigureView {
     void tell(const QPointF& widget) override;
     void resizeEvent(QResizeEvent* event) override;
     void letGo() override;
+    bool showsPoints() const override { return true; }
+    std::optional<relief::QueryPoint> pointAt(const QPointF& widget) const override;
 
   private:
     // What maps are made from.
@@ -63,7 +69,10 @@ class DistanceView : public FigureView {
         DistanceMaps maps;
         DistancePicture picture;
         Drawing legend;
+        std::shared_ptr<const PointQuery> point;
         int secondSector = 0;
+
+        DistanceSource source() const;
     };
 
     void makeMapBar(QHBoxLayout* bar);
@@ -114,7 +123,9 @@ class DistanceView : public FigureView {
     std::shared_ptr<const Result> result_;
     std::shared_ptr<const Drawing> drawing_;
     std::shared_ptr<const Drawing> legend_;
-    bool stale_ = true;               // changed while it was hidden
+    std::optional<relief::QueryPoint> query_;
+    bool stale_ = true;  // changed while it was hidden
+    PointAsker point_{this, [this] { refresh(); }};
     std::unique_ptr<LatestJob> job_;  // last: ends before the rest
 };
 

@@ -230,8 +230,12 @@ void DrawingCanvas::mouseMoveEvent(QMouseEvent* event) {
 
 void DrawingCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && !dragging_) {
-        Q_EMIT clickedAt(event->localPos());
-        Q_EMIT clicked(itemAt(event->localPos()));
+        if ((event->modifiers() & Qt::ControlModifier) != 0) {
+            Q_EMIT asked(event->localPos());
+        } else {
+            Q_EMIT clickedAt(event->localPos());
+            Q_EMIT clicked(itemAt(event->localPos()));
+        }
     }
     dragging_ = false;
 }

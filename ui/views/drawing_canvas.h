@@ -1,5 +1,5 @@
 // A pane that shows drawings: a vtkContext scene with the grammar of all panes. Wheel zooms at the pointer, drag moves,
-// R shows all again, click chooses, hover reads values out.
+// R shows all again, click chooses, Ctrl+click asks about a point, hover reads values out.
 #pragma once
 
 #include <memory>
@@ -45,6 +45,7 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
   signals:
     void clicked(const reliefui::ItemId& id);
     void clickedAt(const QPointF& widget);     // before it, whatever is there
+    void asked(const QPointF& widget);         // Ctrl+click, instead of both: about this point
     void hovered(const reliefui::ItemId& id);  // none: nothing is under the pointer
     void resized();
     void moved();                         // zoomed or moved: another part is seen

@@ -13,6 +13,7 @@
 #include "relief/maps/map_choice.h"
 #include "views/distance_maps.h"
 #include "views/figure_parts.h"
+#include "views/point_asker.h"
 #include "views/pyramid_parts.h"
 #include "views/result_painting.h"
 
@@ -76,14 +77,17 @@ void paintPyramid(QPainter& painter, const Snapshot& snapshot, const PyramidOpti
     paintFigure(painter, {&parts.levels, &marks}, legend, page, style);
 }
 
-void paintProfile(QPainter& painter, const Snapshot& snapshot, const ProfileOptions& options, const Box& page,
+void paintProfile(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
                   const Style& style) {
-    const ProfileSource source = profileSource(snapshot);
+    const ProfileOptions& options = request.profile;
+    ProfileSource source = profileSource(snapshot);
     if (!source.hasRay) {
         const Drawing empty = emptyDrawing(snapshot.scenario.pixel ? MessageId::DrawNoRelief : MessageId::DrawNoRay);
         paintFigure(painter, {&empty}, {}, page, style);
         return;
     }
+    relief::Work work;
+    source.point = pointOf(snapshot, request.query, work);
     const double unit = style.pixelsPerPoint();
     const Drawing legend = profileLegend(source, options, page.width() / unit - 12, style.language);
     const Box room = figureRoom(legend, page, style);
@@ -94,11 +98,13 @@ void paintProfile(QPainter& painter, const Snapshot& snapshot, const ProfileOpti
     paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
 }
 
-void paintDistance(QPainter& painter, const Snapshot& snapshot, const DistanceOptions& options, const Box& page,
+void paintDistance(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,
                    const Style& style) {
+    const DistanceOptions& options = request.distance;
     relief::Work work;
     const DistanceMaps maps = distanceMaps(snapshot, options, {}, work);
-    const DistanceSource source = distanceSource(snapshot, maps);
+    DistanceSource source = distanceSource(snapshot, maps);
+    source.point = pointOf(snapshot, request.query, work);
     const double unit = style.pixelsPerPoint();
     const int step = snapshot.scenario.step;
     const auto pictureIn = [&](const Box& room) {
@@ -177,7 +183,7 @@ void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
     } else if (request.view == "pyramid") {
         paintPyramid(painter, snapshot, request.pyramid, page, style);
     } else if (request.view == "distance") {
-        paintDistance(painter, snapshot, request.distance, page, style);
+        paintDistance(painter, snapshot, request, page, style);
     } else if (request.view == "rows") {
         paintRows(painter, snapshot, request, page, style);
     } else if (request.view == "pareto" || request.view == "charts") {
@@ -193,7 +199,7 @@ void paintView(QPainter& painter, const Snapshot& snapshot, const FigureRequest&
     } else if (request.view == "footprint") {
         paintFootprint(painter, snapshot, request.footprint, page, style);
     } else {
-        paintProfile(painter, snapshot, request.profile, page, style);
+        paintProfile(painter, snapshot, request, page, style);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "views/figure_view.h"
 
+#include <algorithm>
+
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QClipboard>
@@ -47,6 +49,7 @@ FigureRequest FigureView::figure() const {
     FigureRequest request;
     request.view = name_.toStdString();
     request.style = workspace_->style();
+    request.query = workspace_->scenario().panes.query;
     fillFigure(request);
     return request;
 }
@@ -66,6 +69,7 @@ void FigureView::openMenu(const QPoint& at) {
     tell(at);
     const QString value = readout_;
     addToMenu(menu);
+    if (showsPoints()) addPointToMenu(menu, at);
     QAction* const copy =
         menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
     copy->setEnabled(!value.isEmpty());
@@ -74,6 +78,37 @@ void FigureView::openMenu(const QPoint& at) {
     picture->setEnabled(figureSnapshot() != nullptr);
     save->setEnabled(figureSnapshot() != nullptr);
     menu.exec(face_->mapToGlobal(at));
+}
+
+void FigureView::addPointToMenu(QMenu& menu, const QPoint& at) {
+    const std::optional<relief::QueryPoint> point = pointAt(at);
+    QAction* const ask = menu.addAction(tr("Distances at this point"), this, [this, point] { setPoint(point); });
+    ask->setEnabled(point.has_value());
+    QAction* const forget = menu.addAction(tr("Forget the point"), this, [this] { setPoint(std::nullopt); });
+    forget->setEnabled(workspace_->scenario().panes.query.has_value());
+    menu.addSeparator();
+}
+
+void FigureView::setPoint(const std::optional<relief::QueryPoint>& point) {
+    relief::PaneStates panes = workspace_->scenario().panes;
+    panes.query = point;
+    workspace_->setPanes(panes, point ? tr("Distances at a point") : tr("Forget the point"));
+}
+
+void FigureView::askPoint(const QPointF& widget) {
+    constexpr double kSame = 5;  // pixels
+    const std::optional<relief::QueryPoint> point = pointAt(widget);
+    if (!point) return;
+    const auto from = pointAt(widget - QPointF(kSame, kSame));
+    const auto to = pointAt(widget + QPointF(kSame, kSame));
+    const std::optional<relief::QueryPoint>& now = workspace_->scenario().panes.query;
+    const auto between = [](double a, double value, double b) {
+        constexpr double kRounding = 1e-9;
+        return value >= std::min(a, b) - kRounding && value <= std::max(a, b) + kRounding;
+    };
+    const bool same = now && from && to && between(from->s, now->s, to->s) && between(from->t, now->t, to->t) &&
+                      between(from->z, now->z, to->z);
+    setPoint(same ? std::nullopt : point);
 }
 
 void FigureView::askFigure() {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QImage>
 #include <QWidget>
@@ -61,6 +62,12 @@ class FigureView : public QWidget {
     virtual void letGo() {}
     // More entries, above the common ones.
     virtual void addToMenu(QMenu&) {}
+    // Of a pane that shows a point's distances: the point of the slab under this point of the face; none: there is
+    // none.
+    virtual bool showsPoints() const { return false; }
+    virtual std::optional<relief::QueryPoint> pointAt(const QPointF&) const { return std::nullopt; }
+    // Asks for the distances of the point there, or forgets it if it is asked for already.
+    void askPoint(const QPointF& widget);
     // Whether it is drawn of lines and words: as SVG and PDF, too.
     virtual bool vectors() const { return true; }
     void openMenu(const QPoint& at);
@@ -70,6 +77,8 @@ class FigureView : public QWidget {
   private:
     FigureRequest figure() const;
     Snapshot figureState() const;
+    void setPoint(const std::optional<relief::QueryPoint>& point);
+    void addPointToMenu(QMenu& menu, const QPoint& at);
     void drawAside(std::function<std::function<void()>()> draw);
 
     QString name_;

@@ -53,6 +53,7 @@ void takePanes(FigureRequest& request, const relief::PaneStates& panes) {
     request.pyramid = pyramidOptions(panes.pyramid);
     takeProfile(request.profile, panes.profile);
     request.distance = distanceOptions(panes.distance);
+    request.query = panes.query;
     request.rows = rowsOptions(panes.rows);
     request.trace.exaggeration = panes.trace.heights;
     request.trace.colors = stepColors(panes.trace.colors);

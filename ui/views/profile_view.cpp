@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "drawings/ray_geometry.h"
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
 #include "views/pane_options.h"
@@ -30,6 +31,7 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
         if (options_.guessing && ready()) guessAt(frame_.lambdaAt(canvas_->toDrawing(at).x));
     });
     connect(workspace_, &Workspace::guessingChanged, this, &ProfileView::showGuessing);
+    connect(canvas_, &DrawingCanvas::asked, this, &ProfileView::askPoint);
     connect(canvas_, &DrawingCanvas::pointed, this, &ProfileView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &ProfileView::refresh);
@@ -61,8 +63,11 @@ void ProfileView::makeBar() {
     aspect_ = add(tr("true aspect"), tr("A texel as long across as upwards: the relief's true shape"), true);
     guess_ = add(tr("guess"), tr("Hide the answer; a click guesses where the ray hits, then it is shown (G)"), true);
     guess_->setObjectName(QStringLiteral("guess"));
-    auto* const fit =
-        add(tr("fit"), tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step"), false);
+    auto* const fit = add(
+        tr("fit"),
+        tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances "
+           "of a point"),
+        false);
     bar->addStretch(1);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -89,8 +94,10 @@ void ProfileView::adopt() {
     allLevels_->setChecked(pane.allLevels);
     near_->setChecked(pane.nearRay);
     aspect_->setChecked(pane.trueAspect);
-    if (pane == pane_) return;
+    const std::optional<relief::QueryPoint>& query = workspace_->scenario().panes.query;
+    if (pane == pane_ && query == query_) return;
     pane_ = pane;
+    query_ = query;
     takeProfile(options_, pane);
     refresh();
 }
@@ -122,7 +129,9 @@ bool ProfileView::ready() const {
 }
 
 ProfileSource ProfileView::source() const {
-    return profileSource(*shown_);
+    ProfileSource source = profileSource(*shown_);
+    source.point = point_.known();
+    return source;
 }
 
 void ProfileView::paintEvent(QPaintEvent* event) {
@@ -147,6 +156,7 @@ void ProfileView::refresh() {
                           : (shown_->scenario.pixel ? relief::MessageId::DrawNoRelief : relief::MessageId::DrawNoRay));
         return;
     }
+    point_.ask(shown_, query_);
     const ProfileSource from = source();
     // The legend first: what it needs is not left to the plot. Where it would take too much it is left out.
     constexpr double kMostLegend = 0.25;
@@ -165,6 +175,7 @@ void ProfileView::refresh() {
 }
 
 void ProfileView::letGo() {
+    point_.drop();
     shown_.reset();
     relief_.reset();
     axes_.reset();
@@ -248,6 +259,18 @@ void ProfileView::tell(const QPointF& widget) {
     const int step = id.kind == ItemKind::Step ? static_cast<int>(id.i) : at.step;
     if (step >= 0) text += tr(" · step %1").arg(step + 1);
     setReadout(text);
+}
+
+std::optional<relief::QueryPoint> ProfileView::pointAt(const QPointF& widget) const {
+    if (!ready() || frame_.vertical) return std::nullopt;
+    const relief::HeightField& field = shown_->request->field;
+    const Point at = canvas_->toDrawing(widget);
+    const double height = frame_.heightAt(at.y);
+    // Above the slab there is some room.
+    if (!frame_.plot.contains(at) || height > 1 || field.slabTexels() <= 0) return std::nullopt;
+    const Point texel = RayPath(field, shown_->trace.ray).at(frame_.lambdaAt(at.x));
+    const relief::QueryPoint point{texel.x, texel.y, std::max(height, 0.0)};
+    return overPicture(field, point) ? std::optional(point) : std::nullopt;
 }
 
 void ProfileView::fillFigure(FigureRequest& request) const {

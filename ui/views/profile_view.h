@@ -1,11 +1,12 @@
 // The slice along the chosen pixel's ray: surface, ray, maxima of the pyramid, layers, numbered steps. A click on a
-// step chooses it; wheel and drag zoom and move, R shows all again.
+// step chooses it, Ctrl+click asks for the distances of a point; wheel and drag zoom and move, R shows all again.
 #pragma once
 
 #include <memory>
 
 #include "drawings/profile_drawing.h"
 #include "views/figure_view.h"
+#include "views/point_asker.h"
 
 class QToolButton;
 
@@ -21,6 +22,8 @@ class ProfileView : public FigureView {
     DrawingCanvas* canvas() const { return canvas_; }
     const ProfileFrame& frame() const { return frame_; }
     const ProfileOptions& options() const { return options_; }
+    // The point whose distances are shown; null: none.
+    const PointQuery* point() const { return point_.known().get(); }
 
   public slots:
     void showAllLevels(bool all);
@@ -36,6 +39,8 @@ class ProfileView : public FigureView {
     void fillFigure(FigureRequest& request) const override;
     void tell(const QPointF& widget) override;
     void letGo() override;
+    bool showsPoints() const override { return true; }
+    std::optional<relief::QueryPoint> pointAt(const QPointF& widget) const override;
 
   private:
     void makeBar();
@@ -63,7 +68,9 @@ class ProfileView : public FigureView {
     std::shared_ptr<const Drawing> relief_;
     std::shared_ptr<const Drawing> axes_;
     std::shared_ptr<const Drawing> legend_;
-    bool stale_ = true;  // changed while it was hidden
+    std::optional<relief::QueryPoint> query_;
+    bool stale_ = true;                              // changed while it was hidden
+    PointAsker point_{this, [this] { refresh(); }};  // last: ends before the rest
 };
 
 }  // namespace reliefui

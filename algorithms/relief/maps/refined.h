@@ -53,6 +53,9 @@ struct PointDistances {
     Hit hit;
     int rays = 0;
     int blocked = 0;  // that hit something before the point
+    // Of those the one that runs closest to the direction of (s, t, z), and where it hits; only if `blocked`.
+    ViewRay blockedRay;
+    Hit blockedHit;
 };
 inline constexpr int kPointDirections = 16384;
 // flattest: degrees below which rays are not served. The point lies in the slab, over the picture; at or below the

@@ -102,11 +102,21 @@ PointDistances distancesAt(const HeightField& field, double s, double t, double 
     makeTracer({"max-pyramid", {}}, field, cache, work)->trace(rays, hits, sink, work);
     out.rays = static_cast<int>(rays.size());
     out.refined = (z + 1) * slab;
+    // Texels along the direction towards the nearest point.
+    const auto towardsNearest = [&](const SampledDirection& way) {
+        return (way.a * (out.s - s) + way.b * (out.t - t) + slab * slab * (z - out.z)) / way.length;
+    };
+    double closest = -std::numeric_limits<double>::infinity();
     for (std::size_t d = 0; d < directions.size(); ++d) {
         const Hit hit = hits[d];
         if (hit.outcome != Outcome::Hit) continue;
         if (hit.lambda < lambda - kReached) {
             ++out.blocked;
+            if (const double along = towardsNearest(directions[d]); along > closest) {
+                closest = along;
+                out.blockedRay = rays[d];
+                out.blockedHit = hit;
+            }
             continue;
         }
         const double distance = std::max(hit.lambda - lambda, 0.0) * directions[d].length;

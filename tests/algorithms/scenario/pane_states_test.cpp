@@ -1,6 +1,8 @@
 // What is chosen in the window's panes, in scenario files.
 #include "scenario/pane_states.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "scenario/scenario.h"
@@ -18,6 +20,7 @@ PaneStates allOther() {
     panes.rows = {{"direct", "subspan:error=0.25"}, 3840, true, false};
     panes.charts = {"histograms", "p9999", false, true};
     panes.trace = {"level", 2, true};
+    panes.query = {-3.25, 4.5, 0.6};
     return panes;
 }
 
@@ -64,6 +67,9 @@ TEST(PaneStates, whatIsUnknownIsRefusedWithItsLine) {
     refused("\"charts\": {\"shwon\": \"all\"}", "line 3", "shwon");
     refused("\"trace\": {\"colors\": \"height\"}", "line 3", "height");
     refused("\"footprint\": {\"neighbours\": \"four\"}", "line 3", "neighbours");
+    refused("\"query\": {\"s\": 1, \"t\": \"two\", \"z\": 0.5}", "line 3", "t");
+    refused("\"query\": {\"s\": 1, \"t\": 2}", "line 3", "z");
+    refused("\"query\": {\"s\": 1, \"t\": 2,\n\"z\": 0.5, \"height\": 1}", "line 4", "height");
     refused("\"pane\": {}", "line 3", "pane");
 }
 
@@ -78,6 +84,9 @@ TEST(PaneStates, valuesOutOfRangeAreRefused) {
     refused([](PaneStates& p) { p.trace.heights = 100; });
     refused([](PaneStates& p) { p.trace.colors = "colour"; });
     refused([](PaneStates& p) { p.rows.pixels = -3; });
+    refused([](PaneStates& p) { p.query = {1, 2, 1.5}; });
+    refused([](PaneStates& p) { p.query = {1e12, 2, 0.5}; });
+    refused([](PaneStates& p) { p.query = {1, std::nan(""), 0.5}; });
     refused([](PaneStates& p) { p.rows.variants.assign(kMostRowVariants + 1, "direct"); });
     EXPECT_NO_THROW(checkScenario(Scenario{}, "s.json"));
 }

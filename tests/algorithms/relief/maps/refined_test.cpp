@@ -298,6 +298,10 @@ TEST(PointDistances, OfThePapersExample) {
     EXPECT_EQ(found.ray.b, 0);
     EXPECT_TRUE(found.reached);
     EXPECT_GT(found.blocked, 0);
+    // Towards the left wall, stopped by the right one: its top ends the slab.
+    EXPECT_LT(found.blockedRay.a, 0);
+    EXPECT_LT(found.blockedHit.lambda, 0.4);
+    EXPECT_GE(found.blockedHit.s, 8 - kRounding);
     // In a wall, and on the floor: nothing is free.
     EXPECT_EQ(distancesAt(field, 0.5, 4.5, 0.6, 10, cache, work).refined, 0);
     EXPECT_EQ(distancesAt(field, 4, 4.5, 0.1, 10, cache, work).euclidean, 0);

@@ -1,0 +1,250 @@
+#include "drawings/point_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "drawings/distance_drawing.h"
+#include "drawings/profile_drawing.h"
+#include "drawings/ray_geometry.h"
+#include "scenario/step_sentence.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::Message;
+using relief::MessageId;
+
+constexpr int kDecimals = 3;
+constexpr int kAround = 120;  // points of a circle
+constexpr double kBesidePlane =
+    0.5;  // texels: a point as near as that to the plane is drawn, however small its spheres
+constexpr LevelTint kEuclidean{0, 4};
+constexpr LevelTint kRefined{1, 4};
+
+// The plane that is drawn, as the marks need it.
+struct PlaneView {
+    Box plot;
+    std::function<Point(const Place3&)> at;  // where a place lies on the drawing, seen along the plane's normal
+    Place3 center{};                         // C, in the copy of the picture that is drawn
+    double off = 0;                          // texels from C to the plane
+    double scaleX = 1;                       // points a texel
+    double scaleY = 1;
+    double slab = 0;      // D
+    bool spheres = true;  // maps seen from above have no plane that could cut them
+};
+
+// Whether the nearest surface point does not count for any ray from above.
+bool hides(const PointQuery& query) {
+    constexpr double kSame = 1e-6;  // of the distance
+    const relief::PointDistances& found = query.distances;
+    return found.blocked > 0 && found.refined > found.euclidean * (1 + kSame);
+}
+
+class PointMarks {
+  public:
+    PointMarks(Drawing& drawing, const PointQuery& query, const PlaneView& view)
+        : drawing_(drawing), query_(query), view_(view) {}
+
+    void add() {
+        const relief::PointDistances& found = query_.distances;
+        const double radius = std::max(found.euclidean, found.reached ? found.refined : 0);
+        if (view_.spheres && std::abs(view_.off) > std::max(radius, kBesidePlane)) return;
+        if (hides(query_)) hidden();
+        if (found.rays > 0) euclidean();
+        if (found.reached) refined();
+        const Point at = view_.at(view_.center);
+        if (!view_.plot.contains(at)) return;
+        drawing_.add({}, Role::Highlight, Ring{at, 4});
+        Label name{at, plainText("C"), Anchor::BottomLeft, 1, {5, -5}, true, false, {}};
+        drawing_.add({}, Role::Highlight, std::move(name), Emphasis::Strong);
+    }
+
+  private:
+    // A place relative to the first copy's point, in the copy that is drawn; z: height.
+    Place3 placed(double s, double t, double z) const {
+        return {view_.center[0] + s - query_.within.s, view_.center[1] + t - query_.within.t, z * view_.slab};
+    }
+
+    void euclidean() {
+        const relief::PointDistances& found = query_.distances;
+        sphere(found.euclidean, Role::Series, kEuclidean);
+        const Point from = view_.at(view_.center);
+        const Point to = view_.at(placed(found.s, found.t, found.z));
+        line({from, to}, Role::Series, kEuclidean, true);
+        number(from, to, found.euclidean, Role::Series, kEuclidean);
+    }
+
+    // Where a ray through C is.
+    Point onRay(const relief::ViewRay& ray, double lambda) const {
+        const double along = lambda - (1 - query_.within.z);
+        return view_.at(placed(query_.within.s + along * ray.a, query_.within.t + along * ray.b, 1 - lambda));
+    }
+
+    // From where it enters the slab to C, crossed out where it hits something on its way.
+    void hidden() {
+        const relief::PointDistances& found = query_.distances;
+        const Point hit = onRay(found.blockedRay, found.blockedHit.lambda);
+        line({onRay(found.blockedRay, 0), view_.at(view_.center)}, Role::Hidden, {}, true);
+        if (view_.plot.grown(1).contains(hit)) put(Role::Hidden, Marker{hit, Shape::Cross, 9}, {});
+    }
+
+    // From where the ray enters the slab, through C, to its hit.
+    void refined() {
+        const relief::PointDistances& found = query_.distances;
+        sphere(found.refined, Role::SeriesDashed, kRefined);
+        const Point hit = onRay(found.ray, found.hit.lambda);
+        line({onRay(found.ray, 0), hit}, Role::SeriesDashed, kRefined, true);
+        number(view_.at(view_.center), hit, found.refined, Role::SeriesDashed, kRefined);
+    }
+
+    void sphere(double radius, Role role, const LevelTint& tint) {
+        if (!view_.spheres || !(radius > std::abs(view_.off))) return;
+        const double cut = std::sqrt(radius * radius - view_.off * view_.off);
+        const Point at = view_.at(view_.center);
+        std::vector<Point> circle;
+        for (int n = 0; n <= kAround; ++n) {
+            const double angle = 2 * std::numbers::pi * n / kAround;
+            circle.push_back(
+                {at.x + cut * view_.scaleX * std::cos(angle), at.y + cut * view_.scaleY * std::sin(angle)});
+        }
+        line(circle, role, tint, false);
+    }
+
+    void line(const std::vector<Point>& points, Role role, const LevelTint& tint, bool arrow) {
+        for (std::vector<Point>& run : clippedTo(points, view_.plot)) {
+            const bool whole = run.back() == points.back();
+            put(role, Polyline{std::move(run), arrow && whole}, tint);
+        }
+    }
+
+    // In the middle between two points, where it can be seen.
+    void number(Point from, Point to, double value, Role role, const LevelTint& tint) {
+        const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
+        if (!view_.plot.contains(middle)) return;
+        Label label;
+        label.at = middle;
+        label.text = plainText(relief::fixedText(value, kDecimals));
+        label.anchor = Anchor::Center;
+        label.size = 0.8;
+        label.plate = true;
+        put(role, std::move(label), tint);
+    }
+
+    void put(Role role, Primitive primitive, const LevelTint& tint) {
+        drawing_.items.push_back({{}, role, Emphasis::Strong, std::move(primitive), tint});
+    }
+
+    Drawing& drawing_;
+    const PointQuery& query_;
+    const PlaneView& view_;
+};
+
+bool repeats(const relief::HeightField& field) {
+    return field.address() == relief::Address::Repeat;
+}
+
+// The same place in the period that brings it nearest to `near`.
+double nearestCopy(double place, double near, double period) {
+    return place + std::round((near - place) / period) * period;
+}
+
+double wrappedInto(double place, double period) {
+    const double within = place - std::floor(place / period) * period;
+    return within < period ? within : 0;
+}
+
+}  // namespace
+
+bool overPicture(const relief::HeightField& field, const relief::QueryPoint& point) {
+    if (repeats(field)) return true;
+    return point.s >= 0 && point.s <= field.width() && point.t >= 0 && point.t <= field.height();
+}
+
+std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, const relief::QueryPoint& point,
+                                             double flattest, relief::MapCache& cache, relief::Work& work) {
+    if (!overPicture(field, point)) return nullptr;
+    auto query = std::make_shared<PointQuery>();
+    query->point = query->within = point;
+    if (repeats(field)) {
+        query->within.s = wrappedInto(point.s, field.width());
+        query->within.t = wrappedInto(point.t, field.height());
+    }
+    const relief::QueryPoint& at = query->within;
+    query->distances = relief::distancesAt(field, at.s, at.t, at.z, flattest, cache, work);
+    return query;
+}
+
+void addPointMarks(Drawing& drawing, const PointQuery& query, const relief::HeightField& field,
+                   const DistanceFrame& frame) {
+    PlaneView view;
+    view.plot = frame.plot;
+    view.at = [&](const Place3& place) { return frame.at(place); };
+    view.center = {query.point.s, query.point.t, query.point.z * frame.slab};
+    if (repeats(field)) {
+        const Place3 middle = fromSlice(frame.axis, frame.slab, frame.plane, frame.window.center());
+        const Point uv = toSlice(frame.axis, frame.slab, view.center);
+        const bool seen = frame.window.contains(uv);
+        const auto normal = static_cast<std::size_t>(frame.axis);
+        const std::array<double, 2> periods{static_cast<double>(field.width()), static_cast<double>(field.height())};
+        for (std::size_t axis = 0; axis < periods.size(); ++axis) {
+            if (axis == normal || !seen)
+                view.center[axis] = nearestCopy(view.center[axis], middle[axis], periods[axis]);
+        }
+    }
+    view.spheres = !frame.slopes;
+    view.off = offPlane(frame.axis, frame.plane, view.center);
+    view.scaleX = view.scaleY = frame.scale;
+    view.slab = frame.slab;
+    PointMarks(drawing, query, view).add();
+}
+
+void addPointMarks(Drawing& drawing, const PointQuery& query, const ProfileSource& source, const ProfileFrame& frame) {
+    const double slab = source.field->slabTexels();
+    // A vertical ray has no plane.
+    if (frame.vertical || slab <= 0) return;
+    const RayPath path(*source.field, source.ray);
+    const auto lambdaOf = [&](double s, double t) {
+        return ((s - path.start.x) * path.run.x + (t - path.start.y) * path.run.y) / (frame.run * frame.run);
+    };
+    const auto offOf = [&](double s, double t) {
+        return ((s - path.start.x) * path.run.y - (t - path.start.y) * path.run.x) / frame.run;
+    };
+    PlaneView view;
+    view.plot = frame.plot;
+    view.at = [&](const Place3& place) { return frame.at(lambdaOf(place[0], place[1]), place[2] / slab); };
+    view.center = {query.point.s, query.point.t, query.point.z * slab};
+    const double lambda = lambdaOf(view.center[0], view.center[1]);
+    const bool seen = lambda >= 0 && lambda <= frame.lambdaEnd &&
+                      std::abs(offOf(view.center[0], view.center[1])) <= query.distances.refined;
+    if (repeats(*source.field) && !seen) {
+        const Point middle = path.at(frame.lambdaEnd / 2);
+        view.center[0] = nearestCopy(view.center[0], middle.x, source.field->width());
+        view.center[1] = nearestCopy(view.center[1], middle.y, source.field->height());
+    }
+    view.off = offOf(view.center[0], view.center[1]);
+    view.scaleX = frame.plot.width() / (frame.lambdaEnd * frame.run);
+    view.scaleY = frame.plot.height() / ((frame.high - frame.low) * slab);
+    view.slab = slab;
+    PointMarks(drawing, query, view).add();
+}
+
+void addPointLegend(LegendRows& rows, const PointQuery& query) {
+    const auto fixed = [](double value) { return relief::fixedText(value, kDecimals); };
+    const relief::PointDistances& found = query.distances;
+    const auto note = [&](const Message& message) {
+        rows.text(rows.place(rows.textRoom(message) + LegendRows::kBetween), message);
+    };
+    if (found.rays == 0) return note(Message(MessageId::DrawPointInside));
+    rows.line(Role::Series, Message(MessageId::DrawPointEuclidean, {{"texels", fixed(found.euclidean)}}), kEuclidean);
+    if (hides(query)) rows.line(Role::Hidden, Message(MessageId::DrawPointHidden));
+    if (!found.reached) return note(Message(MessageId::DrawPointNoRay));
+    const relief::ViewRay& ray = found.ray;
+    const std::string text = fixed(ray.s0) + "," + fixed(ray.t0) + "," + fixed(ray.a) + "," + fixed(ray.b);
+    rows.line(Role::SeriesDashed,
+              Message(MessageId::DrawPointRefined, {{"texels", fixed(found.refined)}, {"ray", text}}), kRefined);
+}
+
+}  // namespace reliefui
