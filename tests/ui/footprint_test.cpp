@@ -54,7 +54,7 @@ class FootprintTest : public WindowTest {
         const Snapshot& now = *snapshot();
         for (int y = 0; y < now.frame->height; y += 3) {
             for (int x = 0; x < now.frame->width; x += 3) {
-                const auto footprint = pixelFootprint(*now.frame, *now.request, x, y, 1, picture, work);
+                const auto footprint = pixelFootprint(*now.frame, *now.request, *now.tracer, x, y, 1, picture, work);
                 if (!footprint || !wanted(*footprint)) continue;
                 workspace_->choosePixel(x, y);
                 waitForFull();
