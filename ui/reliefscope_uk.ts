@@ -48,8 +48,8 @@
         <translation>Ділення кожні m пікселів, між ними u та v лінійні; m задане або найдовше, що зберігає похибку.</translation>
     </message>
     <message>
-        <source>Steps to the edge of an empty cone above each cell; where the ray is below its apex, the cell itself is tested.</source>
-        <translation>Кроки до краю порожнього конуса над кожною коміркою; де промінь нижче вершини конуса, перевіряється сама комірка.</translation>
+        <source>Steps to the edge of the cone that the map promises free above each cell; where the ray is below its apex, the cell itself is tested.</source>
+        <translation>Кроки до краю конуса, який карта обіцяє вільним, над кожною коміркою; де промінь нижче вершини конуса, перевіряється сама комірка.</translation>
     </message>
     <message>
         <source>azimuth sectors that have slopes of their own</source>
@@ -1497,8 +1497,12 @@
         <translation>рівень %1, тексель (%2, %3)</translation>
     </message>
     <message>
-        <source>, part %1</source>
-        <translation>, частина %1</translation>
+        <source>, partly hidden: weight %1 left out</source>
+        <translation>, частково сховано: вагу %1 не враховано</translation>
+    </message>
+    <message>
+        <source> · ray: %1% of the pixel</source>
+        <translation> · промінь: %1% пікселя</translation>
     </message>
     <message>
         <source>: hidden by the relief at (%1, %2), weight %3 left out</source>

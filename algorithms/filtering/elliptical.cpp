@@ -118,7 +118,7 @@ Color EllipticalKernel::filterScalar(const Jacobian& j, glm::dvec2 centre, Footp
             sum += glm::dvec3(w * image(x, y));
             total += glm::dvec3(w);
             ++texels;
-            if (log != nullptr) log->texels.push_back({x, y, f.level, u + f.centre.x, v + f.centre.y, 1, Color(w)});
+            if (log != nullptr) log->texels.push_back({x, y, f.level, u + f.centre.x, v + f.centre.y, Color(w)});
         });
         for (int c = 0; c < 3; ++c) {
             // A table's or a map's last cell may be zero where it is the only one.

@@ -228,8 +228,8 @@ class SpanSums {
         const std::int64_t i = hn::GetLane(span.column) + n;
         const double u = static_cast<double>(i) + 0.5;
         const double v = hn::GetLane(f_.cellT) + double{hn::GetLane(f_.restT)} + hn::GetLane(span.v);
-        job_.log->texels.push_back({addressIndex(i, width, levels.address), hn::GetLane(span.row), level, u, v, 1,
-                                    Color(hn::GetLane(weight))});
+        job_.log->texels.push_back(
+            {addressIndex(i, width, levels.address), hn::GetLane(span.row), level, u, v, Color(hn::GetLane(weight))});
     }
 
     const LaneJob& job_;

@@ -8,14 +8,14 @@
 
 namespace relief {
 
-// One texel of a footprint: of the level chosen, or of a finer one, or a part of one, where steep relief is under it.
+// One reading of a texel: of the level chosen, or of a finer one where steep relief is under it. A texel may be logged
+// more than once, in parts of its weight; its whole weight is their sum.
 struct FootprintTexel {
     int i = 0;  // texel of its level, addressed
     int j = 0;
     int level = 0;
-    double u = 0;  // its centre in texels of the footprint's level, unwrapped
+    double u = 0;  // centre of what is read of it, texels of the footprint's level, unwrapped
     double v = 0;
-    double size = 1;  // its side in texels of its own level
     Color weight{0};  // before it is divided by the sum; the same in all channels but for lcd and crt
     bool tested = false;
     bool hidden = false;

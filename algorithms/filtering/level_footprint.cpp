@@ -72,6 +72,7 @@ LevelFootprint levelFootprint(const Jacobian& j, glm::dvec2 centre, const Ellipt
                               const ColorLevels& levels, Address address) {
     LevelFootprint out;
     out.radius = settings.radius;
+    out.seen = j;
     const Axes axes = axesOf(j);
     out.major = axes.major;
     out.minor = axes.minor;

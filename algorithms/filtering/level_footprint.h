@@ -29,6 +29,7 @@ struct LevelFootprint {
     Ellipse ellipse;       // of the circle of radius 1 pixel, texels of the level, widened where too thin
     Jacobian widened;      // a Jacobian with this ellipse and the pixel's orientation, texels of the level
     double radius = 1;     // pixels
+    Jacobian seen;         // what it is made of, texels of level 0
     double major = 1;      // semi-axes of the 1-pixel circle on level 0, texels, as seen
     double minor = 1;
 };

@@ -185,7 +185,7 @@ void SurfacePieces::addPiece(const Block& block, double u, double v, double widt
         area = 1 + seen_.ray.a * hs + seen_.ray.b * ht;
         if (!(area > 0)) return;  // turned away from the viewer
     }
-    push(block, u, v, width / std::ldexp(1.0, block.level - f_.level), color, width * height * area, {place, h});
+    push(block, u, v, color, width * height * area, {place, h});
 }
 
 // The walls of the column at its near sides: towards where the ray comes from.
@@ -210,19 +210,18 @@ void SurfacePieces::addWalls(const Block& block, glm::dvec2 place, double h) {
             (h - foot) / count * std::abs(run) * (acrossS ? block.height / toField_.x : block.width / toField_.y);
         const glm::dvec2 local = at / toField_ - f_.centre;
         for (int n = 0; n < count; ++n) {
-            push(block, local.x, local.y, 1, color, area, {at, foot + (h - foot) * (n + 0.5) / count});
+            push(block, local.x, local.y, color, area, {at, foot + (h - foot) * (n + 0.5) / count});
         }
     }
 }
 
-void SurfacePieces::push(const Block& block, double u, double v, double size, Color color, double share,
-                         glm::dvec3 point) {
+void SurfacePieces::push(const Block& block, double u, double v, Color color, double share, glm::dvec3 point) {
     VisibleKernel::Piece piece;
     piece.h = point.z;
     piece.du = u + (piece.h - h0_) * run_.x;
     piece.dv = v + (piece.h - h0_) * run_.y;
     if (!f_.ellipse.contains(piece.du, piece.dv, f_.radius)) return;
-    piece.texel = {block.i, block.j, block.level, u + f_.centre.x, v + f_.centre.y, size};
+    piece.texel = {block.i, block.j, block.level, u + f_.centre.x, v + f_.centre.y};
     piece.color = color;
     piece.share = share;
     piece.s = point.x;

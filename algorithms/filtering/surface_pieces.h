@@ -36,7 +36,7 @@ class SurfacePieces {
     void addParts(const Block& block, HeightBounds bounds);
     void addPiece(const Block& block, double u, double v, double width, double height, Color color);
     void addWalls(const Block& block, glm::dvec2 place, double h);
-    void push(const Block& block, double u, double v, double size, Color color, double share, glm::dvec3 point);
+    void push(const Block& block, double u, double v, Color color, double share, glm::dvec3 point);
     bool reaches(const Block& block, HeightBounds bounds) const;
     void split(const Block& block);
 

@@ -21,7 +21,9 @@ class PackedConeAnyHit {
         method.kind = MethodKind::AnyHit;
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::AnyRays;
-        method.help = "Jumps to the edge of the empty cone above each cell, one of four for the segment's quadrant.";
+        method.help =
+            "Jumps to the edge of the cone that the map promises free above each cell, one of four for the segment's "
+            "quadrant.";
         method.source = "Dummer 2006; Ban et al. 2024";
         method.maps = {"packed-cones"};
         return method;

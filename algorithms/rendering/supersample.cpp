@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "relief/look_up_point.h"
 
 namespace relief {
 
@@ -101,6 +102,51 @@ ColorImage SampleSums::mean(Work& work) const {
         for (int x = 0; x < picture.width(); ++x) picture(x, y) = Color(sums_(x, y) / weight_);
     });
     return picture;
+}
+
+std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer& tracer, int x, int y, Work& work) {
+    const int ring = SampleSums(1, 1, request.filter.pixelModel).margin();
+    FrameRequest pass = request;
+    pass.margin += ring;
+    pass.width += 2 * ring;
+    pass.height += 2 * ring;
+    const std::vector<TexturedQuad> scene = makeScene(request.scene, request.field.width(), request.field.height());
+    RayBlock rays;
+    std::vector<glm::dvec3> weights;
+    glm::dvec3 total(0);
+    for (const glm::ivec2 part : sampleOrder(request.filter.samples)) {
+        pass.sample = (glm::dvec2(part) + 0.5) / static_cast<double>(request.filter.samples);
+        const VisiblePolygons visible =
+            visiblePolygons(scene, requestCamera(pass), pass.width, pass.height, request.field.reliefDepth());
+        const auto weight = [&](PixelAxis axis, double place, int n) {
+            glm::dvec3 channels;
+            for (int c = 0; c < 3; ++c) {
+                channels[c] = sampleWeights(request.filter.pixelModel, axis, c,
+                                            place)[static_cast<std::size_t>(kGaussianRing + n)];
+            }
+            return channels;
+        };
+        for (int m = -ring; m <= ring; ++m) {
+            const glm::dvec3 down = weight(PixelAxis::Down, pass.sample.y, m);
+            for (int n = -ring; n <= ring; ++n) {
+                const glm::dvec3 both = weight(PixelAxis::Across, pass.sample.x, n) * down;
+                total += both;
+                const VisiblePolygon* const polygon = visible.at(x + ring - n, y + ring - m, pass.width);
+                if (polygon == nullptr || both == glm::dvec3(0)) continue;
+                rays.push(polygon->entry(x + ring - n, y + ring - m).ray);
+                weights.push_back(both);
+            }
+        }
+    }
+    HitBlock hits;
+    NullSink sink;
+    tracer.trace(rays, hits, sink, work);
+    std::vector<PixelSample> samples;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (hits.outcome[i] != Outcome::Hit) continue;
+        samples.push_back({lookUpPoint(request.field, rays[i], hits[i]), Color(weights[i] / total)});
+    }
+    return samples;
 }
 
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,

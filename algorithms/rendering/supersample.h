@@ -59,6 +59,16 @@ class SampleSums {
     glm::dvec3 weight_{0};  // the same for all pixels
 };
 
+// A sample of one pixel that met the relief: where colours are looked up, texels of the height map, and its part of the
+// pixel in each channel. What samples that met nothing count is missing from their sum.
+struct PixelSample {
+    glm::dvec2 place{0};
+    Color share{0};
+};
+// Those that count for pixel (x, y) of the request's frame, through `tracer`, which is of its method and heights. Cost:
+// N x N rays, with gaussian and crt those of the neighbours, too. Throws Cancelled.
+std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer& tracer, int x, int y, Work& work);
+
 // The supersampled picture of the request (whose filter says N and model); every other setting as it stands. Adds
 // counters "samples a pixel", "samples: rays traced" and, where the request wants counts, "samples: steps".
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,

@@ -60,40 +60,35 @@ Message startSentence(const Step& step) {
                    {{"i", step.i}, {"j", step.j}});
 }
 
-// What a map promises from lambda `from` on, and what is said if the surface keeps to it or not.
-struct Claim {
-    double from;
-    std::string value;
-    MessageId kept;
-    MessageId broken;
-};
+// Lambda that a map's promise counts from: a voxel's distance and a cell's cone from where the ray leaves it, others
+// from where the ray is.
+double claimStart(const Step& step) {
+    const auto* const cone = step.as<subject::Cone>();
+    const bool ofCell = cone != nullptr ? cone->ofCell : step.as<subject::Voxel>() != nullptr;
+    return ofCell ? step.lambdaOut : step.lambdaIn;
+}
 
-Message claimSentence(const Step& step, const StepContext& context, const Claim& claim) {
+Message claimSentence(const Step& step, const StepContext& context, std::string value, MessageId kept,
+                      MessageId broken) {
     const auto height = [](double lambda) { return fixedText(1 - lambda, kHeightDecimals); };
     std::vector<MessageValue> values{
-        {"at", height(claim.from)}, {"value", claim.value}, {"after", height(step.lambdaAfter)}};
-    if (!context.exact || context.exact->outcome != Outcome::Hit) return Message(claim.kept, std::move(values));
-    const double met = context.exact->lambda;
-    const double scale = context.ray ? std::max(1.0, std::hypot(context.ray->a, context.ray->b)) : 1;
-    values.emplace_back("met", height(met));
-    if (claim.from > met + kSameAnswer / scale) return Message(MessageId::StepClaimBehind, std::move(values));
-    return Message(step.lambdaAfter > met + kSameAnswer / scale ? claim.broken : claim.kept, std::move(values));
+        {"at", height(claimStart(step))}, {"value", std::move(value)}, {"after", height(step.lambdaAfter)}};
+    if (context.exact) values.emplace_back("met", height(context.exact->lambda));
+    const Claim claim = claimOf(step, context);
+    const MessageId id = claim == Claim::Behind ? MessageId::StepClaimBehind : claim == Claim::Broken ? broken : kept;
+    return Message(id, std::move(values));
 }
 
 Message advanceSentence(const Step& step, const StepContext& context) {
     const auto height = [](double z) { return fixedText(z, kHeightDecimals); };
     if (const auto* const cone = step.as<subject::Cone>()) {
-        const double from = cone->ofCell ? step.lambdaOut : step.lambdaIn;
-        return claimSentence(step, context,
-                             {from, height(cone->slope), MessageId::StepCone, MessageId::StepConeBroken});
+        return claimSentence(step, context, height(cone->slope), MessageId::StepCone, MessageId::StepConeBroken);
     }
     const auto* const sphere = step.as<subject::Sphere>();
     const auto* const voxel = step.as<subject::Voxel>();
     if (sphere != nullptr || voxel != nullptr) {
-        // A voxel's distance counts from where the ray leaves it, another one from where the ray is.
-        const double from = voxel != nullptr ? step.lambdaOut : step.lambdaIn;
         const std::string free = fixedText(voxel != nullptr ? voxel->distance : sphere->radius, kTexelDecimals);
-        return claimSentence(step, context, {from, free, MessageId::StepSphere, MessageId::StepSphereBroken});
+        return claimSentence(step, context, free, MessageId::StepSphere, MessageId::StepSphereBroken);
     }
     if (step.as<subject::Layer>() != nullptr) return aboutPoint(MessageId::StepLayerAbove, step, context);
     if (step.as<subject::Point>() != nullptr) return aboutPoint(MessageId::StepPointAbove, step, context);
@@ -216,6 +211,15 @@ Message decisionTitle(Decision decision) {
                                  MessageId::DecisionLimit};
     static_assert(kTitles.size() == kDecisionNames.size());
     return Message(kTitles[static_cast<std::size_t>(decision)]);
+}
+
+Claim claimOf(const Step& step, const StepContext& context) {
+    if (!step.trustsMap()) return Claim::None;
+    if (!context.exact || context.exact->outcome != Outcome::Hit) return Claim::Kept;
+    const double scale = context.ray ? std::max(1.0, std::hypot(context.ray->a, context.ray->b)) : 1;
+    const double met = context.exact->lambda + kSameAnswer / scale;
+    if (claimStart(step) > met) return Claim::Behind;
+    return step.lambdaAfter > met ? Claim::Broken : Claim::Kept;
 }
 
 Message stepSentence(const Step& step, const StepContext& context) {

@@ -49,7 +49,7 @@ TEST_F(DistanceTest, SpheresAreCutByTheSlice) {
                 frame.window = {-kFar / frame.scale, -kFar / frame.scale, 0, 0};
                 const Drawing marks = distanceMarks(source, frame, static_cast<int>(k));
                 Box extent;
-                for (const Item* const item : itemsOf<Polyline>(marks, Role::Empty)) {
+                for (const Item* const item : itemsOf<Polyline>(marks, bodyRole(steps[k], source.ray, source.exact))) {
                     if (item->id.i != static_cast<std::int64_t>(k)) continue;
                     for (const Point& p : std::get<Polyline>(item->primitive).points) {
                         extent = extent.joined({p.x, p.y, p.x, p.y});
@@ -69,7 +69,7 @@ TEST_F(DistanceTest, SpheresAreCutByTheSlice) {
     }
 }
 
-// The ray leaves the empty cone where the tracer went on; and the relief stays outside of the cone.
+// The ray leaves the cone the map promises free where the tracer went on; and the relief stays outside of the cone.
 TEST_F(DistanceTest, ConesEndWhereTheStepsDo) {
     openPane(walled("cone", {{"sectors", "8"}}));
     const DistanceSource source = distanceSource(*snapshot(), {});
@@ -122,7 +122,7 @@ TEST_F(DistanceTest, ConesAreCutFromTheSideAndFromAbove) {
             const DistanceFrame& frame = view()->shown()->frame;
             const Place3 over = placeOnRay(source, body.lambda);
             const Drawing marks = distanceMarks(source, frame, static_cast<int>(k));
-            for (const Item* const item : itemsOf<Polyline>(marks, Role::Empty)) {
+            for (const Item* const item : itemsOf<Polyline>(marks, bodyRole(step, source.ray, source.exact))) {
                 if (item->id.i != static_cast<std::int64_t>(k)) continue;
                 // Every point of the line lies on the cone.
                 for (const Point& p : std::get<Polyline>(item->primitive).points) {

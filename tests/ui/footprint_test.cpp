@@ -1,5 +1,8 @@
 // The footprint's pane: what it shows is what the filter logged; the filter's options and the layers of footprints.
 #include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
 
 #include <QComboBox>
 #include <QDir>
@@ -54,7 +57,7 @@ class FootprintTest : public WindowTest {
         const Snapshot& now = *snapshot();
         for (int y = 0; y < now.frame->height; y += 3) {
             for (int x = 0; x < now.frame->width; x += 3) {
-                const auto footprint = pixelFootprint(*now.frame, *now.request, x, y, 1, picture, work);
+                const auto footprint = pixelFootprint(*now.frame, *now.request, *now.tracer, x, y, 1, picture, work);
                 if (!footprint || !wanted(*footprint)) continue;
                 workspace_->choosePixel(x, y);
                 waitForFull();
@@ -228,6 +231,84 @@ TEST_F(FootprintTest, ReadingsAtAPointHaveTheirTexelsAndWeights) {
         const double off = std::string_view(filter) == "nearest" ? 0.5 : 1e-4;
         EXPECT_LE(std::abs(mean.x - f.centre().x), off) << filter;
         EXPECT_LE(std::abs(mean.y - f.centre().y), off) << filter;
+        TearDown();
+        SetUp();
+    }
+}
+
+// Whatever readings a form logs, the pane shows each texel once, at its centre, with all of its weight.
+TEST_F(FootprintTest, TexelsHaveTheirWholeWeightAndSumToAHundredPercent) {
+    constexpr double kPercent = 1e-3;  // sums of floats
+    constexpr double kPlaces = 1e-6;   // texels
+    for (const char* form : {"plane", "position", "position-area", "rays", "grid"}) {
+        openPane(city("elliptical-visible", {{"form", form}}));
+        const auto apart = [](const PixelFootprint& f) { return !f.log.skipped && f.log.texels.size() > 8; };
+        ASSERT_TRUE(choose(apart)) << form;
+        const PixelFootprint& f = *view()->shown();
+        const Snapshot& now = *snapshot();
+        const relief::PixelChoice pixel = *scenario().pixel;
+        const relief::VisiblePolygons visible = now.frame->visible(*now.request);
+        const auto query = relief::filterQuery(*now.frame, *now.request, visible, pixel.x, pixel.y);
+        ASSERT_TRUE(query.has_value());
+        relief::FootprintLog log;
+        relief::FootprintCounts counts;
+        relief::Work work;
+        now.frame->filter->color(*query, counts, work, &log);
+        using Name = std::tuple<int, int, int, bool>;
+        std::map<Name, double> logged;
+        std::map<Name, double> shown;
+        for (const relief::FootprintTexel& t : log.texels) {
+            logged[{t.level, t.i, t.j, t.hidden}] += PixelFootprint::weightOf(t);
+        }
+        std::set<std::tuple<int, double, double, bool>> places;
+        double percent = 0;
+        for (const relief::FootprintTexel& t : f.log.texels) {
+            EXPECT_TRUE(places.emplace(t.level, t.u, t.v, t.hidden).second) << form << ": shown twice";
+            const double weight = PixelFootprint::weightOf(t);
+            shown[{t.level, t.i, t.j, t.hidden}] += weight;
+            if (!t.hidden) percent += 100 * weight / f.weightSum;
+            // In some copy of the picture, its centre.
+            const int finer = f.level() - t.level;
+            const double across = std::ldexp(t.u, finer) - (t.i + 0.5);
+            const double down = std::ldexp(t.v, finer) - (t.j + 0.5);
+            EXPECT_NEAR(std::remainder(across, std::ldexp(f.across.extent, finer)), 0, kPlaces) << form;
+            EXPECT_NEAR(std::remainder(down, std::ldexp(f.down.extent, finer)), 0, kPlaces) << form;
+            // Of the plane, what counts lies in the ellipse that is drawn.
+            const relief::LevelFootprint& e = f.log.footprint;
+            if (std::string_view(form) != "plane" || t.hidden) continue;
+            EXPECT_LE(relief::squaredRadius(e.ellipse, t.u - e.centre.x, t.v - e.centre.y),
+                      e.radius * e.radius * (1 + kPlaces));
+        }
+        EXPECT_NEAR(percent, 100, kPercent) << form;
+        ASSERT_EQ(shown.size(), logged.size()) << form;
+        for (const auto& [name, weight] : logged) {
+            EXPECT_NEAR(100 * shown[name] / f.weightSum, 100 * weight / f.weightSum, kPercent) << form;
+        }
+        TearDown();
+        SetUp();
+    }
+}
+
+TEST_F(FootprintTest, RaysOfSupersampleAreShownWhereTheyHit) {
+    constexpr double kRounding = 1e-5;  // sums of floats
+    for (const int samples : {1, 4}) {
+        relief::Scenario scenario = filtered("supersample");
+        scenario.filter.samples = samples;
+        openPane(scenario);
+        const PixelFootprint& f = *view()->shown();
+        ASSERT_EQ(f.rays.size(), static_cast<std::size_t>(samples * samples));
+        EXPECT_EQ(marksOf<Marker>(Role::Sample).size(), f.rays.size());
+        double share = 0;
+        for (const RayHit& ray : f.rays) share += ray.share;
+        EXPECT_NEAR(share, 1, kRounding);
+        EXPECT_NEAR(f.weightSum, 1, kRounding) << "all texels that the rays read";
+        if (samples == 1) {
+            EXPECT_NEAR(f.rays[0].at.x, f.centre().x, kRounding);
+            EXPECT_NEAR(f.rays[0].at.y, f.centre().y, kRounding);
+        }
+        QTest::mouseMove(canvas(), canvas()->toWidget({f.rays[0].at.x, f.rays[0].at.y}).toPoint());
+        QTest::qWait(30);
+        EXPECT_TRUE(view()->readout().contains(QStringLiteral("% of the pixel"))) << view()->readout().toStdString();
         TearDown();
         SetUp();
     }

@@ -349,6 +349,39 @@ TEST(ProfileDrawing, aRayThroughTenThousandCellsIsFewThings) {
     }
 }
 
+// A sphere or cone is drawn as broken exactly where the ray's first hit lies inside it, and only then explained.
+TEST(ProfileDrawing, brokenPromisesAreDrawnAsSuch) {
+    constexpr double kLong = 0.005;  // of lambda: more than rounding can hide
+    for (const char* method : {"distance", "cone"}) {
+        Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
+        t.trace({12, 40, 19, -4}, {method, {}});
+        const auto claims = std::find_if(t.log.steps.begin(), t.log.steps.end(), [](const relief::Step& s) {
+            return s.trustsMap() && s.lambdaAfter > stepBody(s).lambda + kLong;
+        });
+        ASSERT_NE(claims, t.log.steps.end()) << method;
+        const auto k = static_cast<int>(claims - t.log.steps.begin());
+        const relief::Message row(relief::MessageId::DrawPromiseBroken);
+        const std::string words = relief::sentence(row, relief::Language::English);
+        const double start = stepBody(*claims).lambda;
+        const double middle = (start + claims->lambdaAfter) / 2;
+        for (const double met : {middle, 1.0}) {
+            t.source.exact = relief::Hit::at(t.source.ray, met);
+            const ProfileFrame frame = profileFrame(t.source, {}, kWidth, kHeight);
+            const Drawing marks = profileMarks(t.source, {}, frame, k);
+            const bool broken = std::any_of(marks.items.begin(), marks.items.end(), [&](const Item& item) {
+                return item.role == Role::Overshoot && item.id.kind == ItemKind::Step && item.id.i == k;
+            });
+            EXPECT_EQ(broken, met == middle) << method;
+            const Drawing legend = profileLegend(t.source, {}, kWidth, relief::Language::English);
+            const bool explained = std::any_of(legend.items.begin(), legend.items.end(), [&](const Item& item) {
+                const auto* const label = std::get_if<Label>(&item.primitive);
+                return label != nullptr && labelText(*label, relief::Language::English) == words;
+            });
+            EXPECT_EQ(explained, met == middle) << method;
+        }
+    }
+}
+
 TEST(ProfileDrawing, theReadingIsTheSurfaceUnderThePointer) {
     Traced t("bricks", 64, 64, Surface::Columns, Address::Repeat);
     t.trace({12, 40, 19, -4}, {"max-pyramid", {}});

@@ -173,10 +173,13 @@ Drawing distanceLegend(const DistanceSource& source, const DistancePicture& pict
     if (source.point != nullptr) addPointLegend(rows, *source.point);
     if (!source.hasRay) return rows.take();
     rows.line(Role::Ray, Message(MessageId::DrawRay));
-    if (const StepBody::Kind bodies = bodiesOf(source.steps); bodies != StepBody::Kind::None) {
-        const bool cones = bodies == StepBody::Kind::Cone;
-        rows.line(Role::Empty, Message(cones ? MessageId::DrawEmptyCone : MessageId::DrawEmptySphere));
-    }
+    if (source.steps == nullptr) return rows.take();
+    // A broken promise gets its row where the slice shows it.
+    rows.bodies(*source.steps, source.ray, source.exact, [&](const StepBody& body) {
+        const Place3 centre = placeOnRay(source, body.lambda);
+        return body.kind == StepBody::Kind::Cone ||
+               std::abs(offPlane(picture.frame.axis, picture.frame.plane, centre)) < body.radius;
+    });
     return rows.take();
 }
 

@@ -1,5 +1,6 @@
-// The distance map as a drawing: a slice through it, with the surface, lines of equal distance, the ray, and the steps'
-// empty spheres and cones where the slice cuts them. [DIST17] figs. 3 to 8. Cone maps are seen from above.
+// The distance map as a drawing: a slice through it, with the surface, lines of equal distance, the ray, and the
+// spheres and cones that the map promises free at the steps, where the slice cuts them. [DIST17] figs. 3 to 8. Cone
+// maps are seen from above.
 #pragma once
 
 #include <memory>
@@ -37,6 +38,7 @@ struct DistanceSource {
     bool hasRay = false;
     relief::ViewRay ray;
     relief::Hit hit;
+    relief::Hit exact;  // the first hit; Unset: not known
     const std::vector<relief::Step>* steps = nullptr;
     std::shared_ptr<const PointQuery> point;  // whose distances are shown; null: none
 };
@@ -85,7 +87,7 @@ DistanceFrame distanceFrame(const DistanceSource& source, const DistanceOptions&
 // Numbers, units and the title; part of the picture.
 void addDistanceAxes(DistancePicture& picture, relief::Language language);
 
-// The ray, the steps up to the chosen one, and what they knew to be empty; the point with its distances.
+// The ray, the steps up to the chosen one, and what the map promised them free; the point with its distances.
 Drawing distanceMarks(const DistanceSource& source, const DistanceFrame& frame, int step);
 
 // Colours and marks, in at most `width` points.

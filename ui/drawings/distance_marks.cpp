@@ -60,6 +60,7 @@ class Marks {
     void body(std::size_t k, Emphasis strength) {
         const StepBody body = stepBody(step(k));
         if (!body) return;
+        role_ = bodyRole(step(k), source_.ray, source_.exact);
         const Place3 center = placeOnRay(source_, body.lambda);
         if (body.kind == StepBody::Kind::Sphere) {
             sphere(k, center, body.radius, strength);
@@ -88,7 +89,7 @@ class Marks {
             fill(upper, at.y);
             fill(lower, at.y);
         }
-        line(circle, stepId(k), Role::Empty, strength);
+        line(circle, stepId(k), role_, strength);
         const std::size_t top = static_cast<std::size_t>(kAround) / 4;
         number(k, circle[top], strength);
     }
@@ -102,7 +103,7 @@ class Marks {
             if (p.x < plot.x0 || p.x > plot.x1) continue;
             area.line.push_back({p.x, std::clamp(p.y, plot.y0, plot.y1)});
         }
-        drawing_.add({}, Role::Empty, std::move(area), Emphasis::Faint);
+        drawing_.add({}, role_, std::move(area), Emphasis::Faint);
     }
 
     void cone(std::size_t k, const Place3& over, const StepBody& body, Emphasis strength) {
@@ -125,7 +126,7 @@ class Marks {
                 frame_.at(Place3{apex[0] + radius * std::cos(angle), apex[1] + radius * std::sin(angle), apex[2]}));
         }
         if (!body.whole()) edge.push_back(frame_.at(apex));
-        line(edge, stepId(k), Role::Empty, strength);
+        line(edge, stepId(k), role_, strength);
         number(k, frame_.at(apex), strength);
     }
 
@@ -152,7 +153,7 @@ class Marks {
         for (const std::vector<Point>& run : runs) {
             if (run.size() < 2) continue;
             if (strength == Emphasis::Strong) fill(run, frame_.plot.y0);
-            line(run, stepId(k), Role::Empty, strength);
+            line(run, stepId(k), role_, strength);
         }
         number(k, frame_.at(apex), strength);
     }
@@ -166,7 +167,7 @@ class Marks {
         label.size = kNumberSize;
         label.plate = true;
         label.yields = strength != Emphasis::Strong;
-        drawing_.add({}, Role::Empty, std::move(label), strength);
+        drawing_.add({}, role_, std::move(label), strength);
     }
 
     // --- the ray, seen along the slice's axis
@@ -229,6 +230,7 @@ class Marks {
     const DistanceSource& source_;
     const DistanceFrame& frame_;
     std::size_t chosen_;
+    Role role_ = Role::Empty;  // of the body that is being drawn
     Drawing drawing_;
 };
 

@@ -83,7 +83,7 @@ enum class Role : std::uint8_t {
     Weight,
     Hidden,
     Blocker,
-    Empty,  // known to be: spheres and cones
+    Empty,  // promised by a map: spheres and cones
     IsoLine,
     Surface,
     Plateau,

@@ -135,6 +135,7 @@ class Marks {
     FootprintMarks take(std::optional<std::size_t> chosen) {
         neighbours();
         texels();
+        rays();
         outlines();
         if (chosen && *chosen < f_.log.texels.size()) highlight(f_.log.texels[*chosen]);
         numbers();
@@ -202,7 +203,7 @@ class Marks {
         out_.weights = f_.log.texels.empty() || !none;
         if (!out_.weights) return;
         for (const FootprintTexel* t : seen) {
-            // What is not one whole texel of the level has an outline of its own.
+            // What is no texel of the level has an outline of its own.
             if (f_.sideOf(*t) != 1) add(Role::Neighbour, Rectangle{boxOf(*t), false, 0.4, 0}, Emphasis::Faint);
         }
         if (hidden <= kMostLines) {
@@ -211,6 +212,18 @@ class Marks {
             }
         }
         for (const FootprintTexel* t : seen) dot(*t);
+    }
+
+    // Where the samples' rays met the relief; the area of a mark is the ray's part of the pixel.
+    void rays() {
+        constexpr double kLargest = 6;  // points
+        if (f_.rays.size() > kMostDots) return;
+        double greatest = 0;
+        for (const RayHit& ray : f_.rays) greatest = std::max(greatest, ray.share);
+        for (const RayHit& ray : f_.rays) {
+            const double size = kLargest * std::sqrt(ray.share / greatest);
+            if (size >= kSmallestDot) add(Role::Sample, Marker{pointOf(ray.at), Shape::Dot, size});
+        }
     }
 
     // Which texels of the level these are: along the upper and the left side of what is seen.
@@ -331,6 +344,17 @@ std::optional<std::size_t> footprintTexelAt(const PixelFootprint& f, Point at) {
         if (!found || f.sideOf(t) < f.sideOf(f.log.texels[*found])) found = n;
     }
     return found;
+}
+
+const RayHit* footprintRayAt(const PixelFootprint& f, Point at, double reach) {
+    const RayHit* nearest = nullptr;
+    for (const RayHit& ray : f.rays) {
+        const double away = std::hypot(ray.at.x - at.x, ray.at.y - at.y);
+        if (away > reach) continue;
+        nearest = &ray;
+        reach = away;
+    }
+    return nearest;
 }
 
 Point blockerPlace(const PixelFootprint& f, const FootprintTexel& texel) {

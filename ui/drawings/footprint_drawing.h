@@ -1,6 +1,6 @@
 // A pixel's footprint as a drawing: the texture's texels, the ellipse, its axes and box, each texel's weight as the
-// area of a dot, hidden texels crossed out with a line to what hides them. [TEX] figs., [ANISO17]. One unit of the
-// drawing is one texel of the level that is read, unwrapped.
+// area of a dot, hidden texels crossed out with a line to what hides them; of supersample the hits of its rays. [TEX]
+// figs., [ANISO17]. One unit of the drawing is one texel of the level that is read, unwrapped.
 #pragma once
 
 #include <optional>
@@ -35,6 +35,8 @@ FootprintMarks footprintMarks(const PixelFootprint& footprint, const FootprintOp
 Drawing footprintLegend(const PixelFootprint& footprint, const FootprintOptions& options, bool weights, double width,
                         relief::Language language);
 
+// The ray's hit nearest to the point and at most `reach` texels from it; null: there is none.
+const RayHit* footprintRayAt(const PixelFootprint& footprint, Point at, double reach);
 // The listed texel under the point, the smallest of several.
 std::optional<std::size_t> footprintTexelAt(const PixelFootprint& footprint, Point at);
 // Where its sight is blocked, on the drawing.

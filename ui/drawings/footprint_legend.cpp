@@ -101,11 +101,11 @@ class Rows {
         if (f_.bounded) rows_.line(Role::PixelCircle, Message(MessageId::DrawFootprintPixel));
         if (options_.neighbours > 0) rows_.line(Role::Neighbour, Message(MessageId::DrawFootprintNeighbours));
         bool hidden = false;
-        bool parts = false;
+        bool finer = false;
         bool coarser = false;
         for (const FootprintTexel& texel : f_.log.texels) {
             hidden = hidden || texel.hidden;
-            parts = parts || f_.sideOf(texel) < 1;
+            finer = finer || f_.sideOf(texel) < 1;
             coarser = coarser || f_.sideOf(texel) > 1;
         }
         if (!f_.log.texels.empty() && weights) {
@@ -116,10 +116,18 @@ class Rows {
                 },
                 MessageId::DrawFootprintWeight);
         }
+        if (!f_.rays.empty()) {
+            sign(
+                Role::Sample,
+                [&](Role role, Point at) {
+                    rows_.add(role, Marker{at, Shape::Dot, 6});
+                },
+                MessageId::DrawFootprintRay);
+        }
         const auto square = [&](Role role, Point at) {
             rows_.add(role, Rectangle{{at.x - 4, at.y - 4, at.x + 4, at.y + 4}, false, 0, 0});
         };
-        if (parts && weights) sign(Role::Neighbour, square, MessageId::DrawFootprintPart);
+        if (finer && weights) sign(Role::Neighbour, square, MessageId::DrawFootprintFiner);
         if (coarser && weights) sign(Role::Neighbour, square, MessageId::DrawFootprintCoarser);
         if (!hidden || !weights) return;
         sign(

@@ -92,6 +92,22 @@ void LegendRows::ramp(ColorMap map, const Message& what) {
     text({at.x + kBar + 5, at.y}, what);
 }
 
+void LegendRows::bodies(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& exact,
+                        const std::function<bool(const StepBody&)>& drawn) {
+    StepBody::Kind kind = StepBody::Kind::None;
+    bool broken = false;
+    for (const relief::Step& step : steps) {
+        const StepBody body = stepBody(step);
+        if (!body) continue;
+        kind = body.kind;
+        broken = broken || (bodyRole(step, ray, exact) == Role::Overshoot && (!drawn || drawn(body)));
+    }
+    if (kind == StepBody::Kind::None) return;
+    const bool cones = kind == StepBody::Kind::Cone;
+    line(Role::Empty, Message(cones ? MessageId::DrawPromisedCone : MessageId::DrawPromisedSphere));
+    if (broken) line(Role::Overshoot, Message(MessageId::DrawPromiseBroken));
+}
+
 void LegendRows::decisions(const std::array<bool, relief::kDecisionNames.size()>& seen) {
     for (std::size_t d = 0; d < seen.size(); ++d) {
         if (!seen[d]) continue;

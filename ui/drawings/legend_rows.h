@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "drawings/drawing.h"
+#include "drawings/step_body.h"
 
 namespace reliefui {
 
@@ -23,6 +25,10 @@ class LegendRows {
     void swatch(Role role, const relief::Message& what, LevelTint tint = {});
     // The colours of a map, and what they are of.
     void ramp(ColorMap map, const relief::Message& what);
+    // What the steps' spheres or cones are, where there are any; and that a promise is broken, where one is that is
+    // `drawn` (all of them, if it is empty). exact: the ray's first hit.
+    void bodies(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& exact,
+                const std::function<bool(const StepBody&)>& drawn = {});
     // A mark of a decision, and its name; one entry for each that is `seen`.
     void decisions(const std::array<bool, relief::kDecisionNames.size()>& seen);
 

@@ -25,6 +25,7 @@ class Bodies {
     void add(std::size_t k, bool chosen) {
         const StepBody body = stepBody((*source_.steps)[k]);
         if (!body || body.lambda > frame_.lambdaEnd) return;
+        role_ = bodyRole((*source_.steps)[k], source_.ray, source_.exact);
         body.kind == StepBody::Kind::Sphere ? sphere(k, body, chosen) : cone(k, body, chosen);
     }
 
@@ -78,7 +79,7 @@ class Bodies {
 
     void line(const std::vector<Point>& points, std::size_t k, bool chosen) {
         for (std::vector<Point>& run : clippedTo(points, frame_.plot)) {
-            drawing_.add(stepId(k), Role::Empty, Polyline{std::move(run), false},
+            drawing_.add(stepId(k), role_, Polyline{std::move(run), false},
                          chosen ? Emphasis::Strong : Emphasis::Faint);
         }
     }
@@ -91,12 +92,13 @@ class Bodies {
         for (const Point& p : points) {
             if (p.x >= plot.x0 && p.x <= plot.x1) area.line.push_back({p.x, std::clamp(p.y, plot.y0, plot.y1)});
         }
-        drawing_.add({}, Role::Empty, std::move(area), Emphasis::Faint);
+        drawing_.add({}, role_, std::move(area), Emphasis::Faint);
     }
 
     Drawing& drawing_;
     const ProfileSource& source_;
     const ProfileFrame& frame_;
+    Role role_ = Role::Empty;  // of the body that is being drawn
 };
 
 }  // namespace

@@ -240,10 +240,8 @@ Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options
         rows.line(Role::Plateau, what, {level, levels}, kShort);
         first = false;
     }
-    const StepBody::Kind bodies = bodiesOf(source.steps);
-    if (bodies != StepBody::Kind::None && runOf(source.ray) >= kVerticalRun) {
-        const bool cones = bodies == StepBody::Kind::Cone;
-        rows.line(Role::Empty, Message(cones ? MessageId::DrawEmptyCone : MessageId::DrawEmptySphere));
+    if (source.steps != nullptr && runOf(source.ray) >= kVerticalRun) {
+        rows.bodies(*source.steps, source.ray, source.exact);
     }
     if (source.layers() > 0) rows.line(Role::Layer, Message(MessageId::DrawLayer));
     if (source.atPoints()) {

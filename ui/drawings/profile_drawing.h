@@ -47,8 +47,8 @@ struct ProfileOptions {
     std::optional<double> guess;
 };
 
-// How a log's steps are shown; the decision gives colour and shape. The next kinds of method add theirs. Body: an empty
-// sphere or cone. Mark: nothing but its mark on the ray.
+// How a log's steps are shown; the decision gives colour and shape. The next kinds of method add theirs. Body: a
+// sphere or cone that a map promises free. Mark: nothing but its mark on the ray.
 enum class StepShape : std::uint8_t { Plateau, Point, Layer, Body, Mark };
 StepShape stepShape(const relief::Step& step);
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenario/step_sentence.h"
+
 namespace reliefui {
 
 namespace {
@@ -43,12 +45,9 @@ StepBody stepBody(const relief::Step& step) {
     return body;
 }
 
-StepBody::Kind bodiesOf(const std::vector<relief::Step>* steps) {
-    if (steps == nullptr) return StepBody::Kind::None;
-    for (const relief::Step& s : *steps) {
-        if (const StepBody body = stepBody(s)) return body.kind;
-    }
-    return StepBody::Kind::None;
+Role bodyRole(const relief::Step& step, const relief::ViewRay& ray, const relief::Hit& exact) {
+    const bool broken = relief::claimOf(step, {nullptr, ray, exact}) == relief::Claim::Broken;
+    return broken ? Role::Overshoot : Role::Empty;
 }
 
 bool valueIsHeight(const relief::Step& step) {

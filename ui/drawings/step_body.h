@@ -1,9 +1,11 @@
-// What a step held to be empty because a map of distances or cones says so: a sphere around a point of the ray, or a
-// cone under one.
+// What a step takes as free because a map of distances or cones promises it: a sphere around a point of the ray, or a
+// cone under one. Whether the surface keeps the promise is another matter: bodyRole().
 #pragma once
 
 #include <vector>
 
+#include "drawings/drawing.h"
+#include "relief/ray.h"
 #include "relief/step_log.h"
 
 namespace reliefui {
@@ -25,8 +27,8 @@ struct StepBody {
     bool whole() const;
 };
 StepBody stepBody(const relief::Step& step);
-// Of the first of the steps that has one; None: no step has, or there are none (null).
-StepBody::Kind bodiesOf(const std::vector<relief::Step>* steps);
+// Role of the step's sphere or cone: Overshoot where the surface is inside it, by the exact hit (Unset: not known).
+Role bodyRole(const relief::Step& step, const relief::ViewRay& ray, const relief::Hit& exact);
 
 // Whether the record's value is a height, which drawings can show as one; else a distance or a slope.
 bool valueIsHeight(const relief::Step& step);

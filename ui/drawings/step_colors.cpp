@@ -78,13 +78,14 @@ Rgba StepPaint::color(const relief::Step& step, const Style& style) const {
     return tinted.role == Role::Plateau ? style.levelLine(tinted.tint) : style.color(tinted.role);
 }
 
-Drawing traceLegend(const std::vector<relief::Step>& steps, bool hit, const StepPaint& paint, double width,
-                    relief::Language language) {
+Drawing traceLegend(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& hit,
+                    const relief::Hit& exact, const StepPaint& paint, double width, relief::Language language) {
     LegendRows rows(width, language);
     rows.line(Role::Ray, Message(MessageId::DrawRay));
     if (paint.by == StepColors::Phase) addPhases(rows, steps);
     if (paint.by == StepColors::Level) addLevels(rows, steps, paint);
-    auto seen = decisionsSeen(paint.by == StepColors::Decision ? &steps : nullptr, hit);
+    rows.bodies(steps, ray, exact);
+    auto seen = decisionsSeen(paint.by == StepColors::Decision ? &steps : nullptr, hit.outcome == relief::Outcome::Hit);
     rows.decisions(seen);
     return rows.take();
 }

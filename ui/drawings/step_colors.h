@@ -21,8 +21,8 @@ struct StepPaint {
     Rgba color(const relief::Step& step, const Style& style) const;
 };
 
-// Of what occurs in the steps. width: points.
-Drawing traceLegend(const std::vector<relief::Step>& steps, bool hit, const StepPaint& paint, double width,
-                    relief::Language language);
+// Of what occurs in the steps. exact: the ray's first hit. width: points.
+Drawing traceLegend(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& hit,
+                    const relief::Hit& exact, const StepPaint& paint, double width, relief::Language language);
 
 }  // namespace reliefui

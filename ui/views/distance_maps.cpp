@@ -79,6 +79,7 @@ DistanceSource distanceSource(const Snapshot& snapshot, const DistanceMaps& maps
     source.hasRay = snapshot.trace.onRelief;
     source.ray = snapshot.trace.ray;
     source.hit = snapshot.trace.hit;
+    source.exact = snapshot.trace.exact;
     source.steps = &snapshot.trace.steps;
     return source;
 }

@@ -1,4 +1,4 @@
-// The distance map's pane: slices through any map, the difference of two, and the chosen ray with the empty spheres and
+// The distance map's pane: slices through any map, the difference of two, and the chosen ray with the spheres and
 // cones of its steps. Maps are built and slices are cut on a thread of the pane's own; what is waited for says so, and
 // can be cancelled. A click on a step chooses it, Ctrl+click asks for the distances of
 // a point; wheel and drag zoom and move, R shows all again.

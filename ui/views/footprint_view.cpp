@@ -1,5 +1,7 @@
 #include "views/footprint_view.h"
 
+#include <algorithm>
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QTimer>
@@ -199,7 +201,6 @@ void FootprintView::tell(const QPointF& widget) {
     }
     const relief::FootprintTexel& texel = f.log.texels[*chosen];
     QString text = tr("level %1, texel (%2, %3)").arg(texel.level).arg(texel.i).arg(texel.j);
-    if (texel.size < 1) text += tr(", part %1").arg(number(texel.size, 3));
     const double weight = PixelFootprint::weightOf(texel);
     const auto share = [&](double w) { return f.weightSum > 0 ? number(100 * w / f.weightSum, 2) : number(0, 2); };
     if (texel.hidden) {
@@ -213,7 +214,18 @@ void FootprintView::tell(const QPointF& widget) {
             text += tr(" (%1, %2, %3)").arg(channel(texel.weight.r), channel(texel.weight.g), channel(texel.weight.b));
         }
         if (texel.tested) text += tr(" · seen");
+        // Its hidden part has the same place.
+        const auto same = [&](const relief::FootprintTexel& t) {
+            return t.hidden && t.level == texel.level && t.u == texel.u && t.v == texel.v;
+        };
+        const auto part = std::find_if(f.log.texels.begin(), f.log.texels.end(), same);
+        if (part != f.log.texels.end()) {
+            text += tr(", partly hidden: weight %1 left out").arg(number(PixelFootprint::weightOf(*part), 3));
+        }
     }
+    constexpr double kNear = 4;  // points
+    const RayHit* const ray = footprintRayAt(f, canvas_->toDrawing(widget), kNear / canvas_->zoom());
+    if (ray != nullptr) text += tr(" · ray: %1% of the pixel").arg(number(100 * ray->share, 2));
     const relief::LevelFootprint& footprint = f.log.footprint;
     if (footprint.kind == relief::FootprintKind::Ellipse) {
         const double square =

@@ -27,8 +27,13 @@ class Bodies {
           slab_(std::max(snapshot.request->field.slabTexels(), 1e-9)),
           run_(std::hypot(snapshot.trace.ray.a, snapshot.trace.ray.b)),
           direction_(run_ > 0 ? Point{snapshot.trace.ray.a / run_, snapshot.trace.ray.b / run_} : Point{1, 0}),
-          color_(style.color(Role::Empty)),
+          style_(style),
           tube_(radius) {}
+
+    // What follows is drawn in the colour of this step's body.
+    void take(const Snapshot& snapshot, const relief::Step& step) {
+        color_ = style_.color(bodyRole(step, snapshot.trace.ray, snapshot.trace.exact));
+    }
 
     vtkSmartPointer<vtkActor> filled(const StepBody& body) const {
         auto actor = actorOf(body.kind == StepBody::Kind::Sphere ? ball(body) : cone(body));
@@ -137,6 +142,7 @@ class Bodies {
     double slab_;
     double run_;  // of the ray, texels a unit of lambda
     Point direction_;
+    const Style& style_;
     Rgba color_;
     double tube_;
 };
@@ -156,10 +162,13 @@ std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const 
     std::vector<vtkSmartPointer<vtkActor>> marks;
     const std::vector<relief::Step>& steps = snapshot.trace.steps;
     if (chosen >= steps.size()) return marks;
-    const Bodies bodies(scene, snapshot, style, radius);
+    Bodies bodies(scene, snapshot, style, radius);
     Tubes earlier;
     for (std::size_t k = chosen > kMostOutlines ? chosen - kMostOutlines : 0; k < chosen; ++k) {
-        if (const StepBody body = stepBody(steps[k])) bodies.outline(earlier, body, 0.22);
+        const StepBody body = stepBody(steps[k]);
+        if (!body) continue;
+        bodies.take(snapshot, steps[k]);
+        bodies.outline(earlier, body, 0.22);
     }
     auto faint = actorOf(earlier.take());
     lightLittle(faint);
@@ -167,6 +176,7 @@ std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const 
     marks.push_back(faint);
     const StepBody body = stepBody(steps[chosen]);
     if (!body) return marks;
+    bodies.take(snapshot, steps[chosen]);
     Tubes strong;
     bodies.outline(strong, body, 0.6);
     auto edge = actorOf(strong.take());

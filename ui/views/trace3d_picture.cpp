@@ -197,9 +197,8 @@ void TracePicture::layLegend() {
     if (scene_ && !size_.isEmpty()) {
         const double unit = style_.pixelsPerPoint();
         const PixelTrace& trace = shown_->trace;
-        auto drawing =
-            std::make_shared<Drawing>(traceLegend(trace.steps, trace.hit.outcome == relief::Outcome::Hit, paint(),
-                                                  size_.width() / unit - 2 * kMargin, style_.language));
+        auto drawing = std::make_shared<Drawing>(traceLegend(trace.steps, trace.ray, trace.hit, trace.exact, paint(),
+                                                             size_.width() / unit - 2 * kMargin, style_.language));
         const double high = std::ceil((drawing->bounds.height() + kMargin) * unit);
         if (high < kMost * size_.height()) {
             relief_ = 1 - high / size_.height();

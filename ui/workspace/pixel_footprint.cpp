@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "filtering/filter_block.h"
 #include "images/addressing.h"
 #include "rendering/lighting.h"
+#include "rendering/supersample.h"
 
 namespace reliefui {
 
@@ -34,22 +36,20 @@ double unwrapped(const LevelAxis& axis, int i, double x) {
 
 // The texels that a bilinear reading at `place` takes on level l, whose axes are given; u, v in texels of `base`.
 void addBilinear(std::vector<FootprintTexel>& texels, const LevelAxis& across, const LevelAxis& down, glm::dvec2 place,
-                 int l, int base, double weight) {
+                 int l, int base, const relief::Color& weight) {
     const relief::BilinearSupport x = across.support(place.x);
     const relief::BilinearSupport y = down.support(place.y);
     for (const bool lower : {false, true}) {
         for (const bool right : {false, true}) {
-            const auto sx = static_cast<double>(right ? x.share : 1 - x.share);
-            const auto sy = static_cast<double>(lower ? y.share : 1 - y.share);
-            const double w = weight * sx * sy;
-            if (!(w > 0)) continue;
+            const float share = (right ? x.share : 1 - x.share) * (lower ? y.share : 1 - y.share);
+            if (!(share > 0)) continue;
             FootprintTexel texel;
             texel.i = right ? x.second : x.first;
             texel.j = lower ? y.second : y.first;
             texel.level = l;
             texel.u = std::ldexp(unwrapped(across, texel.i, place.x), l - base);
             texel.v = std::ldexp(unwrapped(down, texel.j, place.y), l - base);
-            texel.weight = relief::Color(static_cast<float>(w));
+            texel.weight = share * weight;
             texels.push_back(texel);
         }
     }
@@ -59,13 +59,14 @@ LevelAxis axisOf(int size, int level, const relief::FrameRequest& request) {
     return LevelAxis::of(size, level, request.field.address());
 }
 
-// What filters read that log no texels.
-void addPoints(PixelFootprint& out, const relief::FrameRequest& request, const relief::ColorImage& picture,
-               const relief::Jacobian& j, glm::dvec2 place) {
+// What is read at a point by filters that log no texels. weight: of the whole reading.
+void addPoint(PixelFootprint& out, const relief::FrameRequest& request, const relief::ColorImage& picture,
+              const relief::Jacobian& j, glm::dvec2 place, const relief::Color& weight = relief::Color(1)) {
     std::vector<FootprintTexel>& texels = out.log.texels;
-    const auto bilinear = [&](int l, double weight) {
+    const auto bilinear = [&](int l, double part) {
         addBilinear(texels, axisOf(picture.width(), l, request), axisOf(picture.height(), l, request),
-                    {std::ldexp(place.x, -l), std::ldexp(place.y, -l)}, l, out.level(), weight);
+                    {std::ldexp(place.x, -l), std::ldexp(place.y, -l)}, l, out.level(),
+                    static_cast<float>(part) * weight);
     };
     // Without a colour picture it is the surface that is read at the hit.
     const bool nearest =
@@ -75,7 +76,7 @@ void addPoints(PixelFootprint& out, const relief::FrameRequest& request, const r
             return relief::addressIndex(static_cast<std::int64_t>(std::floor(x)), size, request.field.address());
         };
         texels.push_back({at(place.x, picture.width()), at(place.y, picture.height()), 0, std::floor(place.x) + 0.5,
-                          std::floor(place.y) + 0.5, 1, relief::Color(1)});
+                          std::floor(place.y) + 0.5, weight});
     } else if (out.filter.name == "trilinear") {
         // As the filter chooses it.
         const double side = std::max(std::hypot(j.ux, j.vx), std::hypot(j.uy, j.vy));
@@ -90,6 +91,36 @@ void addPoints(PixelFootprint& out, const relief::FrameRequest& request, const r
     } else {
         bilinear(0, 1);
     }
+}
+
+// Each reading becomes its texel's: at the centre of the texel, in the copy of the picture that was read, and of all of
+// the same, seen or hidden, one with the sum of their weights. Row by row.
+void joinTexels(PixelFootprint& out, const relief::FrameRequest& request, const relief::ColorImage& picture) {
+    std::vector<FootprintTexel>& texels = out.log.texels;
+    const auto snapped = [](const LevelAxis& axis, int i, double x) {
+        if (axis.address == relief::Address::Repeat || (x >= 0 && x <= axis.extent)) return unwrapped(axis, i, x);
+        // Beyond the rim the outermost texel goes on for ever.
+        return axis.centre(i) + std::round(x - axis.centre(i));
+    };
+    for (FootprintTexel& texel : texels) {
+        const int l = texel.level;
+        const int down = l - out.level();
+        texel.u = std::ldexp(snapped(axisOf(picture.width(), l, request), texel.i, std::ldexp(texel.u, -down)), down);
+        texel.v = std::ldexp(snapped(axisOf(picture.height(), l, request), texel.j, std::ldexp(texel.v, -down)), down);
+    }
+    const auto name = [](const FootprintTexel& t) { return std::tuple(t.level, t.v, t.u, t.hidden); };
+    std::stable_sort(texels.begin(), texels.end(),
+                     [&](const FootprintTexel& a, const FootprintTexel& b) { return name(a) < name(b); });
+    std::vector<FootprintTexel> joined;
+    for (const FootprintTexel& texel : texels) {
+        if (joined.empty() || name(joined.back()) != name(texel)) {
+            joined.push_back(texel);
+        } else {
+            joined.back().weight += texel.weight;
+            joined.back().tested = joined.back().tested || texel.tested;
+        }
+    }
+    texels = std::move(joined);
 }
 
 void addNeighbours(PixelFootprint& out, const relief::Frame& frame, const relief::FrameRequest& request,
@@ -159,8 +190,8 @@ std::shared_ptr<const relief::ColorImage> FilteredPicture::level(int l, relief::
 }
 
 std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame, const relief::FrameRequest& request,
-                                                     int x, int y, double scale, FilteredPicture& picture,
-                                                     relief::Work& work) {
+                                                     const relief::Tracer& tracer, int x, int y, double scale,
+                                                     FilteredPicture& picture, relief::Work& work) {
     const relief::VisiblePolygons visible = frame.visible(request);
     if (FilteredPicture::tooLarge(request)) return nullptr;
     auto query = relief::filterQuery(frame, request, visible, x, y);
@@ -186,22 +217,41 @@ std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame,
     }
     const relief::LevelFootprint& f = out->log.footprint;
     const double shrink = std::ldexp(1.0, -f.level);
-    out->seen = scaled(j, {shrink, shrink});
+    const relief::Jacobian& own = f.kind == FootprintKind::Ellipse ? f.seen : j;
+    out->seen = scaled(own, {shrink, shrink});
     out->bounded = finite(out->seen);
     out->colors = picture.level(f.level, work);
     out->across = axisOf(colors.width(), f.level, request);
     out->down = axisOf(colors.height(), f.level, request);
     out->perHeight = perField * shrink;
-    const relief::SemiAxes<double> axes = relief::ellipseOf(j).semiAxes();
+    const relief::SemiAxes<double> axes = relief::ellipseOf(own).semiAxes();
     out->log.footprint.major = axes.major;
     out->log.footprint.minor = axes.minor;
-    if (f.kind == FootprintKind::Top) {
+    const bool unlogged = out->log.texels.empty() && !out->log.allHidden;
+    if (f.kind == FootprintKind::Top && unlogged) {
         out->log.footprint.centre = {out->across.extent / 2, out->down.extent / 2};
-        out->log.texels.push_back({0, 0, f.level, f.centre.x, f.centre.y, 1, relief::Color(1)});
-        out->bounded = false;
-    } else if (f.kind == FootprintKind::Bilinear && out->listed) {
-        addPoints(*out, request, colors, j, f.level == 0 ? f.centre : place);
+        out->log.texels.push_back({0, 0, f.level, f.centre.x, f.centre.y, relief::Color(1)});
+    } else if (f.kind == FootprintKind::Top) {
+        // Logged around the centre of a footprint that has none.
+        const glm::dvec2 shift = place * shrink - f.centre;
+        for (FootprintTexel& texel : out->log.texels) texel.u += shift.x, texel.v += shift.y;
+        out->log.footprint.centre = place * shrink;
+    } else if (request.filter.name == relief::kSupersample) {
+        for (const relief::PixelSample& sample : relief::pixelSamples(request, tracer, x, y, work)) {
+            const glm::dvec2 at = sample.place * perField;
+            addPoint(*out, request, colors, j, at, sample.share);
+            out->rays.push_back({at, PixelFootprint::meanOf(sample.share)});
+        }
+    } else if (f.kind == FootprintKind::Bilinear && unlogged && out->listed) {
+        addPoint(*out, request, colors, j, f.level == 0 ? f.centre : place);
     }
+    if (f.kind == FootprintKind::Top) out->bounded = false;
+    if (out->log.allHidden) {
+        // The colour at the hit is read instead.
+        addBilinear(out->log.texels, axisOf(colors.width(), 0, request), axisOf(colors.height(), 0, request),
+                    f.centre * std::ldexp(1.0, f.level), 0, f.level, relief::Color(1));
+    }
+    joinTexels(*out, request, colors);
     sumWeights(*out);
     if (scale == 1) addNeighbours(*out, frame, request, visible, x, y, perField, work);
     return out;

@@ -37,17 +37,25 @@ struct PixelCircle {
     bool beside = false;  // of a neighbour that shares a side, not only a corner
 };
 
+// Where one of the pixel's rays met the relief, texels of the footprint's level, and its part of the pixel.
+struct RayHit {
+    glm::dvec2 at{0};
+    double share = 0;
+};
+
 struct PixelFootprint {
     relief::FilterChoice filter;
-    // Texels: those of an ellipse as the filter logged them, those that a reading at a point takes otherwise.
+    // Texels: those that the filter logged, those that readings at points take otherwise. Each once with its whole
+    // weight, at its centre, and once more with the weight that is hidden.
     relief::FootprintLog log;
     relief::FootprintCounts counts;
     bool listed = true;  // false: there were too many texels to write each of them down
     double weightSum = 0;
     double greatest = 0;                  // weight of all that count; of the hidden where nothing else is listed
-    relief::Jacobian seen;                // of the pixel as it is, texels of the level
+    relief::Jacobian seen;                // of the pixel as the filter saw it, texels of the level
     relief::PixelCoefficients behind;     // the numbers behind the pixel, of the top plane, texels of the height map
     bool bounded = true;                  // the pixel's circle is finite
+    std::vector<RayHit> rays;             // of supersample: those that met the relief
     std::vector<PixelCircle> neighbours;  // of the eight pixels around
     std::shared_ptr<const relief::ColorImage> colors;  // of the level, linear
     relief::LevelAxis across, down;                    // of the level
@@ -56,20 +64,19 @@ struct PixelFootprint {
     int level() const { return log.footprint.level; }
     glm::dvec2 centre() const { return log.footprint.centre; }
     // All channels' mean.
-    static double weightOf(const relief::FootprintTexel& texel) {
-        return static_cast<double>(texel.weight.r + texel.weight.g + texel.weight.b) / 3;
-    }
+    static double weightOf(const relief::FootprintTexel& texel) { return meanOf(texel.weight); }
+    static double meanOf(const relief::Color& c) { return static_cast<double>(c.r + c.g + c.b) / 3; }
     // Its side in texels of the footprint's level.
     double sideOf(const relief::FootprintTexel& texel) const {
-        return std::ldexp(texel.size, texel.level - log.footprint.level);
+        return std::ldexp(1.0, texel.level - log.footprint.level);
     }
 };
 
 // Of pixel (x, y) of the frame; null where it meets no relief, and for heights
 // that are too large to be looked at as a picture. scale: pixels of the frame per pixel of the picture that
-// is shown (below 1 for coarse frames, whose footprints are not told of). Throws Cancelled.
+// is shown (below 1 for coarse frames, whose footprints are not told of). tracer: of the frame. Throws Cancelled.
 std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame, const relief::FrameRequest& request,
-                                                     int x, int y, double scale, FilteredPicture& picture,
-                                                     relief::Work& work);
+                                                     const relief::Tracer& tracer, int x, int y, double scale,
+                                                     FilteredPicture& picture, relief::Work& work);
 
 }  // namespace reliefui

@@ -168,7 +168,7 @@ void SnapshotMaker::describe(Snapshot& snapshot, const SnapshotOrder& order, rel
         const int x = inFrame(scenario.pixel->x, request.width, scenario.width);
         const int y = inFrame(scenario.pixel->y, request.height, scenario.height);
         const double scale = static_cast<double>(request.width) / scenario.width;
-        snapshot.footprint = pixelFootprint(*snapshot.frame, request, x, y, scale, filtered_, work);
+        snapshot.footprint = pixelFootprint(*snapshot.frame, request, *snapshot.tracer, x, y, scale, filtered_, work);
     }
     const int last = std::max(0, static_cast<int>(snapshot.trace.steps.size()) - 1);
     snapshot.scenario.step = order.lastStep ? last : std::clamp(scenario.step, 0, last);
