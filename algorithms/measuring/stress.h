@@ -28,7 +28,8 @@ struct StressViolation {
     std::string method;  // with its options; of a frame also the filter; of rows the variant
     std::string rays;    // the family of rays, or of cameras
     std::string map;
-    std::string command;  // `relief trace ...` or `relief render ...`, quoted for a shell; else `relief stress --case ...`
+    std::string
+        command;  // `relief trace ...` or `relief render ...`, quoted for a shell; else `relief stress --case ...`
 };
 
 // Distance and cone maps of larger pictures would take all the time there is: methods that need them are not tried
@@ -74,7 +75,7 @@ struct StressReport {
     bool interrupted = false;
     std::map<std::string, StressMethodCoverage> methods;  // tracers and any-hit queries
     std::map<std::string, StressPartCoverage> parts;      // "frames", "filters", "homographies", "rows"
-    std::map<std::string, std::uint64_t> maps;  // cases by map family
+    std::map<std::string, std::uint64_t> maps;            // cases by map family
     std::set<std::string> sizes;
     std::vector<StressViolation> violations;  // in the order of cases
     std::uint64_t violationCount = 0;

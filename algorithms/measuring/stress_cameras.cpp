@@ -47,7 +47,8 @@ glm::dvec3 overPolygon(SceneKind scene, double above, double along, double acros
 Camera ordinary(SceneKind, Random& random) {
     const double elevation = random.between(5, 85);
     const double azimuth = random.between(-180, 180);
-    return orbit(elevation, azimuth, random.between(0.5, 4), random.between(20, 90));
+    const double distance = random.between(0.5, 4);
+    return orbit(elevation, azimuth, distance, random.between(20, 90));
 }
 
 // The polygon is seen edge on.
@@ -56,14 +57,16 @@ Camera inPlane(SceneKind scene, Random& random) {
     const double above = eitherSign(random, kBeside[static_cast<std::size_t>(random.below(5))]);
     const double along = random.between(-2, 2);
     const glm::dvec3 eye = overPolygon(scene, above, along, random.between(-2, 2));
-    return freeCamera(eye, overPolygon(scene, 0, 0, random.between(-0.1, 0.1)), fieldOfView(random));
+    const glm::dvec3 target = overPolygon(scene, 0, 0, random.between(-0.1, 0.1));
+    return freeCamera(eye, target, fieldOfView(random));
 }
 
 Camera grazing(SceneKind scene, Random& random) {
     const double above = logarithmic(random, 1e-6, 0.05);
     const double along = random.between(-2, 2);
     const glm::dvec3 eye = overPolygon(scene, above, along, random.between(-2, 2));
-    return freeCamera(eye, overPolygon(scene, 0, 0, random.between(-0.1, 0.1)), fieldOfView(random));
+    const glm::dvec3 target = overPolygon(scene, 0, 0, random.between(-0.1, 0.1));
+    return freeCamera(eye, target, fieldOfView(random));
 }
 
 // Close over the polygon, and close to what it looks at.
@@ -84,18 +87,22 @@ Camera far(SceneKind scene, Random& random) {
 
 Camera straight(SceneKind, Random& random) {
     const double elevation = eitherSign(random, 90);
-    return orbit(elevation, 90 * random.below(4), random.between(0.2, 3), fieldOfView(random));
+    const double azimuth = 90 * random.below(4);
+    const double distance = random.between(0.2, 3);
+    return orbit(elevation, azimuth, distance, fieldOfView(random));
 }
 
 Camera lens(SceneKind, Random& random) {
     const double elevation = random.between(1, 89);
     const double fov = random.below(2) == 0 ? kNarrowest : kWidest;
-    return orbit(elevation, random.between(-180, 180), logarithmic(random, 0.05, 100), fov);
+    const double azimuth = random.between(-180, 180);
+    return orbit(elevation, azimuth, logarithmic(random, 0.05, 100), fov);
 }
 
 Camera onTarget(SceneKind scene, Random& random) {
+    const double above = random.between(0, 1);
     const double along = random.between(-1, 1);
-    const glm::dvec3 eye = overPolygon(scene, random.between(0, 1), along, random.between(-1, 1));
+    const glm::dvec3 eye = overPolygon(scene, above, along, random.between(-1, 1));
     return freeCamera(eye, eye, fieldOfView(random));
 }
 
@@ -103,8 +110,8 @@ Camera onTarget(SceneKind scene, Random& random) {
 
 const std::vector<StressCameraFamily>& stressCameraFamilies() {
     static const std::vector<StressCameraFamily> families{
-        {"ordinary", ordinary}, {"in-plane", inPlane}, {"grazing", grazing}, {"near", near},
-        {"far", far},           {"straight", straight}, {"lens", lens},      {"on-target", onTarget},
+        {"ordinary", ordinary}, {"in-plane", inPlane},  {"grazing", grazing}, {"near", near},
+        {"far", far},           {"straight", straight}, {"lens", lens},       {"on-target", onTarget},
     };
     return families;
 }

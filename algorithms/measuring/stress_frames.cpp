@@ -75,8 +75,6 @@ constexpr int kFramesACase = 4;
 constexpr int kWidth = 24;
 constexpr int kHeight = 18;
 constexpr int kManyThreads = 3;
-// Shadows and filters that trace back build maps of what is visible: not for larger pictures.
-constexpr std::size_t kSightTexels = std::size_t{1} << 16;
 // Texels that the rays of a frame run over together; beyond, only the standard method is tried, which leaps.
 constexpr double kFrameTexels = 2e6;
 // Rays looked at for that, each of so many pixels across and down.
@@ -117,7 +115,8 @@ void turnOptions(FilterChoice& choice, Random& random) {
     choice.pixelModel = random.below(2) == 0 ? PixelModel::Box : PixelModel::Gaussian;
     const auto& options = findFilter(choice.name).options;
     for (int n = 0; n < 2 && !options.empty(); ++n) {
-        const OptionDescription& option = options[static_cast<std::size_t>(random.below(static_cast<int>(options.size())))];
+        const OptionDescription& option =
+            options[static_cast<std::size_t>(random.below(static_cast<int>(options.size())))];
         // All texels of level 0 under a footprint that may be as long as the picture is far.
         const bool forever = option.name == "levels";
         if (option.name != "form" && !forever) choice.options[option.name] = optionValue(option, random);
@@ -127,10 +126,6 @@ void turnOptions(FilterChoice& choice, Random& random) {
 std::string kindText(const FilterChoice& choice) {
     const auto form = choice.options.find("form");
     return form == choice.options.end() ? choice.name : choice.name + ":form=" + form->second;
-}
-
-bool asksWhatIsVisible(const Scenario& scenario) {
-    return scenario.shadows || findFilter(scenario.filter.name).visible;
 }
 
 // Texels that all view rays run over, by some of them.
@@ -189,12 +184,10 @@ class FrameTry {
         scenario_.shadows = random_.below(2) == 0;
         scenario_.filter = kinds[(number_ + number_ / kinds.size()) % kinds.size()];
         turnOptions(scenario_.filter, random_);
-        if (field.heights().size() > kSightTexels) {
-            scenario_.shadows = false;
-            if (asksWhatIsVisible(scenario_)) scenario_.filter = FilterChoice{};
-        }
-        const MethodGroup& group = run_.groups[static_cast<std::size_t>(random_.below(static_cast<int>(run_.groups.size())))];
-        const MeasuredMethod& method = group.forms[static_cast<std::size_t>(random_.below(static_cast<int>(group.forms.size())))];
+        const MethodGroup& group =
+            run_.groups[static_cast<std::size_t>(random_.below(static_cast<int>(run_.groups.size())))];
+        const MeasuredMethod& method =
+            group.forms[static_cast<std::size_t>(random_.below(static_cast<int>(group.forms.size())))];
         const bool builds = method.buildsMaps && field.heights().size() > kStressBuildTexels;
         if (!builds && method.knows(field.surface(), field.address())) scenario_.method = method.choice;
     }
