@@ -38,10 +38,10 @@ Camera freeCamera(const glm::dvec3& eye, const glm::dvec3& target, double fov) {
     return camera;
 }
 
-// A point `above` the plane of a polygon of the scene, and (along, across) in it.
+// A point `above` the plane of the scene's first polygon, and (along, across) in it.
 glm::dvec3 overPolygon(SceneKind scene, double above, double along, double across) {
-    if (scene == SceneKind::Wall) return {along, across, above};
-    return {along, (scene == SceneKind::Cube ? kCubeHalf : 0.0) + above, across};
+    if (scene == SceneKind::Floor) return {along, above, across};
+    return {along, across, (scene == SceneKind::Cube ? kCubeHalf : 0.0) + above};
 }
 
 Camera ordinary(SceneKind, Random& random) {
