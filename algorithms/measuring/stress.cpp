@@ -1,6 +1,7 @@
 #include "measuring/stress.h"
 
 #include <algorithm>
+#include <array>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -8,6 +9,7 @@
 
 #include "images/files.h"
 #include "measuring/stress_case.h"
+#include "rendering/frame.h"
 #include "scenario/scenario.h"
 
 namespace relief {
@@ -39,11 +41,10 @@ std::vector<MethodGroup> grouped(const std::vector<MeasuredMethod>& methods) {
     return groups;
 }
 
-// The command; the map is written where no recipe makes it.
-std::string reproduction(const Case& of, const MethodChoice& method, const ViewRay& ray, const StressOptions& options) {
-    Scenario scenario;
+// The heights as a command names them; the map is written where no recipe makes it.
+void nameHeights(Scenario& scenario, const Case& of, const StressOptions& options) {
     Pictures& pictures = scenario.pictures;
-    if (of.made.recipe.empty()) {
+    if (of.made.recipe.empty() || std::max(of.field.width(), of.field.height()) > kMaxPictureSide) {
         const std::string name = "stress_" + std::to_string(options.seed) + "_" + std::to_string(of.number) + ".exr";
         pictures.height = options.folder == "." ? name : options.folder + "/" + name;
         pictures.reading.range.kind = HeightRange::Kind::Full;
@@ -57,8 +58,27 @@ std::string reproduction(const Case& of, const MethodChoice& method, const ViewR
     scenario.reliefDepth = of.field.reliefDepth();
     scenario.address = of.field.address();
     scenario.surface = of.field.surface();
-    scenario.method = method;
-    return traceCommand(scenario, ray);
+}
+
+// The command that shows it. Any-hit queries, homographies and rows have none of their own: the case is run again.
+std::string reproduction(const Running& what, const StressOptions& options) {
+    if (what.part == StressPart::Frames) {
+        Scenario scenario = *what.frame;
+        nameHeights(scenario, *what.of, options);
+        return renderCommand(scenario);
+    }
+    if (what.part == StressPart::Tracers) {
+        Scenario scenario;
+        nameHeights(scenario, *what.of, options);
+        scenario.method = *what.method;
+        return traceCommand(scenario, what.ray);
+    }
+    return "relief stress --seed " + std::to_string(options.seed) + " --case " + std::to_string(what.of->number) +
+           " --parts " + std::string(stressPartName(what.part));
+}
+
+std::string methodOf(const MethodChoice& method, const Scenario* frame) {
+    return methodText(method) + (frame == nullptr ? "" : " with " + filterText(frame->filter));
 }
 
 class StressRun {
@@ -91,8 +111,8 @@ class StressRun {
         try {
             while (!work_.stopped() && !failed_) {
                 const std::uint64_t number = next_.fetch_add(1);
-                if (number >= kStressCasesAtLeast && secondsSince(begun_) >= options_.seconds) return;
-                CaseResult result = runCase(makeCase(options_.seed, number), options_.seed, groups_, watched, work_);
+                if (over(number)) return;
+                CaseResult result = runCase(makeCase(options_.seed, number), options_, groups_, watched, work_);
                 keep(number, std::move(result));
             }
         } catch (const Cancelled&) {
@@ -101,6 +121,11 @@ class StressRun {
             const std::lock_guard lock(mutex_);
             if (!failed_.exchange(true)) failure_ = std::current_exception();
         }
+    }
+
+    bool over(std::uint64_t number) const {
+        if (options_.only) return number != *options_.only;
+        return number >= kStressCasesAtLeast && secondsSince(begun_) >= options_.seconds;
     }
 
     // Adds it when those before it are added: the report does not hang on who is done first.
@@ -133,14 +158,13 @@ class StressRun {
     }
 
     void tellHang(const Running& running) {
-        const MethodChoice& method = running.method->choice;
         StressViolation violation{{"hang", "no answer for " + numberText(options_.hangSeconds) + " s"},
-                                  methodText(method),
+                                  methodOf(*running.method, running.frame),
                                   std::string(running.rays),
                                   running.of->map,
                                   ""};
         try {
-            violation.command = reproduction(*running.of, method, running.ray, options_);
+            violation.command = reproduction(running, options_);
         } catch (const WorkError& error) {
             // The map cannot be written: the ray at least is said.
             violation.command = error.what();
@@ -163,12 +187,18 @@ class StressRun {
                 whole.worstWhere = part.worstWhere;
             }
         }
+        for (const auto& [name, part] : result.parts) {
+            StressPartCoverage& whole = report_.parts[name];
+            for (const auto& [kind, count] : part.tried) whole.tried[kind] += count;
+            whole.refused += part.refused;
+        }
         for (const Found& found : result.found) {
             if (report_.violations.size() == options_.listed) return;
             if (alike_[found.method.name + " " + found.fault.check]++ >= kListedAlike) continue;
+            const Case of = makeCase(options_.seed, number);
             report_.violations.push_back(
-                {found.fault, methodText(found.method), std::string(found.rays), result.map,
-                 reproduction(makeCase(options_.seed, number), found.method, found.ray, options_)});
+                {found.fault, methodOf(found.method, found.frame.get()), std::string(found.rays), result.map,
+                 reproduction({&of, found.part, &found.method, found.rays, found.ray, found.frame.get()}, options_)});
         }
     }
 
@@ -177,10 +207,10 @@ class StressRun {
     std::deque<Watched> watched_;
     Work& work_;
     Clock::time_point begun_ = Clock::now();
-    std::atomic<std::uint64_t> next_{0};
+    std::atomic<std::uint64_t> next_{options_.only.value_or(0)};
     std::mutex mutex_;
     std::map<std::uint64_t, CaseResult> waiting_;
-    std::uint64_t added_ = 0;
+    std::uint64_t added_ = options_.only.value_or(0);
     std::atomic<bool> failed_{false};
     std::exception_ptr failure_;
     StressReport report_;
@@ -193,6 +223,28 @@ std::uint64_t StressMethodCoverage::total() const {
     std::uint64_t sum = 0;
     for (const auto& [family, count] : rays) sum += count;
     return sum;
+}
+
+std::uint64_t StressPartCoverage::total() const {
+    std::uint64_t sum = 0;
+    for (const auto& [kind, count] : tried) sum += count;
+    return sum;
+}
+
+std::string_view stressPartName(StressPart part) {
+    constexpr std::array<std::string_view, kStressParts> kNames{"tracers", "any-hit", "frames", "homographies", "rows"};
+    return kNames[static_cast<std::size_t>(part)];
+}
+
+StressPart parseStressPart(std::string_view text, const std::string& option) {
+    std::string known;
+    for (int p = 0; p < kStressParts; ++p) {
+        const auto part = static_cast<StressPart>(p);
+        if (stressPartName(part) == text) return part;
+        known.append(known.empty() ? "" : ", ").append(stressPartName(part));
+    }
+    throw InputError(
+        option, Message(MessageId::UnknownName, {{"what", "part"}, {"name", std::string(text)}, {"known", known}}));
 }
 
 StressReport stress(const StressOptions& options, Work& work) {

@@ -1,9 +1,11 @@
-// Numerical stability: methods x maps x surfaces x addressings x ray families, for a given time; every broken promise
-// with the command that shows it. The cases and their order hang on the seed alone; time only decides when to stop.
+// Numerical stability: methods x maps x surfaces x addressings x ray families, any-hit queries over the same rays, and
+// frames, homographies and rows by cameras at their ends, for a given time; every broken promise with the command that
+// shows it. The cases and their order hang on the seed alone; time only decides when to stop.
 #pragma once
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,12 +15,21 @@
 
 namespace relief {
 
+// What a case is made of, each part over the case's map. Frames cover filters and shadows, too.
+enum class StressPart : std::uint8_t { Tracers, AnyHit, Frames, Homographies, Rows };
+inline constexpr int kStressParts = 5;
+// "tracers", "any-hit", "frames", "homographies", "rows".
+std::string_view stressPartName(StressPart part);
+// Throws InputError naming `option`, with the known names.
+StressPart parseStressPart(std::string_view text, const std::string& option);
+
 struct StressViolation {
     StressFault fault;
-    std::string method;  // with its options
-    std::string rays;    // the family
+    std::string method;  // with its options; of a frame also the filter; of rows the variant
+    std::string rays;    // the family of rays, or of cameras
     std::string map;
-    std::string command;  // `relief trace ...`, quoted for a shell
+    std::string
+        command;  // `relief trace ...` or `relief render ...`, quoted for a shell; else `relief stress --case ...`
 };
 
 // Distance and cone maps of larger pictures would take all the time there is: methods that need them are not tried
@@ -30,6 +41,8 @@ struct StressOptions {
     std::uint64_t seed = 1;
     std::vector<MeasuredMethod> methods;  // forms of one name take turns; empty: methodVariants()
     std::string folder = ".";             // for maps that only a file can hold, as the commands name it
+    std::set<StressPart> parts;           // empty: all
+    std::optional<std::uint64_t> only;    // this case alone, by its number from 0
     std::size_t listed = 50;              // violations kept with a command; the others are counted
     double hangSeconds = 60;              // one ray's
     // Called once, from another thread, for a ray that takes longer; the tracer cannot be stopped.
@@ -47,18 +60,28 @@ struct StressMethodCoverage {
     std::uint64_t total() const;
 };
 
+// Of frames, filters, homographies and rows: how many were tried, by camera family, filter or row variant, and how many
+// were refused with a message, as degenerate cameras are.
+struct StressPartCoverage {
+    std::map<std::string, std::uint64_t> tried;
+    std::uint64_t refused = 0;
+
+    std::uint64_t total() const;
+};
+
 struct StressReport {
     std::uint64_t cases = 0;
     double seconds = 0;
     bool interrupted = false;
-    std::map<std::string, StressMethodCoverage> methods;
-    std::map<std::string, std::uint64_t> maps;  // cases by map family
+    std::map<std::string, StressMethodCoverage> methods;  // tracers and any-hit queries
+    std::map<std::string, StressPartCoverage> parts;      // "frames", "filters", "homographies", "rows"
+    std::map<std::string, std::uint64_t> maps;            // cases by map family
     std::set<std::string> sizes;
     std::vector<StressViolation> violations;  // in the order of cases
     std::uint64_t violationCount = 0;
 };
 
-// So many cover every ray family with every method.
+// So many cover every ray family with every method, and every filter and camera family with a frame.
 inline constexpr std::uint64_t kStressCasesAtLeast = 6;
 
 // Throws WorkError where a map cannot be written. Stopped: what was done until then, `interrupted`.

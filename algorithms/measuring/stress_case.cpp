@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "measuring/stress_parts.h"
+
 namespace relief::stress_detail {
 
 namespace {
@@ -20,6 +22,7 @@ constexpr std::array<double, 5> kDepths{0.1, 0.5, 0.02, 4, 0};
 // Purposes of seeds; case numbers lie below.
 constexpr std::uint64_t kOrder = std::uint64_t{1} << 62;
 constexpr std::uint64_t kRays = std::uint64_t{1} << 61;
+constexpr std::uint64_t kParts = std::uint64_t{1} << 60;
 
 // The map family at a place of a round: each once a round, in an order of its own.
 std::size_t mapAt(std::uint64_t seed, std::uint64_t round, std::size_t place) {
@@ -31,13 +34,6 @@ std::size_t mapAt(std::uint64_t seed, std::uint64_t round, std::size_t place) {
     }
     return order[place];
 }
-
-// The rays of a family over a case, and what `exact` finds.
-struct Asked {
-    std::string_view family;
-    std::vector<ViewRay> rays;
-    std::vector<Hit> truth;
-};
 
 // Rays of a method's turn over one case.
 class Turn {
@@ -73,7 +69,7 @@ class Turn {
         RayBlock rays(1);
         rays.set(0, ray);
         HitBlock hits;
-        watched_.begin({&of_, &method_, asked_->family, ray, std::chrono::steady_clock::now()});
+        watched_.begin({&of_, StressPart::Tracers, &method_.choice, asked_->family, ray});
         tracer_.trace(rays, hits, sink, work_);
         watched_.end();
         return hits;
@@ -111,11 +107,7 @@ class Turn {
     }
 
     void report(const StressFault& fault, std::size_t r) {
-        ++result_.violations;
-        const bool known = std::any_of(result_.found.begin(), result_.found.end(), [&](const Found& f) {
-            return f.method == method_.choice && f.fault.check == fault.check;
-        });
-        if (!known) result_.found.push_back({fault, method_.choice, asked_->family, asked_->rays[r]});
+        result_.report({fault, StressPart::Tracers, method_.choice, asked_->family, asked_->rays[r], nullptr});
     }
 
     const Case& of_;
@@ -130,7 +122,7 @@ class Turn {
 };
 
 std::vector<Asked> askedRays(const Case& of, std::uint64_t seed, const Tracer& exact, Watched& watched, Work& work) {
-    const MeasuredMethod truth = measuredMethod({exact.description().name, {}});
+    const MethodChoice truth{exact.description().name, {}};
     std::vector<Asked> all;
     const auto& families = stressRayFamilies();
     for (std::size_t f = 0; f < families.size(); ++f) {
@@ -144,7 +136,7 @@ std::vector<Asked> askedRays(const Case& of, std::uint64_t seed, const Tracer& e
             rays.set(0, asked.rays.back());
             HitBlock hits;
             NullSink null;
-            watched.begin({&of, &truth, family.name, asked.rays.back(), std::chrono::steady_clock::now()});
+            watched.begin({&of, StressPart::Tracers, &truth, family.name, asked.rays.back()});
             exact.trace(rays, hits, null, work);
             watched.end();
             asked.truth.push_back(hits[0]);
@@ -152,6 +144,22 @@ std::vector<Asked> askedRays(const Case& of, std::uint64_t seed, const Tracer& e
         all.push_back(std::move(asked));
     }
     return all;
+}
+
+void traceRays(const CaseRun& run, const std::vector<Asked>& asked) {
+    const Case& tried = run.of;
+    const std::uint64_t turn = tried.number + tried.number / stressMapFamilies().size();
+    for (std::size_t g = 0; g < run.groups.size(); ++g) {
+        const MeasuredMethod& method = run.groups[g].forms[(turn + g) % run.groups[g].forms.size()];
+        if (method.buildsMaps && tried.field.heights().size() > kStressBuildTexels) continue;
+        if (!method.knows(tried.field.surface(), tried.field.address())) continue;
+        const auto tracer = method.make(tried.field, *run.maps, run.work);
+        Turn methodTurn(tried, method, *tracer, run.watched, run.result, run.work);
+        for (const Asked& family : asked) {
+            run.work.throwIfStopped();
+            methodTurn.run(family);
+        }
+    }
 }
 
 }  // namespace
@@ -173,26 +181,34 @@ Case makeCase(std::uint64_t seed, std::uint64_t number) {
     return {number, std::string(families[map].name), std::move(made), std::move(field)};
 }
 
-CaseResult runCase(const Case& tried, std::uint64_t seed, const std::vector<MethodGroup>& groups, Watched& watched,
-                   Work& work) {
+Random partRandom(const CaseRun& run, StressPart part, std::uint64_t n) {
+    return Random(seedFor(run.options.seed, kParts + n * kStressParts + static_cast<std::uint64_t>(part)));
+}
+
+void CaseResult::report(Found violation) {
+    ++violations;
+    const bool known = std::any_of(found.begin(), found.end(), [&](const Found& f) {
+        return f.part == violation.part && f.method == violation.method && f.fault.check == violation.fault.check;
+    });
+    if (!known) found.push_back(std::move(violation));
+}
+
+CaseResult runCase(const Case& tried, const StressOptions& options, const std::vector<MethodGroup>& groups,
+                   Watched& watched, Work& work) {
     CaseResult result;
     result.map = tried.map;
     result.size = std::to_string(tried.field.width()) + "x" + std::to_string(tried.field.height());
-    MapCache maps;
-    const auto exact = makeTracer({"exact", {}}, tried.field, maps, work);
-    const std::vector<Asked> asked = askedRays(tried, seed, *exact, watched, work);
-    const std::uint64_t turn = tried.number + tried.number / stressMapFamilies().size();
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        const MeasuredMethod& method = groups[g].forms[(turn + g) % groups[g].forms.size()];
-        if (method.buildsMaps && tried.field.heights().size() > kStressBuildTexels) continue;
-        if (!method.knows(tried.field.surface(), tried.field.address())) continue;
-        const auto tracer = method.make(tried.field, maps, work);
-        Turn methodTurn(tried, method, *tracer, watched, result, work);
-        for (const Asked& family : asked) {
-            work.throwIfStopped();
-            methodTurn.run(family);
-        }
+    const CaseRun run{tried, options, groups, std::make_shared<MapCache>(), watched, result, work};
+    const auto wanted = [&](StressPart part) { return options.parts.empty() || options.parts.contains(part); };
+    if (wanted(StressPart::Tracers) || wanted(StressPart::AnyHit)) {
+        const auto exact = makeTracer({"exact", {}}, tried.field, *run.maps, work);
+        const std::vector<Asked> asked = askedRays(tried, options.seed, *exact, watched, work);
+        if (wanted(StressPart::Tracers)) traceRays(run, asked);
+        if (wanted(StressPart::AnyHit)) stressAnyHit(run, asked);
     }
+    if (wanted(StressPart::Frames)) stressFrames(run);
+    if (wanted(StressPart::Homographies)) stressHomographies(run);
+    if (wanted(StressPart::Rows)) stressRows(run);
     return result;
 }
 

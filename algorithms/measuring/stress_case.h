@@ -1,4 +1,5 @@
-// One case of relief stress: a map with surface, addressing and depth; every ray family over it with every method.
+// One case of relief stress: a map with surface, addressing and depth; over it every ray family with every method, and
+// the other parts (stress_parts.h).
 #pragma once
 
 #include <atomic>
@@ -8,6 +9,7 @@
 
 #include "measuring/stress.h"
 #include "measuring/stress_cases.h"
+#include "scenario/scenario.h"
 
 namespace relief::stress_detail {
 
@@ -24,13 +26,15 @@ struct Case {
     HeightField field;
 };
 
-// What one ray's trace is about; read by the watch over hanging ones.
+// What one ray's trace, or one frame, is about; read by the watch over hanging ones.
 struct Running {
     const Case* of = nullptr;
-    const MeasuredMethod* method = nullptr;
+    StressPart part = StressPart::Tracers;
+    const MethodChoice* method = nullptr;
     std::string_view rays;
     ViewRay ray;
-    std::chrono::steady_clock::time_point since;
+    const Scenario* frame = nullptr;  // of frames: without its pictures
+    std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
 };
 
 class Watched {
@@ -58,23 +62,29 @@ class Watched {
 // A violation before it has a command.
 struct Found {
     StressFault fault;
+    StressPart part = StressPart::Tracers;
     MethodChoice method;
     std::string_view rays;
     ViewRay ray;
+    std::shared_ptr<const Scenario> frame;  // of frames: without its pictures
 };
 
 struct CaseResult {
     std::map<std::string, StressMethodCoverage> methods;
+    std::map<std::string, StressPartCoverage> parts;
     std::string map;
     std::string size;
     std::vector<Found> found;  // the first of each method and check
     std::uint64_t violations = 0;
+
+    // Counts it, and keeps the first of each method and check.
+    void report(Found violation);
 };
 
 // The n-th case of a seed.
 Case makeCase(std::uint64_t seed, std::uint64_t number);
 // Throws Cancelled.
-CaseResult runCase(const Case& tried, std::uint64_t seed, const std::vector<MethodGroup>& groups, Watched& watched,
-                   Work& work);
+CaseResult runCase(const Case& tried, const StressOptions& options, const std::vector<MethodGroup>& groups,
+                   Watched& watched, Work& work);
 
 }  // namespace relief::stress_detail

@@ -8,6 +8,8 @@
 
 #include "measuring/random_rays.h"
 #include "relief/height_field.h"
+#include "rendering/camera.h"
+#include "rendering/scene.h"
 
 namespace relief {
 
@@ -31,7 +33,7 @@ struct StressSize {
     int width;
     int height;
 };
-// From 1 x 1 to 16384 x 3.
+// From 1 x 1 to 65536 x 2: sides that fit no 16 bits, and maps of one row or column.
 const std::vector<StressSize>& stressSizes();
 
 struct StressRayFamily {
@@ -42,5 +44,14 @@ struct StressRayFamily {
 };
 // Finite rays; flat ones up to the domain's limit (kMaxRun) and beyond.
 const std::vector<StressRayFamily>& stressRayFamilies();
+
+struct StressCameraFamily {
+    std::string_view name;
+    // scene: what it looks at; the polygons are makeScene's.
+    Camera (*make)(SceneKind scene, Random& random);
+};
+// Ordinary ones; in a polygon's plane, to the last bit and a rounding beside it; grazing; near; far; straight above and
+// below; with the narrowest and widest fields of view; in one place with what they look at, which must be refused.
+const std::vector<StressCameraFamily>& stressCameraFamilies();
 
 }  // namespace relief

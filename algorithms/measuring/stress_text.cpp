@@ -34,6 +34,19 @@ std::string methods(const StressReport& report) {
     return "methods, the worst steps/bound and where\n" + textTable(rows, 1, 5);
 }
 
+// Of each part that was run: its total, and how often each kind.
+std::string parts(const StressReport& report) {
+    std::string out;
+    for (const auto& [name, part] : report.parts) {
+        out += name + " (" + std::to_string(part.total());
+        if (part.refused > 0) out += ", refused " + std::to_string(part.refused);
+        out += ")\n ";
+        for (const auto& [kind, count] : part.tried) out += " " + kind + " " + std::to_string(count);
+        out += "\n";
+    }
+    return out;
+}
+
 std::string maps(const StressReport& report) {
     std::string out = "maps (cases)\n ";
     for (const auto& [name, cases] : report.maps) out += " " + name + " " + std::to_string(cases);
@@ -51,7 +64,7 @@ std::string stressText(const StressReport& report, std::uint64_t seed) {
                       std::to_string(rays) + " rays in " + numberText(report.seconds, 3) + " s" +
                       (report.interrupted ? ", interrupted" : "") +
                       "; violations: " + std::to_string(report.violationCount) + "\n\n" + rayFamilies(report) + "\n" +
-                      methods(report) + "\n" + maps(report);
+                      methods(report) + "\n" + parts(report) + maps(report);
     for (const StressViolation& v : report.violations) {
         out += "violation: " + v.fault.check + ", " + v.method + ", " + v.rays + " over " + v.map + ": " +
                v.fault.detail + ": " + v.command + "\n";

@@ -144,5 +144,7 @@ FrameRequest frameRequest(const Scenario& scenario, const Assets& assets);
 std::string traceCommand(const Scenario& scenario);
 // The one that traces this ray over the scenario's heights with its method; the view does not matter.
 std::string traceCommand(const Scenario& scenario, const ViewRay& ray);
+// The relief render command of its picture, into frame.exr, quoted for a shell.
+std::string renderCommand(const Scenario& scenario);
 
 }  // namespace relief

@@ -21,10 +21,10 @@ void addFlag(std::string& line, const std::string& flag, const std::string& valu
     line += " " + flag + " " + quoted(value);
 }
 
-// "relief trace" with heights and method.
-std::string commandBegin(const Scenario& scenario) {
+// "relief trace" or "relief render" with heights and method.
+std::string commandBegin(const Scenario& scenario, const std::string& command = "relief trace") {
     const Scenario defaults;
-    std::string line = "relief trace";
+    std::string line = command;
     const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
     const Pictures& pictures = scenario.pictures;
     if (!pictures.height.empty()) {
@@ -46,10 +46,8 @@ std::string commandBegin(const Scenario& scenario) {
     return line;
 }
 
-}  // namespace
-
-std::string traceCommand(const Scenario& scenario) {
-    std::string line = commandBegin(scenario);
+// Scene, camera and size.
+void addView(std::string& line, const Scenario& scenario) {
     const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
     add("--scene", std::string(sceneName(scenario.scene)));
     const Camera& camera = scenario.camera;
@@ -64,8 +62,15 @@ std::string traceCommand(const Scenario& scenario) {
         add("--fov", numberText(camera.fov));
     }
     add("--size", std::to_string(scenario.width) + "x" + std::to_string(scenario.height));
+}
+
+}  // namespace
+
+std::string traceCommand(const Scenario& scenario) {
+    std::string line = commandBegin(scenario);
+    addView(line, scenario);
     const PixelChoice pixel = scenario.pixel.value_or(PixelChoice{});
-    add("--pixel", std::to_string(pixel.x) + "," + std::to_string(pixel.y));
+    addFlag(line, "--pixel", std::to_string(pixel.x) + "," + std::to_string(pixel.y));
     return line;
 }
 
@@ -73,6 +78,27 @@ std::string traceCommand(const Scenario& scenario, const ViewRay& ray) {
     std::string line = commandBegin(scenario);
     addFlag(line, "--ray",
             numberText(ray.s0) + "," + numberText(ray.t0) + "," + numberText(ray.a) + "," + numberText(ray.b));
+    return line;
+}
+
+std::string renderCommand(const Scenario& scenario) {
+    std::string line = commandBegin(scenario, "relief render");
+    const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
+    if (!scenario.pictures.color.empty()) add("--color", scenario.pictures.color);
+    if (!scenario.pictures.normal.empty()) add("--normal", scenario.pictures.normal);
+    add("--filter", filterText(scenario.filter));
+    if (scenario.filter.name == kSupersample) {
+        add("--supersample", std::to_string(scenario.filter.samples));
+        add("--pixel-model", std::string(pixelModelName(scenario.filter.pixelModel)));
+    }
+    addView(line, scenario);
+    const Light& light = scenario.light;
+    add("--light", "azimuth=" + numberText(light.azimuth) + ",elevation=" + numberText(light.elevation) +
+                       ",ambient=" + numberText(light.ambient) + ",intensity=" + numberText(light.intensity));
+    if (scenario.shadows) line += " --shadows";
+    if (!scenario.skip) line += " --no-skip";
+    if (scenario.bounded != 0) add("--bounded", numberText(scenario.bounded));
+    add("-o", "frame.exr");
     return line;
 }
 

@@ -1,4 +1,4 @@
-// relief stress [--seconds N] [--seed S] [-o FOLDER]
+// relief stress [--seconds N] [--seed S] [--tracers NAME,...] [--parts NAME,...] [--case N] [-o FOLDER]
 #include <unistd.h>
 
 #include <filesystem>
@@ -15,7 +15,7 @@ constexpr int kViolated = 1;
 constexpr double kSecondsAtMost = 30.0 * 24 * 3600;
 
 struct StressCommandOptions {
-    OptionText seconds, seed, folder, tracers;
+    OptionText seconds, seed, folder, tracers, parts, only;
     RunOptions run;
 };
 
@@ -50,6 +50,12 @@ int runStress(const StressCommandOptions& given, Session& session) {
     if (given.seconds) options.seconds = parseSeconds(*given.seconds);
     if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
     if (given.tracers) options.methods = chosenMethods(*given.tracers);
+    if (given.parts) {
+        for (const std::string& part : splitText(*given.parts, ',')) {
+            options.parts.insert(parseStressPart(part, "--parts"));
+        }
+    }
+    if (given.only) options.only = parseSeed(*given.only, "--case");
     if (given.folder) {
         options.folder = *given.folder;
         if (!std::filesystem::is_directory(options.folder)) {
@@ -80,18 +86,26 @@ int runStress(const StressCommandOptions& given, Session& session) {
 void addStressCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<StressCommandOptions>();
     CLI::App* parser = addCommand(
-        program, "stress", "look for rays and maps that break a tracer",
+        program, "stress", "look for rays, cameras and maps that break a promise",
         "Runs every tracer, with its options at their ends, over maps and rays that are hard to get right (grazing to "
         "the domain's limit and beyond, along and through cell borders, huge and denormal numbers, far starts, "
-        "plateaus at the ray's height, spikes, sizes from 1 x 1 to 16384 x 3) and holds each to what it promises: no "
+        "plateaus at the ray's height, spikes, sizes from 1 x 1 to 65536 x 2) and holds each to what it promises: no "
         "NaN, no more steps than stated, no miss where nothing can be missed, exact methods bit for bit, conservative "
-        "ones never too late, the same answer with and without a log. The cases hang on the seed alone. Each "
-        "violation is a line that ends with the command that shows it; the exit status is then 1.",
+        "ones never too late, the same answer with and without a log. Any-hit queries must agree with the exact hits "
+        "of these rays. Small frames over the same maps, by cameras at their ends, with every filter, with shadows and "
+        "without, must be the same with and without --no-skip, by one thread and by several. Homographies of such "
+        "cameras must lead there and back, their derivatives agree with differences; row methods keep to the map "
+        "within their bounds. The cases hang on the seed alone. Each violation is a line that ends with the command "
+        "that shows it; the exit status is then 1.",
         "  relief stress --seconds 60 --seed 7");
     addText(*parser, "--seconds", options->seconds, "N", "how long, default 20", "Run");
     addText(*parser, "--seed", options->seed, "S", "of maps and rays, default 1", "Run");
     addText(*parser, "--tracers", options->tracers, "NAME,...",
-            "only these methods; NAME:OPTION=VALUE for one form of a method; default: all in all forms", "Run");
+            "only these methods, in frames, too; NAME:OPTION=VALUE for one form of a method; default: all in all forms",
+            "Run");
+    addText(*parser, "--parts", options->parts, "NAME,...",
+            "only these parts of each case: tracers, any-hit, frames, homographies, rows; default: all", "Run");
+    addText(*parser, "--case", options->only, "N", "the case of this number alone, as a violation names it", "Run");
     addText(*parser, "-o,--output", options->folder, "FOLDER",
             "where maps that no recipe makes are written if they break a tracer; default: here", "Output");
     options->run.add(*parser);

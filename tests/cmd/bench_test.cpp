@@ -149,6 +149,8 @@ TEST_P(MeasureTest, WrongRequestsAreRefused) {
     expectRefusal({"stress", "--seconds", "-1"}, 2, {"--seconds"});
     expectRefusal({"stress", "--seed", "x"}, 2, {"--seed"});
     expectRefusal({"stress", "--tracers", "none"}, 2, {"\"none\""});
+    expectRefusal({"stress", "--parts", "none"}, 2, {"--parts", "any-hit"});
+    expectRefusal({"stress", "--case", "-1"}, 2, {"--case"});
     expectRefusal({"stress", "-o", path("no")}, 1, {path("no")});
 }
 
@@ -160,6 +162,15 @@ TEST_P(MeasureTest, StressSaysWhatItCovered) {
         EXPECT_NE(out.find(part), std::string::npos) << part;
     }
     EXPECT_TRUE(files().empty());
+}
+
+TEST_P(MeasureTest, StressRunsOneCaseAndOnePart) {
+    const std::string out = runFine({"stress", "--seconds", "0", "--parts", "rows,homographies", "--case", "9"});
+    EXPECT_EQ(out.substr(0, 15), "seed 1: 1 cases");
+    for (const std::string part : {"homographies (", "rows (", "in-plane", "streams"}) {
+        EXPECT_NE(out.find(part), std::string::npos) << part;
+    }
+    EXPECT_EQ(out.find("frames ("), std::string::npos) << out;
 }
 
 TEST_P(MeasureTest, FiltersAgainstTheReference) {

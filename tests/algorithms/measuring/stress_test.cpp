@@ -27,6 +27,7 @@ class StressTest : public ::testing::Test {
         options.seconds = 0;
         options.seed = 7;
         options.methods = std::move(methods);
+        options.parts = {StressPart::Tracers};
         options.folder = folder_ / ".";
         Work work(threads);
         return stress(options, work);
@@ -225,6 +226,7 @@ TEST_F(StressTest, ARayThatHangsIsNamed) {
     };
     StressOptions options;
     options.seconds = 0;
+    options.parts = {StressPart::Tracers};
     options.folder = folder_ / ".";
     options.methods = {altered({"exact", {}}, hang)};
     options.hangSeconds = 0.05;

@@ -1,0 +1,71 @@
+// The checks of relief stress beyond view rays: any-hit queries, frames, homographies, rows; one answer at a time.
+#pragma once
+
+#include <span>
+
+#include "mapping/derivatives.h"
+#include "mapping/rows/rows.h"
+#include "measuring/stress_checks.h"
+#include "relief/any_hit.h"
+#include "rendering/frame.h"
+
+namespace relief {
+
+// A view ray as a segment through the whole slab; mu is its lambda.
+AnyRay wholeSegment(const ViewRay& ray);
+
+// What an any-hit query answered for wholeSegment(ray), with a log.
+struct CountedSight {
+    Sight sight = Sight::Clear;
+    std::uint32_t steps = 0;
+    StepLog log;
+};
+
+// any-hit: blocked where `exact` misses, or in a cell that ends before the first hit; clear although the surface
+// rises above the ray behind it (by kSureHeight, at sampled places); limit: gave up within the domain; steps: more than
+// AnyHitQuery::stepBound. Beyond the domain only the steps count. reference: what `exact` found.
+std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& ray, const CountedSight& answer,
+                                       const Hit& reference);
+// Heights by which the surface must rise above a ray for the check to be sure of it: well above kSightClearance and
+// the rounding of places.
+inline constexpr double kSureHeight = 1e-5;
+
+// not-finite: a hit, a colour or a lit colour with a number that is none.
+std::optional<StressFault> finiteFault(const Frame& frame);
+// The fault `check` at the first pixel in which the frames differ: polygons, depths, hits, colours, lit colours. `what`
+// says what the second was rendered with.
+std::optional<StressFault> differenceFault(const Frame& frame, const Frame& other, std::string_view check,
+                                           std::string_view what);
+
+// round-trip: the inverse map does not lead the pixel's texel back to the pixel (x, y); not-finite: a texel with a
+// number that is none where q > 0. Allowed: kStressSlack times the rounding that the sizes of the terms admit; nothing
+// is checked where that is more than kTrustedShare of q.
+std::optional<StressFault> roundTripFault(const Homography& map, const Homography& inverse, double x, double y);
+// derivatives: the direct derivatives differ from central differences. Of s and t they are off by the known factor 1 -
+// (h q_x / q)^2, so that nothing but rounding is allowed for, as above.
+std::optional<StressFault> derivativeFault(const Homography& map, const DerivativeTerms<double>& terms, double x,
+                                           double y);
+inline constexpr double kStressSlack = 16;
+inline constexpr double kTrustedShare = 1e-3;
+
+// One row as a variant evaluated it; u, v: of the pixels of the whole span.
+template <typename T>
+struct StressRow {
+    const Homography* map = nullptr;
+    double y = 0.5;  // the row's line, pixels
+    PixelSpan span;
+    RowOptions options;
+    bool stated = false;  // the bounds of rows.h apply: no numerator cancels along the row
+    PixelSpan valid;
+    std::vector<T> u, v;
+};
+// evaluateRow() into one.
+template <typename T>
+StressRow<T> evaluatedRow(const Homography& map, double y, PixelSpan span, const RowOptions& options, bool stated);
+// not-finite: a texel with a number that is none; horizon: a pixel with q <= 0 was evaluated; row: farther from the map
+// in long double than the variant's stated bound, or (not stated) than a q that is half off makes it. affine and
+// subspan are approximations: only finite.
+template <typename T>
+std::optional<StressFault> rowFault(const StressRow<T>& row);
+
+}  // namespace relief
