@@ -33,7 +33,7 @@ void stressAnyHit(const CaseRun& run, const std::vector<Asked>& asked);
 void stressFrames(const CaseRun& run);
 // The maps of the polygons that such cameras see: there and back, derivatives against differences.
 void stressHomographies(const CaseRun& run);
-// Every row variant on rows of such cameras and on rows whose bounds are stated.
+// Every row variant on rows of such cameras and on rows whose bounds are stated; rows-parallel also as a block.
 void stressRows(const CaseRun& run);
 
 }  // namespace relief::stress_detail

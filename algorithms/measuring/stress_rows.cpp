@@ -172,6 +172,27 @@ std::optional<StressFault> variantFault(const Homography& map, double y, PixelSp
     return StressFault{"lanes", "SIMD and scalar differ" + rowText(row, row.valid.begin)};
 }
 
+// Lines of a block that several threads evaluate: the bits of each line by itself.
+constexpr int kBlockLines = 5;
+constexpr int kBlockThreads = 3;
+
+std::optional<StressFault> blockFault(const Homography& map, double y, PixelSpan span, const RowOptions& options) {
+    TexelRows<float> together(span.size(), kBlockLines);
+    Work work(kBlockThreads);
+    evaluateRows(map, {span.size(), kBlockLines, y, 1}, options, together, work);
+    for (int line = 0; line < kBlockLines; ++line) {
+        const StressRow<float> alone = evaluatedRow<float>(map, y + line, span, options, false);
+        const PixelSpan valid = together.valid(line);
+        bool same = valid == alone.valid;
+        for (std::int64_t i = valid.begin; same && i < valid.end; ++i) {
+            const auto n = static_cast<std::size_t>(i);
+            same = together.u(line)[i] == alone.u[n] && together.v(line)[i] == alone.v[n];
+        }
+        if (!same) return StressFault{"threads", "a block's line differs" + rowText(alone, valid.begin)};
+    }
+    return std::nullopt;
+}
+
 void tryRow(const CaseRun& run, std::string_view family, const Homography& map, bool stated, Random& random) {
     const double y = stated ? 0.5 : random.below(kLines) + 0.5;
     const int width = stated ? kLongestRow : 1 + random.below(kLongestRow);
@@ -181,8 +202,10 @@ void tryRow(const CaseRun& run, std::string_view family, const Homography& map, 
         const std::string name(rowVariantName(variant));
         ++run.result.parts["rows"].tried[name];
         const PixelSpan span{0, width};
-        for (const auto& fault : {variantFault<float>(map, y, span, options, stated),
-                                  variantFault<double>(map, y, span, options, stated)}) {
+        const bool parallel = variant == RowVariant::RowsParallel;
+        for (const auto& fault :
+             {variantFault<float>(map, y, span, options, stated), variantFault<double>(map, y, span, options, stated),
+              parallel ? blockFault(map, y, span, options) : std::nullopt}) {
             if (fault) run.result.report({*fault, StressPart::Rows, {name, {}}, family, ViewRay{}, nullptr});
         }
     }
