@@ -560,8 +560,8 @@
         <translation>багато пікселів разом, за 16-бітними рівнями, де формула пряма; або по одному, з подвійною точністю</translation>
     </message>
     <message>
-        <source>where in the pixel a texel counts: its place on the plane, its own, and with its area seen; or what rays through parts of the pixel see, of its own or on a grid that neighbours share</source>
-        <translation>де в пікселі рахується тексель: його місце на площині, справжнє, і з видимою площею; або що бачать промені крізь частини пікселя, власні чи на спільній із сусідами сітці</translation>
+        <source>where in the pixel a texel counts: its place on the plane (the paper&apos;s), its own, and with its area seen (ours); or what rays through parts of the pixel see, of its own or on a grid that neighbours share (ours; grid: the default)</source>
+        <translation>де в пікселі рахується тексель: його місце на площині (як у статті), справжнє, і з видимою площею (наші); або що бачать промені крізь частини пікселя, власні чи на спільній із сусідами сітці (наші; типово сітка)</translation>
     </message>
     <message>
         <source>form=rays: through a pixel in which the relief is no plane</source>

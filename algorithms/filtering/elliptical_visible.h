@@ -13,7 +13,7 @@
 //   position-area  times the projected area of the surface there, max(0, 1 + a h_s + b h_t)
 // The last two sum over the surface itself: where the relief under a texel is steep, so that its parts lie far apart in
 // the pixel, it is taken in parts, first the finer levels' texels, then parts of texels.
-// Two more, rays and grid (the default), are other texts: elliptical_rays.h, elliptical_grid.h.
+// Two more, rays and grid (the default), are ours as well: elliptical_rays.h, elliptical_grid.h.
 // All equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at the hit's height.
 // None visible: the colour at the hit.
 //
@@ -52,8 +52,9 @@ struct VisibleOptions : EllipticalOptions {
                         1,
                         1,
                         {"plane", "position", "position-area", "rays", "grid"},
-                        "where in the pixel a texel counts: its place on the plane, its own, and with its area seen; "
-                        "or what rays through parts of the pixel see, of its own or on a grid that neighbours share"},
+                        "where in the pixel a texel counts: its place on the plane (the paper's), its own, and with "
+                        "its area seen (ours); or what rays through parts of the pixel see, of its own or on a grid "
+                        "that neighbours share (ours; grid: the default)"},
                        &VisibleOptions::form});
         all.push_back({{"samples",
                         OptionKind::Integer,

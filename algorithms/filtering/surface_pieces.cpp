@@ -65,6 +65,24 @@ SurfacePieces::SurfacePieces(const VisibleKernel& kernel, const LevelFootprint& 
 
 void SurfacePieces::gather(HeightBounds under, std::vector<VisibleKernel::Piece>& pieces) {
     pieces_ = &pieces;
+    while (true) {
+        left_ = kMostLooks;
+        gatherOnce(under);
+        if (left_ >= 0) return;
+        pieces.clear();
+        if (mostParts_ > 1) {
+            mostParts_ /= 2;
+        } else {
+            stride_ *= 2;
+        }
+    }
+}
+
+bool SurfacePieces::taken(double centre) const {
+    return stride_ == 1 || std::fmod(std::floor(centre), stride_) == 0;
+}
+
+void SurfacePieces::gatherOnce(HeightBounds under) {
     const LevelAxis columns = kernel_.plain_.across(f_.level);
     const LevelAxis rows = kernel_.plain_.down(f_.level);
     const glm::dvec2 from = -(under.low - h0_) * run_;
@@ -75,6 +93,7 @@ void SurfacePieces::gather(HeightBounds under, std::vector<VisibleKernel::Piece>
     rows.over(
         f_.centre.y + std::min(from.y, to.y) - height, f_.centre.y + std::max(from.y, to.y) + height,
         [&](int j, double y, float rowShare) {
+            if (left_ < 0 || !taken(y)) return;
             const double v = y - f_.centre.y;
             Span<double> span;
             for (const double at : {v - rim, v, v + rim}) {
@@ -85,7 +104,7 @@ void SurfacePieces::gather(HeightBounds under, std::vector<VisibleKernel::Piece>
             if (span.empty()) return;
             columns.over(f_.centre.x + span.begin - rim, f_.centre.x + span.end + rim,
                          [&](int i, double x, float share) {
-                             add({f_.level, i, j, x - f_.centre.x, v, share, rowShare});
+                             if (taken(x)) add({f_.level, i, j, x - f_.centre.x, v, share, rowShare});
                          });
         });
 }
@@ -108,6 +127,8 @@ bool SurfacePieces::reaches(const Block& block, HeightBounds bounds) const {
 }
 
 void SurfacePieces::add(const Block& block) {
+    if (left_ < 0) return;
+    --left_;
     const glm::dvec2 place = (f_.centre + glm::dvec2(block.u, block.v)) * toField_;
     if (kernel_.outside(place)) return;
     const glm::dvec2 half = 0.5 * glm::dvec2(block.width, block.height) * toField_;
@@ -115,9 +136,11 @@ void SurfacePieces::add(const Block& block) {
                                              place.x + half.x, place.y + half.y);
     if (!reaches(block, bounds)) return;
     const bool wide = (bounds.high - bounds.low) * runPixels_ > kLargestSpread;
-    if (wide && block.level > 0) {
+    // Parts along a side that a texel of this level may still have.
+    const int parts = mostParts_ == kMostParts ? kMostParts : mostParts_ >> (f_.level - block.level);
+    if (wide && block.level > 0 && parts > 1) {
         split(block);
-    } else if (wide && !columns_) {
+    } else if (wide && !columns_ && block.level == 0 && parts > 1) {
         addParts(block, bounds);
     } else {
         addPiece(block, block.u, block.v, block.width, block.height,
@@ -154,14 +177,14 @@ void SurfacePieces::addParts(const Block& block, HeightBounds bounds) {
         const double rise = 2 * std::max(std::abs(h - before), std::abs(after - h));
         return static_cast<int>(
             std::clamp(std::ceil(std::min(rise, bounds.high - bounds.low) * runPixels_ / kLargestSpread), 1.0,
-                       double{kMostParts}));
+                       double(std::min(mostParts_, kMostParts))));
     };
     const int across = parts(field.at(place.x - half.x, place.y), field.at(place.x + half.x, place.y));
     const int down = parts(field.at(place.x, place.y - half.y), field.at(place.x, place.y + half.y));
     const double width = block.width / across;
     const double height = block.height / down;
     const double texels = std::ldexp(1.0, f_.level);  // of level 0
-    for (int y = 0; y < down; ++y) {
+    for (int y = 0; y < down && left_ >= 0; ++y) {
         for (int x = 0; x < across; ++x) {
             const double u = block.u + (x + 0.5) * width - 0.5 * block.width;
             const double v = block.v + (y + 0.5) * height - 0.5 * block.height;
@@ -172,6 +195,7 @@ void SurfacePieces::addParts(const Block& block, HeightBounds bounds) {
 }
 
 void SurfacePieces::addPiece(const Block& block, double u, double v, double width, double height, Color color) {
+    --left_;
     const HeightField& field = kernel_.field_;
     const glm::dvec2 place = (f_.centre + glm::dvec2(u, v)) * toField_;
     const double h = field.at(place.x, place.y);
@@ -204,7 +228,8 @@ void SurfacePieces::addWalls(const Block& block, glm::dvec2 place, double h) {
         const double foot = field.at(at.x, at.y);
         if (!(foot < h) || kernel_.outside(at)) continue;
         const int count =
-            static_cast<int>(std::clamp(std::ceil((h - foot) * runPixels_ / kLargestSpread), 1.0, double{kMostParts}));
+            static_cast<int>(std::clamp(std::ceil((h - foot) * runPixels_ / kLargestSpread), 1.0, double(mostParts_)));
+        left_ -= count;
         // Its area in the pixel: its length times the run of the ray over its height, in texels of the level.
         const double area =
             (h - foot) / count * std::abs(run) * (acrossS ? block.height / toField_.x : block.width / toField_.y);

@@ -5,6 +5,9 @@
 // lowest to its highest point; otherwise its four texels of the next finer level; below level 0 a texel is cut into
 // equal parts (its colour bilinear there). Columns: a texel's top is one piece, and each wall that faces the viewer is
 // cut into pieces from foot to top, of the colour of the texel it belongs to.
+// Bound of work: where that takes more than kMostLooks, as in views along the plane whose pixels see thousands of
+// texels, the pixel is done again with texels in fewer parts, half as many along each side each time, then with every
+// second, fourth, ... texel for its neighbours too. An approximation, where the others are already one of sampling.
 #pragma once
 
 #include <vector>
@@ -17,6 +20,8 @@ namespace relief {
 inline constexpr double kLargestSpread = 0.5;
 // Parts of a texel along each side, at most; pieces of a wall, at most.
 inline constexpr int kMostParts = 16;
+// Texels looked at and pieces made for a pixel, at most.
+inline constexpr int kMostLooks = 4096;
 
 class SurfacePieces {
   public:
@@ -32,6 +37,8 @@ class SurfacePieces {
         double u, v;
         double width, height;
     };
+    void gatherOnce(HeightBounds under);
+    bool taken(double centre) const;
     void add(const Block& block);
     void addParts(const Block& block, HeightBounds bounds);
     void addPiece(const Block& block, double u, double v, double width, double height, Color color);
@@ -50,6 +57,9 @@ class SurfacePieces {
     glm::dvec2 toField_;  // texels of the height map per texel of the footprint's level
     bool area_;
     bool columns_;
+    int left_ = 0;                // looks; below 0: too many
+    int mostParts_ = kMostParts;  // of a texel along each side, finer levels' texels among them
+    int stride_ = 1;              // of the texels of the footprint's level
 };
 
 }  // namespace relief

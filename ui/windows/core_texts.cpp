@@ -153,8 +153,9 @@ namespace {
     QT_TRANSLATE_NOOP("core", "where weights come from: the formula, a table over the distance, a map of the pixel"),
     QT_TRANSLATE_NOOP("core", "of the map of weights along each side; the table has its square"),
     QT_TRANSLATE_NOOP("core",
-                      "where in the pixel a texel counts: its place on the plane, its own, and with its area seen; or "
-                      "what rays through parts of the pixel see, of its own or on a grid that neighbours share"),
+                      "where in the pixel a texel counts: its place on the plane (the paper's), its own, and with its "
+                      "area seen (ours); or what rays through parts of the pixel see, of its own or on a grid that "
+                      "neighbours share (ours; grid: the default)"),
     QT_TRANSLATE_NOOP("core",
                       "many pixels at once, of 16-bit levels, where the formula is direct; or one by one in double"),
     QT_TRANSLATE_NOOP("core", "form=rays: through a pixel in which the relief is no plane"),
