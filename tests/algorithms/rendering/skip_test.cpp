@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "../relief/fields.h"
+#include "filtering/surface_pieces.h"
+#include "images/reliefs.h"
 #include "rendering/flat_ground.h"
 #include "rendering/skip_ledger.h"
 #include "scenario/scenario.h"
@@ -114,6 +116,41 @@ TEST(Skip, noBitChangesOverFilters) {
     }
     EXPECT_GT(spared, 0);
     EXPECT_GT(traced, 0);
+}
+
+// What lies beyond the plane's footprint, and what the pixel sees of it, is hidden or not by tests alone.
+TEST(Skip, noBitChangesFromNearForTexelsAtTheirOwnPlaces) {
+    const auto bricks = share(makeRelief("bricks", 256, 256, 1));
+    for (const char* form : {"plane", "position", "position-area"}) {
+        SCOPED_TRACE(form);
+        FrameRequest request = small(HeightField(bricks));
+        request.camera.elevation = 70;
+        request.camera.distance = 0.3;
+        request.filter = {"elliptical-visible", {{"form", form}}};
+        const auto skipping = rendered(request);
+        request.skip = false;
+        const auto plain = rendered(request);
+        expectSameBits(*skipping, *plain, request);
+        EXPECT_GT(counted(*plain, "texels hidden"), 1000);
+    }
+}
+
+// Pixels of views along the plane see thousands of texels in hundreds of parts each.
+TEST(Skip, workOfAViewAlongThePlaneIsBounded) {
+    for (const char* form : {"position", "position-area"}) {
+        SCOPED_TRACE(form);
+        FrameRequest request =
+            small(HeightField(share(makeRelief("bricks", 16, 16, 1)), Surface::Bilinear, Address::Repeat, 0.5));
+        request.width = 12;
+        request.height = 9;
+        request.shadows = false;
+        request.camera = {.elevation = 1, .distance = 0.6, .fov = 1};
+        request.filter = {"elliptical-visible", {{"form", form}}};
+        const auto frame = rendered(request);
+        const double pixels = request.width * request.height;
+        EXPECT_GT(counted(*frame, "texels traced back"), 100 * pixels);
+        EXPECT_LE(counted(*frame, "texels traced back"), kMostLooks * pixels);
+    }
 }
 
 TEST(Skip, noBitChangesOnShippedPictures) {
