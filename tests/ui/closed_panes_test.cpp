@@ -14,7 +14,7 @@ namespace reliefui {
 namespace {
 
 constexpr int kDrawnMs = 700;  // until a pane that comes into sight has drawn itself
-constexpr int kPatienceMs = 20000;
+constexpr int kPatienceMs = 120000;
 
 class ClosedPanes : public WindowTest {
   protected:

@@ -17,7 +17,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPatienceMs = 20000;
+constexpr int kPatienceMs = 120000;
 
 class RowsPane : public WindowTest {
   protected:

@@ -21,7 +21,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPatienceMs = 20000;
+constexpr int kPatienceMs = 120000;
 static_assert(2 * StateKeeper::kEveryMs < 10000, "what a crash may cost");
 
 class SessionTest : public WindowTest {

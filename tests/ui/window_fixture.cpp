@@ -12,7 +12,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPatienceMs = 20000;
+constexpr int kPatienceMs = 120000;
 constexpr int kDrawMs = 250;
 
 }  // namespace
