@@ -143,7 +143,7 @@ TEST_F(WindowTest, DraggingDoesNotWaitForASlowFilter) {
     slow.filter.options = {{"form", "position-area"}};
     workspace_->change(slow, QStringLiteral("test"));
     EXPECT_TRUE(workspace_->busy());
-#ifdef __SANITIZE_THREAD__
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
     // Ten times as slow, moving pictures have fewer pixels.
     constexpr bool kAsSlowAsItIs = true;
 #else
