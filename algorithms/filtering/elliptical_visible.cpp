@@ -171,7 +171,7 @@ Color VisibleKernel::filterPieces(const Jacobian& j, glm::dvec2 centre, const Se
     const LevelFootprint f = plain_.footprint(j, centre);
     if (f.kind != FootprintKind::Ellipse) return plain_.filter(j, centre, counts, log);
     Region region = regionOf(f, seen);
-    // The tangent's word holds for the plane's footprint; the other forms look at ground beyond it, which it may hide.
+    // The tangent proves it for the plane's footprint only; the other forms read ground beyond it, which may be hidden.
     region.clear = region.clear || (clear && form_ == VisibleForm::Plane);
     if (region.flat || (region.clear && skip_ && form_ == VisibleForm::Plane)) {
         const std::int64_t before = counts.texels;

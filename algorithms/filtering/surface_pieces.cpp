@@ -67,19 +67,16 @@ void SurfacePieces::gather(HeightBounds under, std::vector<VisibleKernel::Piece>
     pieces_ = &pieces;
     while (true) {
         left_ = kMostLooks;
+        texel_ = 0;
         gatherOnce(under);
         if (left_ >= 0) return;
         pieces.clear();
         if (mostParts_ > 1) {
             mostParts_ /= 2;
         } else {
-            stride_ *= 2;
+            stride_ = 2 * stride_ + 1;  // odd: not in step with rows of a power of two
         }
     }
-}
-
-bool SurfacePieces::taken(double centre) const {
-    return stride_ == 1 || std::fmod(std::floor(centre), stride_) == 0;
 }
 
 void SurfacePieces::gatherOnce(HeightBounds under) {
@@ -93,7 +90,7 @@ void SurfacePieces::gatherOnce(HeightBounds under) {
     rows.over(
         f_.centre.y + std::min(from.y, to.y) - height, f_.centre.y + std::max(from.y, to.y) + height,
         [&](int j, double y, float rowShare) {
-            if (left_ < 0 || !taken(y)) return;
+            if (left_ < 0) return;
             const double v = y - f_.centre.y;
             Span<double> span;
             for (const double at : {v - rim, v, v + rim}) {
@@ -104,7 +101,7 @@ void SurfacePieces::gatherOnce(HeightBounds under) {
             if (span.empty()) return;
             columns.over(f_.centre.x + span.begin - rim, f_.centre.x + span.end + rim,
                          [&](int i, double x, float share) {
-                             if (taken(x)) add({f_.level, i, j, x - f_.centre.x, v, share, rowShare});
+                             if (texel_++ % stride_ == 0) add({f_.level, i, j, x - f_.centre.x, v, share, rowShare});
                          });
         });
 }
@@ -141,7 +138,7 @@ void SurfacePieces::add(const Block& block) {
     if (wide && block.level > 0 && parts > 1) {
         split(block);
     } else if (wide && !columns_ && block.level == 0 && parts > 1) {
-        addParts(block, bounds);
+        addParts(block, bounds, parts);
     } else {
         addPiece(block, block.u, block.v, block.width, block.height,
                  kernel_.plain_.levels().level(block.level)(block.i, block.j));
@@ -167,7 +164,7 @@ void SurfacePieces::split(const Block& block) {
     }
 }
 
-void SurfacePieces::addParts(const Block& block, HeightBounds bounds) {
+void SurfacePieces::addParts(const Block& block, HeightBounds bounds, int most) {
     // By the steepest slope across each axis; how it runs inside is left to the parts.
     const glm::dvec2 place = (f_.centre + glm::dvec2(block.u, block.v)) * toField_;
     const glm::dvec2 half = 0.5 * glm::dvec2(block.width, block.height) * toField_;
@@ -175,9 +172,8 @@ void SurfacePieces::addParts(const Block& block, HeightBounds bounds) {
     const double h = field.at(place.x, place.y);
     const auto parts = [&](double before, double after) {
         const double rise = 2 * std::max(std::abs(h - before), std::abs(after - h));
-        return static_cast<int>(
-            std::clamp(std::ceil(std::min(rise, bounds.high - bounds.low) * runPixels_ / kLargestSpread), 1.0,
-                       double(std::min(mostParts_, kMostParts))));
+        return static_cast<int>(std::clamp(
+            std::ceil(std::min(rise, bounds.high - bounds.low) * runPixels_ / kLargestSpread), 1.0, double(most)));
     };
     const int across = parts(field.at(place.x - half.x, place.y), field.at(place.x + half.x, place.y));
     const int down = parts(field.at(place.x, place.y - half.y), field.at(place.x, place.y + half.y));

@@ -7,7 +7,7 @@
 // cut into pieces from foot to top, of the colour of the texel it belongs to.
 // Bound of work: where that takes more than kMostLooks, as in views along the plane whose pixels see thousands of
 // texels, the pixel is done again with texels in fewer parts, half as many along each side each time, then with every
-// second, fourth, ... texel for its neighbours too. An approximation, where the others are already one of sampling.
+// third, seventh, fifteenth, ... texel, counted row by row: a coarser sampling of the same sum.
 #pragma once
 
 #include <vector>
@@ -38,9 +38,8 @@ class SurfacePieces {
         double width, height;
     };
     void gatherOnce(HeightBounds under);
-    bool taken(double centre) const;
     void add(const Block& block);
-    void addParts(const Block& block, HeightBounds bounds);
+    void addParts(const Block& block, HeightBounds bounds, int most);  // along each side
     void addPiece(const Block& block, double u, double v, double width, double height, Color color);
     void addWalls(const Block& block, glm::dvec2 place, double h);
     void push(const Block& block, double u, double v, Color color, double share, glm::dvec3 point);
@@ -60,6 +59,7 @@ class SurfacePieces {
     int left_ = 0;                // looks; below 0: too many
     int mostParts_ = kMostParts;  // of a texel along each side, finer levels' texels among them
     int stride_ = 1;              // of the texels of the footprint's level
+    std::int64_t texel_ = 0;      // of them, so far
 };
 
 }  // namespace relief

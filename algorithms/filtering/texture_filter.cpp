@@ -183,7 +183,7 @@ const std::vector<FilterDescription>& filterList() {
                                      "Heckbert 1989; [TEX]", false),
         described<VisibleOptions>("elliptical-visible",
                                   "the same without the texels that the relief hides from the viewer",
-                                  "form=plane: [ANISO17]; the other forms: ours", true),
+                                  "[ANISO17] (form=plane)", true),
         {std::string(kSupersample),
          "many rays a pixel, traced and lit one by one: the picture's truth, slow",
          "",

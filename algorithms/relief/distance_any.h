@@ -68,7 +68,7 @@ class DistanceAnyHit {
         double out = ray.dz != 0 ? (face - ray.z) / ray.dz : 1.0;
         out = std::min({out, course.x.leave(grid_.x, bx * f, std::min((bx + 1) * f, grid_.x.cells), cx.base),
                         course.y.leave(grid_.y, by * f, std::min((by + 1) * f, grid_.y.cells), cy.base)});
-        return std::max(out, mu) + (perMu > 0 ? distance / perMu * (1 - 1e-9) : 1.0);
+        return std::max(out, mu) + (perMu > 0 ? distance / perMu * (1 - 1e-9) : 0.0);  // 0: a relief of no depth
     }
 
     HeightField field_;

@@ -28,7 +28,8 @@ Sight lookByJumps(const HeightField& field, const CellGrid& grid, const AnyRay& 
         return Sight::Clear;
     }
     double mu = 0;
-    for (double left = bound; left > 0; --left) {
+    // Two records besides: the start and the end.
+    for (double left = bound - 2; left > 0; --left) {
         cx = course.x.cellAt(grid.x, mu);
         cy = course.y.cellAt(grid.y, mu);
         const Stay stay = cellStay(grid, course, cx, cy);

@@ -74,8 +74,8 @@ Message claimSentence(const Step& step, const StepContext& context, std::string 
     std::vector<MessageValue> values{
         {"at", height(claimStart(step))}, {"value", std::move(value)}, {"after", height(step.lambdaAfter)}};
     if (context.exact) values.emplace_back("met", height(context.exact->lambda));
-    const Claim claim = claimOf(step, context);
-    const MessageId id = claim == Claim::Behind ? MessageId::StepClaimBehind : claim == Claim::Broken ? broken : kept;
+    const MapPromise claim = mapPromise(step, context);
+    const MessageId id = claim == MapPromise::Behind ? MessageId::StepClaimBehind : claim == MapPromise::Broken ? broken : kept;
     return Message(id, std::move(values));
 }
 
@@ -213,13 +213,13 @@ Message decisionTitle(Decision decision) {
     return Message(kTitles[static_cast<std::size_t>(decision)]);
 }
 
-Claim claimOf(const Step& step, const StepContext& context) {
-    if (!step.trustsMap()) return Claim::None;
-    if (!context.exact || context.exact->outcome != Outcome::Hit) return Claim::Kept;
+MapPromise mapPromise(const Step& step, const StepContext& context) {
+    if (!step.trustsMap()) return MapPromise::None;
+    if (!context.exact || context.exact->outcome != Outcome::Hit) return MapPromise::Kept;
     const double scale = context.ray ? std::max(1.0, std::hypot(context.ray->a, context.ray->b)) : 1;
     const double met = context.exact->lambda + kSameAnswer / scale;
-    if (claimStart(step) > met) return Claim::Behind;
-    return step.lambdaAfter > met ? Claim::Broken : Claim::Kept;
+    if (claimStart(step) > met) return MapPromise::Behind;
+    return step.lambdaAfter > met ? MapPromise::Broken : MapPromise::Kept;
 }
 
 Message stepSentence(const Step& step, const StepContext& context) {

@@ -31,8 +31,8 @@ Message stepSentence(const Step& step, const StepContext& context);
 // What the exact hit shows of the sphere or cone that a step trusts. None: the step trusts none. Kept: also where no
 // exact hit is known. Broken: the surface is met on the part of the ray that the map promised free. Behind: the ray was
 // past the surface before.
-enum class Claim : std::uint8_t { None, Kept, Broken, Behind };
-Claim claimOf(const Step& step, const StepContext& context);
+enum class MapPromise : std::uint8_t { None, Kept, Broken, Behind };
+MapPromise mapPromise(const Step& step, const StepContext& context);
 
 // How far a method's answer is from the exact hit, texels: |lambda - exact lambda| max(1, hypot(a, b)); infinite where
 // the outcomes differ, 0 where neither hits or the exact one is not known (Limit, Unset).

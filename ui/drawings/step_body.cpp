@@ -46,7 +46,7 @@ StepBody stepBody(const relief::Step& step) {
 }
 
 Role bodyRole(const relief::Step& step, const relief::ViewRay& ray, const relief::Hit& exact) {
-    const bool broken = relief::claimOf(step, {nullptr, ray, exact}) == relief::Claim::Broken;
+    const bool broken = relief::mapPromise(step, {nullptr, ray, exact}) == relief::MapPromise::Broken;
     return broken ? Role::Overshoot : Role::Empty;
 }
 

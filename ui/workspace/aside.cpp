@@ -17,8 +17,9 @@ struct Waiting {
 };
 
 Waiting& waiting() {
-    static Waiting calls;
-    return calls;
+    // Never destroyed: a thread of the pool may end after this library's own objects.
+    static auto* const calls = new Waiting;
+    return *calls;
 }
 
 void runNext() {

@@ -217,12 +217,12 @@ TEST(StepSentence, aBrokenPromiseIsSaid) {
               "At height 0.900 the map promises 2.50 texels free: the ray goes on by as much, to height 0.700.");
     EXPECT_NE(said(0.2).find("The promise does not hold: the surface is met at height 0.800."), std::string::npos);
     EXPECT_NE(said(0.05).find("already behind the surface"), std::string::npos);
-    const auto claim = [&](const Hit& exact) { return claimOf(s, {nullptr, ray, exact}); };
-    EXPECT_EQ(claim(Hit()), Claim::Kept) << "no exact hit is known";
-    EXPECT_EQ(claim(Hit::at(ray, 0.4)), Claim::Kept);
-    EXPECT_EQ(claim(Hit::at(ray, 0.2)), Claim::Broken);
-    EXPECT_EQ(claim(Hit::at(ray, 0.05)), Claim::Behind);
-    EXPECT_EQ(claimOf(step(Decision::Skip), {nullptr, ray, Hit::at(ray, 0.2)}), Claim::None);
+    const auto claim = [&](const Hit& exact) { return mapPromise(s, {nullptr, ray, exact}); };
+    EXPECT_EQ(claim(Hit()), MapPromise::Kept) << "no exact hit is known";
+    EXPECT_EQ(claim(Hit::at(ray, 0.4)), MapPromise::Kept);
+    EXPECT_EQ(claim(Hit::at(ray, 0.2)), MapPromise::Broken);
+    EXPECT_EQ(claim(Hit::at(ray, 0.05)), MapPromise::Behind);
+    EXPECT_EQ(mapPromise(step(Decision::Skip), {nullptr, ray, Hit::at(ray, 0.2)}), MapPromise::None);
     s.subject = subject::Cone{1, 0, 0.5, 0.25, 0, 1};
     EXPECT_EQ(said(0.4).find("does not hold"), std::string::npos);
     EXPECT_NE(said(0.2).find("The promise does not hold"), std::string::npos);
