@@ -38,6 +38,12 @@ std::optional<double> risesAbove(const HeightField& field, const ViewRay& ray, d
     return std::nullopt;
 }
 
+// Such a ray may come under the surface through the border's side, which is no hit, yet in the way.
+bool startsOutside(const HeightField& field, const ViewRay& ray) {
+    return field.address() == Address::Border &&
+           !(ray.s0 >= 0 && ray.s0 <= field.width() && ray.t0 >= 0 && ray.t0 <= field.height());
+}
+
 std::string rayNumbers(const ViewRay& ray) {
     return "ray " + numberText(ray.s0) + "," + numberText(ray.t0) + "," + numberText(ray.a) + "," + numberText(ray.b);
 }
@@ -60,8 +66,7 @@ std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& 
     if (answer.sight == Sight::Limit) return StressFault{"limit", rayNumbers(ray)};
     const bool hit = reference.outcome == Outcome::Hit;
     if (answer.sight == Sight::Blocked) {
-        // A ray that comes under the surface through the border's side never crosses it: no hit, yet in the way.
-        if (!hit && risesAbove(query.field(), ray, 0)) return std::nullopt;
+        if (!hit && startsOutside(query.field(), ray)) return std::nullopt;
         if (!hit) return StressFault{"any-hit", "blocked, exact: a miss; " + rayNumbers(ray)};
         if (answer.log.steps.empty() || answer.log.steps.back().lambdaOut >= reference.lambda - kLambdaRounding) {
             return std::nullopt;
