@@ -2202,7 +2202,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>вгадати клацанням у профілі, куди влучить промінь</translation>
     </message>
     <message>
-        <source>Ctrl + click in the profile, the distance map</source>
+        <source>Ctrl + click in the profile or the distance map</source>
         <translation>Ctrl + клацання у профілі чи карті відстаней</translation>
     </message>
     <message>

@@ -194,7 +194,9 @@ class StressRun {
         }
         for (const Found& found : result.found) {
             if (report_.violations.size() == options_.listed) return;
-            if (alike_[found.method.name + " " + found.fault.check]++ >= kListedAlike) continue;
+            if (alike_[std::string(stressPartName(found.part)) + " " + found.method.name + " " + found.fault.check]++ >=
+                kListedAlike)
+                continue;
             const Case of = makeCase(options_.seed, number);
             report_.violations.push_back(
                 {found.fault, methodOf(found.method, found.frame.get()), std::string(found.rays), result.map,

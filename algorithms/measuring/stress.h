@@ -1,6 +1,6 @@
 // Numerical stability: methods x maps x surfaces x addressings x ray families, any-hit queries over the same rays, and
 // frames, homographies and rows by cameras at their ends, for a given time; every broken promise with the command that
-// shows it. The cases and their order hang on the seed alone; time only decides when to stop.
+// shows it. The cases and their order depend on the seed alone; time only decides when to stop.
 #pragma once
 
 #include <functional>
@@ -44,7 +44,7 @@ struct StressOptions {
     std::set<StressPart> parts;           // empty: all
     std::optional<std::uint64_t> only;    // this case alone, by its number from 0
     std::size_t listed = 50;              // violations kept with a command; the others are counted
-    double hangSeconds = 60;              // one ray's
+    double hangSeconds = 60;              // of one ray, or of one frame with its repetitions
     // Called once, from another thread, for a ray that takes longer; the tracer cannot be stopped.
     std::function<void(const StressViolation&)> onHang;
 };

@@ -92,16 +92,19 @@ void addStressCommand(CLI::App& program, Commands& commands) {
         "plateaus at the ray's height, spikes, sizes from 1 x 1 to 65536 x 2) and holds each to what it promises: no "
         "NaN, no more steps than stated, no miss where nothing can be missed, exact methods bit for bit, conservative "
         "ones never too late, the same answer with and without a log. Any-hit queries must agree with the exact hits "
-        "of these rays. Small frames over the same maps, by cameras at their ends, with every filter, with shadows and "
-        "without, must be the same with and without --no-skip, by one thread and by several. Homographies of such "
-        "cameras must lead there and back, their derivatives agree with differences; row methods keep to the map "
-        "within their bounds. The cases hang on the seed alone. Each violation is a line that ends with the command "
+        "of these rays. Small frames over the same maps, by extreme cameras (grazing, in a polygon's plane, very near, "
+        "very far, narrow and wide), with every filter, with and without shadows, must be finite and the same with and "
+        "without --no-skip, and by one thread and by several. The homographies of such cameras must lead from pixel to "
+        "texel and back, and their derivatives agree with central differences; row methods must stay within their "
+        "error bounds. The cases depend on the seed alone. Each violation is a line that ends with the command "
         "that shows it; the exit status is then 1.",
         "  relief stress --seconds 60 --seed 7");
     addText(*parser, "--seconds", options->seconds, "N", "how long, default 20", "Run");
     addText(*parser, "--seed", options->seed, "S", "of maps and rays, default 1", "Run");
     addText(*parser, "--tracers", options->tracers, "NAME,...",
-            "only these methods, in frames, too; NAME:OPTION=VALUE for one form of a method; default: all in all forms",
+            "only these methods for view rays, and in frames where they apply (elsewhere the standard method); "
+            "any-hit queries and rows are always all; NAME:OPTION=VALUE for one form of a method; default: all in all "
+            "forms",
             "Run");
     addText(*parser, "--parts", options->parts, "NAME,...",
             "only these parts of each case: tracers, any-hit, frames, homographies, rows; default: all", "Run");

@@ -27,7 +27,7 @@ struct StepBody {
     bool whole() const;
 };
 StepBody stepBody(const relief::Step& step);
-// Role of the step's sphere or cone: Overshoot where the surface is inside it, by the exact hit (Unset: not known).
+// Role of the step's sphere or cone: Overshoot where the ray's first hit lies within it (Unset: not known).
 Role bodyRole(const relief::Step& step, const relief::ViewRay& ray, const relief::Hit& exact);
 
 // Whether the record's value is a height, which drawings can show as one; else a distance or a slope.

@@ -276,7 +276,7 @@ void MainWindow::showShortcuts() {
         {QStringLiteral("Ctrl+D"), tr("first divergence of the duel")},
         {QStringLiteral("Ctrl+B   Ctrl+Shift+B"), tr("add a bookmark, go to the next one")},
         {QStringLiteral("G"), tr("guess where the ray hits, by a click in the profile")},
-        {tr("Ctrl + click in the profile, the distance map"), tr("distances at that point; there again: forget it")},
+        {tr("Ctrl + click in the profile or the distance map"), tr("distances at that point; there again: forget it")},
         {QStringLiteral("1 – 9, 0, Alt+1 – Alt+4"), tr("go to a pane")},
         {tr("Double click on a title"), tr("fill the window with the pane, and back")},
         {tr("Arrows in the trace (with Shift: move), + −"), tr("turn the trace, zoom")},
