@@ -75,7 +75,9 @@ Message claimSentence(const Step& step, const StepContext& context, std::string 
         {"at", height(claimStart(step))}, {"value", std::move(value)}, {"after", height(step.lambdaAfter)}};
     if (context.exact) values.emplace_back("met", height(context.exact->lambda));
     const MapPromise claim = mapPromise(step, context);
-    const MessageId id = claim == MapPromise::Behind ? MessageId::StepClaimBehind : claim == MapPromise::Broken ? broken : kept;
+    const MessageId id = claim == MapPromise::Behind   ? MessageId::StepClaimBehind
+                         : claim == MapPromise::Broken ? broken
+                                                       : kept;
     return Message(id, std::move(values));
 }
 
