@@ -21,7 +21,7 @@ inline constexpr double kLargestSpread = 0.5;
 // Parts of a texel along each side, at most; pieces of a wall, at most.
 inline constexpr int kMostParts = 16;
 // Texels looked at and pieces made for a pixel, at most.
-inline constexpr int kMostLooks = 16384;
+inline constexpr int kMostLooks = 8192;
 
 class SurfacePieces {
   public:
