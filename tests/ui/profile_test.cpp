@@ -351,10 +351,10 @@ TEST(ProfileDrawing, aRayThroughTenThousandCellsIsFewThings) {
 
 // A sphere or cone is drawn as broken exactly where the ray's first hit lies inside it, and only then explained.
 TEST(ProfileDrawing, brokenPromisesAreDrawnAsSuch) {
-    constexpr double kLong = 1e-4;  // of lambda: more than rounding can hide
+    constexpr double kLong = 0.005;  // of lambda: more than what counts as the same answer
     for (const char* method : {"distance", "cone"}) {
-        Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
-        t.trace({12, 40, 19, -4}, {method, {}});
+        Traced t("hills", 64, 64, Surface::Bilinear, Address::Repeat);
+        t.trace({12, 40, 4, -1}, {method, {}});
         const auto claims = std::find_if(t.log.steps.begin(), t.log.steps.end(), [](const relief::Step& s) {
             return s.trustsMap() && s.lambdaAfter > stepBody(s).lambda + kLong;
         });
