@@ -38,7 +38,7 @@ struct PlaneView {
 
 // Whether the nearest surface point does not count for any ray from above.
 bool hides(const PointQuery& query) {
-    constexpr double kSame = 1e-6;  // of the distance
+    constexpr double kSame = 1e-3;  // of the distance: directions 0.02 rad apart lengthen it by up to 1e-4
     const relief::PointDistances& found = query.distances;
     return found.blocked > 0 && found.refined > found.euclidean * (1 + kSame);
 }
