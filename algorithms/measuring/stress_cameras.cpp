@@ -75,8 +75,8 @@ Camera near(SceneKind scene, Random& random) {
     const double across = random.between(-0.4, 0.4);
     const double distance = logarithmic(random, 1e-9, 1e-2);
     const glm::dvec3 eye = overPolygon(scene, distance, along, across);
-    const double aside = distance * random.between(-1, 1);
-    return freeCamera(eye, overPolygon(scene, 0, along + aside, across), fieldOfView(random));
+    const double shift = distance * random.between(-1, 1);
+    return freeCamera(eye, overPolygon(scene, 0, along + shift, across), fieldOfView(random));
 }
 
 Camera far(SceneKind scene, Random& random) {
@@ -111,7 +111,7 @@ Camera onTarget(SceneKind scene, Random& random) {
 const std::vector<StressCameraFamily>& stressCameraFamilies() {
     static const std::vector<StressCameraFamily> families{
         {"ordinary", ordinary}, {"in-plane", inPlane},  {"grazing", grazing}, {"near", near},
-        {"far", far},           {"straight", straight}, {"lens", lens},       {"on-target", onTarget},
+        {"far", far},           {"straight", straight}, {"lens", lens},       {"on-target", onTarget, true},
     };
     return families;
 }

@@ -49,6 +49,7 @@ struct StressCameraFamily {
     std::string_view name;
     // scene: what it looks at; the polygons are makeScene's.
     Camera (*make)(SceneKind scene, Random& random);
+    bool refused = false;  // no picture can be seen by these
 };
 // Ordinary ones; in a polygon's plane, to the last bit and a rounding beside it; grazing; near; far; straight above and
 // below; with the narrowest and widest fields of view; in one place with what they look at, which must be refused.

@@ -155,10 +155,12 @@ class FrameTry {
             if (texelsRun(request(true)) > kFrameTexels) scenario_.method = MethodChoice{};
             run_.watched.begin({&run_.of, StressPart::Frames, &scenario_.method, family_, ViewRay{}, &scenario_});
             compare();
+            if (camera.refused) report({"accepted", "a camera in one place with what it looks at"});
         } catch (const WorkError& error) {
             report({"exception", error.what()});
-        } catch (const InputError&) {
+        } catch (const InputError& error) {
             ++run_.result.parts["frames"].refused;
+            if (!camera.refused) report({"refused", error.what()});
         } catch (const Cancelled&) {
             run_.watched.end();
             throw;

@@ -48,6 +48,15 @@ std::optional<StressFault> derivativeFault(const Homography& map, const Derivati
 inline constexpr double kStressSlack = 16;
 inline constexpr double kTrustedShare = 1e-3;
 
+struct LongTexel {
+    long double s, t;
+};
+// The texel at the middle of a pixel of the row's line y.
+LongTexel truthAt(const Homography& map, double y, std::int64_t pixel);
+// A row of `width` pixels whose q goes from 1 to lastQ and whose u goes from 0 to `texels`, v between two values, all
+// texels not negative; the row's line is y = 0.5.
+Homography rowOfRatio(double width, double lastQ, double texels, double firstV, double lastV);
+
 // One row as a variant evaluated it; u, v: of the pixels of the whole span.
 template <typename T>
 struct StressRow {

@@ -53,6 +53,35 @@ SampleWeights sampleWeights(PixelModel model, PixelAxis axis, int channel, doubl
     return weights;
 }
 
+namespace {
+
+// Of all channels at once.
+using ChannelWeights = std::array<glm::dvec3, 2 * kGaussianRing + 1>;
+
+ChannelWeights channelWeights(PixelModel model, PixelAxis axis, double place) {
+    ChannelWeights weights{};
+    for (int c = 0; c < 3; ++c) {
+        const SampleWeights one = sampleWeights(model, axis, c, place);
+        for (std::size_t n = 0; n < weights.size(); ++n) weights[n][c] = one[n];
+    }
+    return weights;
+}
+
+// With the pixels around it whose samples it sees.
+FrameRequest withRing(FrameRequest request, int ring) {
+    request.margin += ring;
+    request.width += 2 * ring;
+    request.height += 2 * ring;
+    return request;
+}
+
+// The middle of a part of the pixel.
+glm::dvec2 samplePlace(glm::ivec2 part, int samples) {
+    return (glm::dvec2(part) + 0.5) / static_cast<double>(samples);
+}
+
+}  // namespace
+
 SampleSums::SampleSums(int width, int height, PixelModel model, int margin)
     : model_(model), margin_(margin), sums_(width, height, glm::dvec3(0)) {
     assert(margin >= 0 && margin <= kGaussianRing);
@@ -60,17 +89,8 @@ SampleSums::SampleSums(int width, int height, PixelModel model, int margin)
 
 void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work) {
     assert(pass.width() == sums_.width() + 2 * margin() && pass.height() == sums_.height() + 2 * margin());
-    constexpr std::size_t kWeights = 2 * kGaussianRing + 1;
-    std::array<glm::dvec3, kWeights> across{};
-    std::array<glm::dvec3, kWeights> down{};
-    for (int c = 0; c < 3; ++c) {
-        const SampleWeights x = sampleWeights(model_, PixelAxis::Across, c, place.x);
-        const SampleWeights y = sampleWeights(model_, PixelAxis::Down, c, place.y);
-        for (std::size_t n = 0; n < kWeights; ++n) {
-            across[n][c] = x[n];
-            down[n][c] = y[n];
-        }
-    }
+    const ChannelWeights across = channelWeights(model_, PixelAxis::Across, place.x);
+    const ChannelWeights down = channelWeights(model_, PixelAxis::Down, place.y);
     glm::dvec3 weightAcross(0);
     glm::dvec3 weightDown(0);
     for (const glm::dvec3& w : across) weightAcross += w;
@@ -106,30 +126,21 @@ ColorImage SampleSums::mean(Work& work) const {
 
 std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer& tracer, int x, int y, Work& work) {
     const int ring = SampleSums(1, 1, request.filter.pixelModel).margin();
-    FrameRequest pass = request;
-    pass.margin += ring;
-    pass.width += 2 * ring;
-    pass.height += 2 * ring;
+    FrameRequest pass = withRing(request, ring);
     const std::vector<TexturedQuad> scene = makeScene(request.scene, request.field.width(), request.field.height());
     RayBlock rays;
     std::vector<glm::dvec3> weights;
     glm::dvec3 total(0);
     for (const glm::ivec2 part : sampleOrder(request.filter.samples)) {
-        pass.sample = (glm::dvec2(part) + 0.5) / static_cast<double>(request.filter.samples);
+        pass.sample = samplePlace(part, request.filter.samples);
         const VisiblePolygons visible =
             visiblePolygons(scene, requestCamera(pass), pass.width, pass.height, request.field.reliefDepth());
-        const auto weight = [&](PixelAxis axis, double place, int n) {
-            glm::dvec3 channels;
-            for (int c = 0; c < 3; ++c) {
-                channels[c] = sampleWeights(request.filter.pixelModel, axis, c,
-                                            place)[static_cast<std::size_t>(kGaussianRing + n)];
-            }
-            return channels;
-        };
+        const ChannelWeights across = channelWeights(request.filter.pixelModel, PixelAxis::Across, pass.sample.x);
+        const ChannelWeights down = channelWeights(request.filter.pixelModel, PixelAxis::Down, pass.sample.y);
         for (int m = -ring; m <= ring; ++m) {
-            const glm::dvec3 down = weight(PixelAxis::Down, pass.sample.y, m);
             for (int n = -ring; n <= ring; ++n) {
-                const glm::dvec3 both = weight(PixelAxis::Across, pass.sample.x, n) * down;
+                const glm::dvec3 both = across[static_cast<std::size_t>(kGaussianRing + n)] *
+                                        down[static_cast<std::size_t>(kGaussianRing + m)];
                 total += both;
                 const VisiblePolygon* const polygon = visible.at(x + ring - n, y + ring - m, pass.width);
                 if (polygon == nullptr || both == glm::dvec3(0)) continue;
@@ -153,17 +164,14 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
                         const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters) {
     const int samples = request.filter.samples;
     SampleSums sums(request.width, request.height, request.filter.pixelModel);
-    FrameRequest pass = request;
+    FrameRequest pass = withRing(request, sums.margin());
     pass.filter = {};
-    pass.margin = request.margin + sums.margin();
-    pass.width = request.width + 2 * sums.margin();
-    pass.height = request.height + 2 * sums.margin();
     const std::vector<glm::ivec2> order = sampleOrder(samples);
     const int total = samples * samples;
     work.progress().begin("samples", total);
     auto renderer = std::make_unique<FrameRenderer>(maps, true);
     for (int done = 0; done < total; ++done) {
-        pass.sample = (glm::dvec2(order[static_cast<std::size_t>(done)]) + 0.5) / static_cast<double>(samples);
+        pass.sample = samplePlace(order[static_cast<std::size_t>(done)], samples);
         const auto frame = renderer->picture(pass, work);
         sums.add(frame->light->color, pass.sample, work);
         for (const char* name : {"rays traced", "steps"}) {

@@ -66,7 +66,7 @@ class FigureView : public QWidget {
     // none.
     virtual bool showsPoints() const { return false; }
     virtual std::optional<relief::QueryPoint> pointAt(const QPointF&) const { return std::nullopt; }
-    // Asks for the distances of the point there, or forgets it if it is asked for already.
+    // Makes the point there the one whose distances are shown; if it is that already, shows none.
     void askPoint(const QPointF& widget);
     // Whether it is drawn of lines and words: as SVG and PDF, too.
     virtual bool vectors() const { return true; }

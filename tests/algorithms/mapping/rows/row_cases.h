@@ -7,35 +7,18 @@
 
 #include "algorithms/mapping/mapping_cases.h"
 #include "mapping/rows/rows.h"
+#include "measuring/stress_part_checks.h"
 
 namespace relief::test {
 
-// A row of `width` pixels whose q goes from 1 to lastQ and whose u goes from 0 to `texels`, v between two values in
-// [0, texels]; mirrored: from right to left. The row's line is y = 0.5.
+// relief::rowOfRatio, mirrored: from right to left.
 inline Homography rowOfRatio(double width, double lastQ, double texels, double firstV, double lastV, bool mirrored) {
-    Homography map;
-    map.qx = (lastQ - 1) / width;
-    map.q1 = 1;
-    map.sx = texels * lastQ / width;
-    map.s1 = 0;
-    map.t1 = firstV;
-    map.tx = (lastV * lastQ - firstV) / width;
-    map.sy = map.qy = map.ty = 0;
-    if (mirrored) {  // x -> width - x
-        map = {-map.sx, 0, map.s1 + map.sx * width, -map.tx, 0, map.t1 + map.tx * width,
-               -map.qx, 0, map.q1 + map.qx * width};
-    }
-    return map.normalised();
-}
-
-struct LongTexel {
-    long double s, t;
-};
-inline LongTexel truthAt(const Homography& map, double y, std::int64_t pixel) {
-    const long double x = static_cast<long double>(pixel) + 0.5L;
-    const long double q = map.qx * x + (map.qy * static_cast<long double>(y) + map.q1);
-    return {(map.sx * x + (map.sy * static_cast<long double>(y) + map.s1)) / q,
-            (map.tx * x + (map.ty * static_cast<long double>(y) + map.t1)) / q};
+    const Homography map = relief::rowOfRatio(width, lastQ, texels, firstV, lastV);
+    if (!mirrored) return map;
+    // x -> width - x
+    return Homography{-map.sx, 0, map.s1 + map.sx * width, -map.tx, 0, map.t1 + map.tx * width,
+                      -map.qx, 0, map.q1 + map.qx * width}
+        .normalised();
 }
 
 struct EvaluatedRow {

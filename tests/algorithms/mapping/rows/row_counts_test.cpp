@@ -45,7 +45,7 @@ OperationCounts countsOf(const RowOptions& options, std::int64_t n, std::int64_t
             streamsRow(row, options.streams, u.data(), v.data());
     }
     for (std::int64_t i = 0; i < n; ++i) {
-        const test::LongTexel truth = test::truthAt(map, 0.5, i);
+        const LongTexel truth = truthAt(map, 0.5, i);
         if (options.variant == RowVariant::Affine || options.variant == RowVariant::Subspan) continue;
         EXPECT_NEAR(u[static_cast<std::size_t>(i)].value(), static_cast<double>(truth.s), 1e-6);
         EXPECT_NEAR(v[static_cast<std::size_t>(i)].value(), static_cast<double>(truth.t), 1e-6);

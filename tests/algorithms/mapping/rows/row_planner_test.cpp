@@ -12,7 +12,6 @@ namespace {
 
 using test::Random;
 using test::rowOfRatio;
-using test::truthAt;
 
 constexpr std::uint64_t kSeed = 20183;
 

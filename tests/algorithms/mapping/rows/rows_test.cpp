@@ -149,13 +149,13 @@ TEST(Rows, AffineIsWrongByTheClosedForm) {
             const double first = map.denominator(0.5, 0.5), last = map.denominator(width - 0.5, 0.5);
             const AffineError closed = affineError(std::max(first, last) / std::min(first, last));
             const double change =
-                static_cast<double>(std::abs(test::truthAt(map, 0.5, width - 1).s - test::truthAt(map, 0.5, 0).s));
+                static_cast<double>(std::abs(truthAt(map, 0.5, width - 1).s - truthAt(map, 0.5, 0).s));
             std::vector<double> u(width), v(width);
             evaluateRow(map, 0.5, {0, width}, {RowVariant::Affine}, u.data(), v.data());
             double worst = 0, place = 0;
             for (int n = 0; n < width; ++n) {
                 const double error =
-                    std::abs(u[static_cast<std::size_t>(n)] - static_cast<double>(test::truthAt(map, 0.5, n).s));
+                    std::abs(u[static_cast<std::size_t>(n)] - static_cast<double>(truthAt(map, 0.5, n).s));
                 if (error > worst) worst = error, place = n;
             }
             // Within a pixel of the place; there the curve is flat to second order.
