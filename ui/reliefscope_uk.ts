@@ -48,7 +48,7 @@
         <translation>Ділення кожні m пікселів, між ними u та v лінійні; m задане або найдовше, що зберігає похибку.</translation>
     </message>
     <message>
-        <source>Steps to the edge of the cone that the map promises free above each cell; where the ray is below its apex, the cell itself is tested.</source>
+        <source>Steps to the edge of the cone that the map promises to be empty above each cell; where the ray is below its apex, the cell itself is tested.</source>
         <translation>Кроки до краю конуса, який карта обіцяє вільним, над кожною коміркою; де промінь нижче вершини конуса, перевіряється сама комірка.</translation>
     </message>
     <message>
@@ -1603,12 +1603,20 @@
         <translation>Еліпс пікселя на похилому рельєфі накриває тексели, яких око не бачить; фільтр elliptical-visible їх не враховує.</translation>
     </message>
     <message>
+        <source>Distance map: on by the distance that it stores</source>
+        <translation>Карта відстаней: крок завдовжки з відстань у ній</translation>
+    </message>
+    <message>
+        <source>The slice shows how far each voxel is from the surface. At every stop the ray goes on by that distance: five steps to the floor, and with the refined map of the next lesson four. The last circle reaches below the floor: between the middles of voxels distances are interpolated.</source>
+        <translation>Переріз показує, як далеко від поверхні лежить кожен воксель. У кожній зупинці промінь просувається на цю відстань: п'ять кроків до дна, а з уточненою картою з наступного уроку — чотири. Останнє коло сягає нижче дна: між серединами вокселів відстані інтерпольовано.</translation>
+    </message>
+    <message>
         <source>Refined distance: 3 texels or 4</source>
         <translation>Уточнена відстань: 3 текселі чи 4</translation>
     </message>
     <message>
-        <source>Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 texels of C hit the right wall before they reach C; the nearest hit of all others is on the floor, 4 texels below. Ctrl+click asks about another point.</source>
-        <translation>Точка C лежить за 3 текселі від лівої стіни. Промені згори, які зустріли б цю стіну ближче ніж за 4 текселі від C, влучають у праву стіну ще до точки C; найближче влучання всіх інших — на дні, на 4 текселі нижче. Клацання з Ctrl запитує про іншу точку.</translation>
+        <source>Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 texels of C hit the right wall before they reach C; the nearest hit of all others is on the floor, 4 texels below: the refined distance. Ctrl+click asks about another point.</source>
+        <translation>Точка C лежить за 3 текселі від лівої стіни. Промені згори, які зустріли б цю стіну ближче ніж за 4 текселі від C, влучають у праву стіну ще до точки C; найближче влучання всіх інших — на дні, на 4 текселі нижче: це уточнена відстань. Клацання з Ctrl запитує про іншу точку.</translation>
     </message>
     <message>
         <source>Unsafe map: interpolated distances</source>

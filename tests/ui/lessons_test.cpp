@@ -14,10 +14,17 @@ namespace reliefui {
 
 namespace {
 
+constexpr double kRounding = 1e-5;  // of heights in float
+
 std::size_t hiddenTexels(const PixelFootprint& footprint) {
     std::size_t hidden = 0;
     for (const relief::FootprintTexel& texel : footprint.log.texels) hidden += texel.hidden ? 1U : 0U;
     return hidden;
+}
+
+std::ptrdiff_t advances(const std::vector<relief::Step>& steps) {
+    return std::count_if(steps.begin(), steps.end(),
+                         [](const relief::Step& s) { return s.decision == relief::Decision::Advance; });
 }
 
 void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
@@ -43,11 +50,20 @@ void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
     } else if (lesson.name == QStringLiteral("hidden_texels")) {
         ASSERT_NE(snapshot.footprint, nullptr);
         EXPECT_GT(hiddenTexels(*snapshot.footprint), 3U);
+    } else if (lesson.name == QStringLiteral("paper_march")) {
+        EXPECT_EQ(advances(steps), 5);
+        const relief::Step& last = steps[steps.size() - 2];
+        EXPECT_LT(last.zOut, 0.2) << "the last sphere reaches below the floor";
+        EXPECT_NEAR(1 - snapshot.trace.hit.lambda, 0.2, kRounding) << "the floor";
+        // The same ray with the refined map.
+        const relief::Scenario refined = lessonScenario(QStringLiteral("paper_walls"));
+        EXPECT_EQ(refined.pixel, snapshot.scenario.pixel);
+        EXPECT_EQ(refined.camera, snapshot.scenario.camera);
     } else if (lesson.name == QStringLiteral("paper_walls")) {
+        EXPECT_EQ(advances(steps), 4) << "as the lesson before it says";
         relief::Work work;
         const auto point = pointOf(snapshot, snapshot.scenario.panes.query, work);
         ASSERT_NE(point, nullptr);
-        constexpr double kRounding = 1e-5;  // of heights in float
         EXPECT_NEAR(point->distances.euclidean, 3, kRounding);
         EXPECT_NEAR(point->distances.s, 1, kRounding) << "the left wall";
         EXPECT_NEAR(point->distances.refined, 4, kRounding);

@@ -71,7 +71,7 @@ TEST_F(DistanceTest, OfThePapersPointBothSpheresAndLinesAreDrawn) {
         }
     }
     EXPECT_NE(text.find("3.000"), std::string::npos) << text;
-    EXPECT_NE(text.find("4.000 texels; the ray 4.000,4.500,0.000,0.000"), std::string::npos) << text;
+    EXPECT_NE(text.find("4.000 texels; V2, the ray 4.000,4.500,0.000,0.000, decides it"), std::string::npos) << text;
 }
 
 TEST_F(DistanceTest, CtrlClickAsksForAPointAndThereAgainForgetsIt) {
@@ -101,6 +101,32 @@ TEST_F(DistanceTest, CtrlClickAsksForAPointAndThereAgainForgetsIt) {
     workspace_->undo();
     ASSERT_NO_FATAL_FAILURE(settle());
     EXPECT_TRUE(scenario().panes.query);
+}
+
+TEST_F(DistanceTest, ThereAgainForgetsItInAnotherCopyAndAtThePlotsEdgeToo) {
+    openPane(walled("distance-conservative"));
+    const DistanceFrame frame = view()->shown()->frame;
+    const relief::HeightField& field = snapshot()->request->field;
+    const auto click = [&](Point drawn) {
+        QTest::mouseClick(canvas(), Qt::LeftButton, Qt::ControlModifier, canvas()->toWidget(drawn).toPoint());
+        settle();
+    };
+    const Point middle = frame.plot.center();
+    click(middle);
+    ASSERT_TRUE(scenario().panes.query);
+    relief::PaneStates panes = scenario().panes;
+    panes.query->s -= 2 * field.width();  // drawn in the copy that is seen
+    panes.query->t += field.height();
+    workspace_->setPanes(panes, {});
+    ASSERT_NO_FATAL_FAILURE(settle());
+    ASSERT_NE(view()->point(), nullptr);
+    click(middle);
+    EXPECT_FALSE(scenario().panes.query);
+    const Point corner{frame.plot.x0 + 2, frame.plot.y1 - 2};
+    click(corner);
+    ASSERT_TRUE(scenario().panes.query);
+    click(corner);
+    EXPECT_FALSE(scenario().panes.query);
 }
 
 TEST_F(DistanceTest, InEveryCopyOfAPictureAPointHasTheSameDistances) {

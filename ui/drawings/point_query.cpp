@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "drawings/distance_drawing.h"
 #include "drawings/profile_drawing.h"
@@ -24,6 +25,11 @@ constexpr double kBesidePlane =
 constexpr LevelTint kEuclidean{0, 4};
 constexpr LevelTint kRefined{1, 4};
 
+// The rays through C, as figures 5 to 8 of the paper call them: V1 the hidden one, if there is one.
+const char* decidingName(bool hidden) {
+    return hidden ? "V2" : "V1";
+}
+
 // The plane that is drawn, as the marks need it.
 struct PlaneView {
     Box plot;
@@ -35,6 +41,18 @@ struct PlaneView {
     double slab = 0;      // D
     bool spheres = true;  // maps seen from above have no plane that could cut them
 };
+
+// Whether the plane cuts or nearly touches what is to be shown of the point.
+bool touches(const PlaneView& view, const relief::PointDistances& found) {
+    const double radius = std::max(found.euclidean, found.reached ? found.refined : 0);
+    return !view.spheres || std::abs(view.off) <= std::max(radius, kBesidePlane);
+}
+
+// Where C is drawn, if it is.
+std::optional<Point> markAt(const PlaneView& view, const PointQuery& query) {
+    const Point at = view.at(view.center);
+    return touches(view, query.distances) && view.plot.contains(at) ? std::optional(at) : std::nullopt;
+}
 
 // Whether the nearest surface point does not count for any ray from above.
 bool hides(const PointQuery& query) {
@@ -50,15 +68,14 @@ class PointMarks {
 
     void add() {
         const relief::PointDistances& found = query_.distances;
-        const double radius = std::max(found.euclidean, found.reached ? found.refined : 0);
-        if (view_.spheres && std::abs(view_.off) > std::max(radius, kBesidePlane)) return;
+        if (!touches(view_, found)) return;
         if (hides(query_)) hidden();
         if (found.rays > 0) euclidean();
         if (found.reached) refined();
-        const Point at = view_.at(view_.center);
-        if (!view_.plot.contains(at)) return;
-        drawing_.add({}, Role::Highlight, Ring{at, 4});
-        Label name{at, plainText("C"), Anchor::BottomLeft, 1, {5, -5}, true, false, {}};
+        const std::optional<Point> at = markAt(view_, query_);
+        if (!at) return;
+        drawing_.add({}, Role::Highlight, Ring{*at, 4});
+        Label name{*at, plainText("C"), Anchor::BottomLeft, 1, {5, -5}, true, false, {}};
         drawing_.add({}, Role::Highlight, std::move(name), Emphasis::Strong);
     }
 
@@ -87,7 +104,9 @@ class PointMarks {
     void hidden() {
         const relief::PointDistances& found = query_.distances;
         const Point hit = onRay(found.blockedRay, found.blockedHit.lambda);
-        line({onRay(found.blockedRay, 0), view_.at(view_.center)}, Role::Hidden, {}, true);
+        const Point from = onRay(found.blockedRay, 0);
+        line({from, view_.at(view_.center)}, Role::Hidden, {}, true);
+        name("V1", from, hit, Role::Hidden, {});
         if (view_.plot.grown(1).contains(hit)) put(Role::Hidden, Marker{hit, Shape::Cross, 9}, {});
     }
 
@@ -96,7 +115,9 @@ class PointMarks {
         const relief::PointDistances& found = query_.distances;
         sphere(found.refined, Role::SeriesDashed, kRefined);
         const Point hit = onRay(found.ray, found.hit.lambda);
-        line({onRay(found.ray, 0), hit}, Role::SeriesDashed, kRefined, true);
+        const Point from = onRay(found.ray, 0);
+        line({from, hit}, Role::SeriesDashed, kRefined, true);
+        name(decidingName(hides(query_)), from, hit, Role::SeriesDashed, kRefined);
         number(view_.at(view_.center), hit, found.refined, Role::SeriesDashed, kRefined);
     }
 
@@ -118,6 +139,20 @@ class PointMarks {
             const bool whole = run.back() == points.back();
             put(role, Polyline{std::move(run), arrow && whole}, tint);
         }
+    }
+
+    // Beside the first point of the line that can be seen.
+    void name(const char* text, Point from, Point to, Role role, const LevelTint& tint) {
+        const auto runs = clippedTo({from, to}, view_.plot);
+        if (runs.empty()) return;
+        Label label;
+        label.at = runs.front().front();
+        label.text = plainText(text);
+        label.anchor = Anchor::TopLeft;
+        label.offset = {4, 3};
+        label.size = 0.9;
+        label.plate = true;
+        put(role, std::move(label), tint);
     }
 
     // In the middle between two points, where it can be seen.
@@ -156,6 +191,59 @@ double wrappedInto(double place, double period) {
     return within < period ? within : 0;
 }
 
+PlaneView planeView(const PointQuery& query, const relief::HeightField& field, const DistanceFrame& frame) {
+    PlaneView view;
+    view.plot = frame.plot;
+    view.at = [&](const Place3& place) { return frame.at(place); };
+    view.center = {query.point.s, query.point.t, query.point.z * frame.slab};
+    if (repeats(field)) {
+        const Place3 middle = fromSlice(frame.axis, frame.slab, frame.plane, frame.window.center());
+        const Point uv = toSlice(frame.axis, frame.slab, view.center);
+        const bool seen = frame.window.contains(uv);
+        const auto normal = static_cast<std::size_t>(frame.axis);
+        const std::array<double, 2> periods{static_cast<double>(field.width()), static_cast<double>(field.height())};
+        for (std::size_t axis = 0; axis < periods.size(); ++axis) {
+            if (axis == normal || !seen)
+                view.center[axis] = nearestCopy(view.center[axis], middle[axis], periods[axis]);
+        }
+    }
+    view.spheres = !frame.slopes;
+    view.off = offPlane(frame.axis, frame.plane, view.center);
+    view.scaleX = view.scaleY = frame.scale;
+    view.slab = frame.slab;
+    return view;
+}
+
+// None: a vertical ray has no plane.
+std::optional<PlaneView> planeView(const PointQuery& query, const ProfileSource& source, const ProfileFrame& frame) {
+    const double slab = source.field->slabTexels();
+    if (frame.vertical || slab <= 0) return std::nullopt;
+    const RayPath path(*source.field, source.ray);
+    const auto lambdaOf = [=, &frame](double s, double t) {
+        return ((s - path.start.x) * path.run.x + (t - path.start.y) * path.run.y) / (frame.run * frame.run);
+    };
+    const auto offOf = [=, &frame](double s, double t) {
+        return ((s - path.start.x) * path.run.y - (t - path.start.y) * path.run.x) / frame.run;
+    };
+    PlaneView view;
+    view.plot = frame.plot;
+    view.at = [=, &frame](const Place3& place) { return frame.at(lambdaOf(place[0], place[1]), place[2] / slab); };
+    view.center = {query.point.s, query.point.t, query.point.z * slab};
+    const double lambda = lambdaOf(view.center[0], view.center[1]);
+    const bool seen = lambda >= 0 && lambda <= frame.lambdaEnd &&
+                      std::abs(offOf(view.center[0], view.center[1])) <= query.distances.refined;
+    if (repeats(*source.field) && !seen) {
+        const Point middle = path.at(frame.lambdaEnd / 2);
+        view.center[0] = nearestCopy(view.center[0], middle.x, source.field->width());
+        view.center[1] = nearestCopy(view.center[1], middle.y, source.field->height());
+    }
+    view.off = offOf(view.center[0], view.center[1]);
+    view.scaleX = frame.plot.width() / (frame.lambdaEnd * frame.run);
+    view.scaleY = frame.plot.height() / ((frame.high - frame.low) * slab);
+    view.slab = slab;
+    return view;
+}
+
 }  // namespace
 
 bool overPicture(const relief::HeightField& field, const relief::QueryPoint& point) {
@@ -179,56 +267,21 @@ std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, c
 
 void addPointMarks(Drawing& drawing, const PointQuery& query, const relief::HeightField& field,
                    const DistanceFrame& frame) {
-    PlaneView view;
-    view.plot = frame.plot;
-    view.at = [&](const Place3& place) { return frame.at(place); };
-    view.center = {query.point.s, query.point.t, query.point.z * frame.slab};
-    if (repeats(field)) {
-        const Place3 middle = fromSlice(frame.axis, frame.slab, frame.plane, frame.window.center());
-        const Point uv = toSlice(frame.axis, frame.slab, view.center);
-        const bool seen = frame.window.contains(uv);
-        const auto normal = static_cast<std::size_t>(frame.axis);
-        const std::array<double, 2> periods{static_cast<double>(field.width()), static_cast<double>(field.height())};
-        for (std::size_t axis = 0; axis < periods.size(); ++axis) {
-            if (axis == normal || !seen)
-                view.center[axis] = nearestCopy(view.center[axis], middle[axis], periods[axis]);
-        }
-    }
-    view.spheres = !frame.slopes;
-    view.off = offPlane(frame.axis, frame.plane, view.center);
-    view.scaleX = view.scaleY = frame.scale;
-    view.slab = frame.slab;
-    PointMarks(drawing, query, view).add();
+    PointMarks(drawing, query, planeView(query, field, frame)).add();
 }
 
 void addPointMarks(Drawing& drawing, const PointQuery& query, const ProfileSource& source, const ProfileFrame& frame) {
-    const double slab = source.field->slabTexels();
-    // A vertical ray has no plane.
-    if (frame.vertical || slab <= 0) return;
-    const RayPath path(*source.field, source.ray);
-    const auto lambdaOf = [&](double s, double t) {
-        return ((s - path.start.x) * path.run.x + (t - path.start.y) * path.run.y) / (frame.run * frame.run);
-    };
-    const auto offOf = [&](double s, double t) {
-        return ((s - path.start.x) * path.run.y - (t - path.start.y) * path.run.x) / frame.run;
-    };
-    PlaneView view;
-    view.plot = frame.plot;
-    view.at = [&](const Place3& place) { return frame.at(lambdaOf(place[0], place[1]), place[2] / slab); };
-    view.center = {query.point.s, query.point.t, query.point.z * slab};
-    const double lambda = lambdaOf(view.center[0], view.center[1]);
-    const bool seen = lambda >= 0 && lambda <= frame.lambdaEnd &&
-                      std::abs(offOf(view.center[0], view.center[1])) <= query.distances.refined;
-    if (repeats(*source.field) && !seen) {
-        const Point middle = path.at(frame.lambdaEnd / 2);
-        view.center[0] = nearestCopy(view.center[0], middle.x, source.field->width());
-        view.center[1] = nearestCopy(view.center[1], middle.y, source.field->height());
-    }
-    view.off = offOf(view.center[0], view.center[1]);
-    view.scaleX = frame.plot.width() / (frame.lambdaEnd * frame.run);
-    view.scaleY = frame.plot.height() / ((frame.high - frame.low) * slab);
-    view.slab = slab;
-    PointMarks(drawing, query, view).add();
+    if (const auto view = planeView(query, source, frame)) PointMarks(drawing, query, *view).add();
+}
+
+std::optional<Point> pointMarkAt(const PointQuery& query, const relief::HeightField& field,
+                                 const DistanceFrame& frame) {
+    return markAt(planeView(query, field, frame), query);
+}
+
+std::optional<Point> pointMarkAt(const PointQuery& query, const ProfileSource& source, const ProfileFrame& frame) {
+    const auto view = planeView(query, source, frame);
+    return view ? markAt(*view, query) : std::nullopt;
 }
 
 void addPointLegend(LegendRows& rows, const PointQuery& query) {
@@ -243,8 +296,10 @@ void addPointLegend(LegendRows& rows, const PointQuery& query) {
     if (!found.reached) return note(Message(MessageId::DrawPointNoRay));
     const relief::ViewRay& ray = found.ray;
     const std::string text = fixed(ray.s0) + "," + fixed(ray.t0) + "," + fixed(ray.a) + "," + fixed(ray.b);
+    const char* const name = decidingName(hides(query));
     rows.line(Role::SeriesDashed,
-              Message(MessageId::DrawPointRefined, {{"texels", fixed(found.refined)}, {"ray", text}}), kRefined);
+              Message(MessageId::DrawPointRefined, {{"texels", fixed(found.refined)}, {"name", name}, {"ray", text}}),
+              kRefined);
 }
 
 }  // namespace reliefui

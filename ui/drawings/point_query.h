@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "drawings/legend_rows.h"
 #include "relief/maps/refined.h"
@@ -34,6 +35,9 @@ std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, c
 void addPointMarks(Drawing& drawing, const PointQuery& query, const relief::HeightField& field,
                    const DistanceFrame& frame);
 void addPointMarks(Drawing& drawing, const PointQuery& query, const ProfileSource& source, const ProfileFrame& frame);
+// Where they draw the point itself; none: it is not seen.
+std::optional<Point> pointMarkAt(const PointQuery& query, const relief::HeightField& field, const DistanceFrame& frame);
+std::optional<Point> pointMarkAt(const PointQuery& query, const ProfileSource& source, const ProfileFrame& frame);
 // Names the lines, with the distances and the ray.
 void addPointLegend(LegendRows& rows, const PointQuery& query);
 

@@ -289,6 +289,12 @@ std::optional<relief::QueryPoint> DistanceView::pointAt(const QPointF& widget) c
     return overPicture(result_->snapshot->request->field, point) ? std::optional(point) : std::nullopt;
 }
 
+std::optional<QPointF> DistanceView::pointPlace() const {
+    if (!result_ || result_->point == nullptr) return std::nullopt;
+    const auto at = pointMarkAt(*result_->point, result_->snapshot->request->field, result_->picture.frame);
+    return at ? std::optional(canvas_->toWidget(*at)) : std::nullopt;
+}
+
 void DistanceView::fillFigure(FigureRequest& request) const {
     request.distance = options_;
 }

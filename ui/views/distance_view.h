@@ -56,6 +56,7 @@ class DistanceView : public FigureView {
     void letGo() override;
     bool showsPoints() const override { return true; }
     std::optional<relief::QueryPoint> pointAt(const QPointF& widget) const override;
+    std::optional<QPointF> pointPlace() const override;
 
   private:
     // What maps are made from.

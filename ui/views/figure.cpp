@@ -14,7 +14,6 @@
 #include "views/distance_maps.h"
 #include "views/figure_parts.h"
 #include "views/point_asker.h"
-#include "views/pyramid_parts.h"
 #include "views/result_painting.h"
 
 namespace reliefui {
@@ -29,10 +28,9 @@ constexpr double kMmPerInch = 25.4;
 constexpr double kPointsPerInch = 72;
 // Units of a page of vectors: fine enough for text, whose sizes are whole numbers of them.
 constexpr double kVectorDpi = 576;
-constexpr double kDrawingAspect = 0.56;  // height over width
-constexpr double kRowsAspect = 0.78;     // two plots, and what they cost
-constexpr double kParetoAspect = 0.68;   // names beside their marks
-constexpr double kChartsAspect = 0.95;   // and histograms below
+constexpr double kRowsAspect = 0.78;    // two plots, and what they cost
+constexpr double kParetoAspect = 0.68;  // names beside their marks
+constexpr double kChartsAspect = 0.95;  // and histograms below
 constexpr double kTraceAspect = 0.75;
 constexpr double kSlabsAspect = 0.5;
 constexpr double kLeastMm = 20;
@@ -59,22 +57,12 @@ double aspectOf(const Snapshot& snapshot, const FigureRequest& request) {
     if (request.view == "charts") return kChartsAspect;
     if (request.view == "compare" && request.compare)
         return compareAspect(*request.compare, snapshot.scenario.comparison.mode);
+    if (request.view == "pyramid") return pyramidAspect(snapshot, request);
     if (request.view == "trace") return kTraceAspect;
     if (request.view == "slabs") return kSlabsAspect;
     if (request.view == "steps" || request.view == "skipped") return tableAspect(snapshot, request);
     if (request.view != "result") return kDrawingAspect;
     return resultAspect(snapshot, request);
-}
-
-void paintPyramid(QPainter& painter, const Snapshot& snapshot, const PyramidOptions& options, const Box& page,
-                  const Style& style) {
-    const PyramidSource source = pyramidSource(snapshot, options);
-    const double unit = style.pixelsPerPoint();
-    const Drawing legend = pyramidLegend(source, page.width() / unit - 12, style.language);
-    const Box room = figureRoom(legend, page, style);
-    const PyramidParts parts = pyramidParts(snapshot, options, room.width() / unit, room.height() / unit);
-    const Drawing marks = partsMarks(parts, snapshot.scenario.step);
-    paintFigure(painter, {&parts.levels, &marks}, legend, page, style);
 }
 
 void paintProfile(QPainter& painter, const Snapshot& snapshot, const FigureRequest& request, const Box& page,

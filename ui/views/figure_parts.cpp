@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "drawings/cell_image.h"
 #include "drawings/qpainter_painter.h"
 #include "views/compare_painting.h"
 #include "views/drawn_view.h"
 #include "views/duel_data.h"
+#include "views/pyramid_parts.h"
 #include "views/result_painting.h"
 #include "views/table_figures.h"
 
@@ -49,6 +51,30 @@ TableSource tableOf(const Snapshot& snapshot, const FigureRequest& request) {
                                    : skippedTable(snapshot, request.style.language);
 }
 
+struct PyramidFigure {
+    Drawing legend;
+    Box room;
+    PyramidParts parts;
+};
+
+PyramidFigure pyramidFigure(const Snapshot& snapshot, const PyramidOptions& options, const Box& page,
+                            const Style& style) {
+    const double unit = style.pixelsPerPoint();
+    PyramidFigure figure;
+    figure.legend = pyramidLegend(pyramidSource(snapshot, options), page.width() / unit - kMargins, style.language);
+    figure.room = figureRoom(figure.legend, page, style);
+    figure.parts = pyramidParts(snapshot, options, figure.room.width() / unit, figure.room.height() / unit);
+    return figure;
+}
+
+bool everyValueIsWritten(const PyramidFigure& figure, const Style& style) {
+    const double scale = ViewMap::fitting(figure.parts.levels.bounds, figure.room).scale;
+    return std::all_of(figure.parts.levels.items.begin(), figure.parts.levels.items.end(), [&](const Item& item) {
+        const auto* const cells = std::get_if<Cells>(&item.primitive);
+        return cells == nullptr || cellText(*cells, visibleCells(*cells, cells->clip), scale, style).pixels > 0;
+    });
+}
+
 }  // namespace
 
 // Nothing to draw: says so.
@@ -61,6 +87,27 @@ Drawing emptyDrawing(MessageId why) {
     label.anchor = Anchor::Center;
     drawing.add({}, Role::Label, std::move(label));
     return drawing;
+}
+
+double pyramidAspect(const Snapshot& snapshot, const FigureRequest& request) {
+    constexpr double kFiner = 8;  // pixels a point: letters are whole pixels high
+    constexpr double kHigher = 0.04;
+    Style style = request.style;
+    style.projector = false;
+    style.screenPixelsPerPoint = kFiner;
+    const double width = request.widthMm / kMmPerPoint * kFiner;
+    for (double aspect = kDrawingAspect; aspect <= 1; aspect += kHigher) {
+        const Box page{0, 0, width, width * aspect};
+        if (everyValueIsWritten(pyramidFigure(snapshot, request.pyramid, page, style), style)) return aspect;
+    }
+    return kDrawingAspect;
+}
+
+void paintPyramid(QPainter& painter, const Snapshot& snapshot, const PyramidOptions& options, const Box& page,
+                  const Style& style) {
+    const PyramidFigure figure = pyramidFigure(snapshot, options, page, style);
+    const Drawing marks = partsMarks(figure.parts, snapshot.scenario.step);
+    paintFigure(painter, {&figure.parts.levels, &marks}, figure.legend, page, style);
 }
 
 double resultAspect(const Snapshot& snapshot, const FigureRequest& request) {

@@ -97,18 +97,10 @@ void FigureView::setPoint(const std::optional<relief::QueryPoint>& point) {
 
 void FigureView::askPoint(const QPointF& widget) {
     constexpr double kSame = 5;  // pixels
+    const std::optional<QPointF> mark = pointPlace();
+    const bool same = mark && std::abs(mark->x() - widget.x()) <= kSame && std::abs(mark->y() - widget.y()) <= kSame;
     const std::optional<relief::QueryPoint> point = pointAt(widget);
-    if (!point) return;
-    const auto from = pointAt(widget - QPointF(kSame, kSame));
-    const auto to = pointAt(widget + QPointF(kSame, kSame));
-    const std::optional<relief::QueryPoint>& now = workspace_->scenario().panes.query;
-    const auto between = [](double a, double value, double b) {
-        constexpr double kRounding = 1e-9;
-        return value >= std::min(a, b) - kRounding && value <= std::max(a, b) + kRounding;
-    };
-    const bool same = now && from && to && between(from->s, now->s, to->s) && between(from->t, now->t, to->t) &&
-                      between(from->z, now->z, to->z);
-    setPoint(same ? std::nullopt : point);
+    if (same || point) setPoint(same ? std::nullopt : point);
 }
 
 void FigureView::askFigure() {

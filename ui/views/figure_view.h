@@ -66,6 +66,8 @@ class FigureView : public QWidget {
     // none.
     virtual bool showsPoints() const { return false; }
     virtual std::optional<relief::QueryPoint> pointAt(const QPointF&) const { return std::nullopt; }
+    // Where the point is drawn whose distances are shown; none: it is not seen.
+    virtual std::optional<QPointF> pointPlace() const { return std::nullopt; }
     // Makes the point there the one whose distances are shown; if it is that already, shows none.
     void askPoint(const QPointF& widget);
     // Whether it is drawn of lines and words: as SVG and PDF, too.

@@ -273,6 +273,12 @@ std::optional<relief::QueryPoint> ProfileView::pointAt(const QPointF& widget) co
     return overPicture(field, point) ? std::optional(point) : std::nullopt;
 }
 
+std::optional<QPointF> ProfileView::pointPlace() const {
+    if (!ready() || point() == nullptr) return std::nullopt;
+    const auto at = pointMarkAt(*point(), source(), frame_);
+    return at ? std::optional(canvas_->toWidget(*at)) : std::nullopt;
+}
+
 void ProfileView::fillFigure(FigureRequest& request) const {
     request.profile = options_;
 }

@@ -41,6 +41,7 @@ class ProfileView : public FigureView {
     void letGo() override;
     bool showsPoints() const override { return true; }
     std::optional<relief::QueryPoint> pointAt(const QPointF& widget) const override;
+    std::optional<QPointF> pointPlace() const override;
 
   private:
     void makeBar();
