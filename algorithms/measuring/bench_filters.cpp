@@ -116,7 +116,9 @@ class FilterBench {
 
     void measure(const FilterScene& scene, double elevation) {
         const FrameRequest request = this->request(scene, elevation);
-        const std::vector<ColorImage> truth = references(request, options_, maps_, work_);
+        const bool timed = options_.pass != BenchPass::Counts;
+        const std::vector<ColorImage> truth =
+            options_.pass == BenchPass::Times ? std::vector<ColorImage>{} : references(request, options_, maps_, work_);
         FrameRenderer renderer(maps_, true);
         const auto frame = renderer.render(request, work_);
         const VisiblePolygons visible = frame->visible(request);
@@ -141,11 +143,13 @@ class FilterBench {
                 rows.push_back(std::move(row));
             }
         }
-        const auto rates = measuredRates(ready, queries);
+        const auto rates = timed ? measuredRates(ready, queries) : std::vector<std::vector<double>>();
         for (std::size_t r = 0; r < rows.size(); ++r) {
-            const std::vector<double>& rate = rates[r / options_.pixelModels.size()];
-            rows[r].rate = quantile(rate, 0.5);
-            rows[r].spread = relativeSpread(rate);
+            if (timed) {
+                const std::vector<double>& rate = rates[r / options_.pixelModels.size()];
+                rows[r].rate = quantile(rate, 0.5);
+                rows[r].spread = relativeSpread(rate);
+            }
             if (options_.onRow) options_.onRow(rows[r]);
             rows_.push_back(std::move(rows[r]));
         }
@@ -167,7 +171,8 @@ class FilterBench {
         return total;
     }
 
-    // All but the rate, a row for each pixel model.
+    // All but the rate, a row for each pixel model; without truth, what is known without filtering. Filters once in any
+    // case, which warms up for the rate.
     std::vector<FilterBenchRow> counted(const Ready& ready, const Queries& queries,
                                         const std::vector<glm::ivec2>& pixels, const std::vector<ColorImage>& truth) {
         std::vector<Color> colors;
@@ -175,11 +180,15 @@ class FilterBench {
         work_.progress().advance();
         const double each = 1 / std::max(1.0, static_cast<double>(queries.count));
         std::vector<FilterBenchRow> rows;
-        for (std::size_t m = 0; m < truth.size(); ++m) {
+        for (std::size_t m = 0; m < options_.pixelModels.size(); ++m) {
             FilterBenchRow row;
             row.filter = *ready.choice;
             row.pixelModel = options_.pixelModels[m];
             row.threads = work_.threads().size();
+            if (truth.empty()) {
+                rows.push_back(std::move(row));
+                continue;
+            }
             row.texelsRead = static_cast<double>(counts.texels) * each;
             row.tested = static_cast<double>(counts.tested) * each;
             row.hidden = static_cast<double>(counts.hidden) * each;

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "measuring/bench_columns.h"
 #include "rendering/frame.h"
 
 namespace relief {
@@ -59,6 +60,7 @@ struct FilterBenchOptions {
     int height = 240;
     int samples = 16;  // of the reference, along each side of a pixel
     int rounds = 5;
+    BenchPass pass = BenchPass::Both;
     double distance = 1.4;  // of the camera, texture widths
     std::function<void(const FilterBenchRow&)> onRow;
 };

@@ -234,14 +234,15 @@ void benchBlock(const RowBenchOptions& options, std::int64_t width, double eleva
     Block<T> block(options, width, elevation, work);
     std::vector<std::vector<double>> rates(block.size());
     for (std::size_t i = 0; i < block.size(); ++i) {
-        block.count(i);
+        if (options.pass != BenchPass::Times) block.count(i);
         work.progress().advance();
     }
+    const int rounds = options.pass == BenchPass::Counts ? -1 : options.rounds;
     // The first round warms up. Each has its own order, so that none always runs after the same neighbour.
     std::vector<std::size_t> order(block.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::mt19937_64 engine(kOrderSeed);
-    for (int round = -1; round < options.rounds; ++round) {
+    for (int round = -1; round < rounds; ++round) {
         std::shuffle(order.begin(), order.end(), engine);
         for (const std::size_t i : order) {
             work.throwIfStopped();
@@ -252,8 +253,10 @@ void benchBlock(const RowBenchOptions& options, std::int64_t width, double eleva
     }
     for (std::size_t i = 0; i < block.size(); ++i) {
         RowBenchRow& row = block.row(i);
-        row.rate = quantile(rates[i], 0.5);
-        row.spread = relativeSpread(rates[i]);
+        if (!rates[i].empty()) {
+            row.rate = quantile(rates[i], 0.5);
+            row.spread = relativeSpread(rates[i]);
+        }
         if (options.onRow) options.onRow(row);
         rows.push_back(row);
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "measuring/bench_columns.h"
 #include "measuring/row_methods.h"
 #include "work.h"
 
@@ -59,6 +60,7 @@ struct RowBenchOptions {
     std::int64_t pixels = 1 << 22;  // what one timing covers: a block of rows, or one of fewer rows again and again
     std::int64_t rows = 0;          // of a block, at most as many as the pixels make; 0: as many
     int rounds = 5;                 // over all methods in turn
+    BenchPass pass = BenchPass::Both;
     std::function<void(const RowBenchRow&)> onRow;
 };
 

@@ -185,13 +185,16 @@ class Bench {
         const RayBlock rays = chosenRays(map, field, elevation, *exact);
         HitBlock truth;
         NullSink null;
-        exact->trace(rays, truth, null, work_);
+        if (options_.pass != BenchPass::Times) exact->trace(rays, truth, null, work_);
         std::vector<BenchRow> rows;
         for (const Ready& method : ready) rows.push_back(counted(map, field, elevation, method, rays, truth));
-        const auto rates = measuredRates(ready, rays);
+        const bool timed = options_.pass != BenchPass::Counts;
+        const auto rates = timed ? measuredRates(ready, rays) : std::vector<std::vector<double>>();
         for (std::size_t m = 0; m < rows.size(); ++m) {
-            rows[m].rate = quantile(rates[m], 0.5);
-            rows[m].spread = (quantile(rates[m], 0.75) - quantile(rates[m], 0.25)) / rows[m].rate;
+            if (timed) {
+                rows[m].rate = quantile(rates[m], 0.5);
+                rows[m].spread = (quantile(rates[m], 0.75) - quantile(rates[m], 0.25)) / rows[m].rate;
+            }
             if (options_.onRow) options_.onRow(rows[m]);
             rows_.push_back(std::move(rows[m]));
         }
@@ -200,10 +203,6 @@ class Bench {
     // All but the rate.
     BenchRow counted(const BenchMap& map, const HeightField& field, Elevation elevation, const Ready& ready,
                      const RayBlock& rays, const HitBlock& truth) {
-        HitBlock hits;
-        BlockCounts counts;
-        ready.tracer->trace(rays, hits, counts, work_);
-        work_.progress().advance();
         BenchRow row;
         row.height = map.name;
         row.width = field.width();
@@ -216,16 +215,21 @@ class Bench {
         row.elevation = elevation;
         row.seed = options_.seed;
         row.threads = work_.threads().size();
-        row.errors = tracerErrors(rays, truth, hits);
-        row.stepsMean = mean(hits.steps);
-        row.readsMean = mean(hits.reads);
-        row.stepsMax = *std::max_element(hits.steps.begin(), hits.steps.end());
-        row.stepsP95 = static_cast<std::int64_t>(nearestRank(hits.steps, 0.95));
         row.memoryBytes = static_cast<std::int64_t>(ready.tracer->bytes());
         row.buildSeconds = ready.buildSeconds;
         row.compiler = compilerText();
         row.cpu = cpuText();
         row.commit = commitText();
+        if (options_.pass == BenchPass::Times) return row;
+        HitBlock hits;
+        BlockCounts counts;
+        ready.tracer->trace(rays, hits, counts, work_);
+        work_.progress().advance();
+        row.errors = tracerErrors(rays, truth, hits);
+        row.stepsMean = mean(hits.steps);
+        row.readsMean = mean(hits.reads);
+        row.stepsMax = *std::max_element(hits.steps.begin(), hits.steps.end());
+        row.stepsP95 = static_cast<std::int64_t>(nearestRank(hits.steps, 0.95));
         return row;
     }
 

@@ -91,6 +91,7 @@ struct BenchOptions {
     double lowestRandom = kLowestRandomElevation;  // degrees
     std::size_t rays = 65536;
     int rounds = 5;  // over all methods in turn, so that what else the machine does hits all alike
+    BenchPass pass = BenchPass::Both;
     std::uint64_t seed = 1;
     Surface surface = Surface::Bilinear;
     Address address = Address::Repeat;

@@ -21,7 +21,7 @@ constexpr const char* kDefaultReliefs[] = {"bricks", "city", "fractal", "hills",
 
 struct BenchCommandOptions {
     OptionText kind, tracers, elevations, lowest, rays, rounds, seed, surface, address, reliefDepth, output;
-    OptionText sizes, threadCounts, form;
+    OptionText sizes, threadCounts, form, concurrent;
     RestartOptions restart;
     std::vector<std::string> heights, recipes;
     ReadingOptions reading;
@@ -215,8 +215,10 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
                 for (const Elevation& elevation : options.elevations) {
                     cells.push_back({name + "," + std::to_string(threads) + "," + std::to_string(seed) + "," +
                                          elevationText(elevation),
-                                     threads, [&options, &heightsOf, &map, seed, elevation](Work& work) {
+                                     threads,
+                                     [&options, &heightsOf, &map, seed, elevation](Work& work, BenchPass pass) {
                                          BenchOptions one = options;
+                                         one.pass = pass;
                                          one.maps = {{map.name, heightsOf(map)}};
                                          one.seed = seed;
                                          one.elevations = {elevation};
@@ -237,7 +239,9 @@ int runBench(const BenchCommandOptions& given, Session& session) {
                                      {{"what", "benchmark"}, {"name", kind}, {"known", "tracers, rows, filters"}}));
     }
     if (given.output) checkOutput(*given.output, {"csv", "json"});
-    const BenchRun to{given.output, given.restart.chosen(), {{"kind", kind}}};
+    const int concurrent =
+        given.concurrent ? static_cast<int>(parseWhole(*given.concurrent, "--concurrent", 1, kMostThreads)) : 1;
+    const BenchRun to{given.output, given.restart.chosen(), concurrent, {{"kind", kind}}};
     if (kind == "rows") return given.rows.run(given.elevations, given.rounds, to, session);
     if (kind == "tracers") return runTracers(given, to, session);
     const bool own = !given.heights.empty() || !given.recipes.empty();
@@ -284,10 +288,10 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
         "(p75 - p25) / median; errors: |lambda difference| x max(1, hypot(a, b)), texels, against exact; overshoots: "
         "hits later than exact's, or misses where exact hits. On a terminal a table, elsewhere CSV. With -o what is "
         "done is kept in FILE.part; after a run that was stopped or killed, --resume goes on from there and --anew "
-        "begins again. mpirun -n N "
-        "relief bench ... -o FILE shares the work among N processes, each taking the next part as it comes free, on "
-        "all "
-        "machines that see FILE; with mpirun --enable-recovery the others go on when one dies, and do its part.\n"
+        "begins again. mpirun "
+        "-n N relief bench ... shares the cells among N processes: what is counted (errors, steps) as they come free, "
+        "then each machine times one cell at a time, its map's building too, while its other processes wait. Rank 0 "
+        "alone writes; the others need no common folder.\n"
         "rows: texture coordinates along rows of a wall of 4,096 texels that fills the row, seen from 0.55 of its "
         "width "
         "at each elevation: operations a pixel, pixels a second, largest error in texels; derivatives: of the "
@@ -309,6 +313,8 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
             "of the rays, default 1; tracers: several, separated by commas, are measured one by one", "Run");
     addText(*parser, "--thread-counts", options->threadCounts, "N,...",
             "tracers: each is measured, instead of --threads", "Run");
+    addText(*parser, "--concurrent", options->concurrent, "N",
+            "with mpirun: cells that a machine times at once, default 1; the column concurrent says so", "Run");
     options->restart.add(*parser, "with -o", "Run");
     addOutput(*parser, options->output, "table: .csv or .json");
     options->run.add(*parser);

@@ -138,7 +138,10 @@ int FilterBenchCommand::run(const std::vector<Pictures>& pictures, const OptionT
             one.scenes = {scene};
             one.elevations = {elevation};
             cells.push_back({scene.name + "," + contentText(scene.field.heights()) + "," + numberText(elevation), 0,
-                             [one = std::move(one)](Work& work) { return benchFilters(one, work); }});
+                             [one = std::move(one)](Work& work, BenchPass pass) mutable {
+                                 one.pass = pass;
+                                 return benchFilters(one, work);
+                             }});
         }
     }
     return runCells<FilterBenchRow>(to, {filterBenchCsvHeader, filterBenchJson, filterBenchText}, cells, session);

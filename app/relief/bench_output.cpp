@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 #include "measuring/bench_columns.h"
 #include "measuring/machine.h"
@@ -23,6 +22,51 @@ BenchValue valueOf(const Json& value) {
     return value.is_number() ? value.get<double>() : std::nan("");
 }
 
+BenchPass passOf(Pass pass) {
+    if (pass == Pass::Counts) return BenchPass::Counts;
+    return pass == Pass::Times ? BenchPass::Times : BenchPass::Both;
+}
+
+// Columns at the end, where they are not there yet: of the machine, and how many cells it timed at once.
+void addMachine(Json& rows, int concurrent) {
+    for (Json& row : rows) {
+        for (const auto& [name, text] : {std::pair<const char*, std::string (*)()>{"compiler", compilerText},
+                                         {"cpu", cpuText},
+                                         {"commit", commitText},
+                                         {"host", hostName}}) {
+            if (!row.contains(name)) row[name] = text();
+        }
+        if (!row.contains("concurrent")) row["concurrent"] = concurrent;
+    }
+}
+
+// The rows that were counted, with what was timed, and where.
+Json withTimes(Json counts, const Json& times) {
+    for (std::size_t row = 0; row < counts.size(); ++row) {
+        for (const char* const name :
+             {"rate", "spread", "build_seconds", "threads", "compiler", "cpu", "host", "concurrent"}) {
+            if (counts[row].contains(name)) counts[row][name] = times.at(row).at(name);
+        }
+    }
+    return counts;
+}
+
+// Rows that the first version measured have no form: it measured the fastest there was.
+void addForm(Json& rows) {
+    for (Json& row : rows) {
+        if (!row.contains("error_mean") || row.contains("form")) continue;
+        Json whole = Json::object();
+        for (const auto& [name, value] : row.items()) {
+            whole[name] = value;
+            if (name != "method") continue;
+            const std::string options = row.value("options", std::string());
+            whole["form"] = formName(methodForm(
+                splitMethodChoice(value.get<std::string>() + (options.empty() ? "" : ":" + options), "form")));
+        }
+        row = std::move(whole);
+    }
+}
+
 }  // namespace
 
 std::string contentText(const FloatImage& heights) {
@@ -35,16 +79,6 @@ std::string contentText(const FloatImage& heights) {
     char text[17];
     std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
     return text;
-}
-
-void addMachine(Json& rows) {
-    for (Json& row : rows) {
-        for (const auto& [name, text] : {std::pair<const char*, std::string (*)()>{"compiler", compilerText},
-                                         {"cpu", cpuText},
-                                         {"commit", commitText}}) {
-            if (!row.contains(name)) row[name] = text();
-        }
-    }
 }
 
 std::string csvOfRows(const Json& rows, const std::string& header) {
@@ -65,89 +99,34 @@ std::string csvOfRows(const Json& rows, const std::string& header) {
     return text;
 }
 
-// Rows that the first version measured have no form: it measured the fastest there was.
-void addForm(Json& rows) {
-    for (Json& row : rows) {
-        if (!row.contains("error_mean") || row.contains("form")) continue;
-        Json whole = Json::object();
-        for (const auto& [name, value] : row.items()) {
-            whole[name] = value;
-            if (name != "method") continue;
-            const std::string options = row.value("options", std::string());
-            whole["form"] = formName(methodForm(
-                splitMethodChoice(value.get<std::string>() + (options.empty() ? "" : ":" + options), "form")));
-        }
-        row = std::move(whole);
-    }
-}
-
-void overCells(std::string_view what, std::size_t cells, Session& session,
-               const std::function<int(std::size_t)>& threads, const std::function<std::size_t()>& next,
-               const std::function<std::size_t()>& done, const std::function<void(std::size_t, Work&)>& measure) {
-    Progress& bar = session.work().progress();
-    const std::size_t before = done();
-    bar.begin(what, static_cast<std::int64_t>(cells - before) * kPermille);
-    std::int64_t told = 0;
-    const auto tell = [&](std::int64_t permille) {
-        if (permille <= told) return;
-        bar.advance(permille - told);
-        told = permille;
+std::optional<PartsDone> measuredCells(const BenchRun& run, const BenchCells& cells, Session& session) {
+    PartsRun parts;
+    parts.bar = "bench";
+    parts.parts = cells.names.size();
+    parts.output = run.output.value_or("");
+    parts.work = {{"options", run.what}, {"cells", cells.names}};
+    parts.earlier = run.earlier;
+    parts.timed = true;
+    parts.concurrent = run.concurrent;
+    parts.threads = cells.threads;
+    parts.measure = [&](const Task& task, Work& work) {
+        Json rows = cells.measure(task.part, work, passOf(task.pass));
+        addMachine(rows, run.concurrent);
+        return rows;
     };
-    while (true) {
-        const std::size_t cell = next();
-        // Others may have done some meanwhile.
-        const auto base = static_cast<std::int64_t>(done() - before) * kPermille;
-        tell(base);
-        if (cell == kNoCell) return;
-        // Stages inside a cell begin anew: the furthest counts.
-        Work work(threads(cell) > 0 ? threads(cell) : session.threads(), session.stop(),
-                  [&](std::string_view, double fraction) {
-                      tell(base + static_cast<std::int64_t>(fraction * static_cast<double>(kPermille - 1)));
-                  });
-        measure(cell, work);
-    }
+    parts.combine = withTimes;
+    return doParts(parts, session);
 }
 
-void overParts(std::string_view what, SharedWork& shared, Session& session,
-               const std::function<int(std::size_t)>& threads, const std::function<void(std::size_t, Work&)>& measure) {
-    const bool speaks = shared.launch().rank == 0;
-    const std::size_t before = shared.done();
-    if (before > 0 && speaks) {
-        session.note(shared.path(), Message(MessageId::SweepResumed, {{"done", before}, {"total", shared.parts()}}));
-    }
-    if (shared.lockError() != 0) {
-        session.note(shared.path(), Message(MessageId::LocksMissing, {{"why", std::strerror(shared.lockError())}}));
-    }
-    try {
-        overCells(
-            what, shared.parts(), session, threads, [&] { return shared.take().value_or(kNoCell); },
-            [&] { return shared.done(); }, measure);
-    } catch (const Cancelled&) {
-        const MessageId said = shared.done() > 0 ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
-        if (speaks) session.note(shared.path(), Message(said, {{"done", shared.done()}, {"total", shared.parts()}}));
-        throw;
-    }
-    session.eraseBar();
-}
-
-void sweepTo(const BenchRun& run, const std::vector<std::string>& names, const std::string& header, Session& session,
-             const std::function<int(std::size_t)>& threads, const std::function<Json(std::size_t, Work&)>& measure) {
-    const Json what{{"options", run.what}, {"cells", names}};
-    SharedWork shared(*run.output, what, names.size(), run.earlier, launched(), session.stop());
-    overParts("bench", shared, session, threads, [&](std::size_t cell, Work& work) {
-        Json rows = measure(cell, work);
-        addMachine(rows);
-        shared.put(cell, rows);
-    });
-    const auto results = shared.collect();
-    if (!results) return;
+void writeCells(const BenchRun& run, PartsDone done, const std::string& header, Session& session) {
     Json rows = Json::array();
-    for (const Json& cell : *results) rows.insert(rows.end(), cell.begin(), cell.end());
+    for (Json& cell : done.results) rows.insert(rows.end(), cell.begin(), cell.end());
     addForm(rows);
+    if (!run.output) return writeStandardOutput(csvOfRows(rows, header), session.stop());
     TextOutput file(*run.output, session.stop());
     file.write(fileEnding(*run.output) == "json" ? rows.dump(1) + "\n" : csvOfRows(rows, header));
     file.commit();
-    shared.finish();
+    done.journal->finish();
 }
 
 }  // namespace relief::app

@@ -1,5 +1,5 @@
-// What every benchmark does with its cells: measured one after the other, or shared by the processes that a launcher
-// started, kept in FILE.part as they come; then the file. Without -o a table on a terminal, CSV elsewhere.
+// What every benchmark does with its cells: measured one after the other, or shared by the ranks of an MPI run, kept in
+// FILE.part as they come; then the file. Without -o a table on a terminal, CSV elsewhere.
 #pragma once
 
 #include <unistd.h>
@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "images/image.h"
+#include "measuring/bench_columns.h"
 #include "options_common.h"
 #include "output.h"
-#include "shared_work.h"
+#include "parts_run.h"
+#include "team.h"
 
 namespace relief::app {
 
@@ -29,72 +31,57 @@ template <class Row>
 struct BenchCell {
     std::string name;  // tells it from all others of the sweep
     int threads = 0;   // 0: those of the session
-    std::function<std::vector<Row>(Work&)> measure;
+    std::function<std::vector<Row>(Work&, BenchPass)> measure;
 };
 
 struct BenchRun {
     OptionText output;
     EarlierRun earlier = EarlierRun::Refuse;
+    int concurrent = 1;  // cells that a host times at once, where several ranks share them
     Json what;  // all that rows depend on beside the cells' names
 };
 
 // Sixteen letters that tell these heights from others.
 std::string contentText(const FloatImage& heights);
 
-// An array of rows as CSV; `header`, with "\n", is taken where there is no row. Columns compiler, cpu and commit are
-// added where they are not there.
+// An array of rows as CSV; `header`, with "\n", is taken where there is no row.
 std::string csvOfRows(const Json& rows, const std::string& header);
-void addMachine(Json& rows);
 
-// Measures cell after cell with a Work of its own, telling the session's bar of them as of one piece of work.
-// what: the bar's name. measure(cell, work).
-void overCells(std::string_view what, std::size_t cells, Session& session,
-               const std::function<int(std::size_t)>& threads, const std::function<std::size_t()>& next,
-               const std::function<std::size_t()>& done, const std::function<void(std::size_t, Work&)>& measure);
-// overCells() over the parts of shared work. Tells how many an earlier run has done, and, where it is interrupted, what
-// is kept and how to go on.
-void overParts(std::string_view what, SharedWork& shared, Session& session,
-               const std::function<int(std::size_t)>& threads, const std::function<void(std::size_t, Work&)>& measure);
-// Cells to a file. names: of the cells; measure: the rows of one.
-void sweepTo(const BenchRun& run, const std::vector<std::string>& names, const std::string& header, Session& session,
-             const std::function<int(std::size_t)>& threads, const std::function<Json(std::size_t, Work&)>& measure);
-
-inline constexpr std::size_t kNoCell = static_cast<std::size_t>(-1);
+// All cells: the rows of each, in order, with the columns compiler, cpu and commit where they have none, host and
+// concurrent at the end. measure: the rows of one, as an array. Nothing on ranks other than 0.
+struct BenchCells {
+    std::vector<std::string> names;
+    std::function<int(std::size_t)> threads;
+    std::function<Json(std::size_t, Work&, BenchPass)> measure;
+};
+std::optional<PartsDone> measuredCells(const BenchRun& run, const BenchCells& cells, Session& session);
+// To the file, or to standard output as CSV. header: as csvOfRows takes it.
+void writeCells(const BenchRun& run, PartsDone done, const std::string& header, Session& session);
 
 // Returns the exit status.
 template <class Row>
 int runCells(const BenchRun& run, const BenchTexts<Row>& texts, const std::vector<BenchCell<Row>>& cells,
              Session& session) {
-    const auto threads = [&](std::size_t cell) { return cells[cell].threads; };
-    if (run.output) {
-        std::vector<std::string> names;
-        for (const auto& cell : cells) names.push_back(cell.name);
-        sweepTo(run, names, texts.header(), session, threads, [&](std::size_t cell, Work& work) {
-            const std::vector<Row> rows = cells[cell].measure(work);
-            return Json::parse(texts.json(rows));
-        });
-        return 0;
-    }
-    if (launched().size > 1) throw InputError("mpirun", Message(MessageId::NeedsArgument, {{"other", "--output"}}));
-    if (run.earlier != EarlierRun::Refuse) {
+    if (!run.output && run.earlier != EarlierRun::Refuse) {
         throw InputError(run.earlier == EarlierRun::Resume ? "--resume" : "--anew",
                          Message(MessageId::NeedsArgument, {{"other", "--output"}}));
     }
+    BenchCells all;
+    for (const auto& cell : cells) all.names.push_back(cell.name);
+    all.threads = [&](std::size_t cell) { return cells[cell].threads; };
     std::vector<Row> rows;
-    std::size_t at = 0;
-    overCells(
-        "bench", cells.size(), session, threads, [&] { return at < cells.size() ? at : kNoCell; }, [&] { return at; },
-        [&](std::size_t cell, Work& work) {
-            for (Row& row : cells[cell].measure(work)) rows.push_back(std::move(row));
-            ++at;
-        });
-    session.eraseBar();
-    if (isatty(STDOUT_FILENO) == 1) {
+    const bool table = !run.output && launchedProcesses() < 2 && isatty(STDOUT_FILENO) == 1;
+    all.measure = [&](std::size_t cell, Work& work, BenchPass pass) {
+        std::vector<Row> some = cells[cell].measure(work, pass);
+        Json json = Json::parse(texts.json(some));
+        if (table) rows.insert(rows.end(), std::move_iterator(some.begin()), std::move_iterator(some.end()));
+        return json;
+    };
+    std::optional<PartsDone> done = measuredCells(run, all, session);
+    if (table) {
         writeStandardOutput(texts.table(rows), session.stop());
-    } else {
-        Json all = Json::parse(texts.json(rows));
-        addMachine(all);
-        writeStandardOutput(csvOfRows(all, texts.header()), session.stop());
+    } else if (done) {
+        writeCells(run, *std::move(done), texts.header(), session);
     }
     return 0;
 }

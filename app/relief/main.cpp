@@ -15,6 +15,7 @@
 #include "output.h"
 #include "session.h"
 #include "signals.h"
+#include "team.h"
 
 namespace relief::app {
 
@@ -124,6 +125,8 @@ int runProgram(int count, char** arguments, const SignalWatch& signals) {
         return parseAndRun(count, arguments, session);
     } catch (const Cancelled&) {
         return signals.exitStatus();
+    } catch (const RunEnded& ended) {
+        return ended.status;
     } catch (const WorkError& error) {
         sayLine(error.text(language));
         return kFailed;

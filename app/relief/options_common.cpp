@@ -11,6 +11,7 @@
 #include "measuring/text_table.h"
 #include "relief/describe.h"
 #include "rendering/base_level.h"
+#include "team.h"
 
 namespace relief::app {
 
@@ -120,7 +121,8 @@ void RunOptions::add(CLI::App& parser, bool withThreads) {
 }
 
 void RunOptions::apply(Session& session) const {
-    session.setQuiet(quiet_);
+    // Of several processes rank 0 speaks.
+    session.setQuiet(quiet_ || launchedRank() > 0);
     if (threads_) session.setThreads(static_cast<int>(parseWhole(*threads_, "--threads", 0, 1024)));
 }
 

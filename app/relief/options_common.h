@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "launch.h"
+#include "journal.h"
 #include "scenario/scenario.h"
 #include "session.h"
 

@@ -1,6 +1,9 @@
 #include "render_many.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -10,7 +13,9 @@
 #include <CLI/Formatter.hpp>
 
 #include "base/memory.h"
-#include "bench_output.h"
+#include "images/files.h"
+#include "parts_run.h"
+#include "team.h"
 
 namespace relief::app {
 
@@ -117,6 +122,39 @@ void makeFolder(const std::string& folder) {
     }
 }
 
+// A picture of a rank that has no folder to write into: it is sent to rank 0, which writes it.
+class ScratchFile {
+  public:
+    explicit ScratchFile(const std::string& name) {
+        std::string pattern = (std::filesystem::temp_directory_path() / "relief-XXXXXX").string();
+        if (mkdtemp(pattern.data()) == nullptr) {
+            throw WorkError(pattern, Message(MessageId::FileUnwritable, {{"why", std::strerror(errno)}}));
+        }
+        folder_ = pattern;
+        path_ = (folder_ / name).string();
+    }
+    ~ScratchFile() {
+        std::error_code none;
+        std::filesystem::remove_all(folder_, none);
+    }
+    ScratchFile(const ScratchFile&) = delete;
+    ScratchFile& operator=(const ScratchFile&) = delete;
+
+    const std::string& path() const { return path_; }
+    std::vector<std::uint8_t> bytes() const {
+        const std::string text = readTextFile(path_);
+        return {text.begin(), text.end()};
+    }
+
+  private:
+    std::filesystem::path folder_;
+    std::string path_;
+};
+
+void writeBytes(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+    writeTextFile(path, std::string(bytes.begin(), bytes.end()));
+}
+
 }  // namespace
 
 void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, Session& session) {
@@ -136,7 +174,7 @@ void ManyFrames::add(CLI::App& parser) {
         ->group("Arguments");
     addText(parser, "--frames", frames, "N",
             "a camera's path of N pictures, from --camera to --to; -o is a folder then. mpirun -n N relief render ... "
-            "shares the pictures among processes",
+            "shares the pictures among processes; rank 0 writes them",
             "Output");
     addText(parser, "--to", to, "KEY=VALUE,...", "where the path ends: elevation, azimuth, distance, fov", "Output");
     restart.add(parser, "many pictures", "Output");
@@ -175,17 +213,31 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
         what["ends"].push_back(scenarioText(end));
         scenarios.push_back(std::move(scenario));
     }
-    makeFolder(folder);
     const std::filesystem::path place(folder);
-    SharedWork shared((place / "pictures").string(), what, pictures.size(), earlier, launched(), session.stop());
+    const bool writes = launchedRank() == 0;
+    if (writes) makeFolder(folder);
     Studio studio(options, std::move(scenarios), count > 1, session);
-    overParts(
-        "render", shared, session, [](std::size_t) { return 0; },
-        [&](std::size_t at, Work& work) {
-            studio.render(pictures[at], (place / pictures[at].name).string(), layers, work);
-            shared.put(at, pictures[at].name);
-        });
-    if (shared.collect()) shared.finish();
+    PartsRun run;
+    run.bar = "render";
+    run.parts = pictures.size();
+    run.output = (place / "pictures").string();
+    run.work = what;
+    run.earlier = earlier;
+    run.measure = [&](const Task& task, Work& work) -> Json {
+        const Picture& picture = pictures[task.part];
+        if (writes) {
+            studio.render(picture, (place / picture.name).string(), layers, work);
+            return picture.name;
+        }
+        const ScratchFile file(picture.name);
+        studio.render(picture, file.path(), layers, work);
+        return Json::binary(file.bytes());
+    };
+    run.received = [&](std::size_t part, Json result) -> Json {
+        if (result.is_binary()) writeBytes((place / pictures[part].name).string(), result.get_binary());
+        return pictures[part].name;
+    };
+    if (const auto done = doParts(run, session)) done->journal->finish();
     return 0;
 }
 

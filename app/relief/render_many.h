@@ -1,5 +1,5 @@
-// Many pictures of one command: a list of scenarios, the frames of a camera's path, or both; shared by the processes
-// that a launcher started (shared_work.h), and gone on with after a run that was killed.
+// Many pictures of one command: a list of scenarios, the frames of a camera's path, or both; shared by the ranks of
+// an MPI run (parts_run.h), and gone on with after a run that was killed.
 #pragma once
 
 #include "options_common.h"

@@ -1,0 +1,170 @@
+#include "journal.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+#include "errors.h"
+#include "images/files.h"
+#include "team.h"
+
+namespace relief::app {
+
+namespace {
+
+[[noreturn]] void failWriting(const std::string& path) {
+    throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", std::strerror(errno)}}));
+}
+
+Json parsedLine(const std::string& line) {
+    return Json::parse(line, nullptr, false);  // discarded where it is no JSON
+}
+
+std::string lineText(const Json& json) {
+    // File names need not be UTF-8.
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// When this process began, in the system's own count: numbers of processes are given again. 0: there is none, or the
+// system does not tell.
+std::int64_t startOf(std::int64_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    // Its name, in brackets, may hold anything; the start is the 20th field after it.
+    const std::size_t name = text.rfind(')');
+    if (name == std::string::npos) return 0;
+    constexpr int kFields = 20;
+    std::istringstream fields(text.substr(name + 1));
+    std::string field;
+    for (int n = 0; n < kFields; ++n) fields >> field;
+    return std::strtoll(field.c_str(), nullptr, 10);
+}
+
+bool lives(const Json& head) {
+    const auto process = head.value("process", std::int64_t{0});
+    if (process <= 0 || process == getpid()) return false;
+    const bool there = kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
+    return there && startOf(process) == head.value("since", std::int64_t{0});
+}
+
+// A journal's whole lines; the first one is about the whole.
+std::vector<Json> linesOf(const std::string& path) {
+    std::vector<Json> all;
+    const std::string text = readTextFile(path);
+    std::size_t first = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', first)) {
+        all.push_back(parsedLine(text.substr(first, end - first)));
+        first = end + 1;
+    }
+    return all;
+}
+
+}  // namespace
+
+Journal::Journal(const std::string& output, const Json& work, std::size_t parts, EarlierRun earlier)
+    : path_(output + ".part"), results_(parts), counts_(parts) {
+    // As it will be read: numbers and names take the form that a file gives them.
+    const Json kept = parsedLine(lineText(work));
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) failWriting(path_);
+    if (descriptor_ < 0) {
+        // Written beside and renamed: what is there is lost at no moment.
+        const std::string text = takenOver(kept, earlier);
+        anything_ = !text.empty();
+        writeTextFile(path_, firstLine(kept) + text);
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+        if (descriptor_ < 0) failWriting(path_);
+        return;
+    }
+    try {
+        write(firstLine(kept));
+    } catch (...) {
+        ::close(descriptor_);
+        ::unlink(path_.c_str());
+        throw;
+    }
+}
+
+Journal::~Journal() {
+    if (descriptor_ < 0) return;
+    ::close(descriptor_);
+    if (!anything_) ::unlink(path_.c_str());
+}
+
+std::string Journal::firstLine(const Json& work) const {
+    const auto process = static_cast<std::int64_t>(getpid());
+    return lineText({{"work", work}, {"host", hostName()}, {"process", process}, {"since", startOf(process)}});
+}
+
+// A process of another host cannot be asked: --resume is believed.
+void Journal::refuseTheLiving(const Json& head) {
+    const std::string host = head.value("host", "");
+    if (host == hostName() && lives(head)) {
+        throw InputError(
+            path_, Message(MessageId::SweepAlive, {{"process", head.value("process", std::int64_t{0})}, {"host", host}}));
+    }
+    if (!host.empty() && host != hostName()) otherHost_ = host;
+}
+
+// Lines of the parts that an earlier run of this work has done; its journal may be replaced.
+std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
+    std::string kept;
+    const std::vector<Json> lines = linesOf(path_);
+    const Json head = lines.empty() || !lines.front().is_object() ? Json::object() : lines.front();
+    refuseTheLiving(head);
+    if (earlier == EarlierRun::Refuse) throw InputError(path_, Message(MessageId::SweepThere));
+    if (earlier == EarlierRun::Replace) return kept;
+    if (head.value("work", Json()) != work) throw InputError(path_, Message(MessageId::SweepOther));
+    const auto partOf = [&](const Json& line, const char* key) {
+        return line.is_object() ? line.value(key, results_.size()) : results_.size();
+    };
+    for (const Json& line : lines) {
+        const std::size_t part = partOf(line, "part");
+        const std::size_t counted = partOf(line, "counted");
+        if (part < results_.size() && !results_[part]) {
+            results_[part] = line.value("result", Json());
+            ++done_;
+            kept += lineText({{"part", part}, {"result", *results_[part]}});
+        } else if (counted < counts_.size() && !counts_[counted]) {
+            counts_[counted] = line.value("result", Json());
+            kept += lineText({{"counted", counted}, {"result", *counts_[counted]}});
+        }
+    }
+    return kept;
+}
+
+void Journal::write(const std::string& text) {
+    std::size_t written = 0;
+    while (written < text.size()) {
+        const ssize_t now = ::write(descriptor_, text.data() + written, text.size() - written);
+        if (now < 0 && errno == EINTR) continue;
+        if (now < 0) failWriting(path_);
+        written += static_cast<std::size_t>(now);
+    }
+}
+
+void Journal::keep(std::size_t part, const Json& result) {
+    write(lineText({{"part", part}, {"result", result}}));
+    results_[part] = result;
+    ++done_;
+    anything_ = true;
+}
+
+void Journal::keepCounts(std::size_t part, const Json& counts) {
+    write(lineText({{"counted", part}, {"result", counts}}));
+    anything_ = true;
+}
+
+void Journal::finish() {
+    ::close(std::exchange(descriptor_, -1));
+    ::unlink(path_.c_str());
+}
+
+}  // namespace relief::app

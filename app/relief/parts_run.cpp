@@ -1,0 +1,341 @@
+#include "parts_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+#include "errors.h"
+#include "team.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr std::int64_t kPermille = 1000;  // of the bar, a part
+constexpr auto kBetweenLooks = std::chrono::milliseconds(1);
+constexpr int kFailed = 1;
+constexpr int kBadUsage = 2;
+constexpr int kInterrupted = 130;
+constexpr auto kLastWords = std::chrono::seconds(2);
+
+Json taskJson(const Task& task) {
+    return {{"part", task.part}, {"pass", static_cast<int>(task.pass)}};
+}
+
+Task taskOf(const Json& json) {
+    return {json.at("part").get<std::size_t>(), static_cast<Pass>(json.at("pass").get<int>())};
+}
+
+// What is done, by whom, and what is left: rank 0's, or that of a process alone.
+class Ledger {
+  public:
+    Ledger(const PartsRun& run, std::vector<std::string> hosts, Session& session)
+        : run_(run),
+          passes_(run.timed && hosts.size() > 1),
+          schedule_(run.parts, passes_, hosts, run.concurrent),
+          counts_(run.parts),
+          whole_(run.parts),
+          partsOf_(hosts.size(), 0) {
+        if (run.output.empty()) return;
+        journal_ = std::make_unique<Journal>(run.output, run.work, run.parts, run.earlier);
+        if (!journal_->otherHost().empty()) {
+            session.note(journal_->path(), Message(MessageId::SweepOtherHost, {{"host", journal_->otherHost()}}));
+        }
+        for (std::size_t part = 0; part < run.parts; ++part) {
+            if (const Json* const counts = passes_ ? journal_->counts(part) : nullptr) {
+                counts_[part] = *counts;
+                schedule_.skip({part, Pass::Counts});
+            }
+            if (const Json* const result = journal_->result(part)) {
+                whole_[part] = *result;
+                schedule_.skip({part, Pass::Whole});
+            }
+        }
+        const std::size_t before = done();
+        if (before > 0) {
+            session.note(journal_->path(), Message(MessageId::SweepResumed, {{"done", before}, {"total", run.parts}}));
+        }
+    }
+
+    std::optional<Task> next(int rank) { return schedule_.next(rank); }
+    bool over() const { return schedule_.over(); }
+    std::size_t done() const { return journal_ ? journal_->done() : done_; }
+    const std::vector<std::size_t>& partsOf() const { return partsOf_; }
+    const Journal* journal() const { return journal_.get(); }
+
+    void put(int rank, const Task& task, Json result) {
+        if (task.pass == Pass::Counts) {
+            if (journal_) journal_->keepCounts(task.part, result);
+            counts_[task.part] = std::move(result);
+        } else if (task.pass == Pass::Times) {
+            times_[task.part] = std::move(result);
+        } else {
+            keep(task.part, std::move(result));
+        }
+        if (task.pass != Pass::Counts) ++partsOf_[static_cast<std::size_t>(rank)];
+        const auto times = times_.find(task.part);
+        if (times != times_.end() && counts_[task.part]) {
+            keep(task.part, run_.combine(*std::move(counts_[task.part]), times->second));
+            times_.erase(times);
+            counts_[task.part].reset();
+        }
+        schedule_.done(rank);
+    }
+
+    PartsDone take() {
+        PartsDone all;
+        for (std::optional<Json>& result : whole_) all.results.push_back(*std::move(result));
+        all.journal = std::move(journal_);
+        return all;
+    }
+
+  private:
+    void keep(std::size_t part, Json result) {
+        if (run_.received) result = run_.received(part, std::move(result));
+        if (journal_) journal_->keep(part, result);
+        whole_[part] = std::move(result);
+        ++done_;
+    }
+
+    const PartsRun& run_;
+    bool passes_;
+    Schedule schedule_;
+    std::unique_ptr<Journal> journal_;
+    std::vector<std::optional<Json>> counts_, whole_;
+    std::map<std::size_t, Json> times_;  // of parts whose counts another rank has not sent yet
+    std::vector<std::size_t> partsOf_;   // that each rank has done
+    std::size_t done_ = 0;
+};
+
+// Does one task after the other until there is none, the bar telling of them as of one piece of work. done: parts.
+void work(const PartsRun& run, Session& session, int ranksHere, const std::function<std::optional<Task>()>& next,
+          const std::function<void(const Task&, Json)>& put, const std::function<std::size_t()>& done) {
+    Progress& bar = session.work().progress();
+    const std::size_t before = done();
+    bar.begin(run.bar, static_cast<std::int64_t>(run.parts - before) * kPermille);
+    std::int64_t told = 0;
+    const auto tell = [&](std::int64_t permille) {
+        if (permille <= told) return;
+        bar.advance(permille - told);
+        told = permille;
+    };
+    while (const std::optional<Task> task = next()) {
+        const auto base = static_cast<std::int64_t>(done() - before) * kPermille;
+        tell(base);
+        int threads = run.threads(task->part) > 0 ? run.threads(task->part) : session.threads();
+        // Ranks that count at the same time share their host's processors.
+        if (threads == 0 && task->pass != Pass::Times && ranksHere > 1) {
+            threads = std::max(1, session.work().threads().size() / ranksHere);
+        }
+        // Stages inside a part begin anew: the furthest counts.
+        Work one(threads, session.stop(), [&](std::string_view, double fraction) {
+            tell(base + static_cast<std::int64_t>(fraction * static_cast<double>(kPermille - 1)));
+        });
+        put(*task, run.measure(*task, one));
+    }
+    tell(static_cast<std::int64_t>(done() - before) * kPermille);
+}
+
+void sayStopped(const Journal* journal, std::size_t parts, Session& session) {
+    if (journal == nullptr) return;
+    const MessageId said = journal->done() > 0 ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
+    session.note(journal->path(), Message(said, {{"done", journal->done()}, {"total", parts}}));
+}
+
+PartsDone alone(const PartsRun& run, Session& session) {
+    Ledger ledger(run, {hostName()}, session);
+    try {
+        work(
+            run, session, 1, [&] { return ledger.next(0); },
+            [&](const Task& task, Json result) { ledger.put(0, task, std::move(result)); },
+            [&] { return ledger.done(); });
+    } catch (const Cancelled&) {
+        sayStopped(ledger.journal(), run.parts, session);
+        throw;
+    }
+    session.eraseBar();
+    return ledger.take();
+}
+
+// Letters are CBOR: results may hold pictures.
+std::string letterText(const Json& json) {
+    std::string text;
+    Json::to_cbor(json, text);
+    return text;
+}
+
+Json letterJson(const std::string& text) {
+    return Json::from_cbor(text);
+}
+
+// Rank 0's part: answers the others from a thread of its own, while this one works as they do.
+class Coordinator {
+  public:
+    Coordinator(Ledger& ledger, Team& team, std::stop_token stop)
+        : ledger_(ledger), team_(team), stop_(std::move(stop)), thread_([this](const std::stop_token& end) {
+              try {
+                  serve(end);
+              } catch (...) {
+                  const std::lock_guard lock(mutex_);
+                  failure_ = std::current_exception();
+              }
+              changed_.notify_all();
+          }) {}
+
+    // Waits while others do the last ones.
+    std::optional<Task> next() {
+        std::unique_lock lock(mutex_);
+        while (true) {
+            if (failure_) std::rethrow_exception(failure_);
+            if (stop_.stop_requested()) throw Cancelled();
+            if (ledger_.over()) return std::nullopt;
+            if (const std::optional<Task> task = ledger_.next(0)) return task;
+            changed_.wait_for(lock, kBetweenLooks);
+        }
+    }
+    void put(const Task& task, Json result) {
+        const std::lock_guard lock(mutex_);
+        ledger_.put(0, task, std::move(result));
+    }
+    std::size_t done() {
+        const std::lock_guard lock(mutex_);
+        return ledger_.done();
+    }
+    // Until every rank knows that all is done.
+    void join() { thread_.join(); }
+
+  private:
+    void serve(const std::stop_token& end) {
+        std::vector<int> waiting;
+        int ended = 1;
+        while (ended < team_.size() && !end.stop_requested()) {
+            while (const std::optional<Team::Letter> letter = team_.look()) {
+                Json said = letterJson(letter->text);
+                if (said.contains("result")) {
+                    const std::lock_guard lock(mutex_);
+                    ledger_.put(letter->from, taskOf(said), std::move(said["result"]));
+                }
+                waiting.push_back(letter->from);
+            }
+            std::erase_if(waiting, [&](int rank) {
+                std::unique_lock lock(mutex_);
+                const std::optional<Task> task = ledger_.next(rank);
+                if (!task && !ledger_.over()) return false;
+                lock.unlock();
+                team_.send(rank, letterText(task ? taskJson(*task) : Json{{"end", 0}}));
+                if (!task) ++ended;
+                return true;
+            });
+            std::this_thread::sleep_for(kBetweenLooks);
+        }
+    }
+
+    Ledger& ledger_;
+    Team& team_;
+    std::stop_token stop_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::exception_ptr failure_;
+    std::jthread thread_;  // last: ends before the rest
+};
+
+int ranksOn(const std::string& host, const Team& team) {
+    return static_cast<int>(std::count(team.hosts().begin(), team.hosts().end(), host));
+}
+
+void sayWhoDidWhat(const Ledger& ledger, const Team& team, Session& session) {
+    std::string ranks;
+    for (int rank = 0; rank < team.size(); ++rank) {
+        const auto at = static_cast<std::size_t>(rank);
+        ranks += (rank > 0 ? ", " : "") + std::to_string(rank) + " (" + team.hosts()[at] +
+                 "): " + std::to_string(ledger.partsOf()[at]);
+    }
+    const Message said(MessageId::RanksDone, {{"ranks", ranks}, {"messages", std::to_string(team.letters())}});
+    sayLine(sentence(said, session.language()));
+}
+
+PartsDone first(const PartsRun& run, Team& team, Session& session) {
+    std::optional<Ledger> ledger;
+    try {
+        ledger.emplace(run, team.hosts(), session);
+    } catch (...) {
+        // The others have not begun: this one says what is wrong, and all end in order.
+        for (int rank = 1; rank < team.size(); ++rank) team.send(rank, letterText({{"end", kBadUsage}}));
+        team.finish();
+        throw;
+    }
+    try {
+        Coordinator coordinator(*ledger, team, session.stop());
+        work(
+            run, session, ranksOn(team.hosts().front(), team), [&] { return coordinator.next(); },
+            [&](const Task& task, Json result) { coordinator.put(task, std::move(result)); },
+            [&] { return coordinator.done(); });
+        coordinator.join();
+    } catch (const Cancelled&) {
+        sayStopped(ledger->journal(), run.parts, session);
+        throw;
+    }
+    session.eraseBar();
+    sayWhoDidWhat(*ledger, team, session);
+    team.finish();
+    return ledger->take();
+}
+
+// Any other rank.
+void other(const PartsRun& run, Team& team, Session& session) {
+    Json said{{"want", true}};
+    const std::string& host = team.hosts()[static_cast<std::size_t>(team.rank())];
+    work(
+        run, session, ranksOn(host, team),
+        [&]() -> std::optional<Task> {
+            team.send(0, letterText(said));
+            const Json answer = letterJson(team.wait(session.stop()).text);
+            if (!answer.contains("end")) return taskOf(answer);
+            if (const int status = answer.at("end").get<int>(); status != 0) {
+                team.finish();
+                throw RunEnded{status};
+            }
+            return std::nullopt;
+        },
+        [&](const Task& task, Json result) {
+            said = taskJson(task);
+            said["result"] = std::move(result);
+        },
+        [] { return std::size_t{0}; });
+    team.finish();
+}
+
+}  // namespace
+
+std::optional<PartsDone> doParts(const PartsRun& run, Session& session) {
+    const std::unique_ptr<Team> team = Team::join();
+    if (!team) return alone(run, session);
+    // A rank that fails takes all with it: what it has to say is said before.
+    const auto failed = [&](const std::string& why, int status) {
+        if (team->finished()) throw;
+        session.eraseBar();
+        const auto rank = static_cast<std::size_t>(team->rank());
+        sayLine(rank == 0 ? why : "rank " + std::to_string(rank) + " (" + team->hosts()[rank] + "): " + why);
+        team->abort(status);
+    };
+    try {
+        if (team->rank() == 0) return first(run, *team, session);
+        other(run, *team, session);
+    } catch (const Cancelled&) {
+        // Rank 0 is told to stop at the same time: it says so before all end.
+        if (team->rank() > 0) std::this_thread::sleep_for(kLastWords);
+        team->abort(kInterrupted);
+    } catch (const WorkError& error) {
+        failed(error.text(session.language()), kFailed);
+    } catch (const InputError& error) {
+        failed(error.text(session.language()), kBadUsage);
+    } catch (const std::exception& error) {
+        failed(error.what(), kFailed);
+    }
+    return std::nullopt;
+}
+
+}  // namespace relief::app

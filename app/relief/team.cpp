@@ -1,0 +1,136 @@
+#include "team.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <thread>
+
+#include "../mpi/relief_mpi.h"
+#include "errors.h"
+#include "work.h"
+
+namespace relief::app {
+
+namespace {
+
+constexpr auto kFirstSleep = std::chrono::microseconds(100);
+constexpr auto kLongestSleep = std::chrono::microseconds(2000);
+
+// -1 where it is not there or no number.
+int environmentNumber(const char* name) {
+    const char* const value = std::getenv(name);
+    const std::string text = value == nullptr ? "" : value;
+    int number = -1;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() ? number : -1;
+}
+
+// Beside the program, where it was built and where it was installed.
+std::filesystem::path pluginPath() {
+    std::error_code none;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+    return program.parent_path().parent_path() / RELIEF_PLUGIN_FOLDER / "relief_mpi.so";
+}
+
+}  // namespace
+
+struct Team::Plugin {
+    const ReliefMpi* mpi = nullptr;
+};
+
+std::string hostName() {
+    char name[256] = {};
+    return gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
+
+int launchedProcesses() {
+    for (const char* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"}) {
+        const int size = environmentNumber(name);
+        if (size > 0) return size;
+    }
+    return 1;
+}
+
+int launchedRank() {
+    for (const char* const name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "SLURM_PROCID"}) {
+        const int rank = environmentNumber(name);
+        if (rank >= 0) return launchedProcesses() > 1 ? rank : 0;
+    }
+    return 0;
+}
+
+std::unique_ptr<Team> Team::join() {
+    if (launchedProcesses() < 2) return nullptr;
+    const std::string path = pluginPath().string();
+    const Message missing(MessageId::MpiMissing, {{"processes", launchedProcesses()}});
+    if (access(path.c_str(), R_OK) != 0) throw InputError("", missing);
+    // Open MPI's own plug-ins look for its symbols among everybody's.
+    void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    if (library == nullptr) throw InputError(path, Message(MessageId::MpiBroken, {{"why", dlerror()}}));
+    ReliefMpiJoin join = nullptr;
+    void* const symbol = dlsym(library, RELIEF_MPI_JOIN);
+    std::memcpy(&join, &symbol, sizeof join);
+    const ReliefMpi* const mpi = join == nullptr ? nullptr : join();
+    if (mpi == nullptr) throw InputError(path, Message(MessageId::MpiBroken, {{"why", "MPI_Init_thread"}}));
+    if (mpi->size != launchedProcesses()) {
+        // mpirun of another MPI than the plug-in's: each process would think it is alone and write the same file.
+        throw InputError("mpirun", Message(MessageId::MpiOther, {{"processes", launchedProcesses()}, {"joined", mpi->size}}));
+    }
+    return std::unique_ptr<Team>(new Team(std::make_unique<Plugin>(Plugin{mpi})));
+}
+
+Team::Team(std::unique_ptr<Plugin> plugin) : plugin_(std::move(plugin)) {
+    for (int rank = 0; rank < plugin_->mpi->size; ++rank) hosts_.emplace_back(plugin_->mpi->host(rank));
+}
+
+Team::~Team() {
+    constexpr int kFailed = 1;
+    if (!finished_) plugin_->mpi->abort(kFailed);
+}
+
+int Team::rank() const {
+    return plugin_->mpi->rank;
+}
+
+void Team::send(int to, const std::string& text) {
+    ++letters_;
+    plugin_->mpi->send(to, text.data(), text.size());
+}
+
+std::optional<Team::Letter> Team::look() {
+    Letter letter;
+    unsigned long long bytes = 0;
+    if (plugin_->mpi->probe(&letter.from, &bytes) == 0) return std::nullopt;
+    ++letters_;
+    letter.text.resize(bytes);
+    plugin_->mpi->receive(letter.text.data());
+    return letter;
+}
+
+Team::Letter Team::wait(const std::stop_token& stop) {
+    auto sleep = kFirstSleep;
+    while (true) {
+        if (std::optional<Letter> letter = look()) return *std::move(letter);
+        if (stop.stop_requested()) throw Cancelled();
+        std::this_thread::sleep_for(sleep);
+        sleep = std::min(2 * sleep, kLongestSleep);
+    }
+}
+
+void Team::abort(int status) {
+    plugin_->mpi->abort(status);
+    std::_Exit(status);
+}
+
+void Team::finish() {
+    finished_ = true;
+    plugin_->mpi->finish();
+}
+
+}  // namespace relief::app

@@ -1,0 +1,65 @@
+// The processes that a launcher (mpirun, srun) has started together on one piece of work, and their messages.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace relief::app {
+
+std::string hostName();
+
+// How many processes the launcher's variables (Open MPI's, PMI's, Slurm's) speak of; 1 where there are none.
+int launchedProcesses();
+// Which of them this one is; 0 where it is alone.
+int launchedRank();
+
+// Thrown on a rank that rank 0 has told to end: it has said why.
+struct RunEnded {
+    int status = 0;
+};
+
+// This process among them. All calls from one thread at a time.
+class Team {
+  public:
+    // Null: this process works alone. Loads the plug-in relief_mpi. Throws InputError where several processes were
+    // started and there is no MPI to join them by.
+    static std::unique_ptr<Team> join();
+    // Ends all ranks, unless finish() was called: one that is lost ends the run.
+    ~Team();
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+
+    int rank() const;
+    int size() const { return static_cast<int>(hosts_.size()); }
+    const std::vector<std::string>& hosts() const { return hosts_; }  // of every rank
+
+    struct Letter {
+        int from = 0;
+        std::string text;
+    };
+    void send(int to, const std::string& text);
+    // The next message, if one is there.
+    std::optional<Letter> look();
+    // Waits for a message, asleep between looks: a blocking wait would take a whole processor. Throws Cancelled.
+    Letter wait(const std::stop_token& stop);
+    // Waits for the other ranks to end as well.
+    void finish();
+    bool finished() const { return finished_; }
+    // Ends all ranks, this one too.
+    [[noreturn]] void abort(int status);
+    std::uint64_t letters() const { return letters_; }  // sent and received
+
+  private:
+    struct Plugin;
+    explicit Team(std::unique_ptr<Plugin> plugin);
+
+    std::unique_ptr<Plugin> plugin_;
+    std::vector<std::string> hosts_;
+    std::uint64_t letters_ = 0;
+    bool finished_ = false;
+};
+
+}  // namespace relief::app
