@@ -38,7 +38,7 @@ struct BenchRun {
     OptionText output;
     EarlierRun earlier = EarlierRun::Refuse;
     int concurrent = 1;  // cells that a host times at once, where several ranks share them
-    Json what;  // all that rows depend on beside the cells' names
+    Json what;           // all that rows depend on beside the cells' names
 };
 
 // Sixteen letters that tell these heights from others.

@@ -96,11 +96,10 @@ int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds,
                     std::string name = std::to_string(width) + "," + numberText(elevation) + "," +
                                        std::string(precisionName(precision));
                     if (rows) name += "," + std::to_string(block);
-                    cells.push_back(
-                        {std::move(name), 0, [one = std::move(one)](Work& work, BenchPass pass) mutable {
-                             one.pass = pass;
-                             return benchRows(one, work);
-                         }});
+                    cells.push_back({std::move(name), 0, [one = std::move(one)](Work& work, BenchPass pass) mutable {
+                                         one.pass = pass;
+                                         return benchRows(one, work);
+                                     }});
                 }
             }
         }

@@ -107,8 +107,8 @@ std::string Journal::firstLine(const Json& work) const {
 void Journal::refuseTheLiving(const Json& head) {
     const std::string host = head.value("host", "");
     if (host == hostName() && lives(head)) {
-        throw InputError(
-            path_, Message(MessageId::SweepAlive, {{"process", head.value("process", std::int64_t{0})}, {"host", host}}));
+        throw InputError(path_, Message(MessageId::SweepAlive,
+                                        {{"process", head.value("process", std::int64_t{0})}, {"host", host}}));
     }
     if (!host.empty() && host != hostName()) otherHost_ = host;
 }

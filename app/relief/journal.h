@@ -3,9 +3,9 @@
 //
 // A line of JSON about the whole, {"work": ..., "host": ..., "process": ..., "since": ...}; then a line for each part
 // that is done, {"part": N, "result": ...}, and of what an MPI run has
-// counted and not yet timed, {"counted": N, "result": ...}. A last line that was cut short is not read, and its part is done again. One
-// process writes it: the file is created exclusively and says which one, so that a second run with the same output
-// refuses instead of mixing its lines in.
+// counted and not yet timed, {"counted": N, "result": ...}. A last line that was cut short is not read, and its part is
+// done again. One process writes it: the file is created exclusively and says which one, so that a second run with the
+// same output refuses instead of mixing its lines in.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@
 namespace relief::app {
 
 struct PartsRun {
-    std::string bar;     // the progress bar's name
+    std::string bar;  // the progress bar's name
     std::size_t parts = 0;
     std::string output;  // whose journal keeps what is done; empty: no journal
     Json work;           // all that results depend on

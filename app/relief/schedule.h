@@ -43,7 +43,7 @@ class Schedule {
         int counting = 0;  // ranks at work on a pass that is not timed
         int timing = 0;
     };
-    std::vector<bool> counted_, finished_;  // handed out or skipped
+    std::vector<bool> counted_, finished_;              // handed out or skipped
     std::size_t firstCounted_ = 0, firstFinished_ = 0;  // all before are
     std::size_t left_ = 0;                              // parts that are not done
     bool timed_;

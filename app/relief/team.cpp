@@ -80,7 +80,8 @@ std::unique_ptr<Team> Team::join() {
     if (mpi == nullptr) throw InputError(path, Message(MessageId::MpiBroken, {{"why", "MPI_Init_thread"}}));
     if (mpi->size != launchedProcesses()) {
         // mpirun of another MPI than the plug-in's: each process would think it is alone and write the same file.
-        throw InputError("mpirun", Message(MessageId::MpiOther, {{"processes", launchedProcesses()}, {"joined", mpi->size}}));
+        throw InputError("mpirun",
+                         Message(MessageId::MpiOther, {{"processes", launchedProcesses()}, {"joined", mpi->size}}));
     }
     return std::unique_ptr<Team>(new Team(std::make_unique<Plugin>(Plugin{mpi})));
 }

@@ -1,19 +1,14 @@
 #include "command_test.h"
 
 #include <fcntl.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
 #include <locale.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -39,20 +34,6 @@ std::string readFile(const std::filesystem::path& path) {
     return text.str();
 }
 
-// Lets this process's calls for file locks fail, as on a file system that has none.
-bool failLocks(int error) {
-    sock_filter filter[] = {
-        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_fcntl, 0, 3),
-        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args[1])),
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, F_OFD_SETLK, 0, 1),
-        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | static_cast<unsigned>(error)),
-        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
-    };
-    const sock_fprog program{static_cast<unsigned short>(std::size(filter)), filter};
-    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
-}
-
 // In the child, between fork and exec.
 [[noreturn]] void execute(const std::vector<std::string>& arguments, const RunSetup& setup, const std::string& locale,
                           int input, const std::string& out, const std::string& err) {
@@ -69,14 +50,14 @@ bool failLocks(int error) {
     }
     setenv("LC_ALL", locale.c_str(), 1);
     for (const auto& [name, value] : setup.variables) setenv(name.c_str(), value.c_str(), 1);
-    if (setup.lockError != 0 && !failLocks(setup.lockError)) _exit(kNoFilter);
     signal(SIGINT, SIG_DFL);
     std::vector<char*> pointers;
-    static std::string program = RELIEF_PROGRAM;
+    std::string program = setup.program.empty() ? RELIEF_PROGRAM : setup.program;
+    for (const std::string& word : setup.launcher) pointers.push_back(const_cast<char*>(word.c_str()));
     pointers.push_back(program.data());
     for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
     pointers.push_back(nullptr);
-    execv(program.c_str(), pointers.data());
+    execvp(pointers.front(), pointers.data());
     _exit(127);
 }
 

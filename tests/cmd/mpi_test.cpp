@@ -1,0 +1,159 @@
+// Sweeps and pictures that the ranks of an MPI run share: what comes out is what one process makes.
+#include <fstream>
+
+#include "sweep_fixture.h"
+
+namespace relief::test {
+
+namespace {
+
+std::vector<std::string> mpirun(int ranks) {
+    return {"mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-n", std::to_string(ranks)};
+}
+
+// Processes that this one has started, and theirs, that run the program.
+std::vector<pid_t> ranksOf(pid_t parent) {
+    std::vector<pid_t> ranks;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+        std::ifstream file(entry.path() / "stat");
+        std::string text;
+        std::getline(file, text);
+        const std::size_t name = text.find('('), end = text.rfind(')');
+        if (name == std::string::npos || text.substr(name, end - name + 1) != "(relief)") continue;
+        char state = 0;
+        pid_t above = 0;
+        std::istringstream(text.substr(end + 1)) >> state >> above;
+        if (above == parent) ranks.push_back(static_cast<pid_t>(std::stoi(text)));
+    }
+    std::sort(ranks.begin(), ranks.end());
+    return ranks;
+}
+
+}  // namespace
+
+class MpiTest : public SweepTest {
+  protected:
+    void SetUp() override {
+        SweepTest::SetUp();
+        if (!std::filesystem::exists(RELIEF_PLUGIN)) GTEST_SKIP() << "built without MPI";
+    }
+    Result runRanks(int ranks, const std::vector<std::string>& arguments) const {
+        RunSetup setup;
+        setup.launcher = mpirun(ranks);
+        return run(arguments, setup);
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Places, MpiTest, testing::ValuesIn(places()), placeName);
+
+TEST_P(MpiTest, RanksShareASweepAndOneFails) {
+    runFine(sweep("whole.csv"));
+    const auto whole = withoutTimings(read("whole.csv"));
+    const Result shared = runRanks(4, sweep("b.csv", {"--quiet"}));
+    ASSERT_EQ(shared.status, 0) << shared.err;
+    EXPECT_EQ(withoutTimings(read("b.csv")), whole);
+    const auto said = lines(shared.err);
+    ASSERT_EQ(said.size(), 1U) << shared.err;
+    for (const char* const rank : {"0 (", "1 (", "2 (", "3 ("})
+        EXPECT_NE(said[0].find(rank), std::string::npos) << said[0];
+    // What is timed was timed: one rank's rates are not all.
+    for (std::size_t row = 1; row <= 2 * kCells; ++row) {
+        EXPECT_GT(std::stod(fields(lines(read("b.csv"))[row]).at(11)), 0) << row;
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "whole.csv"}));
+
+    const pid_t launcher = start(sweep("c.csv"), path("said"), mpirun(3));
+    ASSERT_TRUE(waitFor([&] { return done("c.csv").size() >= 3; }));
+    const std::vector<pid_t> ranks = ranksOf(launcher);
+    ASSERT_EQ(ranks.size(), 3U);
+    kill(ranks.back(), SIGKILL);
+    EXPECT_NE(statusOf(launcher), 0);
+    EXPECT_FALSE(std::filesystem::exists(path("c.csv")));
+    const std::size_t before = done("c.csv").size();
+    ASSERT_GE(before, 3U);
+    const Result last = runRanks(2, sweep("c.csv", {"--resume"}));
+    EXPECT_EQ(last.status, 0) << last.err;
+    EXPECT_NE(last.err.find(std::to_string(before) + " "), std::string::npos) << last.err;
+    EXPECT_EQ(withoutTimings(read("c.csv")), whole);
+    EXPECT_FALSE(std::filesystem::exists(path("c.csv.part")));
+}
+
+// What an MPI run left, one process goes on with, and the other way round.
+TEST_P(MpiTest, AnotherNumberOfProcessesGoesOn) {
+    runFine(sweep("whole.csv"));
+    for (const bool shared : {true, false}) {
+        const pid_t child = start(sweep("b.csv"), "/dev/null", shared ? mpirun(2) : std::vector<std::string>{});
+        ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 2; }));
+        for (const pid_t rank : shared ? ranksOf(child) : std::vector<pid_t>{child}) kill(rank, SIGKILL);
+        EXPECT_NE(statusOf(child), 0);
+        const auto again = sweep("b.csv", {"--resume"});
+        const Result last = shared ? run(again) : runRanks(2, again);
+        EXPECT_EQ(last.status, 0) << last.err;
+        EXPECT_EQ(withoutTimings(read("b.csv")), withoutTimings(read("whole.csv")));
+    }
+}
+
+TEST_P(MpiTest, RefusalsAreOneLineOfRankZeroWithItsStatus) {
+    write("b.csv.part", "somebody's own");
+    const Result refused = runRanks(3, sweep("b.csv"));
+    EXPECT_EQ(refused.status, 2) << refused.err;
+    std::size_t ours = 0;
+    for (const std::string& line : lines(refused.err)) ours += line.starts_with("relief: ") ? 1 : 0;
+    EXPECT_EQ(ours, 1U) << refused.err;
+    EXPECT_NE(refused.err.find("--anew"), std::string::npos) << refused.err;
+    EXPECT_EQ(read("b.csv.part"), "somebody's own");
+}
+
+// The program where no plug-in lies beside it.
+TEST_P(MpiTest, WithoutMpiSeveralProcessesAreRefused) {
+    RunSetup setup;
+    setup.variables = {{"OMPI_COMM_WORLD_SIZE", "4"}, {"OMPI_COMM_WORLD_RANK", "0"}};
+    setup.program = path("relief");
+    std::filesystem::copy_file(RELIEF_PROGRAM, setup.program);
+    const std::vector<std::string> rows{"bench", "rows", "--widths", "100", "--rounds", "1", "-o", path("b.csv")};
+    expectRefusal(rows, 2, {"4 processes", "MPI", "--part"}, setup);
+    EXPECT_EQ(files(), std::vector<std::string>{"relief"});
+    // Variables of a launcher whose MPI is another: the plug-in finds itself alone.
+    setup.program.clear();
+    setup.variables = {{"PMI_SIZE", "4"}, {"PMI_RANK", "0"}};
+    expectRefusal(rows, 2, {"4", "joined 1"}, setup);
+}
+
+TEST_P(MpiTest, RowsFiltersAndPicturesAreSharedToo) {
+    const std::vector<std::pair<std::vector<std::string>, std::size_t>> sweeps{
+        {{"bench", "rows", "--widths", "100,200", "--elevations", "60,25", "--variants", "direct,streams", "--pixels",
+          "40000", "--rounds", "2", "--threads", "1"},
+         11},
+        {{"bench", "filters", "--scenes", "checker", "--filters", "bilinear,trilinear", "--elevations", "60,30,10",
+          "--size", "32x24", "--samples", "4", "--rounds", "1", "--threads", "1"},
+         9}};
+    for (const auto& [command, timed] : sweeps) {
+        auto one = command, shared = command;
+        one.insert(one.end(), {"-o", path("one.csv")});
+        shared.insert(shared.end(), {"-o", path("shared.csv")});
+        runFine(one);
+        const Result result = runRanks(3, shared);
+        ASSERT_EQ(result.status, 0) << result.err;
+        const auto a = lines(read("one.csv")), b = lines(read("shared.csv"));
+        ASSERT_EQ(a.size(), b.size());
+        for (std::size_t r = 0; r < a.size(); ++r) {
+            auto x = fields(a[r]), y = fields(b[r]);
+            for (auto* row : {&x, &y}) (*row)[timed] = (*row)[timed + 1] = "";
+            EXPECT_EQ(x, y);
+        }
+    }
+    const std::vector<std::string> path{"render",       "--relief", "hills:32x32",  "--size",   "40x30", "--camera",
+                                        "elevation=60", "--to",     "elevation=20", "--frames", "5",     "-o"};
+    auto one = path, shared = path;
+    one.push_back(this->path("one"));
+    shared.push_back(this->path("shared"));
+    runFine(one);
+    const Result result = runRanks(3, shared);
+    ASSERT_EQ(result.status, 0) << result.err;
+    for (const auto& entry : std::filesystem::directory_iterator(this->path("one"))) {
+        const std::string name = entry.path().filename().string();
+        EXPECT_EQ(read("shared/" + name), read("one/" + name)) << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists(this->path("shared/pictures.part")));
+}
+
+}  // namespace relief::test
