@@ -15,7 +15,7 @@ struct Player {
     Schedule schedule;
     std::vector<std::string> hosts;
     std::vector<std::optional<Task>> at = std::vector<std::optional<Task>>(hosts.size());
-    std::map<std::size_t, int> counted, finished;
+    std::map<std::size_t, int> counted = {}, finished = {};
 
     // Whether no host times more than it may, or times while it counts.
     void expectQuietTimes(int concurrent) const {
