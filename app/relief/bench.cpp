@@ -203,7 +203,8 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
     options.onNote = [&](const Message& message) {
         if (said.insert(sentence(message)).second) session.note("bench", message);
     };
-    options.prepared = nothingPrepared();
+    // What was built while other ranks were at work is built again to be timed.
+    std::shared_ptr<PreparedTracers> counted = nothingPrepared(), timed = nothingPrepared();
     to.what = sweepText(given, options, session);
     HeightsOf heightsOf;
     const std::vector<SweepMap> maps = sweepMaps(chosenPictures(given), session);
@@ -215,10 +216,11 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
                 for (const Elevation& elevation : options.elevations) {
                     cells.push_back({name + "," + std::to_string(threads) + "," + std::to_string(seed) + "," +
                                          elevationText(elevation),
-                                     threads,
-                                     [&options, &heightsOf, &map, seed, elevation](Work& work, BenchPass pass) {
+                                     threads, [&, seed, elevation](Work& work, BenchPass pass) {
                                          BenchOptions one = options;
                                          one.pass = pass;
+                                         if (pass != BenchPass::Counts) counted = nothingPrepared();
+                                         one.prepared = pass == BenchPass::Counts ? counted : timed;
                                          one.maps = {{map.name, heightsOf(map)}};
                                          one.seed = seed;
                                          one.elevations = {elevation};
@@ -238,7 +240,7 @@ int runBench(const BenchCommandOptions& given, Session& session) {
         throw InputError("", Message(MessageId::UnknownName,
                                      {{"what", "benchmark"}, {"name", kind}, {"known", "tracers, rows, filters"}}));
     }
-    if (given.output) checkOutput(*given.output, {"csv", "json"});
+    if (given.output && launchedRank() == 0) checkOutput(*given.output, {"csv", "json"});
     const int concurrent =
         given.concurrent ? static_cast<int>(parseWhole(*given.concurrent, "--concurrent", 1, kMostThreads)) : 1;
     const BenchRun to{given.output, given.restart.chosen(), concurrent, {{"kind", kind}}};
