@@ -143,7 +143,7 @@ void ManyFrames::add(CLI::App& parser) {
 }
 
 int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,
-                    Session& session) const {
+                    const PartNumber& part, Session& session) const {
     const EarlierRun earlier = restart.chosen();
     const std::int64_t count = frames ? parseWhole(*frames, "--frames", 1, kMostFrames) : 1;
     if (to && !frames) throw InputError("--to", Message(MessageId::NeedsArgument, {{"other", "--frames"}}));
@@ -175,9 +175,15 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
         what["ends"].push_back(scenarioText(end));
         scenarios.push_back(std::move(scenario));
     }
+    std::string journal = "pictures";
+    if (part.of > 1) {
+        std::size_t index = 0;
+        std::erase_if(pictures, [&](const Picture&) { return !part.has(index++); });
+        journal += "-" + std::to_string(part.part) + "-of-" + std::to_string(part.of);
+    }
     makeFolder(folder);
     const std::filesystem::path place(folder);
-    SharedWork shared((place / "pictures").string(), what, pictures.size(), earlier, launched(), session.stop());
+    SharedWork shared((place / journal).string(), what, pictures.size(), earlier, launched(), session.stop());
     Studio studio(options, std::move(scenarios), count > 1, session);
     overParts(
         "render", shared, session, [](std::size_t) { return 0; },
