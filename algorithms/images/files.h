@@ -79,8 +79,16 @@ Image<glm::vec3> readNormals(const std::string& path, Work& work, std::int64_t m
 float linearFromSrgb(float encoded);
 float srgbFromLinear(float linear);
 
-// The name decides the format. 8-bit formats and PNG: sRGB 8 bit, clamped, NaN as 0; EXR and HDR: linear.
-void writeColor(const std::string& path, const ColorImage& image);
+// Rows [begin, end) of a picture that become a file of their own, and the text by which such files find together again
+// (picture_bands.h): printable ASCII. The file is a PNG, TIFF or EXR.
+struct PictureBand {
+    int begin = 0, end = 0;
+    std::string text;
+};
+
+// The name decides the format. 8-bit formats and PNG: sRGB 8 bit, clamped, NaN as 0; EXR and HDR: linear. band: only
+// these rows; null: all.
+void writeColor(const std::string& path, const ColorImage& image, const PictureBand* band = nullptr);
 // Heights: PNG and TIFF 16 bit by full range; EXR and .tif with asFloat: 32-bit float as they are.
 void writeHeight(const std::string& path, const FloatImage& heights, bool asFloat = false);
 
@@ -89,8 +97,8 @@ struct NamedPlane {
     std::string name;
     FloatImage plane;
 };
-// 32-bit float OpenEXR, planes in the given order; all of one size.
-void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes);
+// 32-bit float OpenEXR, planes in the given order; all of one size. band: only these rows; null: all.
+void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes, const PictureBand* band = nullptr);
 
 // An output that is written beside and renamed when complete: a reader sees the old file or the whole new one, never
 // a part. Without commit() the partial file is removed. "-" is not handled here.

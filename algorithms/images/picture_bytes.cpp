@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "images/picture_bands.h"
+
 namespace relief {
 
 namespace {
@@ -107,12 +109,17 @@ class PngGrammar {
         if (type == "IDAT") return keepIf(data_ = colorType_ != 3 || palette_);
         if (type == "IEND") return keepIf(data_);
         if ((static_cast<unsigned char>(type[0]) & 0x20U) == 0) return Verdict::Damaged;  // critical, and unknown
-        const bool wanted = type == "tRNS" || type == "sRGB" || type == "gAMA";
+        const bool wanted = type == "tRNS" || type == "sRGB" || type == "gAMA" || (type == "tEXt" && ofBand(data));
         return wanted && !data_ ? Verdict::Keep : Verdict::Drop;
     }
 
   private:
     static Verdict keepIf(bool fits) { return fits ? Verdict::Keep : Verdict::Damaged; }
+
+    static bool ofBand(View data) {
+        const std::size_t end = kBandAttribute.size();
+        return startsWith(data, kBandAttribute) && data.size() > end && data[end] == 0;
+    }
 
     bool header(View data) {
         if (colorType_ >= 0 || data.size() != 13) return false;

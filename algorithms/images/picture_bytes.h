@@ -25,8 +25,9 @@ struct DeclaredSize {
 // "jpeg2000", "gif", "png". Nothing for other formats or if the header is cut short. The first 64 kB are enough.
 std::optional<DeclaredSize> declaredSize(std::string_view format, std::span<const unsigned char> head);
 
-// A PNG file with every checksum verified, reduced to what its pixels need. libpng tells its errors to stderr, so what
-// is damaged or cut short is refused here: nothing is returned. Cost: one pass over the bytes, about 1 GB/s.
+// A PNG file with every checksum verified, reduced to what its pixels need, and a band's text (PictureBand). libpng
+// tells its errors to stderr, so what is damaged or cut short is refused here: nothing is returned. Cost: one pass over
+// the bytes, about 1 GB/s.
 std::optional<Bytes> cleanPng(std::span<const unsigned char> file);
 
 // Metadata that the pixels do not need (colour profiles, EXIF, IPTC, XMP) taken out: OpenImageIO 2.4 follows offsets in

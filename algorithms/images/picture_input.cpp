@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "base/memory.h"
+#include "images/picture_bands.h"
 #include "images/picture_bytes.h"
 #include "images/system_error.h"
 
@@ -268,6 +269,11 @@ void PictureInput::checkSpec(std::int64_t maxPixels) {
 
 std::string PictureInput::description() const {
     return std::string(library_->input->spec().get_string_attribute("ImageDescription"));
+}
+
+std::string PictureInput::bandText() const {
+    if (info_.format == "tiff") return description();
+    return std::string(library_->input->spec().get_string_attribute(std::string(kBandAttribute)));
 }
 
 int PictureInput::channelIndex(std::string_view name) const {

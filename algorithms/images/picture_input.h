@@ -68,6 +68,8 @@ class PictureInput {
     const ImageInfo& info() const { return info_; }
     // What the file says of itself in words (ImageDescription); may be empty.
     std::string description() const;
+    // The text that a band was written with (PictureBand); empty where there is none.
+    std::string bandText() const;
     // Index of the channel of that name in any case; -1 if there is none.
     int channelIndex(std::string_view name) const;
     // Index of the alpha channel, or -1.

@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "images/described_tiff.h"
 #include "images/files.h"
+#include "images/picture_bands.h"
 #include "images/system_error.h"
 
 namespace relief {
@@ -158,6 +159,24 @@ OIIO::ImageSpec specOf(int width, int height, int channels, OIIO::TypeDesc::BASE
     return spec;
 }
 
+// TIFF would get an EXIF directory for it, which OpenImageIO 2.4 puts where the picture's own should be.
+void setColorSpace(OIIO::ImageSpec& spec, const Format& format, const std::string& name) {
+    if (format.library != "tiff" && !name.empty()) spec.attribute("oiio:ColorSpace", name);
+}
+
+// The text of a band, where its format has a place for it.
+void setBandText(OIIO::ImageSpec& spec, const Format& format, const PictureBand* band) {
+    if (band == nullptr) return;
+    spec.attribute(format.library == "tiff" ? "ImageDescription" : std::string(kBandAttribute), band->text);
+}
+
+// The band, or all rows of a picture.
+PictureBand bandOf(const PictureBand* band, int height) {
+    const PictureBand rows = band != nullptr ? *band : PictureBand{0, height, {}};
+    assert(0 <= rows.begin && rows.begin <= rows.end && rows.end <= height);
+    return rows;
+}
+
 // 8-bit sRGB codes by search among the light values where they change: no power a pixel, and the same bits everywhere.
 class SrgbCodes {
   public:
@@ -187,26 +206,41 @@ void forIndices(std::size_t count, const Convert& convert) {
 
 }  // namespace
 
-void writeColor(const std::string& path, const ColorImage& image) {
+void writeColor(const std::string& path, const ColorImage& image, const PictureBand* band) {
     const Format& format = formatOf(path);
+    const PictureBand rows = bandOf(band, image.height());
+    const auto width = static_cast<std::size_t>(image.width());
+    const std::span<const Color> pixels = image.pixels().subspan(
+        width * static_cast<std::size_t>(rows.begin), width * static_cast<std::size_t>(rows.end - rows.begin));
+    const auto type = format.light ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+    OIIO::ImageSpec spec = specOf(image.width(), rows.end - rows.begin, 3, type);
+    setColorSpace(spec, format, format.light ? "Linear" : "sRGB");
+    setBandText(spec, format, band);
     if (format.light) {
-        OIIO::ImageSpec spec = specOf(image.width(), image.height(), 3, OIIO::TypeDesc::FLOAT);
-        spec.attribute("oiio:ColorSpace", "Linear");
         static_assert(sizeof(Color) == 3 * sizeof(float));
-        writePixels(path, format, spec, image.data());
+        writePixels(path, format, spec, pixels.data());
         return;
     }
-    OIIO::ImageSpec spec = specOf(image.width(), image.height(), 3, OIIO::TypeDesc::UINT8);
-    // TIFF would get an EXIF directory for it, which OpenImageIO 2.4 puts where the picture's own should be.
-    if (format.library != "tiff") spec.attribute("oiio:ColorSpace", "sRGB");
     if (format.library == "jpeg") spec.attribute("Compression", "jpeg:95");
     const SrgbCodes codes;
-    std::vector<std::uint8_t> bytes(image.size() * 3);
-    forIndices(image.size(), [&](std::size_t i) {
-        const Color& color = image.pixels()[i];
-        for (int c = 0; c < 3; ++c) bytes[3 * i + static_cast<std::size_t>(c)] = codes(color[c]);
+    std::vector<std::uint8_t> bytes(pixels.size() * 3);
+    forIndices(pixels.size(), [&](std::size_t i) {
+        for (int c = 0; c < 3; ++c) bytes[3 * i + static_cast<std::size_t>(c)] = codes(pixels[i][c]);
     });
     writePixels(path, format, spec, bytes.data());
+}
+
+void writeNumbers(const std::string& path, const ImageInfo& info, const std::byte* numbers) {
+    const Format& format = formatOf(path);
+    const OIIO::TypeDesc type(info.type);
+    OIIO::ImageSpec spec = specOf(info.width, info.height, static_cast<int>(info.channels.size()),
+                                  static_cast<OIIO::TypeDesc::BASETYPE>(type.basetype));
+    spec.channelnames = info.channels;
+    setColorSpace(spec, format, info.colorSpace);
+    const OIIO::TypeDesc given = type == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : type;
+    writeWhole(path, format, [&](OIIO::ImageOutput& output, const std::string& name) {
+        return output.open(name, spec) && output.write_image(given, numbers);
+    });
 }
 
 void writeHeight(const std::string& path, const FloatImage& heights, bool asFloat) {
@@ -226,7 +260,7 @@ void writeHeight(const std::string& path, const FloatImage& heights, bool asFloa
     writePixels(path, format, specOf(heights.width(), heights.height(), 1, OIIO::TypeDesc::UINT16), codes.data());
 }
 
-void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes) {
+void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes, const PictureBand* band) {
     assert(!planes.empty());
     const Format& format = formatOf(path);
     if (format.library != "openexr")
@@ -234,15 +268,20 @@ void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes)
                          Message(MessageId::FormatNotForThis, {{"extension", extensionOf(path)}, {"known", "exr"}}));
     const FloatImage& first = planes.front().plane;
     const std::size_t count = planes.size();
-    OIIO::ImageSpec spec = specOf(first.width(), first.height(), static_cast<int>(count), OIIO::TypeDesc::FLOAT);
+    const PictureBand rows = bandOf(band, first.height());
+    const int height = rows.end - rows.begin;
+    OIIO::ImageSpec spec = specOf(first.width(), height, static_cast<int>(count), OIIO::TypeDesc::FLOAT);
+    setBandText(spec, format, band);
     spec.channelnames.clear();
     for (const NamedPlane& plane : planes) {
         assert(plane.plane.width() == first.width() && plane.plane.height() == first.height());
         spec.channelnames.push_back(plane.name);
     }
-    std::vector<float> numbers(first.size() * count);
-    forIndices(first.size(), [&](std::size_t i) {
-        for (std::size_t c = 0; c < count; ++c) numbers[i * count + c] = planes[c].plane.pixels()[i];
+    const auto width = static_cast<std::size_t>(first.width());
+    const std::size_t skipped = width * static_cast<std::size_t>(rows.begin);
+    std::vector<float> numbers(width * static_cast<std::size_t>(height) * count);
+    forIndices(numbers.size() / count, [&](std::size_t i) {
+        for (std::size_t c = 0; c < count; ++c) numbers[i * count + c] = planes[c].plane.pixels()[skipped + i];
     });
     writePixels(path, format, spec, numbers.data());
 }

@@ -9,6 +9,7 @@
 
 #include "images/files.h"
 #include "measuring/stress_case.h"
+#include "measuring/stress_record.h"
 #include "rendering/frame.h"
 #include "scenario/scenario.h"
 
@@ -20,8 +21,6 @@ using namespace stress_detail;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kLookEvery{100};
-// Violations listed of one method and check: one fault would push out all others.
-constexpr std::size_t kListedAlike = 5;
 
 double secondsSince(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
@@ -87,10 +86,12 @@ class StressRun {
         : options_(options),
           groups_(grouped(options.methods.empty() ? methodVariants() : options.methods)),
           watched_(static_cast<std::size_t>(std::max(1, work.threads().size()))),
-          work_(work) {}
+          work_(work),
+          tally_(options.listed) {}
 
     StressReport run() {
-        work_.progress().begin("stress", static_cast<std::int64_t>(options_.seconds * 1000));
+        work_.progress().begin("stress", options_.cases ? static_cast<std::int64_t>(*options_.cases / options_.step)
+                                                        : static_cast<std::int64_t>(options_.seconds * 1000));
         std::jthread watch([this](const std::stop_token& end) { watchOver(end); });
         {
             std::vector<std::jthread> workers;
@@ -99,18 +100,19 @@ class StressRun {
         watch.request_stop();
         watch.join();
         if (failure_) std::rethrow_exception(failure_);
-        report_.seconds = secondsSince(begun_);
-        report_.interrupted = work_.stopped();
         // Interrupted, some are missing in between.
-        for (auto& [number, result] : waiting_) add(number, result);
-        return std::move(report_);
+        for (auto& [number, result] : waiting_) add(result);
+        StressReport report = tally_.report();
+        report.seconds = secondsSince(begun_);
+        report.interrupted = work_.stopped();
+        return report;
     }
 
   private:
     void workOn(Watched& watched) {
         try {
             while (!work_.stopped() && !failed_) {
-                const std::uint64_t number = next_.fetch_add(1);
+                const std::uint64_t number = next_.fetch_add(options_.step);
                 if (over(number)) return;
                 CaseResult result = runCase(makeCase(options_.seed, number), options_, groups_, watched, work_);
                 keep(number, std::move(result));
@@ -125,6 +127,7 @@ class StressRun {
 
     bool over(std::uint64_t number) const {
         if (options_.only) return number != *options_.only;
+        if (options_.cases) return number >= *options_.cases;
         return number >= kStressCasesAtLeast && secondsSince(begun_) >= options_.seconds;
     }
 
@@ -133,8 +136,10 @@ class StressRun {
         const std::lock_guard lock(mutex_);
         waiting_[number] = std::move(result);
         while (!waiting_.empty() && waiting_.begin()->first == added_) {
-            add(added_++, waiting_.begin()->second);
+            add(waiting_.begin()->second);
             waiting_.erase(waiting_.begin());
+            added_ += options_.step;
+            if (options_.cases) work_.progress().advance();
         }
     }
 
@@ -146,7 +151,7 @@ class StressRun {
         std::int64_t shown = 0;
         while (!wake.wait_for(lock, end, kLookEvery, [&] { return end.stop_requested(); })) {
             const auto now = static_cast<std::int64_t>(std::min(secondsSince(begun_), options_.seconds) * 1000);
-            work_.progress().advance(now - std::exchange(shown, now));
+            if (!options_.cases) work_.progress().advance(now - std::exchange(shown, now));
             for (Watched& watched : watched_) {
                 watched.look([&](const Running& running) {
                     if (told || !options_.onHang || secondsSince(running.since) < options_.hangSeconds) return;
@@ -172,36 +177,21 @@ class StressRun {
         options_.onHang(violation);
     }
 
-    void add(std::uint64_t number, CaseResult& result) {
-        ++report_.cases;
-        ++report_.maps[result.map];
-        report_.sizes.insert(result.size);
-        report_.violationCount += result.violations;
-        for (auto& [name, part] : result.methods) {
-            StressMethodCoverage& whole = report_.methods[name];
-            for (const auto& [family, rays] : part.rays) whole.rays[family] += rays;
-            whole.forms.merge(part.forms);
-            whole.logs += part.logs;
-            if (part.worstBound > whole.worstBound) {
-                whole.worstBound = part.worstBound;
-                whole.worstWhere = part.worstWhere;
-            }
-        }
-        for (const auto& [name, part] : result.parts) {
-            StressPartCoverage& whole = report_.parts[name];
-            for (const auto& [kind, count] : part.tried) whole.tried[kind] += count;
-            whole.refused += part.refused;
-        }
+    // Commands are made for those that may be listed: maps are written for some.
+    void add(CaseResult& result) {
+        std::optional<Case> of;
         for (const Found& found : result.found) {
-            if (report_.violations.size() == options_.listed) return;
-            if (alike_[std::string(stressPartName(found.part)) + " " + found.method.name + " " + found.fault.check]++ >=
-                kListedAlike)
-                continue;
-            const Case of = makeCase(options_.seed, number);
-            report_.violations.push_back(
+            std::string kind =
+                std::string(stressPartName(found.part)) + " " + found.method.name + " " + found.fault.check;
+            if (!tally_.lists(kind) || (tally_.full() && !options_.onCase)) continue;
+            if (!of) of = makeCase(options_.seed, result.number);
+            result.violations.push_back(
                 {found.fault, methodOf(found.method, found.frame.get()), std::string(found.rays), result.map,
-                 reproduction({&of, found.part, &found.method, found.rays, found.ray, found.frame.get()}, options_)});
+                 reproduction({&*of, found.part, &found.method, found.rays, found.ray, found.frame.get()}, options_),
+                 std::move(kind)});
         }
+        if (options_.onCase) options_.onCase(result);
+        tally_.add(result);
     }
 
     const StressOptions& options_;
@@ -209,14 +199,13 @@ class StressRun {
     std::deque<Watched> watched_;
     Work& work_;
     Clock::time_point begun_ = Clock::now();
-    std::atomic<std::uint64_t> next_{options_.only.value_or(0)};
+    std::atomic<std::uint64_t> next_{options_.only.value_or(options_.first)};
     std::mutex mutex_;
     std::map<std::uint64_t, CaseResult> waiting_;
-    std::uint64_t added_ = options_.only.value_or(0);
+    std::uint64_t added_ = options_.only.value_or(options_.first);
     std::atomic<bool> failed_{false};
     std::exception_ptr failure_;
-    StressReport report_;
-    std::map<std::string, std::size_t> alike_;
+    StressTally tally_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Numerical stability: methods x maps x surfaces x addressings x ray families, any-hit queries over the same rays, and
-// frames, homographies and rows by cameras at their ends, for a given time; every broken promise with the command that
-// shows it. The cases and their order depend on the seed alone; time only decides when to stop.
+// frames, homographies and rows by cameras at their ends, for a given time or number of cases; every broken promise
+// with the command that shows it. The cases and their order depend on the seed alone; time only decides when to stop.
 #pragma once
 
 #include <functional>
@@ -30,23 +30,7 @@ struct StressViolation {
     std::string map;
     std::string
         command;  // `relief trace ...` or `relief render ...`, quoted for a shell; else `relief stress --case ...`
-};
-
-// Distance and cone maps of larger pictures would take all the time there is: methods that need them are not tried
-// there.
-inline constexpr std::size_t kStressBuildTexels = 1U << 13U;
-
-struct StressOptions {
-    double seconds = 20;  // not before the first kStressCasesAtLeast are done
-    std::uint64_t seed = 1;
-    std::vector<MeasuredMethod> methods;  // forms of one name take turns; empty: methodVariants()
-    std::string folder = ".";             // for maps that only a file can hold, as the commands name it
-    std::set<StressPart> parts;           // empty: all
-    std::optional<std::uint64_t> only;    // this case alone, by its number from 0
-    std::size_t listed = 50;              // violations kept with a command; the others are counted
-    double hangSeconds = 60;              // of one ray, or of one frame with its repetitions
-    // Called once, from another thread, for a ray that takes longer; the tracer cannot be stopped.
-    std::function<void(const StressViolation&)> onHang;
+    std::string kind{};  // the part, the method's name and the check: only the first few of a kind are listed
 };
 
 // Of each name in the list.
@@ -69,9 +53,43 @@ struct StressPartCoverage {
     std::uint64_t total() const;
 };
 
+// What one case found.
+struct StressCase {
+    std::uint64_t number = 0;
+    std::string map;   // its family
+    std::string size;  // "64x48"
+    std::map<std::string, StressMethodCoverage> methods;
+    std::map<std::string, StressPartCoverage> parts;
+    std::uint64_t violationCount = 0;
+    std::vector<StressViolation> violations;  // the first of each kind
+};
+
+// Distance and cone maps of larger pictures would take all the time there is: methods that need them are not tried
+// there.
+inline constexpr std::size_t kStressBuildTexels = 1U << 13U;
+
+struct StressOptions {
+    double seconds = 20;                 // not before the first kStressCasesAtLeast are done
+    std::optional<std::uint64_t> cases;  // so many, from case 0, whatever time they take
+    // Only each of these cases: first, first + step, ...
+    std::uint64_t first = 0, step = 1;
+    std::uint64_t seed = 1;
+    std::vector<MeasuredMethod> methods;  // forms of one name take turns; empty: methodVariants()
+    std::string folder = ".";             // for maps that only a file can hold, as the commands name it
+    std::set<StressPart> parts;           // empty: all
+    std::optional<std::uint64_t> only;    // this case alone, by its number from 0
+    std::size_t listed = 50;              // violations kept with a command; the others are counted
+    double hangSeconds = 60;              // of one ray, or of one frame with its repetitions
+    // Called once, from another thread, for a ray that takes longer; the tracer cannot be stopped.
+    std::function<void(const StressViolation&)> onHang;
+    // Called for every case in the order of their numbers, one call at a time, from any thread of the work. Its
+    // violations are not limited by `listed`, so that parts of a run add up to the report of the whole.
+    std::function<void(const StressCase&)> onCase;
+};
+
 struct StressReport {
     std::uint64_t cases = 0;
-    double seconds = 0;
+    double seconds = 0;  // 0: not known, of a report put together from parts
     bool interrupted = false;
     std::map<std::string, StressMethodCoverage> methods;  // tracers and any-hit queries
     std::map<std::string, StressPartCoverage> parts;      // "frames", "filters", "homographies", "rows"

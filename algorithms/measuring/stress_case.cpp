@@ -186,7 +186,7 @@ Random partRandom(const CaseRun& run, StressPart part, std::uint64_t n) {
 }
 
 void CaseResult::report(Found violation) {
-    ++violations;
+    ++violationCount;
     const bool known = std::any_of(found.begin(), found.end(), [&](const Found& f) {
         return f.part == violation.part && f.method == violation.method && f.fault.check == violation.fault.check;
     });
@@ -196,6 +196,7 @@ void CaseResult::report(Found violation) {
 CaseResult runCase(const Case& tried, const StressOptions& options, const std::vector<MethodGroup>& groups,
                    Watched& watched, Work& work) {
     CaseResult result;
+    result.number = tried.number;
     result.map = tried.map;
     result.size = std::to_string(tried.field.width()) + "x" + std::to_string(tried.field.height());
     const CaseRun run{tried, options, groups, std::make_shared<MapCache>(), watched, result, work};

@@ -69,13 +69,9 @@ struct Found {
     std::shared_ptr<const Scenario> frame;  // of frames: without its pictures
 };
 
-struct CaseResult {
-    std::map<std::string, StressMethodCoverage> methods;
-    std::map<std::string, StressPartCoverage> parts;
-    std::string map;
-    std::string size;
+// violations are empty until the found ones have commands.
+struct CaseResult : StressCase {
     std::vector<Found> found;  // the first of each method and check
-    std::uint64_t violations = 0;
 
     // Counts it, and keeps the first of each method and check.
     void report(Found violation);

@@ -60,11 +60,11 @@ std::string maps(const StressReport& report) {
 std::string stressText(const StressReport& report, std::uint64_t seed) {
     std::uint64_t rays = 0;
     for (const auto& [name, coverage] : report.methods) rays += coverage.total();
-    std::string out = "seed " + std::to_string(seed) + ": " + std::to_string(report.cases) + " cases, " +
-                      std::to_string(rays) + " rays in " + numberText(report.seconds, 3) + " s" +
-                      (report.interrupted ? ", interrupted" : "") +
-                      "; violations: " + std::to_string(report.violationCount) + "\n\n" + rayFamilies(report) + "\n" +
-                      methods(report) + "\n" + parts(report) + maps(report);
+    std::string out =
+        "seed " + std::to_string(seed) + ": " + std::to_string(report.cases) + " cases, " + std::to_string(rays) +
+        " rays" + (report.seconds > 0 ? " in " + numberText(report.seconds, 3) + " s" : "") +
+        (report.interrupted ? ", interrupted" : "") + "; violations: " + std::to_string(report.violationCount) +
+        "\n\n" + rayFamilies(report) + "\n" + methods(report) + "\n" + parts(report) + maps(report);
     for (const StressViolation& v : report.violations) {
         out += "violation: " + v.fault.check + ", " + v.method + ", " + v.rays + " over " + v.map + ": " +
                v.fault.detail + ": " + v.command + "\n";

@@ -154,6 +154,10 @@ struct PictureParts {
     std::function<void(const Frame& part)> done{};
     // Rows of a part, a multiple of 32; 0: as many as keep all threads busy.
     int rows = 0;
+    // The rows of the picture that are wanted, to the same bits as in the whole picture; empty: all. Up to 31 rows on
+    // either side are made, too; what the light stage and layers hold of all others is not defined. The light stage has
+    // the whole picture's size all the same.
+    RowRange wanted{};
 };
 
 // Bytes that FrameRenderer::picture() takes at most, maps and the filter's levels apart; threads: of its work.

@@ -31,9 +31,19 @@ double secondsSince(Clock::time_point begin) {
 // Makes one picture, band after band, from the top.
 class BandMaker {
   public:
-    // counts: steps and reads of traced rays are wanted; a mesh's come with its hits.
-    BandMaker(const FrameRequest& request, const FrameSetup& setup, FrameBuffers& band, bool counts, Work& work)
-        : request_(request), setup_(setup), tools_(setup.tools()), band_(band), counts_(counts), work_(work) {}
+    // first: the row from which rays are traced, the first of a tile. counts: steps and reads of traced rays are
+    // wanted; a mesh's come with its hits.
+    BandMaker(const FrameRequest& request, const FrameSetup& setup, FrameBuffers& band, int first, bool counts,
+              Work& work)
+        : request_(request),
+          setup_(setup),
+          tools_(setup.tools()),
+          band_(band),
+          counts_(counts),
+          work_(work),
+          met_(first) {
+        setup.frame->stored = {first, first};
+    }
 
     // Makes rows [begin, end), the stages of `halo` rows more on either side being kept.
     void make(RowRange rows, int halo, bool tellProgress) {
@@ -73,8 +83,15 @@ class BandMaker {
     FrameBuffers& band_;
     bool counts_;
     Work& work_;
-    int met_ = 0;  // rows from the top whose rays were traced
+    int met_;  // the first row whose rays are not traced yet
 };
+
+// The tiles' rows around those that are wanted: tiles begin where they do in the whole picture.
+RowRange madeRows(const RowRange& wanted, int height) {
+    if (wanted.begin == wanted.end) return {0, height};
+    assert(wanted.begin >= 0 && wanted.begin < wanted.end && wanted.end <= height);
+    return {wanted.begin / kTileHeight * kTileHeight, std::min(height, tilesDown(wanted.end) * kTileHeight)};
+}
 
 }  // namespace
 
@@ -110,11 +127,11 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     fitBand(*band_, frame, std::min(frame.height, rows + 2 * halo), request, counts || mesh);
     frame.rays = band_->rays, frame.hits = band_->hits, frame.color = band_->color, frame.shadows = band_->shadows;
     frame.light = fitLight(band_->light, frame);
-    frame.stored = {0, 0};
-    if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(frame.height));
-    BandMaker maker(request, *setup, *band_, counts && !mesh, work);
-    for (int y = 0; y < frame.height; y += rows) {
-        maker.make({y, std::min(frame.height, y + rows)}, halo, !partOfMore_);
+    const RowRange made = madeRows(parts.wanted, frame.height);
+    if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(made.end - made.begin));
+    BandMaker maker(request, *setup, *band_, std::max(0, made.begin - halo), counts && !mesh, work);
+    for (int y = made.begin; y < made.end; y += rows) {
+        maker.make({y, std::min(made.end, y + rows)}, halo, !partOfMore_);
         if (parts.done) parts.done(frame);
     }
     frame.rows = frame.stored = {0, frame.height};
@@ -125,7 +142,8 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
         // The samples take the place of what was made.
         frame.light = nullptr;
         band_.reset();
-        frame.light = std::make_shared<LightStage>(LightStage{supersampled(request, maps_, work, {}, frame.counters)});
+        frame.light = std::make_shared<LightStage>(
+            LightStage{supersampled(request, maps_, work, {}, frame.counters, parts.wanted)});
     }
     finish(frame, begin, work);
     // The picture is the caller's alone.

@@ -87,7 +87,7 @@ SampleSums::SampleSums(int width, int height, PixelModel model, int margin)
     assert(margin >= 0 && margin <= kGaussianRing);
 }
 
-void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work) {
+void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work, RowRange rows) {
     assert(pass.width() == sums_.width() + 2 * margin() && pass.height() == sums_.height() + 2 * margin());
     const ChannelWeights across = channelWeights(model_, PixelAxis::Across, place.x);
     const ChannelWeights down = channelWeights(model_, PixelAxis::Down, place.y);
@@ -97,7 +97,9 @@ void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work) {
     for (const glm::dvec3& w : down) weightDown += w;
     weight_ += weightAcross * weightDown;
     const int ring = margin();
-    parallelFor(work, sums_.height(), [&](int y) {
+    if (rows.begin == rows.end) rows = {0, sums_.height()};
+    parallelFor(work, rows.end - rows.begin, [&](int i) {
+        const int y = rows.begin + i;
         std::vector<glm::dvec3> row(static_cast<std::size_t>(pass.width()), glm::dvec3(0));
         // A sample n pixels up or to the left of a pixel sees that pixel n to its right or below.
         for (int n = -ring; n <= ring; ++n) {
@@ -161,7 +163,8 @@ std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer&
 }
 
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
-                        const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters) {
+                        const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters,
+                        RowRange rows) {
     const int samples = request.filter.samples;
     SampleSums sums(request.width, request.height, request.filter.pixelModel);
     FrameRequest pass = withRing(request, sums.margin());
@@ -170,10 +173,13 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
     const int total = samples * samples;
     work.progress().begin("samples", total);
     auto renderer = std::make_unique<FrameRenderer>(maps, true);
+    PictureParts parts;
+    // The pass begins a margin higher, and a pixel sees as many rows above and below.
+    if (rows.begin != rows.end) parts.wanted = {rows.begin, rows.end + 2 * sums.margin()};
     for (int done = 0; done < total; ++done) {
         pass.sample = samplePlace(order[static_cast<std::size_t>(done)], samples);
-        const auto frame = renderer->picture(pass, work);
-        sums.add(frame->light->color, pass.sample, work);
+        const auto frame = renderer->picture(pass, work, parts);
+        sums.add(frame->light->color, pass.sample, work, rows);
         for (const char* name : {"rays traced", "steps"}) {
             const auto found = frame->counters.find(name);
             if (found != frame->counters.end()) counters[std::string("samples: ") + name] += found->second;

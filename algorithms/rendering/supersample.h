@@ -46,8 +46,8 @@ class SampleSums {
     SampleSums(int width, int height, PixelModel model, int margin);
 
     int margin() const { return margin_; }
-    // place: of the samples in their pixels, [0, 1]^2.
-    void add(const ColorImage& pass, glm::dvec2 place, Work& work);
+    // place: of the samples in their pixels, [0, 1]^2. rows: those whose sums are wanted; empty: all.
+    void add(const ColorImage& pass, glm::dvec2 place, Work& work, RowRange rows = {});
     // Whether every channel has seen a sample.
     bool complete() const { return weight_.x > 0 && weight_.y > 0 && weight_.z > 0; }
     ColorImage mean(Work& work) const;  // complete
@@ -70,8 +70,10 @@ struct PixelSample {
 std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer& tracer, int x, int y, Work& work);
 
 // The supersampled picture of the request (whose filter says N and model); every other setting as it stands. Adds
-// counters "samples a pixel", "samples: rays traced" and, where the request wants counts, "samples: steps".
+// counters "samples a pixel", "samples: rays traced" and, where the request wants counts, "samples: steps". rows: those
+// that are wanted, of a picture of the whole size; empty: all.
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
-                        const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters);
+                        const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters,
+                        RowRange rows = {});
 
 }  // namespace relief

@@ -21,7 +21,7 @@ constexpr const char* kDefaultReliefs[] = {"bricks", "city", "fractal", "hills",
 
 struct BenchCommandOptions {
     OptionText kind, tracers, elevations, lowest, rays, rounds, seed, surface, address, reliefDepth, output;
-    OptionText sizes, threadCounts, form, concurrent;
+    OptionText sizes, threadCounts, form, concurrent, part;
     RestartOptions restart;
     std::vector<std::string> heights, recipes;
     ReadingOptions reading;
@@ -241,9 +241,14 @@ int runBench(const BenchCommandOptions& given, Session& session) {
                                      {{"what", "benchmark"}, {"name", kind}, {"known", "tracers, rows, filters"}}));
     }
     if (given.output && launchedRank() == 0) checkOutput(*given.output, {"csv", "json"});
-    const int concurrent =
-        given.concurrent ? static_cast<int>(parseWhole(*given.concurrent, "--concurrent", 1, kMostThreads)) : 1;
-    const BenchRun to{given.output, given.restart.chosen(), concurrent, {{"kind", kind}}};
+    BenchRun to{given.output, given.restart.chosen(), {}, {}, {{"kind", kind}}};
+    if (given.concurrent) {
+        to.concurrent = static_cast<int>(parseWhole(*given.concurrent, "--concurrent", 1, kMostThreads));
+    }
+    if (given.part) {
+        to.part = parsePartNumber(*given.part);
+        checkOutput(needed(given.output, "--output", "bench"), {"csv"});
+    }
     if (kind == "rows") return given.rows.run(given.elevations, given.rounds, to, session);
     if (kind == "tracers") return runTracers(given, to, session);
     const bool own = !given.heights.empty() || !given.recipes.empty();
@@ -317,6 +322,10 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
             "tracers: each is measured, instead of --threads", "Run");
     addText(*parser, "--concurrent", options->concurrent, "N",
             "with mpirun: cells that a machine times at once, default 1; the column concurrent says so", "Run");
+    addText(*parser, "--part", options->part, "K/N",
+            "only part K, from 1, of N: each N-th cell; with -o FILE.csv, which relief merge puts together with the "
+            "others",
+            "Run");
     options->restart.add(*parser, "with -o", "Run");
     addOutput(*parser, options->output, "table: .csv or .json");
     options->run.add(*parser);

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "measuring/bench_columns.h"
 #include "measuring/machine.h"
@@ -12,8 +13,7 @@ namespace relief::app {
 
 namespace {
 
-// Of the bar, a cell.
-constexpr std::int64_t kPermille = 1000;
+constexpr const char* kMachineColumns[] = {"compiler", "cpu", "commit", "host", "concurrent"};
 
 BenchValue valueOf(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
@@ -27,8 +27,9 @@ BenchPass passOf(Pass pass) {
     return pass == Pass::Times ? BenchPass::Times : BenchPass::Both;
 }
 
-// Columns at the end, where they are not there yet: of the machine, and how many cells it timed at once.
-void addMachine(Json& rows, int concurrent) {
+// Columns at the end, where they are not there yet: of the machine, and how many cells it timed at once (null: that is
+// not known of a part, which may have others beside it).
+void addMachine(Json& rows, const Json& concurrent) {
     for (Json& row : rows) {
         for (const auto& [name, text] : {std::pair<const char*, std::string (*)()>{"compiler", compilerText},
                                          {"cpu", cpuText},
@@ -82,7 +83,14 @@ std::string contentText(const FloatImage& heights) {
 }
 
 std::string csvOfRows(const Json& rows, const std::string& header) {
-    if (rows.empty()) return header;
+    if (rows.empty()) {
+        std::string whole = header.substr(0, header.find('\n'));
+        for (const char* const name : kMachineColumns) {
+            if (("," + whole + ",").find("," + std::string(name) + ",") == std::string::npos)
+                whole += "," + std::string(name);
+        }
+        return whole + "\n";
+    }
     std::string text;
     for (const auto& [name, value] : rows.front().items()) text += (text.empty() ? "" : ",") + name;
     text += "\n";
@@ -99,31 +107,78 @@ std::string csvOfRows(const Json& rows, const std::string& header) {
     return text;
 }
 
+namespace {
+
+// Which of so many cells are of the run's part.
+std::vector<std::size_t> chosenCells(const BenchRun& run, std::size_t cells) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        if (!run.part || run.part->has(cell)) chosen.push_back(cell);
+    }
+    return chosen;
+}
+
+// The first line of a part's table.
+std::string tableLine(const BenchRun& run, const std::vector<Json>& results, const std::vector<std::string>& names) {
+    Part part;
+    static_cast<PartNumber&>(part) = *run.part;
+    part.run = runJson(run.what.value("kind", ""), run.what, names);
+    std::set<std::string> words;
+    Json counts = Json::array();
+    const std::vector<std::size_t> chosen = chosenCells(run, names.size());
+    for (std::size_t n = 0; n < chosen.size(); ++n) {
+        counts.push_back({chosen[n], results[n].size()});
+        for (const Json& row : results[n]) {
+            for (const auto& [name, value] : row.items()) {
+                if (value.is_string()) words.insert(name);
+            }
+        }
+    }
+    part.more = {{"rows", counts}, {"words", words}};
+    return "# " + partLine(part) + "\n";
+}
+
+}  // namespace
+
 std::optional<PartsDone> measuredCells(const BenchRun& run, const BenchCells& cells, Session& session) {
+    const std::vector<std::size_t> chosen = chosenCells(run, cells.names.size());
     PartsRun parts;
     parts.bar = "bench";
-    parts.parts = cells.names.size();
+    parts.parts = chosen.size();
     parts.output = run.output.value_or("");
     parts.work = {{"options", run.what}, {"cells", cells.names}};
+    if (run.part) parts.work["part"] = {run.part->part, run.part->of};
     parts.earlier = run.earlier;
+    parts.alone = run.part.has_value();
     parts.timed = true;
-    parts.concurrent = run.concurrent;
-    parts.threads = cells.threads;
+    parts.concurrent = run.concurrent.value_or(1);
+    const Json concurrent = run.concurrent ? Json(*run.concurrent) : run.part ? Json() : Json(1);
+    parts.threads = [&](std::size_t at) { return cells.threads(chosen[at]); };
     parts.measure = [&](const Task& task, Work& work) {
-        Json rows = cells.measure(task.part, work, passOf(task.pass));
-        addMachine(rows, run.concurrent);
+        Json rows = cells.measure(chosen[task.part], work, passOf(task.pass));
+        addMachine(rows, concurrent);
         return rows;
     };
     parts.combine = withTimes;
     return doParts(parts, session);
 }
 
-void writeCells(const BenchRun& run, PartsDone done, const std::string& header, Session& session) {
+void writeCells(const BenchRun& run, PartsDone done, const std::string& header, const std::vector<std::string>& names,
+                Session& session) {
     Json rows = Json::array();
-    for (Json& cell : done.results) rows.insert(rows.end(), cell.begin(), cell.end());
-    addForm(rows);
+    for (Json& cell : done.results) {
+        addForm(cell);
+        for (Json& row : cell) {
+            // Those that an older program measured do not say where.
+            for (const char* const name : kMachineColumns) {
+                if (!row.contains(name)) row[name] = nullptr;
+            }
+            rows.push_back(row);
+        }
+    }
     if (!run.output) return writeStandardOutput(csvOfRows(rows, header), session.stop());
     TextOutput file(*run.output, session.stop());
+    if (run.part) file.write(tableLine(run, done.results, names));
     file.write(fileEnding(*run.output) == "json" ? rows.dump(1) + "\n" : csvOfRows(rows, header));
     file.commit();
     done.journal->finish();

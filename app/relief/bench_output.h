@@ -13,6 +13,7 @@
 #include "measuring/bench_columns.h"
 #include "options_common.h"
 #include "output.h"
+#include "part.h"
 #include "parts_run.h"
 #include "team.h"
 
@@ -37,8 +38,9 @@ struct BenchCell {
 struct BenchRun {
     OptionText output;
     EarlierRun earlier = EarlierRun::Refuse;
-    int concurrent = 1;  // cells that a host times at once, where several ranks share them
-    Json what;           // all that rows depend on beside the cells' names
+    std::optional<int> concurrent;   // cells that a host times at once, where several ranks share them; default 1
+    std::optional<PartNumber> part;  // these cells alone; the file names the run that they are a part of
+    Json what;                       // all that rows depend on beside the cells' names
 };
 
 // Sixteen letters that tell these heights from others.
@@ -55,8 +57,9 @@ struct BenchCells {
     std::function<Json(std::size_t, Work&, BenchPass)> measure;
 };
 std::optional<PartsDone> measuredCells(const BenchRun& run, const BenchCells& cells, Session& session);
-// To the file, or to standard output as CSV. header: as csvOfRows takes it.
-void writeCells(const BenchRun& run, PartsDone done, const std::string& header, Session& session);
+// To the file, or to standard output as CSV. header: as csvOfRows takes it; names: of all cells of the run.
+void writeCells(const BenchRun& run, PartsDone done, const std::string& header, const std::vector<std::string>& names,
+                Session& session);
 
 // Returns the exit status.
 template <class Row>
@@ -81,7 +84,7 @@ int runCells(const BenchRun& run, const BenchTexts<Row>& texts, const std::vecto
     if (table) {
         writeStandardOutput(texts.table(rows), session.stop());
     } else if (done) {
-        writeCells(run, *std::move(done), texts.header(), session);
+        writeCells(run, *std::move(done), texts.header(), all.names, session);
     }
     return 0;
 }

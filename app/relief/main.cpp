@@ -92,6 +92,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addCertifyCommand(program, commands);
     addRecommendCommand(program, commands);
     addClaimsCommand(program, commands);
+    addMergeCommand(program, commands);
 }
 
 int parseAndRun(int count, char** arguments, Session& session) {

@@ -311,7 +311,7 @@ void other(const PartsRun& run, Team& team, Session& session) {
 }  // namespace
 
 std::optional<PartsDone> doParts(const PartsRun& run, Session& session) {
-    const std::unique_ptr<Team> team = Team::join();
+    const std::unique_ptr<Team> team = run.alone ? nullptr : Team::join();
     if (!team) return alone(run, session);
     // A rank that fails takes all with it: what it has to say is said before.
     const auto failed = [&](const std::string& why, int status) {

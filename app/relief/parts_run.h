@@ -20,6 +20,7 @@ struct PartsRun {
     std::string output;  // whose journal keeps what is done; empty: no journal
     Json work;           // all that results depend on
     EarlierRun earlier = EarlierRun::Refuse;
+    bool alone = false;  // even where a launcher has started others
     // Several ranks: parts are counted first and then timed, so many at once on a host (see Schedule).
     bool timed = false;
     int concurrent = 1;

@@ -1,4 +1,4 @@
-// relief render [SCENARIO.json] [options] -o FILE [--layers NAME,...] [--report FILE.json]
+// relief render [SCENARIO.json] [options] -o FILE [--layers NAME,...] [--report FILE.json | --part K/N]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "measuring/base_level_measure.h"
 #include "options_common.h"
 #include "output.h"
+#include "part.h"
 #include "render_many.h"
 #include "rendering/skip_ledger.h"
 
@@ -17,13 +18,12 @@ namespace relief::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 struct RenderOptions {
     ScenarioOptions scenario;
     ManyFrames many;
-    OptionText output, layers, report;
+    OptionText output, layers, report, part;
     RunOptions run;
 };
 
@@ -153,18 +153,42 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
     return report.dump(2) + "\n";
 }
 
-int runRender(const RenderOptions& options, Session& session) {
-    options.run.apply(session);
-    const std::string& output = needed(options.output, "--output", "render");
-    if (options.many.wanted()) {
-        if (options.report) throw InputError("--report", Message(MessageId::ArgumentsExclude, {{"other", "--frames"}}));
-        return options.many.run(options.scenario, output, checkedLayers(options, "picture.exr"), session);
-    }
-    checkOutput(output, {"png", "jpg", "jpeg", "tif", "tiff", "bmp", "exr", "hdr"});
-    const std::vector<std::string> layers = checkedLayers(options, output);
-    if (options.report && *options.report != "-") checkOutput(*options.report, {"json"});
-    Scenario scenario = options.scenario.scenario();
+// All that the picture depends on: of the pictures that it is made of what is in them, not their names, which may
+// differ from machine to machine. map: the argument that names a stored map.
+Json pictureOptions(const Scenario& scenario, const Assets& assets, const std::vector<std::string>& layers,
+                    const std::string& map) {
+    Scenario plain = withNotesOf(scenario, Scenario());
+    plain.pixel.reset();
+    plain.other = {};
+    plain.comparison = {};
+    for (std::string* name : {&plain.pictures.height, &plain.pictures.color, &plain.pictures.normal}) name->clear();
+    Json options = Json::parse(scenarioText(plain));
+    const auto hashed = [](const auto& picture) {
+        return picture ? Json(hashText(std::as_bytes(picture->pixels()))) : Json();
+    };
+    options["heights"] = hashed(assets.heights);
+    options["color"] = hashed(assets.color);
+    options["normals"] = hashed(assets.normals);
+    options["layers"] = layers;
+    options["map"] = map;
+    return options;
+}
 
+// The rows of a part, with the text that merging needs.
+PictureBand partBand(const PartNumber& number, const FrameRequest& request, Json options) {
+    const RowRange rows = partRows(number, request.height);
+    const std::string cells = std::to_string(request.width) + "x" + std::to_string(request.height);
+    Part part;
+    static_cast<PartNumber&>(part) = number;
+    part.run = runJson("render", std::move(options), {&cells, 1});
+    part.more = {{"first", rows.begin}, {"end", rows.end}, {"height", request.height}};
+    return {rows.begin, rows.end, partLine(part)};
+}
+
+// One picture, or a band of it, rendered and written.
+int renderOne(const RenderOptions& options, const std::string& output, const std::vector<std::string>& layers,
+              const PartNumber& number, Session& session) {
+    Scenario scenario = options.scenario.scenario();
     Seconds seconds;
     AssetStore store;
     const Assets assets = timed(seconds.load, [&] { return store.load(scenario.pictures, session.work()); });
@@ -179,6 +203,11 @@ int runRender(const RenderOptions& options, Session& session) {
     if (!layers.empty()) planes.emplace(request, layers, *maps);
     BoundedSums bounded;
     PictureParts parts;
+    PictureBand band;
+    if (options.part) {
+        band = partBand(number, request, pictureOptions(scenario, assets, layers, options.scenario.mapArgument()));
+        parts.wanted = {band.begin, band.end};
+    }
     const bool wantsSteps = std::find(layers.begin(), layers.end(), "steps") != layers.end();
     parts.counts = options.report || wantsSteps;
     parts.done = [&](const Frame& part) {
@@ -190,24 +219,43 @@ int runRender(const RenderOptions& options, Session& session) {
     seconds.count += frame->countSeconds;
     seconds.render -= seconds.count + seconds.write;
     timed(seconds.write, [&] {
+        const PictureBand* const rows = options.part ? &band : nullptr;
         if (planes) {
-            writePlanes(output, planes->take(*frame));
+            writePlanes(output, planes->take(*frame), rows);
         } else {
-            writeColor(output, frame->light->color);
+            writeColor(output, frame->light->color, rows);
         }
     });
-    if (options.report) {
-        TextOutput report(*options.report, session.stop());
-        const Json skipped = skippedJson(*frame, request, bounded.error(), session.language());
-        Json base;
-        if (const auto measure = measureBaseLevel(request, scenario.method, *maps, session.work())) {
-            session.note("--set", baseLevelSentence(*measure));
-            base = baseJson(*measure);
-        }
-        report.write(reportText(*options.report, scenario, *frame, skipped, base, session, seconds));
-        report.commit();
+    if (!options.report) return 0;
+    TextOutput report(*options.report, session.stop());
+    const Json skipped = skippedJson(*frame, request, bounded.error(), session.language());
+    Json base;
+    if (const auto measure = measureBaseLevel(request, scenario.method, *maps, session.work())) {
+        session.note("--set", baseLevelSentence(*measure));
+        base = baseJson(*measure);
     }
+    report.write(reportText(*options.report, scenario, *frame, skipped, base, session, seconds));
+    report.commit();
     return 0;
+}
+
+int runRender(const RenderOptions& options, Session& session) {
+    options.run.apply(session);
+    const std::string& output = needed(options.output, "--output", "render");
+    const PartNumber number = options.part ? parsePartNumber(*options.part) : PartNumber();
+    if (options.report && (options.part || options.many.wanted())) {
+        const char* const other = options.part ? "--part" : "--frames";
+        throw InputError("--report", Message(MessageId::ArgumentsExclude, {{"other", other}}));
+    }
+    if (options.many.wanted()) {
+        return options.many.run(options.scenario, output, checkedLayers(options, "picture.exr"), number, session);
+    }
+    std::vector<std::string> endings{"png", "tif", "tiff", "exr"};
+    if (!options.part) endings.insert(endings.end(), {"jpg", "jpeg", "bmp", "hdr"});
+    checkOutput(output, endings);
+    const std::vector<std::string> layers = checkedLayers(options, output);
+    if (options.report && *options.report != "-") checkOutput(*options.report, {"json"});
+    return renderOne(options, output, layers, number, session);
 }
 
 }  // namespace
@@ -228,6 +276,10 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
     for (const std::string& name : layerNames()) layers += (layers.empty() ? "" : ", ") + name;
     addText(*parser, "--layers", options->layers, "NAME,...",
             "write these planes into the .exr instead of the picture alone: " + layers, "Output");
+    addText(*parser, "--part", options->part, "K/N",
+            "only part K, from 1, of N, for other processes to make the others: of one picture (.png, .tif, .exr) that "
+            "band of its rows, which relief merge puts together; of many pictures each N-th",
+            "Output");
     addText(*parser, "--report", options->report, "FILE.json",
             "what was done and what was skipped: the scenario, counters, maps built, seconds of every stage; - for "
             "standard output",

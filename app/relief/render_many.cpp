@@ -181,7 +181,7 @@ void ManyFrames::add(CLI::App& parser) {
 }
 
 int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,
-                    Session& session) const {
+                    const PartNumber& part, Session& session) const {
     const EarlierRun earlier = restart.chosen();
     const std::int64_t count = frames ? parseWhole(*frames, "--frames", 1, kMostFrames) : 1;
     if (to && !frames) throw InputError("--to", Message(MessageId::NeedsArgument, {{"other", "--frames"}}));
@@ -213,6 +213,12 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
         what["ends"].push_back(scenarioText(end));
         scenarios.push_back(std::move(scenario));
     }
+    std::string journal = "pictures";
+    if (part.of > 1) {
+        std::size_t index = 0;
+        std::erase_if(pictures, [&](const Picture&) { return !part.has(index++); });
+        journal += "-" + std::to_string(part.part) + "-of-" + std::to_string(part.of);
+    }
     const std::filesystem::path place(folder);
     const bool writes = launchedRank() == 0;
     if (writes) makeFolder(folder);
@@ -220,7 +226,7 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
     PartsRun run;
     run.bar = "render";
     run.parts = pictures.size();
-    run.output = (place / "pictures").string();
+    run.output = (place / journal).string();
     run.work = what;
     run.earlier = earlier;
     run.measure = [&](const Task& task, Work& work) -> Json {

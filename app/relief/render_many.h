@@ -3,6 +3,7 @@
 #pragma once
 
 #include "options_common.h"
+#include "part.h"
 #include "rendering/frame.h"
 
 namespace relief::app {
@@ -18,9 +19,10 @@ struct ManyFrames {
     void add(CLI::App& parser);
     // Whether the command asks for more than one picture.
     bool wanted() const { return !more.empty() || frames || to || restart.given(); }
-    // folder: made where it is not there. layers: empty for pictures alone. Returns the exit status.
+    // folder: made where it is not there. layers: empty for pictures alone. part: only its pictures. Returns the exit
+    // status.
     int run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,
-            Session& session) const;
+            const PartNumber& part, Session& session) const;
 };
 
 }  // namespace relief::app

@@ -1,11 +1,15 @@
-// relief stress [--seconds N] [--seed S] [--tracers NAME,...] [--parts NAME,...] [--case N] [-o FOLDER]
+// relief stress [--seconds N | --cases N] [--seed S] [--tracers NAME,...] [--parts NAME,...] [--case N] [-o FOLDER]
+//     [--record FILE.jsonl [--part K/N]]
 #include <unistd.h>
 
 #include <filesystem>
+#include <optional>
 
-#include "measuring/stress.h"
+#include "measuring/stress_record.h"
 #include "options_common.h"
 #include "output.h"
+#include "part.h"
+#include "stress_report.h"
 
 namespace relief::app {
 
@@ -13,9 +17,10 @@ namespace {
 
 constexpr int kViolated = 1;
 constexpr double kSecondsAtMost = 30.0 * 24 * 3600;
+constexpr std::int64_t kCasesAtMost = 1'000'000'000;
 
 struct StressCommandOptions {
-    OptionText seconds, seed, folder, tracers, parts, only;
+    OptionText seconds, cases, seed, folder, tracers, parts, only, record, part;
     RunOptions run;
 };
 
@@ -44,10 +49,51 @@ std::vector<MeasuredMethod> chosenMethods(const std::string& text) {
     return chosen;
 }
 
+// Options that name each other's cases.
+void checkTogether(const StressCommandOptions& given) {
+    const auto exclude = [](const OptionText& one, const char* name, const OptionText& two, const char* other) {
+        if (one && two) throw InputError(name, Message(MessageId::ArgumentsExclude, {{"other", other}}));
+    };
+    exclude(given.cases, "--cases", given.seconds, "--seconds");
+    exclude(given.cases, "--cases", given.only, "--case");
+    exclude(given.record, "--record", given.only, "--case");
+    for (const auto& [wanted, name] : {std::pair(&given.cases, "--cases"), std::pair(&given.record, "--record")}) {
+        if (given.part && !*wanted) throw InputError("--part", Message(MessageId::NeedsArgument, {{"other", name}}));
+    }
+}
+
+// The record of this run or of a part of it, whose first line is written.
+std::unique_ptr<TextOutput> begunRecord(const StressCommandOptions& given, const std::optional<PartNumber>& number,
+                                        const StressOptions& options, Session& session) {
+    if (!given.record) return nullptr;
+    checkOutput(*given.record, {"jsonl"});
+    Json what{{"seed", options.seed},
+              {"cases", options.cases ? Json(*options.cases) : Json()},
+              {"tracers", given.tracers.value_or("")},
+              {"parts", given.parts.value_or("")}};
+    const std::string cells = options.cases ? std::to_string(*options.cases) : "";
+    Part part;
+    part.run = runJson("stress", std::move(what), {&cells, 1});
+    if (number) static_cast<PartNumber&>(part) = *number;
+    auto record = std::make_unique<TextOutput>(*given.record, session.stop());
+    record->write((number ? partLine(part) : runLine(part.run)) + "\n");
+    return record;
+}
+
 int runStress(const StressCommandOptions& given, Session& session) {
     given.run.apply(session);
+    checkTogether(given);
     StressOptions options;
     if (given.seconds) options.seconds = parseSeconds(*given.seconds);
+    if (given.cases) {
+        options.cases = static_cast<std::uint64_t>(parseWhole(*given.cases, "--cases", 1, kCasesAtMost));
+    }
+    std::optional<PartNumber> number;
+    if (given.part) {
+        number = parsePartNumber(*given.part);
+        options.first = static_cast<std::uint64_t>(number->part - 1);
+        options.step = static_cast<std::uint64_t>(number->of);
+    }
     if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
     if (given.tracers) options.methods = chosenMethods(*given.tracers);
     if (given.parts) {
@@ -69,19 +115,25 @@ int runStress(const StressCommandOptions& given, Session& session) {
         // The tracer holds its thread: nothing can be ended in order.
         _exit(kViolated);
     };
+    const std::unique_ptr<TextOutput> record = begunRecord(given, number, options, session);
+    if (record) options.onCase = [&](const StressCase& one) { record->write(stressCaseLine(one)); };
     const StressReport report = stress(options, session.work());
     session.eraseBar();
+    if (record && !report.interrupted) record->commit();
     // Interrupted, what was covered is still worth reading.
-    writeStandardOutput(stressText(report, options.seed));
-    if (report.violationCount > 0) {
-        sayLine(sentence(Message(MessageId::StressViolations, {{"count", report.violationCount}}), session.language()));
-        return kViolated;
-    }
-    if (report.interrupted) throw Cancelled();
-    return 0;
+    const int status = tellStress(report, options.seed, session);
+    if (status == 0 && report.interrupted) throw Cancelled();
+    return status;
 }
 
 }  // namespace
+
+int tellStress(const StressReport& report, std::uint64_t seed, Session& session) {
+    writeStandardOutput(stressText(report, seed));
+    if (report.violationCount == 0) return 0;
+    sayLine(sentence(Message(MessageId::StressViolations, {{"count", report.violationCount}}), session.language()));
+    return kViolated;
+}
 
 void addStressCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<StressCommandOptions>();
@@ -98,8 +150,11 @@ void addStressCommand(CLI::App& program, Commands& commands) {
         "texel and back, and their derivatives agree with central differences; row methods must stay within their "
         "error bounds. The cases depend on the seed alone. Each violation is a line that ends with the command "
         "that shows it; the exit status is then 1.",
-        "  relief stress --seconds 60 --seed 7");
+        "  relief stress --seconds 60 --seed 7\n"
+        "  relief stress --cases 1000 --part 2/3 --record part2.jsonl\n"
+        "  relief merge part1.jsonl part2.jsonl part3.jsonl");
     addText(*parser, "--seconds", options->seconds, "N", "how long, default 20", "Run");
+    addText(*parser, "--cases", options->cases, "N", "the first N cases, instead of --seconds", "Run");
     addText(*parser, "--seed", options->seed, "S", "of maps and rays, default 1", "Run");
     addText(*parser, "--tracers", options->tracers, "NAME,...",
             "only these methods for view rays, and in frames where they apply (elsewhere the standard method); "
@@ -111,6 +166,12 @@ void addStressCommand(CLI::App& program, Commands& commands) {
     addText(*parser, "--case", options->only, "N", "the case of this number alone, as a violation names it", "Run");
     addText(*parser, "-o,--output", options->folder, "FOLDER",
             "where maps that no recipe makes are written if they break a tracer; default: here", "Output");
+    addText(*parser, "--record", options->record, "FILE.jsonl",
+            "what each case found, a line of JSON each; the first line tells which run it is", "Output");
+    addText(*parser, "--part", options->part, "K/N",
+            "only part K, from 1, of N: each N-th of the cases (--cases), for other processes to do the others; "
+            "relief merge makes one report of their records (--record)",
+            "Run");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runStress(*options, session); }});
 }

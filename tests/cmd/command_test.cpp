@@ -176,6 +176,12 @@ std::vector<std::string> lines(const std::string& text) {
     return all;
 }
 
+std::string withoutDate(std::string bytes) {
+    const std::size_t at = bytes.find("capDate");
+    if (at != std::string::npos) bytes.erase(at, std::string("capDate.string.0000YYYY:MM:DD hh:mm:ss").size());
+    return bytes;
+}
+
 std::vector<std::string> fields(const std::string& line) {
     std::vector<std::string> all;
     std::size_t at = 0;

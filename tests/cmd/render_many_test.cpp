@@ -44,13 +44,6 @@ class RenderManyTest : public CommandTest {
     }
 };
 
-// OpenEXR files tell when they were written, to the second.
-std::string withoutDate(std::string bytes) {
-    const std::size_t at = bytes.find("capDate");
-    if (at != std::string::npos) bytes.erase(at, std::string("capDate.string.0000YYYY:MM:DD hh:mm:ss").size());
-    return bytes;
-}
-
 INSTANTIATE_TEST_SUITE_P(Places, RenderManyTest, testing::ValuesIn(places()), placeName);
 
 TEST_P(RenderManyTest, AListOfScenarios) {

@@ -7,18 +7,6 @@ namespace relief::test {
 
 using Json = nlohmann::json;
 
-namespace {
-
-// OpenEXR files carry the second they were written in.
-std::string withoutDate(std::string exr) {
-    const std::string name = "capDate";
-    const std::size_t at = exr.find(name);
-    if (at != std::string::npos) exr.erase(at, name.size() + 1 + 7 + 4 + 19);
-    return exr;
-}
-
-}  // namespace
-
 class RenderTest : public CommandTest {};
 INSTANTIATE_TEST_SUITE_P(Places, RenderTest, testing::ValuesIn(places()), placeName);
 

@@ -1,0 +1,157 @@
+// relief merge FILE... [-o OUT]: the parts of one run (--part K/N) become what one process would have written.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "images/picture_bands.h"
+#include "merge_tables.h"
+#include "options_common.h"
+#include "output.h"
+
+namespace relief::app {
+
+namespace {
+
+struct MergeOptions {
+    std::vector<std::string> files;
+    OptionText output;
+    RunOptions run;
+};
+
+enum class Content : std::uint8_t { Table, Record, Picture };
+
+// A part as its file holds it. Of a picture: no text.
+struct MergedPart : TextPart {
+    Content content = Content::Table;
+    ImageInfo info{};  // of a picture
+};
+
+[[noreturn]] void failNoPart(const std::string& path) {
+    throw InputError(path, Message(MessageId::PartNone));
+}
+
+// The first letter of an ordinary file; 0 where there is none.
+char firstLetter(const std::string& path) {
+    char letter = 0;
+    if (std::filesystem::is_regular_file(path)) std::ifstream(path, std::ios::binary).get(letter);
+    return letter;
+}
+
+MergedPart readPicture(const std::string& path) {
+    MergedPart read;
+    read.path = path;
+    read.content = Content::Picture;
+    BandFile band = readBandFile(path);
+    auto part = parsePartLine(band.text);
+    if (!part) failNoPart(path);
+    read.part = std::move(*part);
+    read.info = std::move(band.info);
+    return read;
+}
+
+MergedPart readText(const std::string& path, Content content) {
+    MergedPart read;
+    read.path = path;
+    read.content = content;
+    read.text = readTextFile(path);
+    const std::size_t end = read.text.find('\n');
+    if (end == std::string::npos) failNoPart(path);
+    const std::size_t begin = content == Content::Table ? 1 : 0;
+    auto part = parsePartLine(std::string_view(read.text).substr(begin, end - begin));
+    if (!part) failNoPart(path);
+    read.part = std::move(*part);
+    read.body = end + 1;
+    return read;
+}
+
+// What the file is, is told by what is in it, whatever its name.
+MergedPart readPart(const std::string& path) {
+    const char letter = firstLetter(path);
+    if (letter == '#') return readText(path, Content::Table);
+    if (letter == '{') return readText(path, Content::Record);
+    return readPicture(path);
+}
+
+// Throws InputError where the bands' rows are not those of the whole picture, each once.
+void checkBands(const std::vector<MergedPart>& parts) {
+    int done = 0;
+    for (const MergedPart& part : parts) {
+        const auto number = [&](const char* name) {
+            const auto found = part.part.more.find(name);
+            const bool whole =
+                found != part.part.more.end() && found->is_number_unsigned() && *found <= kMaxPictureSide;
+            return whole ? found->get<int>() : -1;
+        };
+        const int end = number("end");
+        const bool last = part.part.part == part.part.of;
+        if (number("first") != done || end - done != part.info.height || (last && number("height") != end)) {
+            throw InputError(part.path, Message(MessageId::FileTruncated));
+        }
+        done = end;
+    }
+}
+
+void mergePictures(const std::vector<MergedPart>& parts, const std::string& output, Session& session) {
+    const std::string& format = parts.front().info.format;
+    checkOutput(output, format == "tiff"      ? std::vector<std::string>{"tif", "tiff"}
+                        : format == "openexr" ? std::vector<std::string>{"exr"}
+                                              : std::vector<std::string>{format});
+    checkBands(parts);
+    std::vector<std::string> files;
+    for (const MergedPart& part : parts) files.push_back(part.path);
+    joinBands(files, output, session.work());
+}
+
+int runMerge(const MergeOptions& options, Session& session) {
+    options.run.apply(session);
+    if (options.files.empty()) needed(std::nullopt, "FILE", "merge");
+    std::vector<MergedPart> parts;
+    std::vector<PartFile> numbers;
+    for (const std::string& path : options.files) {
+        parts.push_back(readPart(path));
+        if (parts.back().content != parts.front().content) {
+            throw InputError(path, Message(MessageId::PartOtherKind, {{"other", parts.front().path}}));
+        }
+        numbers.push_back(parts.back());
+    }
+    requireWholeRun(numbers);
+    std::sort(parts.begin(), parts.end(),
+              [](const MergedPart& a, const MergedPart& b) { return a.part.part < b.part.part; });
+    const Content content = parts.front().content;
+    if (content == Content::Picture) {
+        mergePictures(parts, needed(options.output, "--output", "merge"), session);
+        return 0;
+    }
+    std::vector<TextPart> texts;
+    for (MergedPart& part : parts) texts.push_back(std::move(part));
+    if (content == Content::Record) return mergeRecords(texts, options.output, session);
+    mergeTables(texts, needed(options.output, "--output", "merge"), session);
+    return 0;
+}
+
+}  // namespace
+
+void addMergeCommand(CLI::App& program, Commands& commands) {
+    auto options = std::make_shared<MergeOptions>();
+    CLI::App* parser = addCommand(
+        program, "merge", "put the parts of one run together",
+        "The files that bench, render and stress wrote with --part K/N, in any order, become what one process would "
+        "have written: the table, the picture, or the report of the stress test (to standard output; with -o also its "
+        "whole record), without the time that it took. What the files are is told by what is in them. Refused with "
+        "exit status 2: a part that is missing or given twice, or of another run (another commit, seed or option). "
+        "The exit status is 1 where a stress test's parts hold violations.",
+        "  relief render --relief city --part 1/2 -o city1.png\n"
+        "  relief render --relief city --part 2/2 -o city2.png\n"
+        "  relief merge city1.png city2.png -o city.png");
+    parser->add_option("FILE", options->files, "all parts of one run")->type_name("")->group("Arguments");
+    addOutput(*parser, options->output,
+              "table: .csv or .json; picture: as its parts are, .png, .tif or .exr; record: .jsonl, may be left out");
+    options->run.add(*parser);
+    commands.push_back({parser, [options](Session& session) { return runMerge(*options, session); }});
+}
+
+}  // namespace relief::app

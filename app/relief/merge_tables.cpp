@@ -1,0 +1,239 @@
+#include "merge_tables.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "measuring/stress_record.h"
+#include "output.h"
+#include "stress_report.h"
+
+namespace relief::app {
+
+namespace {
+
+// A record of CSV, without its "\n"; takes it from the text. Empty where no whole one is left.
+std::optional<std::string_view> takeRecord(std::string_view& text) {
+    bool quoted = false;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (text[at] == '"') quoted = !quoted;
+        if (text[at] != '\n' || quoted) continue;
+        const std::string_view record = text.substr(0, at);
+        text.remove_prefix(at + 1);
+        return record;
+    }
+    return std::nullopt;
+}
+
+struct Field {
+    std::string text;
+    bool quoted = false;
+};
+
+std::vector<Field> fieldsOf(std::string_view record) {
+    std::vector<Field> fields(1);
+    bool inside = false;
+    for (std::size_t at = 0; at < record.size(); ++at) {
+        const char c = record[at];
+        if (c == '"') {
+            // Two of them inside stand for one.
+            const bool twice = inside && at + 1 < record.size() && record[at + 1] == '"';
+            if (twice) fields.back().text += record[++at];
+            if (!twice) inside = !inside;
+            fields.back().quoted = true;
+        } else if (c == ',' && !inside) {
+            fields.emplace_back();
+        } else {
+            fields.back().text += c;
+        }
+    }
+    return fields;
+}
+
+template <class T>
+std::optional<Json> numberOf(const std::string& text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return Json(value);
+}
+
+// As benchField wrote it: no number is an empty field.
+Json valueOf(const Field& field, bool word) {
+    if (word || field.quoted) return field.text;
+    if (field.text.empty()) return nullptr;
+    for (const auto& number : {numberOf<std::int64_t>(field.text), numberOf<std::uint64_t>(field.text)}) {
+        if (number) return *number;
+    }
+    const auto real = numberOf<double>(field.text);
+    return real && std::isfinite(real->get<double>()) ? *real : Json(field.text);
+}
+
+[[noreturn]] void failLine(const std::string& path, std::size_t line) {
+    throw InputError(path, Message(MessageId::PartLineWrong, {{"line", line}}));
+}
+
+// The rows of one cell.
+struct Cell {
+    std::size_t index = 0;
+    std::vector<std::string_view> rows;
+};
+
+struct Table {
+    std::string_view header;
+    std::set<std::string> words;
+    std::vector<Cell> cells;
+};
+
+// The part's cells and how many rows each has; throws InputError where the first line does not say so.
+std::vector<std::pair<std::size_t, std::size_t>> announcedCells(const TextPart& part) {
+    const Json told = part.part.more.value("rows", Json());
+    if (!told.is_array()) failLine(part.path, 1);
+    std::vector<std::pair<std::size_t, std::size_t>> cells;
+    for (const Json& cell : told) {
+        const bool pair = cell.is_array() && cell.size() == 2;
+        if (!pair || !cell[0].is_number_unsigned() || !cell[1].is_number_unsigned()) failLine(part.path, 1);
+        cells.emplace_back(cell[0].get<std::size_t>(), cell[1].get<std::size_t>());
+        if (!part.part.has(cells.back().first)) failLine(part.path, 1);
+    }
+    return cells;
+}
+
+void readTable(const TextPart& part, Table& table) {
+    std::string_view text = std::string_view(part.text).substr(part.body);
+    const auto header = takeRecord(text);
+    if (!header || header->empty()) failLine(part.path, 2);
+    if (table.header.empty()) table.header = *header;
+    if (*header != table.header) failLine(part.path, 2);
+    const std::size_t columns = fieldsOf(*header).size();
+    std::vector<std::string_view> rows;
+    while (const auto record = takeRecord(text)) {
+        rows.push_back(*record);
+        if (fieldsOf(*record).size() != columns) failLine(part.path, 2 + rows.size());
+    }
+    if (!text.empty()) failLine(part.path, 3 + rows.size());
+    std::size_t told = 0;
+    const auto announced = announcedCells(part);
+    for (const auto& [index, count] : announced) {
+        if (count > rows.size() || told > rows.size() - count) {
+            throw InputError(part.path,
+                             Message(MessageId::PartRowsWrong, {{"told", told + count}, {"found", rows.size()}}));
+        }
+        const auto first = rows.begin() + static_cast<std::ptrdiff_t>(told);
+        table.cells.push_back({index, {first, first + static_cast<std::ptrdiff_t>(count)}});
+        told += count;
+    }
+    if (told != rows.size()) {
+        throw InputError(part.path, Message(MessageId::PartRowsWrong, {{"told", told}, {"found", rows.size()}}));
+    }
+    for (const Json& word : part.part.more.value("words", Json::array())) {
+        if (word.is_string()) table.words.insert(word.get<std::string>());
+    }
+}
+
+std::string csvText(const Table& table) {
+    std::string text = std::string(table.header) + "\n";
+    for (const Cell& cell : table.cells) {
+        for (const std::string_view row : cell.rows) text.append(row).append("\n");
+    }
+    return text;
+}
+
+std::string jsonText(const Table& table) {
+    const std::vector<Field> names = fieldsOf(table.header);
+    Json rows = Json::array();
+    for (const Cell& cell : table.cells) {
+        for (const std::string_view row : cell.rows) {
+            const std::vector<Field> fields = fieldsOf(row);
+            Json object = Json::object();
+            for (std::size_t n = 0; n < names.size(); ++n) {
+                object[names[n].text] = valueOf(fields[n], table.words.contains(names[n].text));
+            }
+            rows.push_back(std::move(object));
+        }
+    }
+    return rows.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+void mergeTables(const std::vector<TextPart>& parts, const std::string& output, Session& session) {
+    checkOutput(output, {"csv", "json"});
+    Table table;
+    for (const TextPart& part : parts) readTable(part, table);
+    std::stable_sort(table.cells.begin(), table.cells.end(),
+                     [](const Cell& a, const Cell& b) { return a.index < b.index; });
+    for (std::size_t n = 0; n < table.cells.size(); ++n) {
+        if (table.cells[n].index == n) continue;
+        // Every cell once: the part that should have the n-th has it not, or another one twice.
+        const auto owner = std::find_if(parts.begin(), parts.end(), [&](const TextPart& p) { return p.part.has(n); });
+        failLine(owner->path, 1);
+    }
+    TextOutput file(output, session.stop());
+    file.write(fileEnding(output) == "json" ? jsonText(table) : csvText(table));
+    file.commit();
+}
+
+namespace {
+
+// The lines of one part's record, one after the other.
+class RecordReader {
+  public:
+    explicit RecordReader(const TextPart& part) : part_(part), left_(std::string_view(part.text).substr(part.body)) {}
+
+    // The next case, which must have this number, and its line with "\n".
+    std::pair<StressCase, std::string_view> next(std::uint64_t number) {
+        ++line_;
+        const std::size_t end = left_.find('\n');
+        if (end == std::string_view::npos) failLine(part_.path, line_);
+        const std::string_view line = left_.substr(0, end + 1);
+        auto one = parseStressCase(line);
+        if (!one || one->number != number) failLine(part_.path, line_);
+        left_.remove_prefix(end + 1);
+        return {std::move(*one), line};
+    }
+    void expectEnd() const {
+        if (!left_.empty()) failLine(part_.path, line_ + 1);
+    }
+
+  private:
+    const TextPart& part_;
+    std::string_view left_;
+    std::size_t line_ = 1;
+};
+
+}  // namespace
+
+int mergeRecords(const std::vector<TextPart>& parts, const std::optional<std::string>& output, Session& session) {
+    if (output) checkOutput(*output, {"jsonl"});
+    const TextPart& first = parts.front();
+    const Json options = first.part.run.value("options", Json::object());
+    const auto number = [&](const char* name) {
+        const auto found = options.find(name);
+        if (found == options.end() || !found->is_number_unsigned()) failLine(first.path, 1);
+        return found->get<std::uint64_t>();
+    };
+    const std::uint64_t cases = number("cases");
+    std::vector<RecordReader> readers;
+    for (int n = 1; n <= first.part.of; ++n) {
+        const auto at = [&](const TextPart& part) { return part.part.part == n; };
+        readers.emplace_back(*std::find_if(parts.begin(), parts.end(), at));
+    }
+    std::unique_ptr<TextOutput> record;
+    if (output) {
+        record = std::make_unique<TextOutput>(*output, session.stop());
+        record->write(runLine(first.part.run) + "\n");
+    }
+    StressTally tally;
+    for (std::uint64_t n = 0; n < cases; ++n) {
+        const auto [one, line] = readers[n % readers.size()].next(n);
+        tally.add(one);
+        if (record) record->write(line);
+    }
+    for (const RecordReader& reader : readers) reader.expectEnd();
+    if (record) record->commit();
+    return tellStress(tally.report(), number("seed"), session);
+}
+
+}  // namespace relief::app
