@@ -7,12 +7,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "images/picture_bands.h"
 #include "measuring/base_level_measure.h"
 #include "options_common.h"
 #include "output.h"
 #include "part.h"
+#include "parts_run.h"
 #include "render_many.h"
 #include "rendering/skip_ledger.h"
+#include "scratch_folder.h"
+#include "team.h"
 
 namespace relief::app {
 
@@ -185,77 +189,133 @@ PictureBand partBand(const PartNumber& number, const FrameRequest& request, Json
     return {rows.begin, rows.end, partLine(part)};
 }
 
-// One picture, or a band of it, rendered and written.
-int renderOne(const RenderOptions& options, const std::string& output, const std::vector<std::string>& layers,
-              const PartNumber& number, Session& session) {
-    Scenario scenario = options.scenario.scenario();
-    Seconds seconds;
-    AssetStore store;
-    const Assets assets = timed(seconds.load, [&] { return store.load(scenario.pictures, session.work()); });
-    noteHeights(session, assets, scenario);
-    const auto maps = std::make_shared<MapCache>();
-    timed(seconds.load, [&] { options.scenario.useStoredMap(scenario, assets, *maps, session.work()); });
-    FrameRenderer renderer(maps);
-    const FrameRequest request = frameRequest(scenario, assets);
-    requirePictureMemory(request, layers, session);
-    noteBaseLevel(session, scenario, request);
-    std::optional<LayerPlanes> planes;
-    if (!layers.empty()) planes.emplace(request, layers, *maps);
-    BoundedSums bounded;
-    PictureParts parts;
-    PictureBand band;
-    if (options.part) {
-        band = partBand(number, request, pictureOptions(scenario, assets, layers, options.scenario.mapArgument()));
-        parts.wanted = {band.begin, band.end};
+// One picture, or bands of it: loaded once.
+class OnePicture {
+  public:
+    OnePicture(const RenderOptions& options, std::vector<std::string> layers, Session& session)
+        : options_(options), layers_(std::move(layers)), session_(session), scenario_(options.scenario.scenario()) {
+        assets_ = timed(seconds_.load, [&] { return store_.load(scenario_.pictures, session_.work()); });
+        noteHeights(session_, assets_, scenario_);
+        timed(seconds_.load, [&] { options_.scenario.useStoredMap(scenario_, assets_, *maps_, session_.work()); });
+        request_.emplace(frameRequest(scenario_, assets_));
+        requirePictureMemory(*request_, layers_, session_);
+        noteBaseLevel(session_, scenario_, *request_);
     }
-    const bool wantsSteps = std::find(layers.begin(), layers.end(), "steps") != layers.end();
-    parts.counts = options.report || wantsSteps;
-    parts.done = [&](const Frame& part) {
-        if (planes) timed(seconds.write, [&] { planes->add(part, request, session.work()); });
-        if (!options.report || !(request.bounded > 0)) return;
-        timed(seconds.count, [&] { bounded.add(part, request, *maps, session.work()); });
-    };
-    const auto frame = timed(seconds.render, [&] { return renderer.picture(request, session.work(), parts); });
-    seconds.count += frame->countSeconds;
-    seconds.render -= seconds.count + seconds.write;
-    timed(seconds.write, [&] {
-        const PictureBand* const rows = options.part ? &band : nullptr;
-        if (planes) {
-            writePlanes(output, planes->take(*frame), rows);
-        } else {
-            writeColor(output, frame->light->color, rows);
+
+    int height() const { return request_->height; }
+    Json options() const { return pictureOptions(scenario_, assets_, layers_, options_.scenario.mapArgument()); }
+
+    // number: of the band that is to be made; null: all of it.
+    void render(const std::string& output, const PartNumber* number, Work& work) {
+        std::optional<LayerPlanes> planes;
+        if (!layers_.empty()) planes.emplace(*request_, layers_, *maps_);
+        PictureParts parts;
+        PictureBand band;
+        if (number != nullptr) {
+            band = partBand(*number, *request_, options());
+            parts.wanted = {band.begin, band.end};
         }
-    });
-    if (!options.report) return 0;
-    TextOutput report(*options.report, session.stop());
-    const Json skipped = skippedJson(*frame, request, bounded.error(), session.language());
-    Json base;
-    if (const auto measure = measureBaseLevel(request, scenario.method, *maps, session.work())) {
-        session.note("--set", baseLevelSentence(*measure));
-        base = baseJson(*measure);
+        const bool wantsSteps = std::find(layers_.begin(), layers_.end(), "steps") != layers_.end();
+        parts.counts = options_.report || wantsSteps;
+        parts.done = [&](const Frame& part) {
+            if (planes) timed(seconds_.write, [&] { planes->add(part, *request_, work); });
+            if (!options_.report || !(request_->bounded > 0)) return;
+            timed(seconds_.count, [&] { bounded_.add(part, *request_, *maps_, work); });
+        };
+        frame_ = timed(seconds_.render, [&] { return renderer_.picture(*request_, work, parts); });
+        seconds_.count += frame_->countSeconds;
+        seconds_.render -= seconds_.count + seconds_.write;
+        timed(seconds_.write, [&] {
+            const PictureBand* const rows = number != nullptr ? &band : nullptr;
+            if (planes) {
+                writePlanes(output, planes->take(*frame_), rows);
+            } else {
+                writeColor(output, frame_->light->color, rows);
+            }
+        });
     }
-    report.write(reportText(*options.report, scenario, *frame, skipped, base, session, seconds));
-    report.commit();
-    return 0;
+
+    // After render(), of the whole picture.
+    void report(const std::string& path) {
+        TextOutput report(path, session_.stop());
+        const Json skipped = skippedJson(*frame_, *request_, bounded_.error(), session_.language());
+        Json base;
+        if (const auto measure = measureBaseLevel(*request_, scenario_.method, *maps_, session_.work())) {
+            session_.note("--set", baseLevelSentence(*measure));
+            base = baseJson(*measure);
+        }
+        report.write(reportText(path, scenario_, *frame_, skipped, base, session_, seconds_));
+        report.commit();
+    }
+
+  private:
+    const RenderOptions& options_;
+    std::vector<std::string> layers_;
+    Session& session_;
+    Scenario scenario_;
+    Seconds seconds_;
+    AssetStore store_;
+    Assets assets_;
+    std::shared_ptr<MapCache> maps_ = std::make_shared<MapCache>();
+    FrameRenderer renderer_{maps_};
+    std::optional<FrameRequest> request_;
+    BoundedSums bounded_;
+    std::shared_ptr<const Frame> frame_;
+};
+
+// The ranks of an MPI run make bands of the picture, more of them than there are ranks, for some are dearer than
+// others; rank 0 joins them.
+void renderShared(const RenderOptions& options, const std::string& output, const std::vector<std::string>& layers,
+                  Session& session) {
+    constexpr int kBandsEach = 4;
+    OnePicture picture(options, layers, session);
+    const int bands = std::min(picture.height(), kBandsEach * launchedProcesses());
+    const std::string ending = "." + fileEnding(output);
+    const ScratchFolder scratch;
+    const auto bandPath = [&](std::size_t band) { return scratch.path(std::to_string(band) + ending); };
+    PartsRun run;
+    run.bar = "render";
+    run.parts = static_cast<std::size_t>(bands);
+    run.measure = [&](const Task& task, Work& work) -> Json {
+        const PartNumber number{static_cast<int>(task.part) + 1, bands};
+        picture.render(bandPath(task.part), &number, work);
+        return launchedRank() == 0 ? Json() : ScratchFolder::take(bandPath(task.part));
+    };
+    run.received = [&](std::size_t band, Json result) -> Json {
+        if (result.is_binary()) writeBytes(bandPath(band), result.get_binary());
+        return nullptr;
+    };
+    if (!doParts(run, session)) return;
+    std::vector<std::string> files;
+    for (std::size_t band = 0; band < run.parts; ++band) files.push_back(bandPath(band));
+    joinBands(files, output, session.work());
 }
 
 int runRender(const RenderOptions& options, Session& session) {
     options.run.apply(session);
     const std::string& output = needed(options.output, "--output", "render");
     const PartNumber number = options.part ? parsePartNumber(*options.part) : PartNumber();
-    if (options.report && (options.part || options.many.wanted())) {
-        const char* const other = options.part ? "--part" : "--frames";
+    const bool shared = launchedProcesses() > 1 && !options.part && !options.many.wanted();
+    if (options.report && (options.part || options.many.wanted() || shared)) {
+        const char* const other = options.part ? "--part" : shared ? "mpirun" : "--frames";
         throw InputError("--report", Message(MessageId::ArgumentsExclude, {{"other", other}}));
     }
     if (options.many.wanted()) {
         return options.many.run(options.scenario, output, checkedLayers(options, "picture.exr"), number, session);
     }
     std::vector<std::string> endings{"png", "tif", "tiff", "exr"};
-    if (!options.part) endings.insert(endings.end(), {"jpg", "jpeg", "bmp", "hdr"});
-    checkOutput(output, endings);
+    if (!options.part && !shared) endings.insert(endings.end(), {"jpg", "jpeg", "bmp", "hdr"});
+    if (launchedRank() == 0) checkOutput(output, endings);
     const std::vector<std::string> layers = checkedLayers(options, output);
     if (options.report && *options.report != "-") checkOutput(*options.report, {"json"});
-    return renderOne(options, output, layers, number, session);
+    if (shared) {
+        renderShared(options, output, layers, session);
+        return 0;
+    }
+    OnePicture picture(options, layers, session);
+    picture.render(output, options.part ? &number : nullptr, session.work());
+    if (options.report) picture.report(*options.report);
+    return 0;
 }
 
 }  // namespace

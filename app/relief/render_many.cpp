@@ -1,9 +1,6 @@
 #include "render_many.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -15,6 +12,7 @@
 #include "base/memory.h"
 #include "images/files.h"
 #include "parts_run.h"
+#include "scratch_folder.h"
 #include "team.h"
 
 namespace relief::app {
@@ -122,39 +120,6 @@ void makeFolder(const std::string& folder) {
     }
 }
 
-// A picture of a rank that has no folder to write into: it is sent to rank 0, which writes it.
-class ScratchFile {
-  public:
-    explicit ScratchFile(const std::string& name) {
-        std::string pattern = (std::filesystem::temp_directory_path() / "relief-XXXXXX").string();
-        if (mkdtemp(pattern.data()) == nullptr) {
-            throw WorkError(pattern, Message(MessageId::FileUnwritable, {{"why", std::strerror(errno)}}));
-        }
-        folder_ = pattern;
-        path_ = (folder_ / name).string();
-    }
-    ~ScratchFile() {
-        std::error_code none;
-        std::filesystem::remove_all(folder_, none);
-    }
-    ScratchFile(const ScratchFile&) = delete;
-    ScratchFile& operator=(const ScratchFile&) = delete;
-
-    const std::string& path() const { return path_; }
-    std::vector<std::uint8_t> bytes() const {
-        const std::string text = readTextFile(path_);
-        return {text.begin(), text.end()};
-    }
-
-  private:
-    std::filesystem::path folder_;
-    std::string path_;
-};
-
-void writeBytes(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-    writeTextFile(path, std::string(bytes.begin(), bytes.end()));
-}
-
 }  // namespace
 
 void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, Session& session) {
@@ -235,9 +200,9 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
             studio.render(picture, (place / picture.name).string(), layers, work);
             return picture.name;
         }
-        const ScratchFile file(picture.name);
-        studio.render(picture, file.path(), layers, work);
-        return Json::binary(file.bytes());
+        const ScratchFolder scratch;
+        studio.render(picture, scratch.path(picture.name), layers, work);
+        return ScratchFolder::take(scratch.path(picture.name));
     };
     run.received = [&](std::size_t part, Json result) -> Json {
         if (result.is_binary()) writeBytes((place / pictures[part].name).string(), result.get_binary());

@@ -2,6 +2,7 @@
 //     [--record FILE.jsonl [--part K/N]]
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -9,7 +10,9 @@
 #include "options_common.h"
 #include "output.h"
 #include "part.h"
+#include "parts_run.h"
 #include "stress_report.h"
+#include "team.h"
 
 namespace relief::app {
 
@@ -80,6 +83,37 @@ std::unique_ptr<TextOutput> begunRecord(const StressCommandOptions& given, const
     return record;
 }
 
+// The cases, shared by the ranks of an MPI run in blocks.
+int runShared(const StressCommandOptions& given, const StressOptions& options, Session& session) {
+    constexpr std::uint64_t kBlock = 32;  // keeps all threads of a rank at work
+    if (!options.cases) throw InputError("mpirun", Message(MessageId::NeedsArgument, {{"other", "--cases"}}));
+    PartsRun run;
+    run.bar = "stress";
+    run.parts = static_cast<std::size_t>((*options.cases + kBlock - 1) / kBlock);
+    run.measure = [&](const Task& task, Work& work) {
+        StressOptions some = options;
+        some.first = task.part * kBlock;
+        some.cases = std::min(some.first + kBlock, *options.cases);
+        Json lines = Json::array();
+        some.onCase = [&](const StressCase& one) { lines.push_back(stressCaseLine(one)); };
+        if (stress(some, work).interrupted) throw Cancelled();
+        return lines;
+    };
+    const std::unique_ptr<TextOutput> record =
+        launchedRank() == 0 ? begunRecord(given, std::nullopt, options, session) : nullptr;
+    const std::optional<PartsDone> done = doParts(run, session);
+    if (!done) return 0;
+    StressTally tally;
+    for (const Json& block : done->results) {
+        for (const Json& line : block) {
+            if (record) record->write(line.get<std::string>());
+            tally.add(*parseStressCase(line.get<std::string>()));
+        }
+    }
+    if (record) record->commit();
+    return tellStress(tally.report(), options.seed, session);
+}
+
 int runStress(const StressCommandOptions& given, Session& session) {
     given.run.apply(session);
     checkTogether(given);
@@ -115,6 +149,7 @@ int runStress(const StressCommandOptions& given, Session& session) {
         // The tracer holds its thread: nothing can be ended in order.
         _exit(kViolated);
     };
+    if (launchedProcesses() > 1 && !number) return runShared(given, options, session);
     const std::unique_ptr<TextOutput> record = begunRecord(given, number, options, session);
     if (record) options.onCase = [&](const StressCase& one) { record->write(stressCaseLine(one)); };
     const StressReport report = stress(options, session.work());

@@ -156,4 +156,30 @@ TEST_P(MpiTest, RowsFiltersAndPicturesAreSharedToo) {
     EXPECT_FALSE(std::filesystem::exists(this->path("shared/pictures.part")));
 }
 
+TEST_P(MpiTest, OnePictureAndAStressTestAreSharedToo) {
+    for (const std::string ending : {"png", "exr"}) {
+        std::vector<std::string> one{"render", "--relief", "city:48x48", "--size", "61x47", "--shadows", "-o"};
+        auto shared = one;
+        one.push_back(path("one." + ending));
+        shared.push_back(path("shared." + ending));
+        if (ending == "exr") {
+            for (auto* command : {&one, &shared}) command->insert(command->end(), {"--layers", "color,depth,steps"});
+        }
+        runFine(one);
+        const Result result = runRanks(3, shared);
+        ASSERT_EQ(result.status, 0) << result.err;
+        runFine({"compare", path("one." + ending), path("shared." + ending), "--max-error", "0"});
+    }
+    const std::vector<std::string> stress{"stress", "--cases", "70", "--tracers", "layers", "--parts", "tracers"};
+    auto one = stress, shared = stress;
+    one.insert(one.end(), {"--record", path("one.jsonl")});
+    shared.insert(shared.end(), {"--record", path("shared.jsonl")});
+    run(one);
+    const Result result = runRanks(2, shared);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(read("shared.jsonl"), read("one.jsonl"));
+    const Result refused = runRanks(2, {"stress", "--seconds", "1"});
+    EXPECT_NE(refused.err.find("--cases"), std::string::npos) << refused.err;
+}
+
 }  // namespace relief::test

@@ -1,0 +1,36 @@
+#include "scratch_folder.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "errors.h"
+#include "images/files.h"
+
+namespace relief::app {
+
+ScratchFolder::ScratchFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "relief-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) {
+        throw WorkError(pattern, Message(MessageId::FileUnwritable, {{"why", std::strerror(errno)}}));
+    }
+    folder_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code none;
+    std::filesystem::remove_all(folder_, none);
+}
+
+Json ScratchFolder::take(const std::string& path) {
+    const std::string text = readTextFile(path);
+    std::error_code none;
+    std::filesystem::remove(path, none);
+    return Json::binary({text.begin(), text.end()});
+}
+
+void writeBytes(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+    writeTextFile(path, std::string(bytes.begin(), bytes.end()));
+}
+
+}  // namespace relief::app
