@@ -168,7 +168,7 @@ TEST_P(MpiTest, OnePictureAndAStressTestAreSharedToo) {
         runFine(one);
         const Result result = runRanks(3, shared);
         ASSERT_EQ(result.status, 0) << result.err;
-        runFine({"compare", path("one." + ending), path("shared." + ending), "--max-error", "0"});
+        EXPECT_TRUE(withoutDate(read("shared." + ending)) == withoutDate(read("one." + ending))) << ending;
     }
     const std::vector<std::string> stress{"stress", "--cases", "70", "--tracers", "layers", "--parts", "tracers"};
     auto one = stress, shared = stress;
