@@ -7,6 +7,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "help_formatter.h"
 #include "images/picture_bands.h"
 #include "merge_tables.h"
 #include "options_common.h"
@@ -144,13 +145,15 @@ void addMergeCommand(CLI::App& program, Commands& commands) {
         "whole record), without the time that it took. What the files are is told by what is in them. Refused with "
         "exit status 2: a part that is missing or given twice, or of another run (another commit, seed or option). "
         "The exit status is 1 where a stress test's parts hold violations.",
-        "  relief render --relief city --part 1/2 -o city1.png\n"
-        "  relief render --relief city --part 2/2 -o city2.png\n"
-        "  relief merge city1.png city2.png -o city.png");
-    parser->add_option("FILE", options->files, "all parts of one run")->type_name("")->group("Arguments");
+        "  relief merge city1.png city2.png -o city.png\n"
+        "  relief merge stress?.jsonl");
+    parser->add_option("FILE", options->files, "all parts of one run")
+        ->type_name("")
+        ->group("Arguments")
+        ->option_text(kNeeded);
     addOutput(*parser, options->output,
               "table: .csv or .json; picture: as its parts are, .png, .tif or .exr; record: .jsonl, may be left out");
-    options->run.add(*parser);
+    options->run.add(*parser, false);
     commands.push_back({parser, [options](Session& session) { return runMerge(*options, session); }});
 }
 

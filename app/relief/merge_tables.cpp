@@ -82,6 +82,7 @@ struct Cell {
 
 struct Table {
     std::string_view header;
+    std::string from;  // the file that has the header first
     std::set<std::string> words;
     std::vector<Cell> cells;
 };
@@ -104,8 +105,16 @@ void readTable(const TextPart& part, Table& table) {
     std::string_view text = std::string_view(part.text).substr(part.body);
     const auto header = takeRecord(text);
     if (!header || header->empty()) failLine(part.path, 2);
-    if (table.header.empty()) table.header = *header;
-    if (*header != table.header) failLine(part.path, 2);
+    if (table.header.empty()) {
+        table.header = *header;
+        table.from = part.path;
+    }
+    if (*header != table.header) {
+        throw InputError(part.path, Message(MessageId::PartOtherRun, {{"other", table.from},
+                                                                      {"what", "line 2"},
+                                                                      {"here", std::string(*header)},
+                                                                      {"there", std::string(table.header)}}));
+    }
     const std::size_t columns = fieldsOf(*header).size();
     std::vector<std::string_view> rows;
     while (const auto record = takeRecord(text)) {

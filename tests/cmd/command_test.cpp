@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 #include <thread>
 
@@ -176,10 +177,9 @@ std::vector<std::string> lines(const std::string& text) {
     return all;
 }
 
-std::string withoutDate(std::string bytes) {
-    const std::size_t at = bytes.find("capDate");
-    if (at != std::string::npos) bytes.erase(at, std::string("capDate.string.0000YYYY:MM:DD hh:mm:ss").size());
-    return bytes;
+std::string withoutDate(const std::string& bytes) {
+    static const std::regex date("[0-9]{4}:[0-9]{2}:[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2}");
+    return std::regex_replace(bytes, date, "");
 }
 
 std::vector<std::string> fields(const std::string& line) {

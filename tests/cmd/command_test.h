@@ -68,8 +68,8 @@ class CommandTest : public testing::TestWithParam<Place> {
 
 std::vector<std::string> lines(const std::string& text);
 std::vector<std::string> fields(const std::string& line);
-// An OpenEXR file's bytes but for the second that it was written in.
-std::string withoutDate(std::string bytes);
+// The bytes of an OpenEXR or TIFF file but for the second that it was written in.
+std::string withoutDate(const std::string& bytes);
 
 // A grey float OpenEXR picture, uncompressed, as bytes.
 std::string exrBytes(int width, int height, const std::vector<float>& values);
