@@ -53,7 +53,7 @@ TEST_P(MpiTest, RanksShareASweepAndOneFails) {
     EXPECT_EQ(withoutTimings(read("b.csv")), whole);
     const auto said = lines(shared.err);
     ASSERT_EQ(said.size(), 1U) << shared.err;
-    for (const char* const rank : {"0 (", "1 (", "2 (", "3 ("})
+    for (const char* const rank : {"rank 0 ", "rank 1 ", "rank 2 ", "rank 3 "})
         EXPECT_NE(said[0].find(rank), std::string::npos) << said[0];
     // What is timed was timed: one rank's rates are not all.
     for (std::size_t row = 1; row <= 2 * kCells; ++row) {
