@@ -31,8 +31,8 @@ std::string lineText(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-// When this process began, in the system's own count: numbers of processes are given again. 0: there is none, or the
-// system does not tell.
+// When this process began, in the system's own count: numbers of processes are given again. 0: there is none, it has
+// ended and only its parent has not heard of it yet, or the system does not tell.
 std::int64_t startOf(std::int64_t process) {
     std::ifstream file("/proc/" + std::to_string(process) + "/stat");
     std::string text;
@@ -43,7 +43,10 @@ std::int64_t startOf(std::int64_t process) {
     constexpr int kFields = 20;
     std::istringstream fields(text.substr(name + 1));
     std::string field;
-    for (int n = 0; n < kFields; ++n) fields >> field;
+    for (int n = 0; n < kFields; ++n) {
+        fields >> field;
+        if (n == 0 && (field == "Z" || field == "X")) return 0;
+    }
     return std::strtoll(field.c_str(), nullptr, 10);
 }
 
@@ -51,7 +54,8 @@ bool lives(const Json& head) {
     const auto process = head.value("process", std::int64_t{0});
     if (process <= 0 || process == getpid()) return false;
     const bool there = kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
-    return there && startOf(process) == head.value("since", std::int64_t{0});
+    const auto since = head.value("since", std::int64_t{0});
+    return there && since != 0 && startOf(process) == since;
 }
 
 // A journal's whole lines; the first one is about the whole.
