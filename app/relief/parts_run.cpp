@@ -38,7 +38,8 @@ class Ledger {
           schedule_(run.parts, passes_, hosts, run.concurrent),
           counts_(run.parts),
           whole_(run.parts),
-          partsOf_(hosts.size(), 0) {
+          partsOf_(hosts.size(), 0),
+          countedBy_(hosts.size(), 0) {
         if (run.output.empty()) return;
         journal_ = std::make_unique<Journal>(run.output, run.work, run.parts, run.earlier);
         if (!journal_->otherHost().empty()) {
@@ -63,7 +64,13 @@ class Ledger {
     std::optional<Task> next(int rank) { return schedule_.next(rank); }
     bool over() const { return schedule_.over(); }
     std::size_t done() const { return journal_ ? journal_->done() : done_; }
-    const std::vector<std::size_t>& partsOf() const { return partsOf_; }
+    // What a rank has done.
+    Message doneBy(int rank, const std::string& host) const {
+        const auto at = static_cast<std::size_t>(rank);
+        if (!passes_) return Message(MessageId::RankDone, {{"rank", rank}, {"host", host}, {"parts", partsOf_[at]}});
+        return Message(MessageId::RankTimed,
+                       {{"rank", rank}, {"host", host}, {"counted", countedBy_[at]}, {"timed", partsOf_[at]}});
+    }
     const Journal* journal() const { return journal_.get(); }
 
     void put(int rank, const Task& task, Json result) {
@@ -75,7 +82,7 @@ class Ledger {
         } else {
             keep(task.part, std::move(result));
         }
-        if (task.pass != Pass::Counts) ++partsOf_[static_cast<std::size_t>(rank)];
+        ++(task.pass == Pass::Counts ? countedBy_ : partsOf_)[static_cast<std::size_t>(rank)];
         const auto times = times_.find(task.part);
         if (times != times_.end() && counts_[task.part]) {
             keep(task.part, run_.combine(*std::move(counts_[task.part]), times->second));
@@ -105,8 +112,8 @@ class Ledger {
     Schedule schedule_;
     std::unique_ptr<Journal> journal_;
     std::vector<std::optional<Json>> counts_, whole_;
-    std::map<std::size_t, Json> times_;  // of parts whose counts another rank has not sent yet
-    std::vector<std::size_t> partsOf_;   // that each rank has done
+    std::map<std::size_t, Json> times_;             // of parts whose counts another rank has not sent yet
+    std::vector<std::size_t> partsOf_, countedBy_;  // of each rank: whole or timed; counted
     std::size_t done_ = 0;
 };
 
@@ -249,9 +256,8 @@ int ranksOn(const std::string& host, const Team& team) {
 void sayWhoDidWhat(const Ledger& ledger, const Team& team, Session& session) {
     std::string ranks;
     for (int rank = 0; rank < team.size(); ++rank) {
-        const auto at = static_cast<std::size_t>(rank);
-        ranks += (rank > 0 ? ", " : "") + std::to_string(rank) + " (" + team.hosts()[at] +
-                 "): " + std::to_string(ledger.partsOf()[at]);
+        const std::string& host = team.hosts()[static_cast<std::size_t>(rank)];
+        ranks += (rank > 0 ? "; " : "") + sentence(ledger.doneBy(rank, host), session.language());
     }
     const Message said(MessageId::RanksDone, {{"ranks", ranks}, {"messages", std::to_string(team.letters())}});
     sayLine(sentence(said, session.language()));
