@@ -25,7 +25,8 @@ class ConeTracer {
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::AnyRays;
         method.help =
-            "Steps to the edge of the cone that the map promises to be empty above each cell; where the ray is below its "
+            "Steps to the edge of the cone that the map promises to be empty above each cell; where the ray is below "
+            "its "
             "apex, the cell itself is tested.";
         method.source = "Dummer 2006; Ban et al. 2024";
         method.maps = {"cone"};

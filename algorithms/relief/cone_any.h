@@ -19,7 +19,8 @@ class ConeAnyHit {
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::AnyRays;
         method.help =
-            "Jumps to the edge of the cone that the map promises to be empty above each cell; looks at the cells in which the "
+            "Jumps to the edge of the cone that the map promises to be empty above each cell; looks at the cells in "
+            "which the "
             "segment is below the apex.";
         method.source = "Dummer 2006; Ban et al. 2024";
         method.maps = {"cone"};

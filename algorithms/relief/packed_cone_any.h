@@ -22,7 +22,8 @@ class PackedConeAnyHit {
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::AnyRays;
         method.help =
-            "Jumps to the edge of the cone that the map promises to be empty above each cell, one of four for the segment's "
+            "Jumps to the edge of the cone that the map promises to be empty above each cell, one of four for the "
+            "segment's "
             "quadrant.";
         method.source = "Dummer 2006; Ban et al. 2024";
         method.maps = {"packed-cones"};

@@ -53,7 +53,7 @@ void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
     } else if (lesson.name == QStringLiteral("paper_march")) {
         EXPECT_EQ(advances(steps), 5);
         const relief::Step& last = steps[steps.size() - 2];
-        EXPECT_LT(last.zOut, 0.2) << "the last sphere reaches below the floor";
+        EXPECT_LT(last.zOut(), 0.2) << "the last sphere reaches below the floor";
         EXPECT_NEAR(1 - snapshot.trace.hit.lambda, 0.2, kRounding) << "the floor";
         // The same ray with the refined map.
         const relief::Scenario refined = lessonScenario(QStringLiteral("paper_walls"));

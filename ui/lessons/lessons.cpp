@@ -63,12 +63,13 @@ std::vector<Lesson> lessons() {
                Texts::tr("A pixel's ellipse on a slanted relief covers texels that the eye does not see; the filter "
                          "elliptical-visible leaves them out."),
                "footprint-pane"),
-        lesson("paper_march", Texts::tr("Distance map: on by the distance that it stores"),
-               Texts::tr("The slice shows how far each voxel is from the surface. At every stop the ray goes on by that "
-                         "distance: five steps to the floor, and with the refined map of the next lesson four. The "
-                         "last circle reaches below the floor: between the middles of voxels distances are "
-                         "interpolated."),
-               "distance-pane"),
+        lesson(
+            "paper_march", Texts::tr("Distance map: on by the distance that it stores"),
+            Texts::tr("The slice shows how far each voxel is from the surface. At every stop the ray goes on by that "
+                      "distance: five steps to the floor, and with the refined map of the next lesson four. The "
+                      "last circle reaches below the floor: between the middles of voxels distances are "
+                      "interpolated."),
+            "distance-pane"),
         lesson("paper_walls", Texts::tr("Refined distance: 3 texels or 4"),
                Texts::tr("Point C is 3 texels from the left wall. Rays from above that would meet that wall within "
                          "4 texels of C hit the right wall before they reach C; the nearest hit of all others is on "

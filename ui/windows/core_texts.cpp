@@ -81,9 +81,10 @@ namespace {
     QT_TRANSLATE_NOOP("core", "of the last layer"),
     QT_TRANSLATE_NOOP("core", "the middle level (the top if there are fewer)"),
     QT_TRANSLATE_NOOP("core", "the method inside the segments; its own options as inner.NAME"),
-    QT_TRANSLATE_NOOP("core",
-                      "Steps to the edge of the cone that the map promises to be empty above each cell; where the ray is "
-                      "below its apex, the cell itself is tested."),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "Steps to the edge of the cone that the map promises to be empty above each cell; where the ray is "
+        "below its apex, the cell itself is tested."),
     QT_TRANSLATE_NOOP("core", "azimuth sectors that have slopes of their own"),
     QT_TRANSLATE_NOOP("core", "how cones are stored"),
     QT_TRANSLATE_NOOP("core", "Steps to the edge of the interpolated cone, a fixed number of times."),
