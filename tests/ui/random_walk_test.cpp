@@ -320,13 +320,18 @@ TEST_F(RandomWalk, overAllControls) {
     QTest::qWait(1000);
     const double undone = heldMegabytes() - cached() - atFirst;
     closePanes();
-    const double grown = heldMegabytes() - cached() - atFirst;
+    // What panes let go of is freed aside, later on a slow machine.
+    double grown = 0;
+    const auto freed = [&] {
+        grown = heldMegabytes() - cached() - atFirst;
+        return grown < kGrowthMegabytes;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(freed, kEndMs)) << grown;
     std::printf(
         "%d steps; %.0f MB at first, %.0f walked; besides %.0f of cached maps %.0f more than at first when all is "
         "undone, %.0f when all panes are closed\n",
         steps, atFirst, walked, cached(), undone, grown);
     EXPECT_LT(undone, kOpenMegabytes);
-    EXPECT_LT(grown, kGrowthMegabytes);
     window_.reset();
     workspace_.reset();
     QThreadPool::globalInstance()->waitForDone();
