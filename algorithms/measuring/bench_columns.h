@@ -10,8 +10,8 @@
 
 namespace relief {
 
-// What of a benchmark is measured in one call. Counts: all that does not hang on the machine's speed; rates are left 0.
-// Times: rates and times alone, the rest left 0. Rows are the same, in the same order.
+// What of a benchmark is measured in one call. Counts: all that does not depend on the machine's speed; rates are left
+// 0. Times: rates and times alone, the rest left 0. Rows are the same, in the same order.
 enum class BenchPass : std::uint8_t { Both, Counts, Times };
 
 // A value of a row: a word, a whole number (seeds go up to 2^64 - 1), a number (NaN: there is none).

@@ -90,7 +90,9 @@ class StressRun {
           tally_(options.listed) {}
 
     StressReport run() {
-        work_.progress().begin("stress", options_.cases ? static_cast<std::int64_t>(*options_.cases / options_.step)
+        const std::uint64_t end = options_.cases.value_or(0);
+        const std::uint64_t cases = (end - std::min(options_.first, end)) / options_.step;
+        work_.progress().begin("stress", options_.cases ? static_cast<std::int64_t>(cases)
                                                         : static_cast<std::int64_t>(options_.seconds * 1000));
         std::jthread watch([this](const std::stop_token& end) { watchOver(end); });
         {

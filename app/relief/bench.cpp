@@ -243,6 +243,9 @@ int runBench(const BenchCommandOptions& given, Session& session) {
     if (given.output && launchedRank() == 0) checkOutput(*given.output, {"csv", "json"});
     BenchRun to{given.output, given.restart.chosen(), {}, {}, {{"kind", kind}}};
     if (given.concurrent) {
+        if (!given.part && launchedProcesses() < 2) {
+            throw InputError("--concurrent", Message(MessageId::NeedsArgument, {{"other", "mpirun, --part"}}));
+        }
         to.concurrent = static_cast<int>(parseWhole(*given.concurrent, "--concurrent", 1, kMostThreads));
     }
     if (given.part) {

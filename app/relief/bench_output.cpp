@@ -152,7 +152,9 @@ std::optional<PartsDone> measuredCells(const BenchRun& run, const BenchCells& ce
     parts.alone = run.part.has_value();
     parts.timed = true;
     parts.concurrent = run.concurrent.value_or(1);
-    const Json concurrent = run.concurrent ? Json(*run.concurrent) : run.part ? Json() : Json(1);
+    // No more at once than there are ranks.
+    const int most = run.part ? run.concurrent.value_or(1) : std::max(launchedProcesses(), 1);
+    const Json concurrent = run.concurrent ? Json(std::min(*run.concurrent, most)) : run.part ? Json() : Json(1);
     parts.threads = [&](std::size_t at) { return cells.threads(chosen[at]); };
     parts.measure = [&](const Task& task, Work& work) {
         Json rows = cells.measure(chosen[task.part], work, passOf(task.pass));

@@ -4,11 +4,11 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <sstream>
+#include <utility>
 
 #include "errors.h"
 #include "images/files.h"
@@ -50,11 +50,22 @@ std::int64_t startOf(std::int64_t process) {
     return std::strtoll(field.c_str(), nullptr, 10);
 }
 
+// A member of an object; where it is not there, or of another type: what is given instead.
+std::int64_t numberIn(const Json& json, const char* name, std::int64_t otherwise) {
+    const auto found = json.is_object() ? json.find(name) : json.end();
+    return json.is_object() && found != json.end() && found->is_number_integer() ? found->get<std::int64_t>()
+                                                                                 : otherwise;
+}
+std::string textIn(const Json& json, const char* name) {
+    const auto found = json.is_object() ? json.find(name) : json.end();
+    return json.is_object() && found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
 bool lives(const Json& head) {
-    const auto process = head.value("process", std::int64_t{0});
+    const std::int64_t process = numberIn(head, "process", 0);
     if (process <= 0 || process == getpid()) return false;
     const bool there = kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
-    const auto since = head.value("since", std::int64_t{0});
+    const std::int64_t since = numberIn(head, "since", 0);
     return there && since != 0 && startOf(process) == since;
 }
 
@@ -79,7 +90,7 @@ Journal::Journal(const std::string& output, const Json& work, std::size_t parts,
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST) failWriting(path_);
     if (descriptor_ < 0) {
-        // Written beside and renamed: what is there is lost at no moment.
+        // Written to a temporary file and renamed: what is there is lost at no moment.
         const std::string text = takenOver(kept, earlier);
         anything_ = !text.empty();
         writeTextFile(path_, firstLine(kept) + text);
@@ -109,10 +120,10 @@ std::string Journal::firstLine(const Json& work) const {
 
 // A process of another host cannot be asked: --resume is believed.
 void Journal::refuseTheLiving(const Json& head) {
-    const std::string host = head.value("host", "");
+    const std::string host = textIn(head, "host");
     if (host == hostName() && lives(head)) {
-        throw InputError(path_, Message(MessageId::SweepAlive,
-                                        {{"process", head.value("process", std::int64_t{0})}, {"host", host}}));
+        throw InputError(path_,
+                         Message(MessageId::SweepAlive, {{"process", numberIn(head, "process", 0)}, {"host", host}}));
     }
     if (!host.empty() && host != hostName()) otherHost_ = host;
 }
@@ -127,7 +138,8 @@ std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
     if (earlier == EarlierRun::Replace) return kept;
     if (head.value("work", Json()) != work) throw InputError(path_, Message(MessageId::SweepOther));
     const auto partOf = [&](const Json& line, const char* key) {
-        return line.is_object() ? line.value(key, results_.size()) : results_.size();
+        const std::int64_t part = line.is_object() && line.contains("result") ? numberIn(line, key, -1) : -1;
+        return part < 0 ? results_.size() : static_cast<std::size_t>(part);
     };
     for (const Json& line : lines) {
         const std::size_t part = partOf(line, "part");

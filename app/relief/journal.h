@@ -53,7 +53,6 @@ class Journal {
 
   private:
     std::string firstLine(const Json& work) const;
-    void create(const std::string& text);
     void refuseTheLiving(const Json& head);
     std::string takenOver(const Json& work, EarlierRun earlier);
     void write(const std::string& text);

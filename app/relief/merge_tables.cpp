@@ -225,10 +225,7 @@ int mergeRecords(const std::vector<TextPart>& parts, const std::optional<std::st
     };
     const std::uint64_t cases = number("cases");
     std::vector<RecordReader> readers;
-    for (int n = 1; n <= first.part.of; ++n) {
-        const auto at = [&](const TextPart& part) { return part.part.part == n; };
-        readers.emplace_back(*std::find_if(parts.begin(), parts.end(), at));
-    }
+    for (const TextPart& part : parts) readers.emplace_back(part);
     std::unique_ptr<TextOutput> record;
     if (output) {
         record = std::make_unique<TextOutput>(*output, session.stop());

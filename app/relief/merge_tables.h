@@ -1,4 +1,5 @@
-// Tables and records of parts put together, as relief merge does; the parts are those of one run, in any order.
+// Tables and records of parts put together, as relief merge does; the parts are those of one run, in the order of their
+// numbers.
 #pragma once
 
 #include <cstddef>

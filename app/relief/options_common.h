@@ -117,6 +117,8 @@ class ScenarioOptions {
     void useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work, bool follow = false) const;
     // " --map FILE" as it was given, quoted for a shell; empty without it.
     std::string mapArgument() const;
+    // What tells the stored map's file from others by what is in it; empty where none is given. Throws InputError.
+    std::string mapContent() const;
 
   private:
     void addPictures(CLI::App& parser, Look look);

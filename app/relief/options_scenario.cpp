@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include "filtering/filter_choice.h"
+#include "images/files.h"
 #include "images/reliefs.h"
 #include "options_common.h"
 #include "output.h"
+#include "part.h"
 #include "relief/maps/map_choice.h"
 #include "relief/tracers.h"
 
@@ -240,6 +242,12 @@ std::string ScenarioOptions::mapArgument() const {
     std::string quoted;
     for (const char c : *map_) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return " --map '" + quoted + "'";
+}
+
+std::string ScenarioOptions::mapContent() const {
+    if (!map_) return {};
+    const std::string bytes = readTextFile(*map_);
+    return hashText(std::as_bytes(std::span(bytes)));
 }
 
 void ScenarioOptions::applyPictures(Scenario& scenario) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
 
 #include "measuring/machine.h"
 #include "options_common.h"
@@ -27,7 +26,7 @@ const Json* member(const Json& object, const std::string& name) {
 
 // The first member that differs, into objects within; those of `there` that `here` lacks come last.
 std::optional<RunDifference> firstDifference(const Json* here, const Json* there, const std::string& name) {
-    if (here != nullptr && there != nullptr && *here == *there) return std::nullopt;
+    if (here == there || (here != nullptr && there != nullptr && *here == *there)) return std::nullopt;
     if (here == nullptr || there == nullptr || !here->is_object() || !there->is_object()) {
         return RunDifference{name, shown(here), shown(there)};
     }
@@ -137,7 +136,10 @@ std::optional<Part> parsePartLine(std::string_view text) {
     part.of = number("of");
     const Json* const run = member(line, "run");
     if (part.part < 1 || part.part > part.of || run == nullptr || !run->is_object()) return std::nullopt;
-    if (!run->value("kind", Json()).is_string()) return std::nullopt;
+    for (const char* name : {"kind", "commit", "cells"}) {
+        if (!run->value(name, Json()).is_string()) return std::nullopt;
+    }
+    if (!run->value("options", Json()).is_object()) return std::nullopt;
     part.run = *run;
     for (const char* name : {"relief part", "of", "run"}) line.erase(name);
     part.more = std::move(line);

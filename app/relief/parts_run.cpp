@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <new>
 #include <stop_token>
 #include <thread>
 
@@ -147,9 +148,9 @@ void work(const PartsRun& run, Session& session, int ranksHere, const std::funct
 }
 
 void sayStopped(const Journal* journal, std::size_t parts, Session& session) {
-    if (journal == nullptr) return;
-    const MessageId said = journal->done() > 0 ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
-    session.note(journal->path(), Message(said, {{"done", journal->done()}, {"total", parts}}));
+    const std::size_t done = journal == nullptr ? 0 : journal->done();
+    const MessageId said = done > 0 ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
+    session.note(journal == nullptr ? "" : journal->path(), Message(said, {{"done", done}, {"total", parts}}));
 }
 
 PartsDone alone(const PartsRun& run, Session& session) {
@@ -211,8 +212,11 @@ class Coordinator {
         const std::lock_guard lock(mutex_);
         return ledger_.done();
     }
-    // Until every rank knows that all is done.
-    void join() { thread_.join(); }
+    // Until every rank knows that all is done. Throws what went wrong meanwhile.
+    void join() {
+        thread_.join();
+        if (failure_) std::rethrow_exception(failure_);
+    }
 
   private:
     void serve(const std::stop_token& end) {
@@ -263,14 +267,24 @@ void sayWhoDidWhat(const Ledger& ledger, const Team& team, Session& session) {
     sayLine(sentence(said, session.language()));
 }
 
+// The others, who wait for their first parts, end in order; this rank says what is wrong.
+void endOthers(Team& team, int status, Session& session) {
+    for (int rank = 1; rank < team.size(); ++rank) {
+        const int from = team.wait(session.stop()).from;
+        team.send(from, letterText({{"end", status}}));
+    }
+    team.finish();
+}
+
 PartsDone first(const PartsRun& run, Team& team, Session& session) {
     std::optional<Ledger> ledger;
     try {
         ledger.emplace(run, team.hosts(), session);
+    } catch (const WorkError&) {
+        endOthers(team, kFailed, session);
+        throw;
     } catch (...) {
-        // The others have not begun: this one says what is wrong, and all end in order.
-        for (int rank = 1; rank < team.size(); ++rank) team.send(rank, letterText({{"end", kBadUsage}}));
-        team.finish();
+        endOthers(team, kBadUsage, session);
         throw;
     }
     try {
@@ -317,7 +331,9 @@ void other(const PartsRun& run, Team& team, Session& session) {
 }  // namespace
 
 std::optional<PartsDone> doParts(const PartsRun& run, Session& session) {
-    const std::unique_ptr<Team> team = run.alone ? nullptr : Team::join();
+    // Lives until the process ends: where the run has failed it takes all ranks with it, when temporary files are gone.
+    static std::unique_ptr<Team> team;
+    if (!run.alone) team = Team::join();
     if (!team) return alone(run, session);
     // A rank that fails takes all with it: what it has to say is said before.
     const auto failed = [&](const std::string& why, int status) {
@@ -325,7 +341,8 @@ std::optional<PartsDone> doParts(const PartsRun& run, Session& session) {
         session.eraseBar();
         const auto rank = static_cast<std::size_t>(team->rank());
         sayLine(rank == 0 ? why : "rank " + std::to_string(rank) + " (" + team->hosts()[rank] + "): " + why);
-        team->abort(status);
+        team->failed(status);
+        throw RunEnded{status};
     };
     try {
         if (team->rank() == 0) return first(run, *team, session);
@@ -333,11 +350,14 @@ std::optional<PartsDone> doParts(const PartsRun& run, Session& session) {
     } catch (const Cancelled&) {
         // Rank 0 is told to stop at the same time: it says so before all end.
         if (team->rank() > 0) std::this_thread::sleep_for(kLastWords);
-        team->abort(kInterrupted);
+        team->failed(kInterrupted);
+        throw;
     } catch (const WorkError& error) {
         failed(error.text(session.language()), kFailed);
     } catch (const InputError& error) {
         failed(error.text(session.language()), kBadUsage);
+    } catch (const std::bad_alloc&) {
+        failed(sentence(Message(MessageId::OutOfMemory), session.language()), kBadUsage);
     } catch (const std::exception& error) {
         failed(error.what(), kFailed);
     }

@@ -36,9 +36,9 @@ struct PartsDone {
     std::unique_ptr<Journal> journal;  // to be finished when the output is written; null: there is none
 };
 
-// Nothing on ranks other than 0, whose work is done then. Rank 0 says at the end how many parts each rank did. Throws
-// InputError, WorkError, Cancelled (said, with how to go on), whatever `measure` throws; what another rank throws is
-// said there, and ends all ranks.
+// Empty on ranks other than 0, whose work is done then. Rank 0 says at the end how many parts each rank did. Throws
+// Cancelled (said, with how to go on), and alone InputError, WorkError and whatever `measure` throws. Of several ranks
+// the one that fails says why and throws RunEnded; at its end all others end as well.
 std::optional<PartsDone> doParts(const PartsRun& run, Session& session);
 
 }  // namespace relief::app

@@ -158,7 +158,7 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
 }
 
 // All that the picture depends on: of the pictures that it is made of what is in them, not their names, which may
-// differ from machine to machine. map: the argument that names a stored map.
+// differ from machine to machine. map: a hash of the stored map, if there is one.
 Json pictureOptions(const Scenario& scenario, const Assets& assets, const std::vector<std::string>& layers,
                     const std::string& map) {
     Scenario plain = withNotesOf(scenario, Scenario());
@@ -203,7 +203,7 @@ class OnePicture {
     }
 
     int height() const { return request_->height; }
-    Json options() const { return pictureOptions(scenario_, assets_, layers_, options_.scenario.mapArgument()); }
+    Json options() const { return pictureOptions(scenario_, assets_, layers_, options_.scenario.mapContent()); }
 
     // number: of the band that is to be made; null: all of it.
     void render(const std::string& output, const PartNumber* number, Work& work) {
@@ -263,7 +263,7 @@ class OnePicture {
     std::shared_ptr<const Frame> frame_;
 };
 
-// The ranks of an MPI run make bands of the picture, more of them than there are ranks, for some are dearer than
+// The ranks of an MPI run make bands of the picture, more of them than there are ranks, for some cost more than
 // others; rank 0 joins them.
 void renderShared(const RenderOptions& options, const std::string& output, const std::vector<std::string>& layers,
                   Session& session) {
@@ -326,7 +326,8 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
         program, "render", "render a picture of a relief",
         "Renders what a camera sees of a floor, a wall or a cube that carries the relief. What is looked at comes from "
         "a scenario, from the options, or from both (the options override). The same input gives the same bytes on any "
-        "number of threads.",
+        "number of threads. mpirun -n N relief render ... shares one picture (.png, .tif, .exr) or many among N "
+        "processes.",
         "  relief render --height heights.png --color color.jpg --scene wall \\\n"
         "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
     options->scenario.add(*parser, ScenarioOptions::Look::Yes);

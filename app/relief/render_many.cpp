@@ -188,12 +188,15 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
     const bool writes = launchedRank() == 0;
     if (writes) makeFolder(folder);
     Studio studio(options, std::move(scenarios), count > 1, session);
+    // Told only where there is one, so that runs of earlier versions are resumed.
+    if (const std::string map = options.mapContent(); !map.empty()) what["map"] = map;
     PartsRun run;
     run.bar = "render";
     run.parts = pictures.size();
     run.output = (place / journal).string();
     run.work = what;
     run.earlier = earlier;
+    run.alone = part.of > 1;
     run.measure = [&](const Task& task, Work& work) -> Json {
         const Picture& picture = pictures[task.part];
         if (writes) {

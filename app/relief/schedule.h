@@ -1,8 +1,8 @@
 // Which rank does which part next, where several processes share numbered parts. Knows nothing of messages or clocks.
 //
 // Without timed passes a part is done whole, by whoever comes first. With them each part is done twice: what does not
-// hang on the machine's speed (truth, errors, steps) is shared among all ranks; then, when no rank of a host has any of
-// that left to do, the host times one part at a time (or `concurrent`) while its other ranks wait.
+// depend on the machine's speed (truth, errors, steps) is shared among all ranks; then, when no rank of a host has any
+// of that left to do, the host times one part at a time (or `concurrent`) while its other ranks wait.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +37,6 @@ class Schedule {
     bool over() const;
 
   private:
-    bool handedOut(Pass pass) const;
-
     struct Host {
         int counting = 0;  // ranks at work on a pass that is not timed
         int timing = 0;

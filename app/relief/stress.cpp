@@ -183,7 +183,8 @@ void addStressCommand(CLI::App& program, Commands& commands) {
         "very far, narrow and wide), with every filter, with and without shadows, must be finite and the same with and "
         "without --no-skip, and by one thread and by several. The homographies of such cameras must lead from pixel to "
         "texel and back, and their derivatives agree with central differences; row methods must stay within their "
-        "error bounds. The cases depend on the seed alone. Each violation is a line that ends with the command "
+        "error bounds. The cases depend on the seed alone; mpirun -n N relief stress --cases ... shares them among N "
+        "processes. Each violation is a line that ends with the command "
         "that shows it; the exit status is then 1.",
         "  relief stress --seconds 60 --seed 7\n"
         "  relief stress --cases 1000 --part 2/3 --record part2.jsonl\n"

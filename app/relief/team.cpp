@@ -91,8 +91,7 @@ Team::Team(std::unique_ptr<Plugin> plugin) : plugin_(std::move(plugin)) {
 }
 
 Team::~Team() {
-    constexpr int kFailed = 1;
-    if (!finished_) plugin_->mpi->abort(kFailed);
+    if (!finished_) plugin_->mpi->abort(status_);
 }
 
 int Team::rank() const {
@@ -122,11 +121,6 @@ Team::Letter Team::wait(const std::stop_token& stop) {
         std::this_thread::sleep_for(sleep);
         sleep = std::min(2 * sleep, kLongestSleep);
     }
-}
-
-void Team::abort(int status) {
-    plugin_->mpi->abort(status);
-    std::_Exit(status);
 }
 
 void Team::finish() {

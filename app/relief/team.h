@@ -1,6 +1,7 @@
 // The processes that a launcher (mpirun, srun) has started together on one piece of work, and their messages.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -16,7 +17,7 @@ int launchedProcesses();
 // Which of them this one is; 0 where it is alone.
 int launchedRank();
 
-// Thrown on a rank that rank 0 has told to end: it has said why.
+// Thrown where a rank ends and why has been said.
 struct RunEnded {
     int status = 0;
 };
@@ -29,6 +30,8 @@ class Team {
     static std::unique_ptr<Team> join();
     // Ends all ranks, unless finish() was called: one that is lost ends the run.
     ~Team();
+    // The status that all ranks end with, where finish() is not called.
+    void failed(int status) { status_ = status; }
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
@@ -48,8 +51,6 @@ class Team {
     // Waits for the other ranks to end as well.
     void finish();
     bool finished() const { return finished_; }
-    // Ends all ranks, this one too.
-    [[noreturn]] void abort(int status);
     std::uint64_t letters() const { return letters_; }  // sent and received
 
   private:
@@ -60,6 +61,7 @@ class Team {
     std::vector<std::string> hosts_;
     std::uint64_t letters_ = 0;
     bool finished_ = false;
+    int status_ = 1;
 };
 
 }  // namespace relief::app

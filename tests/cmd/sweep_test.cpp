@@ -51,7 +51,8 @@ TEST_P(SweepTest, DoneCellsAreTakenAsTheyAreAndHalfLinesAreNot) {
     }
     ASSERT_GT(marked, 0U);
     ASSERT_LT(marked + 1, kept.size()) << "the line that is cut is another";
-    write("b.csv.part", text.substr(0, text.size() - 9));
+    // A line without its result, and one of a part that there is not, are none.
+    write("b.csv.part", text.substr(0, text.size() - 9) + "\n{\"part\": 23}\n{\"part\": 99, \"result\": []}\n");
     EXPECT_EQ(run(sweep("b.csv", {"--resume"})).status, 0);
     const std::string csv = read("b.csv");
     EXPECT_NE(csv.find(",987654,"), std::string::npos) << "measured again";
@@ -150,6 +151,11 @@ TEST_P(SweepTest, AnotherSweepIsNotGoneOnWith) {
     expectRefusal(sweep("b.csv", {"--resume"}), 2, {path("b.csv.part")});
     write("b.csv.part", "height,size\nbricks,16\n");
     expectRefusal(sweep("b.csv", {"--resume"}), 2, {path("b.csv.part")});
+    for (const char* const first : {"{\"host\": 5, \"process\": \"x\"}\n", "[1, 2]\n", "{\"part\": 0}\n"}) {
+        write("b.csv.part", first);
+        expectRefusal(sweep("b.csv"), 2, {path("b.csv.part"), "--anew"});
+        expectRefusal(sweep("b.csv", {"--resume"}), 2, {path("b.csv.part")});
+    }
 }
 
 // The journal of version 1 holds the first two of four cells, see its folder's README.
