@@ -80,7 +80,7 @@ float linearFromSrgb(float encoded);
 float srgbFromLinear(float linear);
 
 // Rows [begin, end) of a picture that become a file of their own, and the text by which such files find together again
-// (picture_bands.h): printable ASCII. The file is a PNG, TIFF or EXR.
+// (picture_bands.h): printable ASCII, empty where it is not needed. The file is a PNG, TIFF or EXR.
 struct PictureBand {
     int begin = 0, end = 0;
     std::string text;

@@ -166,7 +166,7 @@ void setColorSpace(OIIO::ImageSpec& spec, const Format& format, const std::strin
 
 // The text of a band, where its format has a place for it.
 void setBandText(OIIO::ImageSpec& spec, const Format& format, const PictureBand* band) {
-    if (band == nullptr) return;
+    if (band == nullptr || band->text.empty()) return;
     spec.attribute(format.library == "tiff" ? "ImageDescription" : std::string(kBandAttribute), band->text);
 }
 

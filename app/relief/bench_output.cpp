@@ -1,8 +1,8 @@
 #include "bench_output.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "measuring/bench_columns.h"
@@ -13,7 +13,13 @@ namespace relief::app {
 
 namespace {
 
-constexpr const char* kMachineColumns[] = {"compiler", "cpu", "commit", "host", "concurrent"};
+// Columns at the end of every table: of the machine, and how many cells it timed at once.
+struct MachineColumn {
+    const char* name;
+    std::string (*text)();  // null: the run says what stands there
+};
+constexpr MachineColumn kMachineColumns[] = {
+    {"compiler", compilerText}, {"cpu", cpuText}, {"commit", commitText}, {"host", hostName}, {"concurrent", nullptr}};
 
 BenchValue valueOf(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
@@ -27,25 +33,22 @@ BenchPass passOf(Pass pass) {
     return pass == Pass::Times ? BenchPass::Times : BenchPass::Both;
 }
 
-// Columns at the end, where they are not there yet: of the machine, and how many cells it timed at once (null: that is
-// not known of a part, which may have others beside it).
+// The machine's columns, where they are not there yet. concurrent: null where it is not known, as of a part, which may
+// have others beside it.
 void addMachine(Json& rows, const Json& concurrent) {
     for (Json& row : rows) {
-        for (const auto& [name, text] : {std::pair<const char*, std::string (*)()>{"compiler", compilerText},
-                                         {"cpu", cpuText},
-                                         {"commit", commitText},
-                                         {"host", hostName}}) {
-            if (!row.contains(name)) row[name] = text();
+        for (const auto& [name, text] : kMachineColumns) {
+            if (!row.contains(name)) row[name] = text != nullptr ? Json(text()) : concurrent;
         }
-        if (!row.contains("concurrent")) row["concurrent"] = concurrent;
     }
 }
 
 // The rows that were counted, with what was timed, and where.
 Json withTimes(Json counts, const Json& times) {
+    std::vector<const char*> timed{"rate", "spread", "build_seconds", "threads"};
+    for (const MachineColumn& column : kMachineColumns) timed.push_back(column.name);
     for (std::size_t row = 0; row < counts.size(); ++row) {
-        for (const char* const name :
-             {"rate", "spread", "build_seconds", "threads", "compiler", "cpu", "host", "concurrent"}) {
+        for (const char* const name : timed) {
             if (counts[row].contains(name)) counts[row][name] = times.at(row).at(name);
         }
     }
@@ -71,23 +74,18 @@ void addForm(Json& rows) {
 }  // namespace
 
 std::string contentText(const FloatImage& heights) {
-    // FNV-1a over the bits.
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const float height : heights.pixels()) {
-        hash ^= std::bit_cast<std::uint32_t>(height);
-        hash *= 0x100000001b3ULL;
-    }
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    return text;
+    ContentHash hash;
+    for (const float height : heights.pixels()) hash.add(std::bit_cast<std::uint32_t>(height));
+    return hash.text();
 }
 
 std::string csvOfRows(const Json& rows, const std::string& header) {
     if (rows.empty()) {
         std::string whole = header.substr(0, header.find('\n'));
-        for (const char* const name : kMachineColumns) {
-            if (("," + whole + ",").find("," + std::string(name) + ",") == std::string::npos)
-                whole += "," + std::string(name);
+        const std::vector<std::string> names = splitText(whole, ',');
+        for (const MachineColumn& column : kMachineColumns) {
+            if (std::find(names.begin(), names.end(), column.name) == names.end())
+                whole.append(",").append(column.name);
         }
         return whole + "\n";
     }
@@ -109,7 +107,7 @@ std::string csvOfRows(const Json& rows, const std::string& header) {
 
 namespace {
 
-// Which of so many cells are of the run's part.
+// Indices of the cells that are measured: all of so many, or those of the run's part.
 std::vector<std::size_t> chosenCells(const BenchRun& run, std::size_t cells) {
     std::vector<std::size_t> chosen;
     for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -172,8 +170,8 @@ void writeCells(const BenchRun& run, PartsDone done, const std::string& header, 
         addForm(cell);
         for (Json& row : cell) {
             // Those that an older program measured do not say where.
-            for (const char* const name : kMachineColumns) {
-                if (!row.contains(name)) row[name] = nullptr;
+            for (const MachineColumn& column : kMachineColumns) {
+                if (!row.contains(column.name)) row[column.name] = nullptr;
             }
             rows.push_back(row);
         }

@@ -46,11 +46,11 @@ struct BenchRun {
 // Sixteen letters that tell these heights from others.
 std::string contentText(const FloatImage& heights);
 
-// An array of rows as CSV; `header`, with "\n", is taken where there is no row.
+// An array of rows as CSV; where there is no row, `header` (with "\n") and the machine's columns.
 std::string csvOfRows(const Json& rows, const std::string& header);
 
-// All cells: the rows of each, in order, with the columns compiler, cpu and commit where they have none, host and
-// concurrent at the end. measure: the rows of one, as an array. Nothing on ranks other than 0.
+// All cells: the rows of each, in order, with the machine's columns (compiler, cpu, commit, host, concurrent) where
+// they have none. measure: the rows of one, as an array. Empty on ranks other than 0.
 struct BenchCells {
     std::vector<std::string> names;
     std::function<int(std::size_t)> threads;

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
-#include <utility>
+#include <vector>
 
 #include "errors.h"
 #include "images/files.h"
@@ -22,13 +22,8 @@ namespace {
     throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", std::strerror(errno)}}));
 }
 
-Json parsedLine(const std::string& line) {
-    return Json::parse(line, nullptr, false);  // discarded where it is no JSON
-}
-
 std::string lineText(const Json& json) {
-    // File names need not be UTF-8.
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return asciiLine(json) + "\n";
 }
 
 // When this process began, in the system's own count: numbers of processes are given again. 0: there is none, it has
@@ -50,17 +45,6 @@ std::int64_t startOf(std::int64_t process) {
     return std::strtoll(field.c_str(), nullptr, 10);
 }
 
-// A member of an object; where it is not there, or of another type: what is given instead.
-std::int64_t numberIn(const Json& json, const char* name, std::int64_t otherwise) {
-    const auto found = json.is_object() ? json.find(name) : json.end();
-    return json.is_object() && found != json.end() && found->is_number_integer() ? found->get<std::int64_t>()
-                                                                                 : otherwise;
-}
-std::string textIn(const Json& json, const char* name) {
-    const auto found = json.is_object() ? json.find(name) : json.end();
-    return json.is_object() && found != json.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 bool lives(const Json& head) {
     const std::int64_t process = numberIn(head, "process", 0);
     if (process <= 0 || process == getpid()) return false;
@@ -75,7 +59,7 @@ std::vector<Json> linesOf(const std::string& path) {
     const std::string text = readTextFile(path);
     std::size_t first = 0;
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', first)) {
-        all.push_back(parsedLine(text.substr(first, end - first)));
+        all.push_back(Json::parse(text.substr(first, end - first), nullptr, false));  // discarded where it is no JSON
         first = end + 1;
     }
     return all;
@@ -84,9 +68,8 @@ std::vector<Json> linesOf(const std::string& path) {
 }  // namespace
 
 Journal::Journal(const std::string& output, const Json& work, std::size_t parts, EarlierRun earlier)
-    : path_(output + ".part"), results_(parts), counts_(parts) {
-    // As it will be read: numbers and names take the form that a file gives them.
-    const Json kept = parsedLine(lineText(work));
+    : path_(output + ".part"), parts_(parts) {
+    const Json kept = readBack(work);
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST) failWriting(path_);
     if (descriptor_ < 0) {
@@ -137,20 +120,14 @@ std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
     if (earlier == EarlierRun::Refuse) throw InputError(path_, Message(MessageId::SweepThere));
     if (earlier == EarlierRun::Replace) return kept;
     if (head.value("work", Json()) != work) throw InputError(path_, Message(MessageId::SweepOther));
-    const auto partOf = [&](const Json& line, const char* key) {
-        const std::int64_t part = line.is_object() && line.contains("result") ? numberIn(line, key, -1) : -1;
-        return part < 0 ? results_.size() : static_cast<std::size_t>(part);
-    };
     for (const Json& line : lines) {
-        const std::size_t part = partOf(line, "part");
-        const std::size_t counted = partOf(line, "counted");
-        if (part < results_.size() && !results_[part]) {
-            results_[part] = line.value("result", Json());
-            ++done_;
-            kept += lineText({{"part", part}, {"result", *results_[part]}});
-        } else if (counted < counts_.size() && !counts_[counted]) {
-            counts_[counted] = line.value("result", Json());
-            kept += lineText({{"counted", counted}, {"result", *counts_[counted]}});
+        const Json* const result = member(line, "result");
+        if (result == nullptr) continue;
+        for (const auto& [key, found] :
+             {std::pair("part", &earlier_.results), std::pair("counted", &earlier_.counts)}) {
+            const std::int64_t part = numberIn(line, key, -1);
+            if (part < 0 || static_cast<std::size_t>(part) >= parts_) continue;
+            if (found->emplace(static_cast<std::size_t>(part), *result).second) kept += lineText(line);
         }
     }
     return kept;
@@ -168,8 +145,6 @@ void Journal::write(const std::string& text) {
 
 void Journal::keep(std::size_t part, const Json& result) {
     write(lineText({{"part", part}, {"result", result}}));
-    results_[part] = result;
-    ++done_;
     anything_ = true;
 }
 

@@ -4,21 +4,19 @@
 // A line of JSON about the whole, {"work": ..., "host": ..., "process": ..., "since": ...}; then a line for each part
 // that is done, {"part": N, "result": ...}, and of what an MPI run has
 // counted and not yet timed, {"counted": N, "result": ...}. A last line that was cut short is not read, and its part is
-// done again. One process writes it: the file is created exclusively and says which one, so that a second run with the
-// same output refuses instead of mixing its lines in.
+// done again. One process writes it: the file is created exclusively and names that process, so that a second run with
+// the same output refuses instead of mixing its lines in.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <map>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include <nlohmann/json.hpp>
+#include "json_line.h"
 
 namespace relief::app {
-
-using Json = nlohmann::ordered_json;
 
 // What becomes of a journal that an earlier run has left: the run is refused, or goes on with it (--resume), or throws
 // it away (--anew).
@@ -36,12 +34,12 @@ class Journal {
     Journal& operator=(const Journal&) = delete;
 
     const std::string& path() const { return path_; }
-    std::size_t parts() const { return results_.size(); }
-    std::size_t done() const { return done_; }
-    // Null: not there.
-    const Json* result(std::size_t part) const { return results_[part] ? &*results_[part] : nullptr; }
-    const Json* counts(std::size_t part) const { return counts_[part] ? &*counts_[part] : nullptr; }
-    // The host of the process that began what is gone on with, where it is not this one: whether that process has
+    // What the earlier run has done, by part: whole parts, and what was counted of others. Given once, not kept here.
+    struct Earlier {
+        std::map<std::size_t, Json> results, counts;
+    };
+    Earlier takeEarlier() { return std::exchange(earlier_, {}); }
+    // The host of the process that began the resumed run, where it is not this one: whether that process has
     // ended could not be seen. Else empty.
     const std::string& otherHost() const { return otherHost_; }
 
@@ -60,8 +58,8 @@ class Journal {
     std::string path_;
     std::string otherHost_;
     int descriptor_ = -1;
-    std::vector<std::optional<Json>> results_, counts_;
-    std::size_t done_ = 0;
+    std::size_t parts_;
+    Earlier earlier_;
     bool anything_ = false;  // that would be lost with the file
 };
 

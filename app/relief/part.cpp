@@ -19,11 +19,6 @@ std::string shown(const Json* value) {
     return text;
 }
 
-const Json* member(const Json& object, const std::string& name) {
-    const auto found = object.find(name);
-    return found == object.end() ? nullptr : &*found;
-}
-
 // The first member that differs, into objects within; those of `there` that `here` lacks come last.
 std::optional<RunDifference> firstDifference(const Json* here, const Json* there, const std::string& name) {
     if (here == there || (here != nullptr && there != nullptr && *here == *there)) return std::nullopt;
@@ -32,8 +27,8 @@ std::optional<RunDifference> firstDifference(const Json* here, const Json* there
     }
     for (const Json* object : {here, there}) {
         for (const auto& [key, value] : object->items()) {
-            if (auto found =
-                    firstDifference(member(*here, key), member(*there, key), name.empty() ? key : name + "." + key)) {
+            if (auto found = firstDifference(member(*here, key.c_str()), member(*there, key.c_str()),
+                                             name.empty() ? key : name + "." + key)) {
                 return found;
             }
         }
@@ -84,15 +79,16 @@ RowRange partRows(const PartNumber& number, int height) {
     return {border(number.part - 1), border(number.part)};
 }
 
-std::string hashText(std::span<const std::byte> bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const std::byte byte : bytes) {
-        hash ^= static_cast<std::uint64_t>(byte);
-        hash *= 0x100000001b3ULL;
-    }
+std::string ContentHash::text() const {
     char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash_));
     return text;
+}
+
+std::string hashText(std::span<const std::byte> bytes) {
+    ContentHash hash;
+    for (const std::byte byte : bytes) hash.add(static_cast<std::uint64_t>(byte));
+    return hash.text();
 }
 
 Json runJson(const std::string& kind, Json options, std::span<const std::string> cells) {
@@ -103,12 +99,7 @@ Json runJson(const std::string& kind, Json options, std::span<const std::string>
                    {"commit", commitText()},
                    {"options", std::move(options)},
                    {"cells", hashText(std::as_bytes(std::span(names)))}};
-    // As it will be read: numbers and names take the form that a file gives them.
-    return Json::parse(asciiLine(run));
-}
-
-std::string asciiLine(const Json& json) {
-    return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return readBack(run);
 }
 
 std::string partLine(const Part& part) {
@@ -127,9 +118,8 @@ std::optional<Part> parsePartLine(std::string_view text) {
     Json line = Json::parse(text, nullptr, false);
     if (!line.is_object()) return std::nullopt;
     const auto number = [&](const char* name) {
-        const Json* const value = member(line, name);
-        const bool whole = value != nullptr && value->is_number_unsigned() && *value <= kMostParts;
-        return whole ? value->get<int>() : 0;
+        const std::int64_t value = numberIn(line, name, 0);
+        return value <= kMostParts ? static_cast<int>(value) : 0;
     };
     Part part;
     part.part = number("relief part");

@@ -18,13 +18,10 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "json_line.h"
 #include "rendering/frame.h"
 
 namespace relief::app {
-
-using Json = nlohmann::ordered_json;
 
 inline constexpr int kMostParts = 100'000;
 
@@ -60,10 +57,16 @@ std::string runLine(const Json& run);
 // Empty where the text is none.
 std::optional<Part> parsePartLine(std::string_view text);
 
-// JSON in one line of printable ASCII; bytes that are no UTF-8 are replaced.
-std::string asciiLine(const Json& json);
+// Tells what is in files and pictures from what is in others (FNV-1a), word by word.
+class ContentHash {
+  public:
+    void add(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001b3ULL; }
+    std::string text() const;  // sixteen hexadecimal digits
 
-// Sixteen hexadecimal digits that tell these bytes from others (FNV-1a).
+  private:
+    std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+// Of these bytes, each a word.
 std::string hashText(std::span<const std::byte> bytes);
 
 // What tells the runs apart, the first of: kind, commit, seed, the other options, cells. Empty where they are equal.

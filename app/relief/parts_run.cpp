@@ -46,25 +46,25 @@ class Ledger {
         if (!journal_->otherHost().empty()) {
             session.note(journal_->path(), Message(MessageId::SweepOtherHost, {{"host", journal_->otherHost()}}));
         }
-        for (std::size_t part = 0; part < run.parts; ++part) {
-            if (const Json* const counts = passes_ ? journal_->counts(part) : nullptr) {
-                counts_[part] = *counts;
-                schedule_.skip({part, Pass::Counts});
-            }
-            if (const Json* const result = journal_->result(part)) {
-                whole_[part] = *result;
-                schedule_.skip({part, Pass::Whole});
-            }
+        Journal::Earlier earlier = journal_->takeEarlier();
+        for (auto& [part, counts] : earlier.counts) {
+            if (!passes_) break;
+            counts_[part] = std::move(counts);
+            schedule_.skip({part, Pass::Counts});
         }
-        const std::size_t before = done();
-        if (before > 0) {
-            session.note(journal_->path(), Message(MessageId::SweepResumed, {{"done", before}, {"total", run.parts}}));
+        for (auto& [part, result] : earlier.results) {
+            whole_[part] = std::move(result);
+            schedule_.skip({part, Pass::Whole});
+        }
+        done_ = earlier.results.size();
+        if (done_ > 0) {
+            session.note(journal_->path(), Message(MessageId::SweepResumed, {{"done", done_}, {"total", run.parts}}));
         }
     }
 
     std::optional<Task> next(int rank) { return schedule_.next(rank); }
     bool over() const { return schedule_.over(); }
-    std::size_t done() const { return journal_ ? journal_->done() : done_; }
+    std::size_t done() const { return done_; }
     // What a rank has done.
     Message doneBy(int rank, const std::string& host) const {
         const auto at = static_cast<std::size_t>(rank);
@@ -147,10 +147,11 @@ void work(const PartsRun& run, Session& session, int ranksHere, const std::funct
     tell(static_cast<std::int64_t>(done() - before) * kPermille);
 }
 
-void sayStopped(const Journal* journal, std::size_t parts, Session& session) {
-    const std::size_t done = journal == nullptr ? 0 : journal->done();
-    const MessageId said = done > 0 ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
-    session.note(journal == nullptr ? "" : journal->path(), Message(said, {{"done", done}, {"total", parts}}));
+// With how to go on, where there is a journal.
+void sayStopped(const PartsRun& run, const Ledger& ledger, Session& session) {
+    if (ledger.journal() == nullptr) return session.note(run.bar, Message(MessageId::RunStopped));
+    const MessageId said = ledger.done() > 0 ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
+    session.note(ledger.journal()->path(), Message(said, {{"done", ledger.done()}, {"total", run.parts}}));
 }
 
 PartsDone alone(const PartsRun& run, Session& session) {
@@ -161,7 +162,7 @@ PartsDone alone(const PartsRun& run, Session& session) {
             [&](const Task& task, Json result) { ledger.put(0, task, std::move(result)); },
             [&] { return ledger.done(); });
     } catch (const Cancelled&) {
-        sayStopped(ledger.journal(), run.parts, session);
+        if (ledger.journal() != nullptr) sayStopped(run, ledger, session);
         throw;
     }
     session.eraseBar();
@@ -295,7 +296,7 @@ PartsDone first(const PartsRun& run, Team& team, Session& session) {
             [&] { return coordinator.done(); });
         coordinator.join();
     } catch (const Cancelled&) {
-        sayStopped(ledger->journal(), run.parts, session);
+        sayStopped(run, *ledger, session);
         throw;
     }
     session.eraseBar();
@@ -340,7 +341,10 @@ std::optional<PartsDone> doParts(const PartsRun& run, Session& session) {
         if (team->finished()) throw;
         session.eraseBar();
         const auto rank = static_cast<std::size_t>(team->rank());
-        sayLine(rank == 0 ? why : "rank " + std::to_string(rank) + " (" + team->hosts()[rank] + "): " + why);
+        sayLine(rank == 0 ? why
+                          : sentence(Message(MessageId::RankFailed,
+                                             {{"rank", rank}, {"host", team->hosts()[rank]}, {"why", why}}),
+                                     session.language()));
         team->failed(status);
         throw RunEnded{status};
     };

@@ -178,7 +178,7 @@ Json pictureOptions(const Scenario& scenario, const Assets& assets, const std::v
     return options;
 }
 
-// The rows of a part, with the text that merging needs.
+// The rows of a part, with the text that relief merge needs.
 PictureBand partBand(const PartNumber& number, const FrameRequest& request, Json options) {
     const RowRange rows = partRows(number, request.height);
     const std::string cells = std::to_string(request.width) + "x" + std::to_string(request.height);
@@ -203,18 +203,16 @@ class OnePicture {
     }
 
     int height() const { return request_->height; }
-    Json options() const { return pictureOptions(scenario_, assets_, layers_, options_.scenario.mapContent()); }
+    PictureBand part(const PartNumber& number) const {
+        return partBand(number, *request_, pictureOptions(scenario_, assets_, layers_, options_.scenario.mapContent()));
+    }
 
-    // number: of the band that is to be made; null: all of it.
-    void render(const std::string& output, const PartNumber* number, Work& work) {
+    // band: that is to be made; null: all of it.
+    void render(const std::string& output, const PictureBand* band, Work& work) {
         std::optional<LayerPlanes> planes;
         if (!layers_.empty()) planes.emplace(*request_, layers_, *maps_);
         PictureParts parts;
-        PictureBand band;
-        if (number != nullptr) {
-            band = partBand(*number, *request_, options());
-            parts.wanted = {band.begin, band.end};
-        }
+        if (band != nullptr) parts.wanted = {band->begin, band->end};
         const bool wantsSteps = std::find(layers_.begin(), layers_.end(), "steps") != layers_.end();
         parts.counts = options_.report || wantsSteps;
         parts.done = [&](const Frame& part) {
@@ -226,11 +224,10 @@ class OnePicture {
         seconds_.count += frame_->countSeconds;
         seconds_.render -= seconds_.count + seconds_.write;
         timed(seconds_.write, [&] {
-            const PictureBand* const rows = number != nullptr ? &band : nullptr;
             if (planes) {
-                writePlanes(output, planes->take(*frame_), rows);
+                writePlanes(output, planes->take(*frame_), band);
             } else {
-                writeColor(output, frame_->light->color, rows);
+                writeColor(output, frame_->light->color, band);
             }
         });
     }
@@ -277,8 +274,9 @@ void renderShared(const RenderOptions& options, const std::string& output, const
     run.bar = "render";
     run.parts = static_cast<std::size_t>(bands);
     run.measure = [&](const Task& task, Work& work) -> Json {
-        const PartNumber number{static_cast<int>(task.part) + 1, bands};
-        picture.render(bandPath(task.part), &number, work);
+        const RowRange rows = partRows({static_cast<int>(task.part) + 1, bands}, picture.height());
+        const PictureBand band{rows.begin, rows.end, {}};
+        picture.render(bandPath(task.part), &band, work);
         return launchedRank() == 0 ? Json() : ScratchFolder::take(bandPath(task.part));
     };
     run.received = [&](std::size_t band, Json result) -> Json {
@@ -313,7 +311,8 @@ int runRender(const RenderOptions& options, Session& session) {
         return 0;
     }
     OnePicture picture(options, layers, session);
-    picture.render(output, options.part ? &number : nullptr, session.work());
+    const PictureBand band = options.part ? picture.part(number) : PictureBand();
+    picture.render(output, options.part ? &band : nullptr, session.work());
     if (options.report) picture.report(*options.report);
     return 0;
 }

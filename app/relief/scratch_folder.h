@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "journal.h"
+#include "json_line.h"
 
 namespace relief::app {
 
@@ -26,7 +26,7 @@ class ScratchFolder {
     std::filesystem::path folder_;
 };
 
-// Beside and renamed, as all files are written.
+// To a temporary file that is renamed, as all files are written.
 void writeBytes(const std::string& path, const std::vector<std::uint8_t>& bytes);
 
 }  // namespace relief::app

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <system_error>
 #include <thread>
 
 #include "../mpi/relief_mpi.h"
@@ -39,10 +38,6 @@ std::filesystem::path pluginPath() {
 }
 
 }  // namespace
-
-struct Team::Plugin {
-    const ReliefMpi* mpi = nullptr;
-};
 
 std::string hostName() {
     char name[256] = {};
@@ -83,33 +78,33 @@ std::unique_ptr<Team> Team::join() {
         throw InputError("mpirun",
                          Message(MessageId::MpiOther, {{"processes", launchedProcesses()}, {"joined", mpi->size}}));
     }
-    return std::unique_ptr<Team>(new Team(std::make_unique<Plugin>(Plugin{mpi})));
+    return std::unique_ptr<Team>(new Team(mpi));
 }
 
-Team::Team(std::unique_ptr<Plugin> plugin) : plugin_(std::move(plugin)) {
-    for (int rank = 0; rank < plugin_->mpi->size; ++rank) hosts_.emplace_back(plugin_->mpi->host(rank));
+Team::Team(const ReliefMpi* mpi) : mpi_(mpi) {
+    for (int rank = 0; rank < mpi_->size; ++rank) hosts_.emplace_back(mpi_->host(rank));
 }
 
 Team::~Team() {
-    if (!finished_) plugin_->mpi->abort(status_);
+    if (!finished_) mpi_->abort(status_);
 }
 
 int Team::rank() const {
-    return plugin_->mpi->rank;
+    return mpi_->rank;
 }
 
 void Team::send(int to, const std::string& text) {
     ++letters_;
-    plugin_->mpi->send(to, text.data(), text.size());
+    mpi_->send(to, text.data(), text.size());
 }
 
 std::optional<Team::Letter> Team::look() {
     Letter letter;
     unsigned long long bytes = 0;
-    if (plugin_->mpi->probe(&letter.from, &bytes) == 0) return std::nullopt;
+    if (mpi_->probe(&letter.from, &bytes) == 0) return std::nullopt;
     ++letters_;
     letter.text.resize(bytes);
-    plugin_->mpi->receive(letter.text.data());
+    mpi_->receive(letter.text.data());
     return letter;
 }
 
@@ -125,7 +120,7 @@ Team::Letter Team::wait(const std::stop_token& stop) {
 
 void Team::finish() {
     finished_ = true;
-    plugin_->mpi->finish();
+    mpi_->finish();
 }
 
 }  // namespace relief::app

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+struct ReliefMpi;  // mpi/relief_mpi.h
+
 namespace relief::app {
 
 std::string hostName();
@@ -54,10 +56,9 @@ class Team {
     std::uint64_t letters() const { return letters_; }  // sent and received
 
   private:
-    struct Plugin;
-    explicit Team(std::unique_ptr<Plugin> plugin);
+    explicit Team(const ReliefMpi* mpi);
 
-    std::unique_ptr<Plugin> plugin_;
+    const ReliefMpi* mpi_;
     std::vector<std::string> hosts_;
     std::uint64_t letters_ = 0;
     bool finished_ = false;

@@ -225,6 +225,49 @@ TEST_P(MergeTest, TablesGetTheirRowsInTheOrderOfTheCells) {
     refuse(replaced(odd, "height,method", "height,form"), "line 2");
 }
 
+// Four cells in three parts, one of which has two of them; and of seven parts three have none.
+TEST_P(MergeTest, PartsOfASweepMakeItsTable) {
+    const auto bench = [&](const std::string& output, const std::vector<std::string>& more) {
+        std::vector<std::string> all{"bench",    "rows",         "--widths",  "100,200",    "--elevations",
+                                     "60,25",    "--precisions", "float",     "--variants", "direct,streams",
+                                     "--pixels", "1000",         "--rounds",  "1",          "--threads",
+                                     "1",        "-o",           path(output)};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    // Without rate, spread and concurrent, which is not known of a part.
+    const auto rowsOf = [&](const std::string& name) {
+        std::vector<std::vector<std::string>> rows;
+        for (const std::string& line : lines(read(name))) {
+            rows.push_back(fields(line));
+            for (const std::size_t column : {11U, 12U, 19U}) rows.back().at(column) = "";
+        }
+        return rows;
+    };
+    runFine(bench("whole.csv", {}));
+    const auto whole = rowsOf("whole.csv");
+    ASSERT_EQ(whole.size(), 1U + 2 * 2 * 2);
+    for (const int of : {3, 7}) {
+        std::vector<std::string> files;
+        for (int part = of; part >= 1; --part) {
+            const std::string name = std::to_string(part) + "of" + std::to_string(of) + ".csv";
+            runFine(bench(name, {"--part", std::to_string(part) + "/" + std::to_string(of)}));
+            files.push_back(path(name));
+        }
+        runFine(merge(files, "merged.csv"));
+        EXPECT_EQ(rowsOf("merged.csv"), whole) << of;
+        runFine(merge(files, "merged.json"));
+        const Json rows = Json::parse(read("merged.json"));
+        ASSERT_EQ(rows.size(), whole.size() - 1);
+        EXPECT_EQ(rows[0]["width"], 100);
+        EXPECT_GT(rows[0]["rate"].get<double>(), 0);
+        EXPECT_TRUE(rows[0]["commit"].is_string());
+        EXPECT_TRUE(rows[0]["concurrent"].is_null());
+    }
+    expectRefusal(bench("p.json", {"--part", "1/2"}), 2, {"p.json", ".csv"});
+    expectRefusal(bench("p.csv", {"--concurrent", "2"}), 2, {"--concurrent", "--part"});
+}
+
 TEST_P(MergeTest, WhatIsMissingTwiceOrOfAnotherRunIsNamed) {
     const auto parts = tables();
     const std::string even = read("even.csv");

@@ -70,6 +70,7 @@ TEST_P(MpiTest, RanksShareASweepAndOneFails) {
     EXPECT_FALSE(std::filesystem::exists(path("c.csv")));
     const std::size_t before = done("c.csv").size();
     ASSERT_GE(before, 3U);
+    EXPECT_NE(read("c.csv.part").find("{\"counted\":"), std::string::npos) << "what was counted is lost";
     const Result last = runRanks(2, sweep("c.csv", {"--resume"}));
     EXPECT_EQ(last.status, 0) << last.err;
     EXPECT_NE(last.err.find(std::to_string(before) + " "), std::string::npos) << last.err;
