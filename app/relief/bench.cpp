@@ -234,13 +234,13 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
 }
 
 int runBench(const BenchCommandOptions& given, Session& session) {
-    given.run.apply(session);
+    given.run.apply(session, given.part.has_value());
     const std::string& kind = needed(given.kind, "KIND", "bench");
     if (kind != "tracers" && kind != "rows" && kind != "filters") {
         throw InputError("", Message(MessageId::UnknownName,
                                      {{"what", "benchmark"}, {"name", kind}, {"known", "tracers, rows, filters"}}));
     }
-    if (given.output && launchedRank() == 0) checkOutput(*given.output, {"csv", "json"});
+    if (given.output && leadsRun(given.part.has_value())) checkOutput(*given.output, {"csv", "json"});
     BenchRun to{given.output, given.restart.chosen(), {}, {}, {{"kind", kind}}};
     if (given.concurrent) {
         if (!given.part && launchedProcesses() < 2) {

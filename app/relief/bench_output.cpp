@@ -43,6 +43,11 @@ void addMachine(Json& rows, const Json& concurrent) {
     }
 }
 
+bool areRows(const Json& result) {
+    return result.is_array() &&
+           std::all_of(result.begin(), result.end(), [](const Json& row) { return row.is_object() && !row.empty(); });
+}
+
 // The rows that were counted, with what was timed, and where.
 Json withTimes(Json counts, const Json& times) {
     std::vector<const char*> timed{"rate", "spread", "build_seconds", "threads"};
@@ -160,6 +165,7 @@ std::optional<PartsDone> measuredCells(const BenchRun& run, const BenchCells& ce
         return rows;
     };
     parts.combine = withTimes;
+    parts.readable = areRows;
     return doParts(parts, session);
 }
 

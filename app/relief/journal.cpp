@@ -2,9 +2,11 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -65,6 +67,12 @@ std::vector<Json> linesOf(const std::string& path) {
     return all;
 }
 
+std::pair<std::uint64_t, std::uint64_t> numberOf(const std::string& path) {
+    struct stat info {};
+    if (stat(path.c_str(), &info) != 0) return {};
+    return {info.st_dev, info.st_ino};
+}
+
 }  // namespace
 
 Journal::Journal(const std::string& output, const Json& work, std::size_t parts, EarlierRun earlier)
@@ -73,12 +81,10 @@ Journal::Journal(const std::string& output, const Json& work, std::size_t parts,
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST) failWriting(path_);
     if (descriptor_ < 0) {
-        // Written to a temporary file and renamed: what is there is lost at no moment.
+        const FileNumber before = numberOf(path_);
         const std::string text = takenOver(kept, earlier);
         anything_ = !text.empty();
-        writeTextFile(path_, firstLine(kept) + text);
-        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-        if (descriptor_ < 0) failWriting(path_);
+        takePlace(before, firstLine(kept) + text);
         return;
     }
     try {
@@ -131,6 +137,31 @@ std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
         }
     }
     return kept;
+}
+
+// The earlier journal gives way to `text` at one stroke: it is lost at no moment, and where another run has taken it over
+// since it was read, that one's is put back.
+void Journal::takePlace(const FileNumber& before, const std::string& text) {
+    AtomicFile next(path_);
+    const std::string& name = next.temporaryPath();
+    const auto exchange = [&] {
+        return renameat2(AT_FDCWD, name.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0;
+    };
+    descriptor_ = ::open(name.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) failWriting(path_);
+    write(text);
+    if (fsync(descriptor_) != 0) failWriting(path_);
+    if (!exchange()) {
+        if (errno == ENOENT) failWriting(path_);
+        return next.commit();  // this file system cannot exchange names
+    }
+    if (numberOf(name) == before) return;
+    exchange();
+    ::close(std::exchange(descriptor_, -1));
+    const std::vector<Json> lines = linesOf(path_);
+    const Json head = lines.empty() ? Json() : lines.front();
+    throw InputError(path_, Message(MessageId::SweepAlive,
+                                    {{"process", numberIn(head, "process", 0)}, {"host", textIn(head, "host")}}));
 }
 
 void Journal::write(const std::string& text) {

@@ -2,10 +2,10 @@
 // after it was stopped or killed.
 //
 // A line of JSON about the whole, {"work": ..., "host": ..., "process": ..., "since": ...}; then a line for each part
-// that is done, {"part": N, "result": ...}, and of what an MPI run has
-// counted and not yet timed, {"counted": N, "result": ...}. A last line that was cut short is not read, and its part is
-// done again. One process writes it: the file is created exclusively and names that process, so that a second run with
-// the same output refuses instead of mixing its lines in.
+// that is done, {"part": N, "result": ...}, and of what an MPI run has counted and not yet timed, {"counted": N,
+// "result": ...}. A last line that was cut short is not read, and its part is done again. One process writes it: the
+// file is created exclusively and names that process, and a run that goes on from it takes its place at one stroke, so
+// that a second run with the same output refuses instead of mixing its lines in.
 #pragma once
 
 #include <cstddef>
@@ -53,6 +53,9 @@ class Journal {
     std::string firstLine(const Json& work) const;
     void refuseTheLiving(const Json& head);
     std::string takenOver(const Json& work, EarlierRun earlier);
+    // Device and inode: which file it is, whatever its name.
+    using FileNumber = std::pair<std::uint64_t, std::uint64_t>;
+    void takePlace(const FileNumber& before, const std::string& text);
     void write(const std::string& text);
 
     std::string path_;

@@ -5,6 +5,8 @@
 #include <exception>
 #include <new>
 #include <sstream>
+#include <stop_token>
+#include <thread>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -118,8 +120,21 @@ int parseAndRun(int count, char** arguments, Session& session) {
     throw InputError("", Message(MessageId::CommandMissing));
 }
 
+// Of several processes that a launcher has started, all may have found the same: rank 0 says it.
+void sayFailure(const std::string& why, Language language, const std::stop_token& stop) {
+    if (launchedRank() == 0) return sayLine(why);
+    std::this_thread::sleep_for(kLastWords);
+    if (stop.stop_requested()) return;
+    sayLine(sentence(
+        Message(MessageId::RankFailed, {{"rank", launchedRank()}, {"host", hostName()}, {"why", why}}), language));
+}
+
 int runProgram(int count, char** arguments, const SignalWatch& signals) {
     Language language = Language::English;
+    const auto failed = [&](const std::string& why, int status) {
+        sayFailure(why, language, signals.stop());
+        return status;
+    };
     try {
         language = chosenLanguage(count, arguments);
         Session session(language, signals.stop());
@@ -129,17 +144,13 @@ int runProgram(int count, char** arguments, const SignalWatch& signals) {
     } catch (const RunEnded& ended) {
         return ended.status;
     } catch (const WorkError& error) {
-        sayLine(error.text(language));
-        return kFailed;
+        return failed(error.text(language), kFailed);
     } catch (const InputError& error) {
-        sayLine(error.text(language));
-        return kBadUsage;
+        return failed(error.text(language), kBadUsage);
     } catch (const std::bad_alloc&) {
-        sayLine(sentence(Message(MessageId::OutOfMemory), language));
-        return kBadUsage;
+        return failed(sentence(Message(MessageId::OutOfMemory), language), kBadUsage);
     } catch (const std::exception& error) {
-        sayLine(sentence(Message(MessageId::InternalError, {{"why", error.what()}}), language));
-        return kFailed;
+        return failed(sentence(Message(MessageId::InternalError, {{"why", error.what()}}), language), kFailed);
     }
 }
 

@@ -120,9 +120,8 @@ void RunOptions::add(CLI::App& parser, bool withThreads) {
     addLanguage(parser);
 }
 
-void RunOptions::apply(Session& session) const {
-    // Of several processes rank 0 speaks.
-    session.setQuiet(quiet_ || launchedRank() > 0);
+void RunOptions::apply(Session& session, bool withoutOthers) const {
+    session.setQuiet(quiet_ || !leadsRun(withoutOthers));
     if (threads_) session.setThreads(static_cast<int>(parseWhole(*threads_, "--threads", 0, 1024)));
 }
 

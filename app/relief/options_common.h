@@ -64,7 +64,8 @@ std::vector<std::string> splitText(const std::string& text, char separator);
 class RunOptions {
   public:
     void add(CLI::App& parser, bool withThreads = true);
-    void apply(Session& session) const;
+    // withoutOthers: this process does not share its work with others that were started with it; else rank 0 speaks.
+    void apply(Session& session, bool withoutOthers = true) const;
 
   private:
     OptionText threads_;

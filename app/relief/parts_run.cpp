@@ -20,7 +20,6 @@ constexpr auto kBetweenLooks = std::chrono::milliseconds(1);
 constexpr int kFailed = 1;
 constexpr int kBadUsage = 2;
 constexpr int kInterrupted = 130;
-constexpr auto kLastWords = std::chrono::seconds(2);
 
 Json taskJson(const Task& task) {
     return {{"part", task.part}, {"pass", static_cast<int>(task.pass)}};
@@ -46,17 +45,19 @@ class Ledger {
         if (!journal_->otherHost().empty()) {
             session.note(journal_->path(), Message(MessageId::SweepOtherHost, {{"host", journal_->otherHost()}}));
         }
+        const auto readable = [&](const Json& result) { return !run.readable || run.readable(result); };
         Journal::Earlier earlier = journal_->takeEarlier();
         for (auto& [part, counts] : earlier.counts) {
-            if (!passes_) break;
+            if (!passes_ || !readable(counts)) continue;
             counts_[part] = std::move(counts);
             schedule_.skip({part, Pass::Counts});
         }
         for (auto& [part, result] : earlier.results) {
+            if (!readable(result)) continue;
             whole_[part] = std::move(result);
             schedule_.skip({part, Pass::Whole});
+            ++done_;
         }
-        done_ = earlier.results.size();
         if (done_ > 0) {
             session.note(journal_->path(), Message(MessageId::SweepResumed, {{"done", done_}, {"total", run.parts}}));
         }

@@ -27,6 +27,8 @@ struct PartsRun {
     std::function<int(std::size_t)> threads = [](std::size_t) { return 0; };  // of a part; 0: the session's
     std::function<Json(Task, Work&)> measure;
     std::function<Json(Json counts, const Json& times)> combine;  // of timed runs
+    // Whether a journal's result has this run's shape; a part whose has not is done again. Empty: all have.
+    std::function<bool(const Json& result)> readable;
     // On rank 0, or alone: does what is to be done with a whole result, and gives what is kept of it.
     std::function<Json(std::size_t part, Json result)> received;
 };

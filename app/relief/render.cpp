@@ -290,7 +290,7 @@ void renderShared(const RenderOptions& options, const std::string& output, const
 }
 
 int runRender(const RenderOptions& options, Session& session) {
-    options.run.apply(session);
+    options.run.apply(session, options.part.has_value());
     const std::string& output = needed(options.output, "--output", "render");
     const PartNumber number = options.part ? parsePartNumber(*options.part) : PartNumber();
     const bool shared = launchedProcesses() > 1 && !options.part && !options.many.wanted();
@@ -303,7 +303,7 @@ int runRender(const RenderOptions& options, Session& session) {
     }
     std::vector<std::string> endings{"png", "tif", "tiff", "exr"};
     if (!options.part && !shared) endings.insert(endings.end(), {"jpg", "jpeg", "bmp", "hdr"});
-    if (launchedRank() == 0) checkOutput(output, endings);
+    if (leadsRun(options.part.has_value())) checkOutput(output, endings);
     const std::vector<std::string> layers = checkedLayers(options, output);
     if (options.report && *options.report != "-") checkOutput(*options.report, {"json"});
     if (shared) {

@@ -185,7 +185,7 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
         journal += "-" + std::to_string(part.part) + "-of-" + std::to_string(part.of);
     }
     const std::filesystem::path place(folder);
-    const bool writes = launchedRank() == 0;
+    const bool writes = leadsRun(part.of > 1);
     if (writes) makeFolder(folder);
     Studio studio(options, std::move(scenarios), count > 1, session);
     // Told only where there is one, so that runs of earlier versions are resumed.

@@ -115,7 +115,7 @@ int runShared(const StressCommandOptions& given, const StressOptions& options, S
 }
 
 int runStress(const StressCommandOptions& given, Session& session) {
-    given.run.apply(session);
+    given.run.apply(session, given.part.has_value());
     checkTogether(given);
     StressOptions options;
     if (given.seconds) options.seconds = parseSeconds(*given.seconds);
@@ -142,15 +142,17 @@ int runStress(const StressCommandOptions& given, Session& session) {
             throw WorkError(options.folder, Message(MessageId::OutputFolderMissing, {{"folder", options.folder}}));
         }
     }
-    options.onHang = [&session, &options](const StressViolation& violation) {
+    std::unique_ptr<TextOutput> record;
+    options.onHang = [&](const StressViolation& violation) {
         sayLine(
             sentence(Message(MessageId::StressHang, {{"seconds", options.hangSeconds}, {"command", violation.command}}),
                      session.language()));
-        // The tracer holds its thread: nothing can be ended in order.
+        // The tracer holds its thread: nothing else can be ended in order.
+        record.reset();
         _exit(kViolated);
     };
     if (launchedProcesses() > 1 && !number) return runShared(given, options, session);
-    const std::unique_ptr<TextOutput> record = begunRecord(given, number, options, session);
+    record = begunRecord(given, number, options, session);
     if (record) options.onCase = [&](const StressCase& one) { record->write(stressCaseLine(one)); };
     const StressReport report = stress(options, session.work());
     session.eraseBar();

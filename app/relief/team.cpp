@@ -60,6 +60,10 @@ int launchedRank() {
     return 0;
 }
 
+bool leadsRun(bool withoutOthers) {
+    return withoutOthers || launchedRank() == 0;
+}
+
 std::unique_ptr<Team> Team::join() {
     if (launchedProcesses() < 2) return nullptr;
     const std::string path = pluginPath().string();

@@ -1,6 +1,7 @@
 // The processes that a launcher (mpirun, srun) has started together on one piece of work, and their messages.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,6 +19,12 @@ std::string hostName();
 int launchedProcesses();
 // Which of them this one is; 0 where it is alone.
 int launchedRank();
+// Whether this one writes and says what comes out: rank 0, or any that works without the others (--part).
+bool leadsRun(bool withoutOthers);
+
+// So long another rank than 0 waits before it says why it ends: rank 0, where it found the same, has said so and the
+// launcher has ended all.
+inline constexpr auto kLastWords = std::chrono::seconds(2);
 
 // Thrown where a rank ends and why has been said.
 struct RunEnded {

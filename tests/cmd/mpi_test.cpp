@@ -95,13 +95,18 @@ TEST_P(MpiTest, AnotherNumberOfProcessesGoesOn) {
 
 TEST_P(MpiTest, RefusalsAreOneLineOfRankZeroWithItsStatus) {
     write("b.csv.part", "somebody's own");
-    const Result refused = runRanks(3, sweep("b.csv"));
-    EXPECT_EQ(refused.status, 2) << refused.err;
-    std::size_t ours = 0;
-    for (const std::string& line : lines(refused.err)) ours += line.starts_with("relief: ") ? 1 : 0;
-    EXPECT_EQ(ours, 1U) << refused.err;
-    EXPECT_NE(refused.err.find("--anew"), std::string::npos) << refused.err;
+    const auto refuse = [&](const std::vector<std::string>& arguments, const std::string& word) {
+        const Result refused = runRanks(3, arguments);
+        EXPECT_EQ(refused.status, 2) << refused.err;
+        std::size_t ours = 0;
+        for (const std::string& line : lines(refused.err)) ours += line.starts_with("relief: ") ? 1 : 0;
+        EXPECT_EQ(ours, 1U) << refused.err;
+        EXPECT_NE(refused.err.find(word), std::string::npos) << refused.err;
+    };
+    refuse(sweep("b.csv"), "--anew");
     EXPECT_EQ(read("b.csv.part"), "somebody's own");
+    refuse(sweep("b.csv", {"--lowest", "much"}), "much");
+    refuse(sweep("b.csv", {"--nothing-known"}), "--nothing-known");
 }
 
 // The program where no plug-in lies beside it.

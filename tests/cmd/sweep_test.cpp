@@ -51,8 +51,9 @@ TEST_P(SweepTest, DoneCellsAreTakenAsTheyAreAndHalfLinesAreNot) {
     }
     ASSERT_GT(marked, 0U);
     ASSERT_LT(marked + 1, kept.size()) << "the line that is cut is another";
-    // A line without its result, and one of a part that there is not, are none.
-    write("b.csv.part", text.substr(0, text.size() - 9) + "\n{\"part\": 23}\n{\"part\": 99, \"result\": []}\n");
+    // A line without its result, one of a part that there is not, and one that holds no rows, are none.
+    write("b.csv.part", text.substr(0, text.size() - 9) +
+                            "\n{\"part\": 23}\n{\"part\": 99, \"result\": []}\n{\"part\": 22, \"result\": 7}\n");
     EXPECT_EQ(run(sweep("b.csv", {"--resume"})).status, 0);
     const std::string csv = read("b.csv");
     EXPECT_NE(csv.find(",987654,"), std::string::npos) << "measured again";
@@ -114,6 +115,28 @@ TEST_P(SweepTest, ASecondRunWithTheSameOutputIsRefusedWhileTheFirstLives) {
     statusOf(first);
     EXPECT_EQ(run(sweep("b.csv", {"--resume"})).status, 0);
     EXPECT_EQ(files(), std::vector<std::string>{"b.csv"});
+}
+
+// Both read it before either has taken it over: the lines that belong to nothing make that last.
+TEST_P(SweepTest, OfTwoThatGoOnAtTheSameMomentOneIsRefused) {
+    constexpr int kIdleLines = 300'000;
+    const pid_t killed = start(sweep("b.csv"));
+    ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 2; }));
+    kill(killed, SIGKILL);
+    statusOf(killed);
+    std::string text = read("b.csv.part");
+    for (int line = 0; line < kIdleLines; ++line) text += "{}\n";
+    write("b.csv.part", text);
+    const pid_t first = start(sweep("b.csv", {"--resume"}), path("first"));
+    const pid_t second = start(sweep("b.csv", {"--resume"}), path("second"));
+    std::vector<std::pair<int, std::string>> ends{{statusOf(first), read("first")}, {statusOf(second), read("second")}};
+    std::sort(ends.begin(), ends.end());
+    EXPECT_EQ(ends[0].first, 0) << ends[0].second;
+    EXPECT_EQ(ends[1].first, 2) << ends[1].second;
+    EXPECT_EQ(lines(ends[1].second).size(), 1U) << ends[1].second;
+    EXPECT_NE(ends[1].second.find(path("b.csv.part")), std::string::npos) << ends[1].second;
+    EXPECT_EQ(lines(read("b.csv")).size(), 1 + 2 * kCells);
+    EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "first", "second"}));
 }
 
 // Its process cannot be seen from here; nor can that of another one with the same number.
