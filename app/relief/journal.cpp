@@ -139,8 +139,8 @@ std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
     return kept;
 }
 
-// The earlier journal gives way to `text` at one stroke: it is lost at no moment, and where another run has taken it over
-// since it was read, that one's is put back.
+// The earlier journal gives way to `text` at one stroke: it is lost at no moment, and where another run has taken it
+// over since it was read, that one's is put back.
 void Journal::takePlace(const FileNumber& before, const std::string& text) {
     AtomicFile next(path_);
     const std::string& name = next.temporaryPath();

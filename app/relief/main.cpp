@@ -125,8 +125,8 @@ void sayFailure(const std::string& why, Language language, const std::stop_token
     if (launchedRank() == 0) return sayLine(why);
     std::this_thread::sleep_for(kLastWords);
     if (stop.stop_requested()) return;
-    sayLine(sentence(
-        Message(MessageId::RankFailed, {{"rank", launchedRank()}, {"host", hostName()}, {"why", why}}), language));
+    sayLine(sentence(Message(MessageId::RankFailed, {{"rank", launchedRank()}, {"host", hostName()}, {"why", why}}),
+                     language));
 }
 
 int runProgram(int count, char** arguments, const SignalWatch& signals) {

@@ -168,7 +168,7 @@ TEST_P(MergeTest, BandsMakeTheWholePicture) {
     };
     refuse({parts[0], parts[1], parts[3], parts[4]}, {parts[0], "missing: 3"});
     refuse({halves[0], parts[4]}, {parts[4], halves[0], "is \""});
-    refuse({halves[0], path("whole.png")}, {path("whole.png"), "no part"});
+    refuse({halves[0], path("whole.png")}, {path("whole.png"), "not a part"});
     const std::string bytes = read("p1of2.png");
     refuse({halves[0], write("cut.png", bytes.substr(0, bytes.size() - 30))}, {path("cut.png")});
     expectRefusal(merge(halves, "m.exr"), 2, {path("m.exr"), ".png"});
@@ -286,7 +286,7 @@ TEST_P(MergeTest, WhatIsMissingTwiceOrOfAnotherRunIsNamed) {
     refuse({parts[0], other("\"rays\":64", "\"rays\":65")}, {"rays is 65 here, 64 there"});
     refuse({parts[0], other("\"of\":2", "\"of\":3")}, {"2/3", "1/2"});
     refuse({parts[0], other("tracers", "rows")}, {parts[0], path("other.csv"), "kind"});
-    refuse({parts[0], other("\"relief part\":2", "\"relief part\":3")}, {path("other.csv"), "no part"});
+    refuse({parts[0], other("\"relief part\":2", "\"relief part\":3")}, {path("other.csv"), "not a part"});
     expectRefusal(merge({parts[0], "--language", "uk"}, "t.csv"), 2, {"бракує: 2"});
 }
 
