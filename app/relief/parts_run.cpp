@@ -224,8 +224,10 @@ class Coordinator {
     void serve(const std::stop_token& end) {
         std::vector<int> waiting;
         int ended = 1;
+        Naps naps;
         while (ended < team_.size() && !end.stop_requested()) {
             while (const std::optional<Team::Letter> letter = team_.look()) {
+                naps.wokenUp();
                 Json said = letterJson(letter->text);
                 if (said.contains("result")) {
                     const std::lock_guard lock(mutex_);
@@ -242,7 +244,7 @@ class Coordinator {
                 if (!task) ++ended;
                 return true;
             });
-            std::this_thread::sleep_for(kBetweenLooks);
+            naps.sleep();
         }
     }
 

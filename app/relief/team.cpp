@@ -18,8 +18,6 @@ namespace relief::app {
 
 namespace {
 
-constexpr auto kFirstSleep = std::chrono::microseconds(100);
-constexpr auto kLongestSleep = std::chrono::microseconds(2000);
 
 // -1 where it is not there or no number.
 int environmentNumber(const char* name) {
@@ -113,13 +111,18 @@ std::optional<Team::Letter> Team::look() {
 }
 
 Team::Letter Team::wait(const std::stop_token& stop) {
-    auto sleep = kFirstSleep;
+    Naps naps;
     while (true) {
         if (std::optional<Letter> letter = look()) return *std::move(letter);
         if (stop.stop_requested()) throw Cancelled();
-        std::this_thread::sleep_for(sleep);
-        sleep = std::min(2 * sleep, kLongestSleep);
+        naps.sleep();
     }
+}
+
+void Naps::sleep() {
+    constexpr auto kLongest = std::chrono::microseconds(2000);
+    std::this_thread::sleep_for(next_);
+    next_ = std::min(2 * next_, kLongest);
 }
 
 void Team::finish() {

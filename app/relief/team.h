@@ -31,6 +31,17 @@ struct RunEnded {
     int status = 0;
 };
 
+// Sleeps between looks for a message, each twice as long as the last: a blocking wait would take a whole processor.
+class Naps {
+  public:
+    void sleep();
+    void wokenUp() { next_ = kFirst; }
+
+  private:
+    static constexpr std::chrono::microseconds kFirst{100};
+    std::chrono::microseconds next_ = kFirst;
+};
+
 // This process among them. All calls from one thread at a time.
 class Team {
   public:
@@ -55,7 +66,7 @@ class Team {
     void send(int to, const std::string& text);
     // The next message, if one is there.
     std::optional<Letter> look();
-    // Waits for a message, asleep between looks: a blocking wait would take a whole processor. Throws Cancelled.
+    // Waits for a message, asleep between looks (Naps). Throws Cancelled.
     Letter wait(const std::stop_token& stop);
     // Waits for the other ranks to end as well.
     void finish();
