@@ -83,12 +83,17 @@ int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds,
     }
     to.what["variants"] = variants.value_or("");
     to.what["threads"] = session.threads();
+    // What all cells have in common: a copy of all widths in each of 100,000 would be a gigabyte.
+    RowBenchOptions common = options;
+    common.widths.clear();
+    common.elevations.clear();
+    common.precisions.clear();
     std::vector<BenchCell<RowBenchRow>> cells;
     for (const std::int64_t width : options.widths) {
         for (const double elevation : options.elevations) {
             for (const RowPrecision precision : options.precisions) {
                 for (const std::int64_t block : blocks) {
-                    RowBenchOptions one = options;
+                    RowBenchOptions one = common;
                     one.widths = {width};
                     one.elevations = {elevation};
                     one.precisions = {precision};
