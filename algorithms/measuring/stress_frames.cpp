@@ -1,4 +1,6 @@
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "measuring/stress_part_checks.h"
 #include "measuring/stress_parts.h"
@@ -6,6 +8,9 @@
 namespace relief {
 
 namespace {
+
+// Share of a place by which two computations of it, in float, may differ.
+constexpr double kPlaceRounding = 0x1p-20;
 
 bool finite(const Color& color) {
     return std::isfinite(color.x) && std::isfinite(color.y) && std::isfinite(color.z);
@@ -67,6 +72,19 @@ std::optional<StressFault> differenceFault(const Frame& frame, const Frame& othe
     return std::nullopt;
 }
 
+std::optional<StressFault> boundFault(const Frame& frame, const Frame& whole, double bound) {
+    for (std::size_t i = 0; i < frame.hits->hits.size(); ++i) {
+        const Hit one = frame.hits->hits[i], two = whole.hits->hits[i];
+        if (one.outcome != Outcome::Hit || two.outcome != Outcome::Hit) continue;
+        const double off = std::hypot(one.s - two.s, one.t - two.t);
+        const double rounding = kPlaceRounding * std::max(std::abs(two.s), std::abs(two.t));
+        if (off <= bound + rounding) continue;
+        return StressFault{"bounded", pixelText(frame, i) + ": " + hitText(one) + " is " + numberText(off) +
+                                          " texels from " + hitText(two) + ", more than " + numberText(bound)};
+    }
+    return std::nullopt;
+}
+
 namespace stress_detail {
 
 namespace {
@@ -77,6 +95,10 @@ constexpr int kHeight = 18;
 constexpr int kManyThreads = 3;
 // Texels that the rays of a frame run over together; beyond, only the standard method is tried, which leaps.
 constexpr double kFrameTexels = 2e6;
+// Texels of level 0 under all pixels together; beyond, no filter reads them all (levels=exhaustive).
+constexpr double kFootprintTexels = 1e5;
+// What may be spared where it is as small, texels (Scenario::bounded).
+constexpr double kBounds[] = {0, 0, 0, 0.25, 4};
 // Rays looked at for that, each of so many pixels across and down.
 constexpr int kRunStep = 3;
 
@@ -109,17 +131,15 @@ std::string optionValue(const OptionDescription& option, Random& random) {
     return numberText(option.kind == OptionKind::Integer ? std::floor(value) : value);
 }
 
-// Two of the filter's options, and its samples.
+// Two of the filter's options, its samples and the pixel's shape.
 void turnOptions(FilterChoice& choice, Random& random) {
     choice.samples = 2;
-    choice.pixelModel = random.below(2) == 0 ? PixelModel::Box : PixelModel::Gaussian;
+    choice.pixelModel = static_cast<PixelModel>(random.below(static_cast<int>(kPixelModelNames.size())));
     const auto& options = findFilter(choice.name).options;
     for (int n = 0; n < 2 && !options.empty(); ++n) {
         const OptionDescription& option =
             options[static_cast<std::size_t>(random.below(static_cast<int>(options.size())))];
-        // All texels of level 0 under a footprint that may be as long as the picture is far.
-        const bool forever = option.name == "levels";
-        if (option.name != "form" && !forever) choice.options[option.name] = optionValue(option, random);
+        if (option.name != "form") choice.options[option.name] = optionValue(option, random);
     }
 }
 
@@ -139,6 +159,24 @@ double texelsRun(const FrameRequest& request) {
     return sum * kRunStep * kRunStep;
 }
 
+// Texels of level 0 under all pixels together, about: of parallelograms between rays that start beside each other.
+// Without end where a neighbour has no ray, at a horizon, say.
+double texelsUnder(const FrameRequest& request) {
+    double sum = 0;
+    for (int y = 0; y + 1 < request.height; y += kRunStep) {
+        for (int x = 0; x + 1 < request.width; x += kRunStep) {
+            const auto here = pixelRay(request, x, y), right = pixelRay(request, x + 1, y),
+                       below = pixelRay(request, x, y + 1);
+            if (!here) continue;
+            if (!right || !below) return std::numeric_limits<double>::infinity();
+            const double across = std::hypot(right->s0 - here->s0, right->t0 - here->t0);
+            const double down = std::hypot(below->s0 - here->s0, below->t0 - here->t0);
+            sum += across * down;
+        }
+    }
+    return sum * kRunStep * kRunStep;
+}
+
 class FrameTry {
   public:
     FrameTry(const CaseRun& run, std::uint64_t number)
@@ -153,6 +191,9 @@ class FrameTry {
         ++run_.result.parts["filters"].tried[kindText(scenario_.filter)];
         try {
             if (texelsRun(request(true)) > kFrameTexels) scenario_.method = MethodChoice{};
+            if (scenario_.filter.options.contains("levels") && texelsUnder(request(true)) > kFootprintTexels) {
+                scenario_.filter.options.erase("levels");
+            }
             run_.watched.begin({&run_.of, StressPart::Frames, &scenario_.method, family_, ViewRay{}, &scenario_});
             compare();
             if (camera.refused) report({"accepted", "a camera in one place with what it looks at"});
@@ -184,6 +225,7 @@ class FrameTry {
         scenario_.light.elevation = random_.between(-10, 90);
         scenario_.light.azimuth = random_.between(-180, 180);
         scenario_.shadows = random_.below(2) == 0;
+        scenario_.bounded = kBounds[random_.below(static_cast<int>(std::size(kBounds)))];
         scenario_.filter = kinds[(number_ + number_ / kinds.size()) % kinds.size()];
         turnOptions(scenario_.filter, random_);
         const MethodGroup& group =
@@ -194,23 +236,28 @@ class FrameTry {
         if (!builds && method.knows(field.surface(), field.address())) scenario_.method = method.choice;
     }
 
-    FrameRequest request(bool skip) const {
+    FrameRequest request(bool skip, bool spare = true) const {
         Scenario scenario = scenario_;
         scenario.skip = skip;
+        if (!spare) scenario.bounded = 0;
         Assets assets;
         assets.heights = run_.of.field.sharedHeights();
         return frameRequest(scenario, assets);
     }
 
-    std::shared_ptr<const Frame> rendered(bool skip, int threads) const {
+    std::shared_ptr<const Frame> rendered(bool skip, int threads, bool spare = true) const {
         run_.work.throwIfStopped();
         Work work(threads);
-        return FrameRenderer(run_.maps).render(request(skip), work);
+        return FrameRenderer(run_.maps).render(request(skip, spare), work);
     }
 
     void compare() {
         const auto frame = rendered(true, 1);
         if (const auto fault = finiteFault(*frame)) return report(*fault);
+        if (scenario_.bounded > 0) {
+            const auto fault = boundFault(*frame, *rendered(true, 1, false), scenario_.bounded);
+            if (fault) return report(*fault);
+        }
         const auto plain = rendered(false, kManyThreads);
         if (!differenceFault(*frame, *plain, "", "")) return;
         // Which of the two it was.

@@ -37,6 +37,10 @@ std::optional<StressFault> finiteFault(const Frame& frame);
 std::optional<StressFault> differenceFault(const Frame& frame, const Frame& other, std::string_view check,
                                            std::string_view what);
 
+// bounded: a hit is farther than `bound` texels from that of the frame in which nothing was spared (whole), where both
+// hit.
+std::optional<StressFault> boundFault(const Frame& frame, const Frame& whole, double bound);
+
 // round-trip: the inverse map does not lead the pixel's texel back to the pixel (x, y); not-finite: a texel with a
 // number that is none where q > 0. Allowed: kStressSlack times the rounding that the sizes of the terms admit; nothing
 // is checked where that is more than kTrustedShare of q.

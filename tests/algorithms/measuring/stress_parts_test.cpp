@@ -1,4 +1,5 @@
 // relief stress beyond view rays: any-hit queries, frames, homographies and rows.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -153,6 +154,21 @@ TEST_F(StressPartsTest, AWrongPixelIsFound) {
     light->color(5, 4).y = std::nanf("");
     wrong.light = light;
     EXPECT_EQ(checkOf(finiteFault(wrong)), "not-finite");
+}
+
+TEST_F(StressPartsTest, AHitFartherThanTheBoundIsFound) {
+    const auto frame = smallFrame();
+    EXPECT_FALSE(boundFault(*frame, *smallFrame(), 0));
+    const auto& outcomes = frame->hits->hits.outcome;
+    const auto pixel =
+        static_cast<std::size_t>(std::find(outcomes.begin(), outcomes.end(), Outcome::Hit) - outcomes.begin());
+    ASSERT_LT(pixel, outcomes.size());
+    Frame spared = *frame;
+    auto moved = std::make_shared<HitStage>(*frame->hits);
+    moved->hits.s[pixel] += 0.3;
+    spared.hits = moved;
+    EXPECT_FALSE(boundFault(spared, *frame, 0.31));
+    EXPECT_EQ(checkOf(boundFault(spared, *frame, 0.29)), "bounded");
 }
 
 TEST_F(StressPartsTest, AWrongMapIsFound) {
