@@ -16,6 +16,7 @@ ranks=(1)
 while [ "${ranks[-1]}" -le "$processors" ]; do ranks+=($((ranks[-1] * 2))); done
 
 # NAME COMMAND...: a row for each number of ranks.
+# shellcheck disable=SC2094  # the name is only an argument
 rows() {
     local name=$1 round count
     shift
