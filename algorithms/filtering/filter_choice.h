@@ -36,6 +36,8 @@ struct FilterDescription {
 };
 
 const std::vector<FilterDescription>& filterList();
+// Every filter as it is by default, and those that ask what is visible in each of their forms.
+std::vector<FilterChoice> filterForms();
 // Throws InputError("--filter", ...) with the known names.
 const FilterDescription& findFilter(std::string_view name);
 // The name, the options and their values. Throws InputError; `subject` stands for what was given.

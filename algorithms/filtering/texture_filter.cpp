@@ -193,6 +193,25 @@ const std::vector<FilterDescription>& filterList() {
     return list;
 }
 
+std::vector<FilterChoice> filterForms() {
+    std::vector<FilterChoice> forms;
+    for (const FilterDescription& filter : filterList()) {
+        FilterChoice choice;
+        choice.name = filter.name;
+        forms.push_back(choice);
+        if (!filter.visible) continue;
+        for (const OptionDescription& option : filter.options) {
+            if (option.name != "form") continue;
+            for (const std::string& form : option.choices) {
+                if (form == filter.defaults.at(option.name)) continue;
+                forms.push_back(choice);
+                forms.back().options["form"] = form;
+            }
+        }
+    }
+    return forms;
+}
+
 const FilterDescription& findFilter(std::string_view name) {
     std::string known;
     for (const FilterDescription& filter : filterList()) {

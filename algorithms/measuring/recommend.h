@@ -104,7 +104,7 @@ struct Advice {
     std::size_t chosen = 0;
     // The cheapest that was kept; not chosen where another is as cheap within what can be measured and is leaner.
     std::size_t cheapest = 0;
-    std::size_t next = 0;                   // the cheapest beside the chosen; itself: there is none
+    std::size_t next = 0;                   // the second cheapest, where the chosen is the cheapest; else the chosen
     std::size_t exact = 0;                  // the plain walk
     std::optional<std::size_t> withoutMap;  // the cheapest form without a map that keeps the bound
     std::optional<std::size_t> rebuilt;     // better than the chosen where heights change; see pays()

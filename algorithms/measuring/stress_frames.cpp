@@ -103,26 +103,6 @@ constexpr double kBounds[] = {0, 0, 0, 0.25, 4};
 // Rays looked at for that, each of so many pixels across and down.
 constexpr int kRunStep = 3;
 
-// Every filter, and every form of those that ask what is visible.
-std::vector<FilterChoice> filterKinds() {
-    std::vector<FilterChoice> kinds;
-    for (const FilterDescription& filter : filterList()) {
-        FilterChoice choice;
-        choice.name = filter.name;
-        kinds.push_back(choice);
-        if (!filter.visible) continue;
-        for (const OptionDescription& option : filter.options) {
-            if (option.name != "form") continue;
-            for (const std::string& form : option.choices) {
-                if (form == filter.defaults.at(option.name)) continue;
-                kinds.push_back(choice);
-                kinds.back().options["form"] = form;
-            }
-        }
-    }
-    return kinds;
-}
-
 // Its lower end, or a little above it: the upper ends sum up millions of texels for a pixel.
 std::string optionValue(const OptionDescription& option, Random& random) {
     if (option.kind == OptionKind::Choice) {
@@ -214,7 +194,7 @@ class FrameTry {
 
   private:
     void choose(const StressCameraFamily& camera) {
-        static const std::vector<FilterChoice> kinds = filterKinds();
+        static const std::vector<FilterChoice> kinds = filterForms();
         const HeightField& field = run_.of.field;
         scenario_.reliefDepth = field.reliefDepth();
         scenario_.address = field.address();

@@ -16,26 +16,29 @@ namespace {
 
 // What of a request differs from the last one.
 std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
+    // A field that is added to the request stops the build here: it belongs to an input. Only `counts` changes nothing.
+    const auto& [width, height, field, method, color, normals, filter, scene, camera, light, shadows, counts, skip,
+                 bounded, sky, sample, margin] = now;
     std::uint32_t changed = 0;
     const auto compare = [&](Input input, bool same) { changed |= same ? 0U : bit(input); };
-    compare(Input::Size, now.width == last.width && now.height == last.height);
-    compare(Input::Camera, now.camera == last.camera && now.sample == last.sample && now.margin == last.margin);
-    compare(Input::Scene, now.scene == last.scene);
-    compare(Input::HeightSize, now.field.width() == last.field.width() && now.field.height() == last.field.height());
-    compare(Input::Heights, now.field.sharedHeights() == last.field.sharedHeights());
-    compare(Input::Surface, now.field.surface() == last.field.surface());
-    compare(Input::Address, now.field.address() == last.field.address());
-    compare(Input::Depth, now.field.reliefDepth() == last.field.reliefDepth());
-    compare(Input::Method, now.method == last.method);
-    compare(Input::ColorPicture, now.color == last.color);
-    compare(Input::Filter, now.filter == last.filter);
-    compare(Input::NormalPicture, now.normals == last.normals);
-    compare(Input::LightDirection, lightDirection(now.light) == lightDirection(last.light));
-    compare(Input::Light, now.light == last.light);
-    compare(Input::Shadows, now.shadows == last.shadows);
-    compare(Input::Sky, now.sky == last.sky);
-    compare(Input::Skip, now.skip == last.skip);
-    compare(Input::Bounded, now.bounded == last.bounded);
+    compare(Input::Size, width == last.width && height == last.height);
+    compare(Input::Camera, camera == last.camera && sample == last.sample && margin == last.margin);
+    compare(Input::Scene, scene == last.scene);
+    compare(Input::HeightSize, field.width() == last.field.width() && field.height() == last.field.height());
+    compare(Input::Heights, field.sharedHeights() == last.field.sharedHeights());
+    compare(Input::Surface, field.surface() == last.field.surface());
+    compare(Input::Address, field.address() == last.field.address());
+    compare(Input::Depth, field.reliefDepth() == last.field.reliefDepth());
+    compare(Input::Method, method == last.method);
+    compare(Input::ColorPicture, color == last.color);
+    compare(Input::Filter, filter == last.filter);
+    compare(Input::NormalPicture, normals == last.normals);
+    compare(Input::LightDirection, lightDirection(light) == lightDirection(last.light));
+    compare(Input::Light, light == last.light);
+    compare(Input::Shadows, shadows == last.shadows);
+    compare(Input::Sky, sky == last.sky);
+    compare(Input::Skip, skip == last.skip);
+    compare(Input::Bounded, bounded == last.bounded);
     return changed;
 }
 

@@ -2,12 +2,15 @@
 // one code is found.
 #include "measuring/certificate.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
 #include "algorithms/relief/maps/brute_cells.h"
+#include "measuring/certificate_rays.h"
 #include "relief/maps/cone_builders.h"
 #include "relief/maps/map_choice.h"
 
@@ -206,6 +209,88 @@ TEST(Certificate, DamagedConesAreFound) {
         }
     }
     EXPECT_GT(slopes, 10);
+}
+
+// Every value of every layer, the lowest included: called free where the surface is, or as far as no bound allows.
+TEST(Certificate, EveryValueMadeFreeOrTooLargeIsFound) {
+    Work work;
+    for (const Heights& heights : {constantHeights(8, 8, 0), constantHeights(8, 8, 1), randomHeights(8, 8, 5)}) {
+        const HeightField field(heights, Surface::Bilinear, Address::Repeat, 0.25);
+        DistanceParameters parameters;
+        parameters.layers = 4;
+        const DistanceMap whole = buildDistanceMap(DistanceKind::EuclideanConservative, parameters, field, work);
+        ASSERT_EQ(checkDistanceBounds(whole, field, work).broken, 0U);
+        for (int layer = 0; layer < parameters.layers; ++layer) {
+            DistanceMap damaged = whole;
+            auto codes = whole.values.codes();
+            std::vector<float>& all = std::get<0>(codes);
+            const std::size_t each = static_cast<std::size_t>(whole.nx() * whole.ny());
+            std::size_t marks = 0;
+            for (std::size_t n = layer * each; n < (layer + 1) * each; ++n) {
+                marks += all[n] < 0 ? 1 : 0;
+                all[n] = 1e3F;
+            }
+            EXPECT_TRUE(layer > 0 || marks == each) << "the floor is never free";
+            damaged.values = StoredValues(whole.nx(), whole.ny(), whole.values.layers(), codes, 0);
+            const BoundCheck check = checkDistanceBounds(damaged, field, work);
+            EXPECT_EQ(check.broken, each) << layer;
+            const auto free = std::count_if(check.first.begin(), check.first.end(), [](const BrokenBound& broken) {
+                return broken.what == BrokenBound::What::Free;
+            });
+            EXPECT_EQ(static_cast<std::size_t>(free), marks) << layer;
+        }
+        ConeMap cones = buildConeMap(ConeKind::Conservative, {}, field, work);
+        ASSERT_EQ(checkConeBounds(cones, field, work).broken, 0U);
+        if (field.heights().pixels().front() == field.heights().pixels().back()) continue;  // level: any cone is safe
+        const std::size_t cells = static_cast<std::size_t>(cones.nx() * cones.ny());
+        cones.slopes =
+            StoredValues(cones.nx(), cones.ny(), 1, std::vector<float>(cells, 0), Precision::Float, Rounding::Up);
+        cones.apex =
+            StoredValues(cones.nx(), cones.ny(), 1, std::vector<float>(cells, 0), Precision::Float, Rounding::Up);
+        EXPECT_EQ(checkConeBounds(cones, field, work).broken, cells);
+    }
+}
+
+// What a certificate counts, from the same rays by hand: late hits, and rays that miss altogether, which only border
+// allows.
+TEST(Certificate, CountsWhatGoesPastTheFirstHit) {
+    constexpr std::uint64_t kRays = 20'000;
+    std::uint64_t missed = 0, late = 0;
+    for (const Address address : allAddresses()) {
+        for (const MethodChoice& choice : {MethodChoice{"layers", {{"layers", "64"}}}, MethodChoice{"cone-dummer", {}},
+                                           MethodChoice{"layers", {{"layers", "1"}}}}) {
+            const HeightField field(share(makeRelief("spikes", 16, 16, 3)), Surface::Bilinear, address, 0.2);
+            MapCache cache;
+            const Certificate certificate = certified(choice, field, {.rays = kRays, .seed = 5}, cache);
+            SCOPED_TRACE(failure(certificate, field) + describe(choice));
+            ASSERT_EQ(certificate.rays, kRays);
+            const RayBlock rays = CertificateRays(field, certificate.longest).block(seedFor(5, 0), kRays);
+            Work work;
+            HitBlock truth, found;
+            NullSink sink;
+            makeTracer({"exact", {}}, field, cache, work)->trace(rays, truth, sink, work);
+            makeTracer(choice, field, cache, work)->trace(rays, found, sink, work);
+            std::uint64_t past = 0;
+            double worst = 0;
+            for (std::size_t r = 0; r < kRays; ++r) {
+                if (truth.outcome[r] != Outcome::Hit || found.outcome[r] == Outcome::Limit) continue;
+                const bool hit = found.outcome[r] == Outcome::Hit;
+                const double texels =
+                    hit ? (found.lambda[r] - truth.lambda[r]) * std::hypot(rays.a[r], rays.b[r], field.slabTexels())
+                        : std::numeric_limits<double>::infinity();
+                if (!(texels > kCoarseTexels)) continue;
+                ++(hit ? late : missed);
+                ++past;
+                worst = std::max(worst, texels);
+            }
+            EXPECT_EQ(certificate.overshoots, past);
+            EXPECT_EQ(certificate.worst, worst);
+            EXPECT_EQ(certificate.safe(), past == 0);
+            EXPECT_EQ(certificate.first.has_value(), past > 0);
+        }
+    }
+    EXPECT_GT(missed, 10U);
+    EXPECT_GT(late, 10U);
 }
 
 // A map that is wrong by much: a ray through the value shows it, without any other ray.

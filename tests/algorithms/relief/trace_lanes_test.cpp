@@ -222,6 +222,67 @@ TEST(Lanes, haveTheBitsOfTheScalarTextWhereManyCellsAreRefused) {
     }
 }
 
+// Pillars on level ground; a flank of each lies on a line of the pyramid's, on levels 1 to 5 and at the map's ends.
+struct Pillars {
+    static constexpr int kSide = 64;
+    struct Pillar {
+        int i, j;
+        double height;
+    };
+    std::vector<Pillar> all;
+    Heights heights;
+
+    explicit Pillars(std::uint64_t seed) {
+        Random random(seed);
+        auto image = std::make_shared<FloatImage>(kSide, kSide, 0.0625F);
+        for (int n = 0; n < 60; ++n) {
+            const int line = (1 << (1 + random.below(5))) * (1 + random.below(kSide));
+            const int i = (line - random.below(2)) % kSide, j = random.below(kSide);
+            const auto height = static_cast<float>(random.between(0.3, 0.95));
+            (*image)(i, j) = height;
+            all.push_back({i, j, static_cast<double>(height)});
+        }
+        heights = std::move(image);
+    }
+
+    // cellShift: of the cells' lines from texels' borders. Past a corner of a pillar, by some units in the last place
+    // of a float on either side of it; of every second ray the height there is the pillar's, to as much.
+    ViewRay pastCorner(Random& random, double cellShift) const {
+        const Pillar& pillar = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
+        const double unit = 0x1p-24;
+        const auto units = [&] { return unit * random.below(33) - 16 * unit; };
+        const auto run = [&] { return (random.below(2) == 0 ? 1 : -1) * std::exp(random.between(0, 5)); };
+        ViewRay ray;
+        ray.a = run();
+        ray.b = run();
+        const bool atTop = random.below(2) == 0;
+        const double lambda = atTop ? 1 - pillar.height * (1 + units()) : random.between(0.02, 1 - pillar.height / 2);
+        const double x = pillar.i + random.below(2) + cellShift, y = pillar.j + random.below(2) + cellShift;
+        ray.s0 = x - lambda * ray.a + units() * std::abs(ray.a);
+        ray.t0 = y - lambda * ray.b + units() * std::abs(ray.b);
+        return ray;
+    }
+};
+
+// What margins are for: random rays meet these places once in a million times.
+TEST(Lanes, haveTheBitsOfTheScalarTextAtCorners) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    const std::size_t count = 30 * rayCount();
+    const Pillars pillars(kSeed);
+    MapCache cache;
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) {
+            const HeightField field(pillars.heights, surface, address, 0.5);
+            Random random(kSeed + 1);
+            RayBlock rays;
+            for (std::size_t i = 0; i < count; ++i) {
+                rays.push(pillars.pastCorner(random, surface == Surface::Columns ? 0.0 : -0.5 + random.below(2)));
+            }
+            for (const MethodChoice& method : jumps()) expectTwins(field, method, rays, cache);
+        }
+    }
+}
+
 TEST(Lanes, haveTheBitsOfTheScalarTextThroughVoxels) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const char* name : {"bricks", "spikes", "fractal"}) {

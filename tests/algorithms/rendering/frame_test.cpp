@@ -1,4 +1,4 @@
-// Frames: same bits for any thread count and whatever was reused; light-only redraws trace nothing; single pixels get
+// Frames: same bits for any thread count (reused ones: reuse_test.cpp); light-only redraws trace nothing; single pixels get
 // the frame's own rays.
 #include <gtest/gtest.h>
 
@@ -53,36 +53,6 @@ TEST(Frame, movingTheLightTracesNoRayAgain) {
     EXPECT_NE(lit->light, first->light);
     EXPECT_TRUE(samePicture(*lit, *renderFresh(request, 1)));
     EXPECT_FALSE(lit->light->color == first->light->color);
-}
-
-// After each change of one input, what was reused gives the bits of a fresh frame.
-TEST(Frame, reuseNeverChangesThePicture) {
-    Work work;
-    FrameRenderer renderer(std::make_shared<MapCache>());
-    FrameRequest request = brickRequest();
-    ColorImage red(8, 8, Color(1, 0.2F, 0.1F));
-    red(3, 3) = Color(0, 1, 0);
-    Image<glm::vec3> flat(4, 4, glm::vec3(0, 0, 1));
-    const std::vector<std::function<void(FrameRequest&)>> changes{
-        [](FrameRequest& r) { r.light.elevation = 70; },
-        [&](FrameRequest& r) { r.color = std::make_shared<ColorImage>(red); },
-        [](FrameRequest& r) { r.filter.name = "nearest"; },
-        [&](FrameRequest& r) { r.normals = std::make_shared<Image<glm::vec3>>(flat); },
-        [](FrameRequest& r) { r.sky = Color(1, 0, 1); },
-        [](FrameRequest& r) { r.camera.azimuth = 50; },
-        [](FrameRequest& r) { r.field = HeightField(r.field.sharedHeights(), Surface::Columns); },
-        [](FrameRequest& r) { r.field = HeightField(r.field.sharedHeights(), Surface::Columns, Address::Border, 0.3); },
-        [](FrameRequest& r) { r.method.name = "exact"; },
-        [](FrameRequest& r) { r.scene = SceneKind::Cube; },
-        [](FrameRequest& r) { r.width = 100; },
-        [](FrameRequest& r) { r.field = HeightField(share(makeRelief("hills", 40, 30, 2))); },
-    };
-    renderer.render(request, work);
-    for (std::size_t n = 0; n < changes.size(); ++n) {
-        SCOPED_TRACE(n);
-        changes[n](request);
-        EXPECT_TRUE(samePicture(*renderer.render(request, work), *renderFresh(request, 1)));
-    }
 }
 
 TEST(Frame, changingTheDepthKeepsTheMaxPyramid) {

@@ -260,5 +260,44 @@ TEST(Shading, wallsOfColumnsBelongToTheColumnHit) {
     }
 }
 
+// Tops that are met just before a line, from all eight directions: what is seen is the top, not the ground behind it.
+TEST(Shading, topsOfColumnsBelongToTheirColumn) {
+    MapCache cache;
+    Work work;
+    const int width = 13, height = 11;
+    for (const Address address : allAddresses()) {
+        const HeightField field(randomHeights(width, height, 10), Surface::Columns, address, 0.4);
+        const auto tracer = makeTracer({"exact", {}}, field, cache, work);
+        int moved = 0;
+        for (int n = 0; n < 8 * width * height; ++n) {
+            constexpr int kWays[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+            const auto& [alongX, alongY] = kWays[n % 8];
+            const int i = n / 8 % width, j = n / 8 / width;
+            // A quarter of the nudge before the line that the ray runs to; across it, or along both axes to the corner.
+            const auto end = [](int index, int way, double run) {
+                const double line = way > 0 ? index + 1 : index;
+                return way == 0 ? index + 0.5 : line - std::copysign(kWallNudge / 4, run);
+            };
+            ViewRay ray;
+            ray.a = 0.1 * alongX;
+            ray.b = 0.13 * alongY;
+            const double lambda = 1 - static_cast<double>(field.heights()(i, j));
+            ray.s0 = end(i, alongX, ray.a) - lambda * ray.a;
+            ray.t0 = end(j, alongY, ray.b) - lambda * ray.b;
+            const Logged logged = traceLogged(*tracer, ray);
+            const Step& last = logged.steps.back();
+            if (logged.hit.outcome != Outcome::Hit) continue;
+            const glm::dvec2 place = lookUpPoint(field, ray, logged.hit);
+            const auto column = [&](double x, int size) {
+                return addressIndex(static_cast<std::int64_t>(std::floor(x)), size, address);
+            };
+            EXPECT_EQ(column(place.x, width), addressIndex(last.i, width, address)) << describe(ray);
+            EXPECT_EQ(column(place.y, height), addressIndex(last.j, height, address)) << describe(ray);
+            moved += place == glm::dvec2(logged.hit.s, logged.hit.t) ? 0 : 1;
+        }
+        EXPECT_GT(moved, 4 * width * height) << "of rays that end beside a line";
+    }
+}
+
 }  // namespace
 }  // namespace relief::test

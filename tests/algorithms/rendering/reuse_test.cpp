@@ -1,0 +1,183 @@
+// What is kept between pictures never shows: after a change of any one input, with any filter and any method that keeps
+// something, the reused frame has the bits of a fresh one.
+#include <functional>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "../relief/fields.h"
+#include "rendering/frame.h"
+
+namespace relief::test {
+namespace {
+
+using Change = std::function<void(FrameRequest&)>;
+
+std::shared_ptr<const ColorImage> colors(std::uint64_t seed) {
+    Random random(seed);
+    ColorImage image(24, 20);
+    for (Color& color : image.pixels()) {
+        color = Color(static_cast<float>(random.unit()), static_cast<float>(random.unit()), 0.5F);
+    }
+    return std::make_shared<ColorImage>(std::move(image));
+}
+
+Heights relief(const std::string& name, int width = 24, int height = 20) {
+    return share(makeRelief(name, width, height, 1));
+}
+
+FrameRequest request() {
+    FrameRequest request(HeightField(relief("bricks"), Surface::Bilinear, Address::Repeat, 0.3));
+    request.width = 32;
+    request.height = 24;
+    request.camera.elevation = 25;
+    request.color = colors(1);
+    request.shadows = true;
+    return request;
+}
+
+// With one thing about the height field changed.
+Change fieldWith(const std::function<HeightField(const HeightField&)>& changed) {
+    return [changed](FrameRequest& r) { r.field = changed(r.field); };
+}
+Change heightsOf(const Heights& heights) {
+    return fieldWith(
+        [heights](const HeightField& f) { return HeightField(heights, f.surface(), f.address(), f.reliefDepth()); });
+}
+
+// Other values for every field of a request, each by itself.
+std::multimap<std::string, Change> changes() {
+    // A field that is added to the request stops the build here: give it other values below.
+    [[maybe_unused]] const auto& [width, height, field, method, color, normals, filter, scene, camera, light, shadows,
+                                  counts, skip, bounded, sky, sample, margin] = request();
+    const std::set<std::string> names{"width",  "height",  "field",  "method", "color",   "normals",
+                                      "filter", "scene",   "camera", "light",  "shadows", "counts",
+                                      "skip",   "bounded", "sky",    "sample", "margin"};
+    std::multimap<std::string, Change> all{
+        {"width", [](FrameRequest& r) { r.width = 29; }},
+        {"height", [](FrameRequest& r) { r.height = 27; }},
+        {"field", fieldWith([](const HeightField& f) {
+             return HeightField(f.sharedHeights(), Surface::Columns, f.address(), f.reliefDepth());
+         })},
+        {"field", fieldWith([](const HeightField& f) {
+             return HeightField(f.sharedHeights(), f.surface(), Address::Clamp, f.reliefDepth());
+         })},
+        {"field", fieldWith([](const HeightField& f) {
+             return HeightField(f.sharedHeights(), f.surface(), Address::Border, f.reliefDepth());
+         })},
+        {"field", fieldWith([](const HeightField& f) {
+             return HeightField(f.sharedHeights(), f.surface(), f.address(), 0.11);
+         })},
+        {"field", heightsOf(relief("spikes"))},
+        {"field", heightsOf(constantHeights(24, 20, 1))},
+        {"field", heightsOf(constantHeights(24, 20, 0.25F))},
+        {"field", heightsOf(relief("bricks", 20, 24))},
+        {"method", [](FrameRequest& r) { r.method.name = "layers"; }},
+        {"method", [](FrameRequest& r) { r.method.options["base"] = "2"; }},
+        {"color", [](FrameRequest& r) { r.color = colors(2); }},
+        {"color", [](FrameRequest& r) { r.color = nullptr; }},
+        {"normals",
+         [](FrameRequest& r) { r.normals = std::make_shared<Image<glm::vec3>>(4, 4, glm::vec3(0.6F, 0, 0.8F)); }},
+        {"filter", [](FrameRequest& r) { r.filter.name = r.filter.name == "nearest" ? "trilinear" : "nearest"; }},
+        {"filter", [](FrameRequest& r) { r.filter.samples = 3; }},
+        {"scene", [](FrameRequest& r) { r.scene = SceneKind::Wall; }},
+        {"scene", [](FrameRequest& r) { r.scene = SceneKind::Cube; }},
+        {"camera", [](FrameRequest& r) { r.camera.azimuth += 40; }},
+        {"camera", [](FrameRequest& r) { r.camera.elevation = 70; }},
+        {"light", [](FrameRequest& r) { r.light.elevation = 12; }},
+        {"light", [](FrameRequest& r) { r.light.azimuth += 90; }},
+        {"light", [](FrameRequest& r) { r.light.ambient = 0.5; }},
+        {"light", [](FrameRequest& r) { r.light.intensity = 0.5; }},
+        {"shadows", [](FrameRequest& r) { r.shadows = false; }},
+        {"counts", [](FrameRequest& r) { r.counts = true; }},
+        {"skip", [](FrameRequest& r) { r.skip = false; }},
+        {"bounded", [](FrameRequest& r) { r.bounded = 1; }},
+        {"sky", [](FrameRequest& r) { r.sky = Color(1, 0, 1); }},
+        {"sample",
+         [](FrameRequest& r) {
+             r.sample = {0.1, 0.8};
+         }},
+        {"margin", [](FrameRequest& r) { r.margin = 2; }},
+    };
+    for (const std::string& name : names) EXPECT_GT(all.count(name), 0U) << name;
+    for (const auto& [name, change] : all) EXPECT_EQ(names.count(name), 1U) << name;
+    return all;
+}
+
+bool sameFrame(const Frame& a, const Frame& b) {
+    if (!(a.light->color == b.light->color) || !(a.color->color == b.color->color)) return false;
+    for (std::size_t i = 0; i < a.hits->hits.size(); ++i) {
+        if (!sameBits(a.hits->hits[i], b.hits->hits[i])) return false;
+    }
+    return a.hits->hits.size() == b.hits->hits.size();
+}
+
+// Both ways: what one of the two leaves behind may not show in the other.
+void expectFresh(const FrameRequest& one, const FrameRequest& other) {
+    Work work(1);
+    FrameRenderer kept(std::make_shared<MapCache>());
+    kept.render(one, work);
+    for (const FrameRequest* now : {&other, &one}) {
+        FrameRenderer fresh(std::make_shared<MapCache>());
+        EXPECT_TRUE(sameFrame(*kept.render(*now, work), *fresh.render(*now, work)));
+    }
+}
+
+TEST(Reuse, OfEachInputByItselfWithEveryFilter) {
+    const auto all = changes();
+    std::size_t shown = 0;
+    for (const FilterChoice& filter : filterForms()) {
+        for (const auto& [name, change] : all) {
+            SCOPED_TRACE(filterText(filter) + ", " + name);
+            FrameRequest one = request();
+            one.filter = filter;
+            one.filter.samples = 2;
+            // The filters that sum over the surface are slow, and keep what the others keep.
+            const auto form = filter.options.find("form");
+            if (form != filter.options.end() && form->second.starts_with("position")) one.width = one.height = 12;
+            FrameRequest other = one;
+            change(other);
+            expectFresh(one, other);
+            Work work(1);
+            if (!sameFrame(*FrameRenderer(std::make_shared<MapCache>()).render(one, work),
+                           *FrameRenderer(std::make_shared<MapCache>()).render(other, work))) {
+                ++shown;
+            }
+        }
+    }
+    // Most changes are seen, or nothing would be held.
+    EXPECT_GT(shown, filterForms().size() * all.size() / 2);
+}
+
+// What a filter's or a method's options change, too.
+TEST(Reuse, OfEveryOptionOfFiltersAndMethods) {
+    for (const FilterDescription& filter : filterList()) {
+        for (const OptionDescription& option : filter.options) {
+            FrameRequest one = request();
+            one.filter.name = filter.name;
+            one.filter.samples = 2;
+            one.width = one.height = 12;
+            FrameRequest other = one;
+            const bool choice = option.kind == OptionKind::Choice;
+            other.filter.options[option.name] = choice ? option.choices.back() : numberText(option.low);
+            if (option.name == "levels") continue;  // reads all texels to the horizon
+            SCOPED_TRACE(filterText(other.filter));
+            expectFresh(one, other);
+        }
+    }
+    for (const MethodDescription& method : tracerList()) {
+        SCOPED_TRACE(method.name);
+        FrameRequest one = request();
+        FrameRequest other = one;
+        other.method = {method.name, {}};
+        expectFresh(one, other);
+        // The same method over another relief, flat ground first.
+        one.method = other.method;
+        heightsOf(constantHeights(24, 20, 0.5F))(one);
+        expectFresh(one, other);
+    }
+}
+
+}  // namespace
+}  // namespace relief::test
