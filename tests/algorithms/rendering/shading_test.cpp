@@ -105,6 +105,65 @@ TEST(Shading, aFrameIsLitByItsNormals) {
     }
 }
 
+// Normals and light by their definitions in long double: the cross product of the surface's tangents in the world, and
+// angles of the sky.
+TEST(Shading, normalsAndLightAreThoseOfTheWorld) {
+    using Truth = long double;
+    constexpr double kRounding = 1e-12;
+    struct Vector {
+        Truth x, y, z;
+    };
+    const auto of = [](glm::dvec3 v) { return Vector{v.x, v.y, v.z}; };
+    const auto cross = [](Vector a, Vector b) {
+        return Vector{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    };
+    const auto dot = [](Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+    Random random(12);
+    for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
+        for (const TexturedQuad& quad : makeScene(scene, 24, 16)) {
+            const Vector s = of(quad.plane.perS), t = of(quad.plane.perT), n = of(quad.normal);
+            EXPECT_NEAR(static_cast<double>(dot(n, n)), 1, kRounding);
+            for (int k = 0; k < 50; ++k) {
+                const Truth slopeS = random.between(-2, 2), slopeT = random.between(-2, 2),
+                            slab = random.between(0, 30);
+                // A step of one texel leads so far on, and rises by the slope of the slab's thickness.
+                const Truth texelS = std::sqrt(dot(s, s)), texelT = std::sqrt(dot(t, t));
+                const Vector alongS{s.x + slopeS * slab * texelS * n.x, s.y + slopeS * slab * texelS * n.y,
+                                    s.z + slopeS * slab * texelS * n.z};
+                const Vector alongT{t.x + slopeT * slab * texelT * n.x, t.y + slopeT * slab * texelT * n.y,
+                                    t.z + slopeT * slab * texelT * n.z};
+                Vector normal = cross(alongT, alongS);
+                const Truth length = std::sqrt(dot(normal, normal)) * (dot(normal, n) < 0 ? -1 : 1);
+                const glm::dvec3 found = reliefNormal(quad, {static_cast<double>(slopeS), static_cast<double>(slopeT)},
+                                                      static_cast<double>(slab));
+                EXPECT_NEAR(found.x, static_cast<double>(normal.x / length), kRounding);
+                EXPECT_NEAR(found.y, static_cast<double>(normal.y / length), kRounding);
+                EXPECT_NEAR(found.z, static_cast<double>(normal.z / length), kRounding);
+            }
+        }
+    }
+    // Elevation from the ground, y; azimuth from z to x.
+    const auto near = [&](double azimuth, double elevation, glm::dvec3 wanted) {
+        const glm::dvec3 found = lightDirection({.azimuth = azimuth, .elevation = elevation});
+        EXPECT_LT(glm::length(found - wanted), kRounding) << azimuth << " " << elevation;
+    };
+    near(0, 0, {0, 0, 1});
+    near(90, 0, {1, 0, 0});
+    near(180, 0, {0, 0, -1});
+    near(17, 90, {0, 1, 0});
+    near(-90, 30, {-std::sqrt(0.75), 0.5, 0});
+    near(45, 45, {0.5, std::sqrt(0.5), 0.5});
+    // What is turned away or in shadow has the ambient light alone.
+    const Light light{.ambient = 0.2, .intensity = 1.5};
+    const glm::dvec3 up{0, 1, 0};
+    for (const auto& [toLight, shadowed, amount] :
+         {std::tuple(up, false, 1.5), std::tuple(-up, false, 0.3), std::tuple(up, true, 0.3),
+          std::tuple(glm::dvec3(std::sqrt(0.75), 0.5, 0), false, 0.9)}) {
+        const Color found = lambert(Color(1, 0.5F, 0.25F), up, toLight, light, shadowed);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], amount * std::ldexp(1.0, -c), 1e-6) << amount;
+    }
+}
+
 TEST(Shading, thereAreThree) {
     std::vector<std::string> names;
     for (const MethodDescription& method : shadingMethods()) names.push_back(method.name);
