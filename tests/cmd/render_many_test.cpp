@@ -46,6 +46,35 @@ class RenderManyTest : public CommandTest {
 
 INSTANTIATE_TEST_SUITE_P(Places, RenderManyTest, testing::ValuesIn(places()), placeName);
 
+// What one picture leaves behind does not show in the next: flat ground before uneven ground, another addressing.
+TEST_P(RenderManyTest, EachIsAsIfItWereAlone) {
+    const auto map = [&](const std::string& name, bool flat) {
+        std::string text = "P2 16 16 255\n";
+        for (int n = 0; n < 16 * 16; ++n) text += std::to_string(flat ? 128 : n * 37 % 251) + "\n";
+        return write(name, text);
+    };
+    map("flat.pgm", true);
+    map("rough.pgm", false);
+    std::vector<std::string> names, all{"render"};
+    for (const auto& [heights, address] : std::vector<std::pair<std::string, std::string>>{
+             {"flat", "repeat"}, {"rough", "repeat"}, {"rough", "clamp"}, {"flat", "clamp"}}) {
+        names.push_back(heights + "-" + address);
+        all.push_back(write(names.back() + ".json",
+                            R"({"reliefscope": 1, "pictures": {"height": ")" + heights +
+                                R"(.pgm", "range": "0,255"}, "relief": {"depth": 0.2, "address": ")" + address +
+                                R"("}, "filter": "trilinear", "size": [60, 40], "shadows": true,
+                "camera": {"elevation": 20}})"));
+    }
+    all.insert(all.end(), {"-o", path("many")});
+    runFine(all);
+    for (std::size_t n = 0; n < names.size(); ++n) {
+        runFine({"render", all[n + 1], "-o", path("alone.png")});
+        EXPECT_EQ(read("many/" + names[n] + ".png"), read("alone.png")) << names[n];
+    }
+    EXPECT_NE(read("many/rough-repeat.png"), read("many/rough-clamp.png"));
+    EXPECT_NE(read("many/rough-clamp.png"), read("many/flat-clamp.png"));
+}
+
 TEST_P(RenderManyTest, AListOfScenarios) {
     const std::string first = scenario("one.json", "bricks", 50);
     const std::string second = scenario("two.json", "hills", 30);
