@@ -85,15 +85,16 @@ struct Moments {
 };
 
 // What a pixel should see on level l, as its ellipse is meant (level_footprint.h): the cut Gaussian of the pixel, with
-// the reconstruction of level 0 in place of the level's own boxes, read from those boxes.
+// the reconstruction of level 0 in place of the level's own boxes, read from those boxes. The picture's texels are
+// points, not boxes: of the level's boxes that of level 0 is not there.
 Moments meant(const Jacobian& j, const EllipticalSettings& settings, int l) {
     constexpr Truth kReconstruction = 0.25L, kBox = 1 / 12.0L;
     const Truth share = shareWithin(settings.radius, settings.sigma);
     const Truth box = kBox * std::pow(Truth{4}, l), variance = Truth{settings.sigma} * settings.sigma;
     const Truth ux = j.ux, vx = j.vx, uy = j.uy, vy = j.vy;
     const Truth texels = kReconstruction - box;
-    return {share * (variance * (ux * ux + uy * uy) + texels) + box, share * variance * (ux * vx + uy * vy),
-            share * (variance * (vx * vx + vy * vy) + texels) + box};
+    return {share * (variance * (ux * ux + uy * uy) + texels) + box - kBox, share * variance * (ux * vx + uy * vy),
+            share * (variance * (vx * vx + vy * vy) + texels) + box - kBox};
 }
 
 TEST(FilterTruth, SecondMomentsAreThePixelsOnEveryLevel) {

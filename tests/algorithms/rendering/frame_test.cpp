@@ -1,5 +1,5 @@
-// Frames: same bits for any thread count (reused ones: reuse_test.cpp); light-only redraws trace nothing; single pixels get
-// the frame's own rays.
+// Frames: same bits for any thread count (reused ones: reuse_test.cpp); light-only redraws trace nothing; single pixels
+// get the frame's own rays.
 #include <gtest/gtest.h>
 
 #include "../relief/fields.h"

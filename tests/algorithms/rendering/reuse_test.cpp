@@ -79,7 +79,11 @@ std::multimap<std::string, Change> changes() {
         {"color", [](FrameRequest& r) { r.color = nullptr; }},
         {"normals",
          [](FrameRequest& r) { r.normals = std::make_shared<Image<glm::vec3>>(4, 4, glm::vec3(0.6F, 0, 0.8F)); }},
-        {"filter", [](FrameRequest& r) { r.filter.name = r.filter.name == "nearest" ? "trilinear" : "nearest"; }},
+        {"filter",
+         [](FrameRequest& r) {
+             r.filter.name = r.filter.name == "nearest" ? "trilinear" : "nearest";
+             r.filter.options.clear();
+         }},
         {"filter", [](FrameRequest& r) { r.filter.samples = 3; }},
         {"scene", [](FrameRequest& r) { r.scene = SceneKind::Wall; }},
         {"scene", [](FrameRequest& r) { r.scene = SceneKind::Cube; }},
