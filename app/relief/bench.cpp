@@ -323,8 +323,11 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
             "of the rays, default 1; tracers: several, separated by commas, are measured one by one", "Run");
     addText(*parser, "--thread-counts", options->threadCounts, "N,...",
             "tracers: each is measured, instead of --threads", "Run");
-    addText(*parser, "--concurrent", options->concurrent, "N",
-            "with mpirun: cells that a machine times at once, default 1; the column concurrent says so", "Run");
+    addText(
+        *parser, "--concurrent", options->concurrent, "N",
+        "with mpirun: cells that a machine times at once, default 1; with --part: how many you run beside each other, "
+        "which nobody checks; the column concurrent says so, and is empty where a part was not told",
+        "Run");
     addText(*parser, "--part", options->part, "K/N",
             "only part K, from 1, of N: each N-th cell; with -o FILE.csv, which relief merge puts together with the "
             "others",

@@ -126,7 +126,7 @@ std::string tableLine(const BenchRun& run, const std::vector<Json>& results, con
     Part part;
     static_cast<PartNumber&>(part) = *run.part;
     part.run = runJson(run.what.value("kind", ""), run.what, names);
-    std::set<std::string> words;
+    std::set<std::string> words, reals;  // columns in which there are some: CSV does not tell them from whole numbers
     Json counts = Json::array();
     const std::vector<std::size_t> chosen = chosenCells(run, names.size());
     for (std::size_t n = 0; n < chosen.size(); ++n) {
@@ -134,10 +134,11 @@ std::string tableLine(const BenchRun& run, const std::vector<Json>& results, con
         for (const Json& row : results[n]) {
             for (const auto& [name, value] : row.items()) {
                 if (value.is_string()) words.insert(name);
+                if (value.is_number_float()) reals.insert(name);
             }
         }
     }
-    part.more = {{"rows", counts}, {"words", words}};
+    part.more = {{"rows", counts}, {"words", words}, {"reals", reals}};
     return "# " + partLine(part) + "\n";
 }
 

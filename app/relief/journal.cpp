@@ -158,6 +158,10 @@ void Journal::takePlace(const FileNumber& before, const std::string& text) {
     if (numberOf(name) == before) return;
     exchange();
     ::close(std::exchange(descriptor_, -1));
+    refuseTheSecond();
+}
+
+void Journal::refuseTheSecond() const {
     const std::vector<Json> lines = linesOf(path_);
     const Json head = lines.empty() ? Json() : lines.front();
     throw InputError(path_, Message(MessageId::SweepAlive,
@@ -165,6 +169,9 @@ void Journal::takePlace(const FileNumber& before, const std::string& text) {
 }
 
 void Journal::write(const std::string& text) {
+    // A run on another host may have gone on from here, believing that this one had ended.
+    struct stat own {};
+    if (fstat(descriptor_, &own) == 0 && own.st_nlink == 0 && numberOf(path_) != FileNumber()) refuseTheSecond();
     std::size_t written = 0;
     while (written < text.size()) {
         const ssize_t now = ::write(descriptor_, text.data() + written, text.size() - written);

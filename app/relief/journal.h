@@ -56,6 +56,7 @@ class Journal {
     // Device and inode: which file it is, whatever its name.
     using FileNumber = std::pair<std::uint64_t, std::uint64_t>;
     void takePlace(const FileNumber& before, const std::string& text);
+    [[noreturn]] void refuseTheSecond() const;
     void write(const std::string& text);
 
     std::string path_;

@@ -71,9 +71,11 @@ MergedPart readText(const std::string& path, Content content) {
 
 // What the file is, is told by what is in it, whatever its name.
 MergedPart readPart(const std::string& path) {
+    const std::string ending = fileEnding(path);
     const char letter = firstLetter(path);
     if (letter == '#') return readText(path, Content::Table);
     if (letter == '{') return readText(path, Content::Record);
+    if (ending == "csv" || ending == "json" || ending == "jsonl") failNoPart(path);
     return readPicture(path);
 }
 
@@ -113,6 +115,10 @@ int runMerge(const MergeOptions& options, Session& session) {
     std::vector<MergedPart> parts;
     std::vector<PartFile> numbers;
     for (const std::string& path : options.files) {
+        std::error_code none;
+        if (options.output && std::filesystem::equivalent(path, *options.output, none)) {
+            throw InputError("--output", Message(MessageId::ArgumentsExclude, {{"other", path}}));
+        }
         parts.push_back(readPart(path));
         if (parts.back().content != parts.front().content) {
             throw InputError(path, Message(MessageId::PartOtherKind, {{"other", parts.front().path}}));

@@ -59,10 +59,17 @@ std::optional<Json> numberOf(const std::string& text) {
     return Json(value);
 }
 
+// What a column's fields are. Mixed: numbers and words (elevations: "random").
+enum class Kind : std::uint8_t { Number, Real, Word, Mixed };
+
 // As benchField wrote it: no number is an empty field.
-Json valueOf(const Field& field, bool word) {
-    if (word || field.quoted) return field.text;
+Json valueOf(const Field& field, Kind kind) {
+    if (kind == Kind::Word || field.quoted) return field.text;
     if (field.text.empty()) return nullptr;
+    if (kind != Kind::Number) {
+        const auto real = numberOf<double>(field.text);
+        return real && std::isfinite(real->get<double>()) ? *real : Json(field.text);
+    }
     for (const auto& number : {numberOf<std::int64_t>(field.text), numberOf<std::uint64_t>(field.text)}) {
         if (number) return *number;
     }
@@ -82,9 +89,15 @@ struct Cell {
 
 struct Table {
     std::string_view header;
-    std::string from;  // the file that has the header first
-    std::set<std::string> words;
+    std::string from;                    // the file that has the header first
+    std::set<std::string> words, reals;  // columns in which there are some
     std::vector<Cell> cells;
+
+    Kind kindOf(const std::string& column) const {
+        const bool word = words.contains(column), real = reals.contains(column);
+        if (word) return real ? Kind::Mixed : Kind::Word;
+        return real ? Kind::Real : Kind::Number;
+    }
 };
 
 // The part's cells and how many rows each has; throws InputError where the first line does not say so.
@@ -136,8 +149,10 @@ void readTable(const TextPart& part, Table& table) {
     if (told != rows.size()) {
         throw InputError(part.path, Message(MessageId::PartRowsWrong, {{"told", told}, {"found", rows.size()}}));
     }
-    for (const Json& word : part.part.more.value("words", Json::array())) {
-        if (word.is_string()) table.words.insert(word.get<std::string>());
+    for (const auto& [key, columns] : {std::pair("words", &table.words), std::pair("reals", &table.reals)}) {
+        for (const Json& name : part.part.more.value(key, Json::array())) {
+            if (name.is_string()) columns->insert(name.get<std::string>());
+        }
     }
 }
 
@@ -157,7 +172,7 @@ std::string jsonText(const Table& table) {
             const std::vector<Field> fields = fieldsOf(row);
             Json object = Json::object();
             for (std::size_t n = 0; n < names.size(); ++n) {
-                object[names[n].text] = valueOf(fields[n], table.words.contains(names[n].text));
+                object[names[n].text] = valueOf(fields[n], table.kindOf(names[n].text));
             }
             rows.push_back(std::move(object));
         }

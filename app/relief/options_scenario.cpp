@@ -131,7 +131,8 @@ void ScenarioOptions::add(CLI::App& parser, Look look) {
         return;
     }
     addText(parser, "SCENARIO", file_, "",
-            "a scenario (.json) as the window saves it or --report holds it: pictures, method, camera, light. "
+            "a scenario (.json) as the window saves it, or as a --report holds it under \"scenario\": pictures, "
+            "method, camera, light. "
             "Every option below overrides what it says",
             "Arguments");
     addPictures(parser, look);

@@ -74,6 +74,11 @@ class Ledger {
                        {{"rank", rank}, {"host", host}, {"counted", countedBy_[at]}, {"timed", partsOf_[at]}});
     }
     const Journal* journal() const { return journal_.get(); }
+    // Whether the journal holds anything, be it what was counted and not yet timed.
+    bool keepsSome() const {
+        const auto some = [](const std::optional<Json>& result) { return result.has_value(); };
+        return done_ > 0 || std::any_of(counts_.begin(), counts_.end(), some);
+    }
 
     void put(int rank, const Task& task, Json result) {
         if (task.pass == Pass::Counts) {
@@ -151,7 +156,7 @@ void work(const PartsRun& run, Session& session, int ranksHere, const std::funct
 // With how to go on, where there is a journal.
 void sayStopped(const PartsRun& run, const Ledger& ledger, Session& session) {
     if (ledger.journal() == nullptr) return session.note(run.bar, Message(MessageId::RunStopped));
-    const MessageId said = ledger.done() > 0 ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
+    const MessageId said = ledger.keepsSome() ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
     session.note(ledger.journal()->path(), Message(said, {{"done", ledger.done()}, {"total", run.parts}}));
 }
 

@@ -324,7 +324,8 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
     CLI::App* parser = addCommand(
         program, "render", "render a picture of a relief",
         "Renders what a camera sees of a floor, a wall or a cube that carries the relief. What is looked at comes from "
-        "a scenario, from the options, or from both (the options override). The same input gives the same bytes on any "
+        "a scenario, from the options, or from both (the options override). The same input gives the same pixels on "
+        "any "
         "number of threads. mpirun -n N relief render ... shares one picture (.png, .tif, .exr) or many among N "
         "processes.",
         "  relief render --height heights.png --color color.jpg --scene wall \\\n"

@@ -156,6 +156,7 @@ int runStress(const StressCommandOptions& given, Session& session) {
     if (record) options.onCase = [&](const StressCase& one) { record->write(stressCaseLine(one)); };
     const StressReport report = stress(options, session.work());
     session.eraseBar();
+    if (record && report.interrupted) session.note(*given.record, Message(MessageId::RunStopped));
     if (record && !report.interrupted) record->commit();
     // Interrupted, what was covered is still worth reading.
     const int status = tellStress(report, options.seed, session);

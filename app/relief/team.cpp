@@ -18,7 +18,6 @@ namespace relief::app {
 
 namespace {
 
-
 // -1 where it is not there or no number.
 int environmentNumber(const char* name) {
     const char* const value = std::getenv(name);

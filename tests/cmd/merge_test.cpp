@@ -256,16 +256,39 @@ TEST_P(MergeTest, PartsOfASweepMakeItsTable) {
         }
         runFine(merge(files, "merged.csv"));
         EXPECT_EQ(rowsOf("merged.csv"), whole) << of;
-        runFine(merge(files, "merged.json"));
-        const Json rows = Json::parse(read("merged.json"));
-        ASSERT_EQ(rows.size(), whole.size() - 1);
-        EXPECT_EQ(rows[0]["width"], 100);
-        EXPECT_GT(rows[0]["rate"].get<double>(), 0);
-        EXPECT_TRUE(rows[0]["commit"].is_string());
-        EXPECT_TRUE(rows[0]["concurrent"].is_null());
     }
+    expectRefusal(merge({path("1of3.csv"), path("2of3.csv"), path("3of3.csv")}, "1of3.csv"), 2,
+                  {"--output", "1of3.csv"});
+    expectRefusal(merge({path("1of3.csv"), path("whole.csv")}, "m.csv"), 2, {"whole.csv", "not a part"});
     expectRefusal(bench("p.json", {"--part", "1/2"}), 2, {"p.json", ".csv"});
     expectRefusal(bench("p.csv", {"--concurrent", "2"}), 2, {"--concurrent", "--part"});
+}
+
+// Numbers, whole numbers, words, and both in one column, which one of the parts does not show.
+TEST_P(MergeTest, PartsMakeTheJsonOfOneProcess) {
+    const auto bench = [&](const std::string& output, const std::vector<std::string>& more) {
+        std::vector<std::string> all{
+            "bench",        "tracers",        "--relief", "hills",     "--sizes", "16",        "--rays",
+            "500",          "--rounds",       "1",        "--threads", "1",       "--tracers", "exact",
+            "--elevations", "60,random,25.5", "-o",       path(output)};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    runFine(bench("whole.json", {}));
+    std::vector<std::string> files;
+    for (const std::string part : {"3", "1", "2"}) {
+        files.push_back(path(part + ".csv"));
+        runFine(bench(part + ".csv", {"--part", part + "/3"}));
+    }
+    runFine(merge(files, "merged.json"));
+    Json whole = Json::parse(read("whole.json")), merged = Json::parse(read("merged.json"));
+    for (Json* table : {&whole, &merged}) {
+        for (Json& row : *table) {
+            EXPECT_GT(row["rate"].get<double>(), 0);
+            for (const char* const name : {"rate", "spread", "build_seconds", "concurrent"}) row.erase(name);
+        }
+    }
+    EXPECT_EQ(merged.dump(1), whole.dump(1));
 }
 
 TEST_P(MergeTest, WhatIsMissingTwiceOrOfAnotherRunIsNamed) {
