@@ -42,9 +42,9 @@ rows() {
 }
 
 printf '| work | ranks | seconds | efficiency, %% | messages | rank 0, MB |\n| --- | --: | --: | --: | --: | --: |\n'
-rows 'stress' stress --cases 64 --threads 1 --quiet
+rows 'stress, 64 cases' stress --cases 64 --threads 1 --quiet
 rows 'bench, 48 cells' bench tracers --relief bricks --relief hills --sizes 128 --seed 1,2,3,4,5,6 --elevations 60,25,10,random \
     --rays 50000 --rounds 2 --tracers exact,max-pyramid,layers --threads 1 -q -o "$scratch/out.csv"
-rows 'picture' render --relief city --size 640x480 --shadows --supersample 16 --threads 1 -q \
+rows 'picture, 640 x 480' render --relief city --size 640x480 --shadows --supersample 16 --threads 1 -q \
     -o "$scratch/out.png"
 printf '\n(%s, %s processors, everything else stopped)\n' "$(sed -n 's/^model name[^:]*: //p;T;q' /proc/cpuinfo)" "$processors"
