@@ -51,7 +51,8 @@ RULES = [
     ("sign", r"(?<=\()-(?=[A-Za-z_(])", ""),
     ("truth", r"\btrue\b", "false"),
     ("truth", r"\bfalse\b", "true"),
-    ("margin", r"(?<=constexpr )(?:float|double) k\w+ = [^;]+(?=;)", lambda m: m.group().split("=")[0] + "= 0"),
+    ("margin", r"(?<=constexpr )(?:float|double) k\w+ = [^;]+(?=;)", 
+     lambda m: m.group().split("=")[0] + ("= 1" if re.search(r"= 1 [+-]", m.group()) else "= 0")),
     ("swapped", rf"(?<=[\w>]\()({NAME}), ({NAME})(?=\))", r"\2, \1"),
     ("key", rf" (?:\|\||&&|\|) {NAME}(?:\([\w:]*\))?(?: == {NAME})?(?=[;)])", ""),
     ("check", r"^ *if \([^{}]*\) (?:return\b[^;]*|continue|break|throw [^;]*);$", ""),
@@ -156,11 +157,17 @@ class Tests:
 
 
 def builds(build):
-    return subprocess.run(["ninja", "-C", str(build)], capture_output=True, stdin=subprocess.DEVNULL).returncode == 0
+    """Whether it builds; the build runs the test programs to list their tests, so it may not end either."""
+    try:
+        command = ["ninja", "-C", str(build)]
+        ran = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=PATIENCE)
+        return ran.returncode == 0
+    except subprocess.TimeoutExpired:
+        return False
 
 
 def tried(source, build, suites, place):
-    """What became of a fault; None: it does not compile, or changes nothing that is compiled."""
+    """What became of a fault; None: it does not compile."""
     name, number, begin, end, new = place
     path = source / name
     text = path.read_text()

@@ -104,8 +104,8 @@ struct Advice {
     std::size_t chosen = 0;
     // The cheapest that was kept; not chosen where another is as cheap within what can be measured and is leaner.
     std::size_t cheapest = 0;
-    std::size_t next = 0;                   // the second cheapest, where the chosen is the cheapest; else the chosen
-    std::size_t exact = 0;                  // the plain walk
+    std::size_t next = 0;   // the second of forms, if the first is chosen and that keeps the bounds; else the chosen
+    std::size_t exact = 0;  // the plain walk
     std::optional<std::size_t> withoutMap;  // the cheapest form without a map that keeps the bound
     std::optional<std::size_t> rebuilt;     // better than the chosen where heights change; see pays()
     double paysAfterRays = 0;               // when the chosen one's map has paid for itself against that

@@ -104,11 +104,12 @@ struct RayAxis {
     double lambdaAt(double edge) const { return (edge - start) * inverse; }
 
     // Lambda at which the ray enters and leaves the cells [low, high) of a period.
-    double enter(const GridAxis& axis, int low, int high, std::int64_t base) const {
+    // Inlined always: in every loop from cell to cell, and beside code that logs the compiler finds them too large.
+    [[gnu::always_inline]] double enter(const GridAxis& axis, int low, int high, std::int64_t base) const {
         if (side == 0) return -std::numeric_limits<double>::infinity();
         return lambdaAt(axis.edge(side > 0 ? low : high, base));
     }
-    double leave(const GridAxis& axis, int low, int high, std::int64_t base) const {
+    [[gnu::always_inline]] double leave(const GridAxis& axis, int low, int high, std::int64_t base) const {
         if (side == 0) return std::numeric_limits<double>::infinity();
         return lambdaAt(axis.edge(side > 0 ? high : low, base));
     }

@@ -21,7 +21,7 @@ namespace relief {
 // interpolation (some 2^-50) could still make it a hit.
 inline constexpr double kExclusionMargin = 0x1p-40;
 
-inline Stay cellStay(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
+[[gnu::always_inline]] inline Stay cellStay(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
     const double in = std::max({ray.x.enter(grid.x, cx.index, cx.index + 1, cx.base),
                                 ray.y.enter(grid.y, cy.index, cy.index + 1, cy.base), 0.0});
     const double out = std::min({ray.x.leave(grid.x, cx.index, cx.index + 1, cx.base),
@@ -120,8 +120,8 @@ struct Patch {
 
 // Lambda of the hit in this cell, or nothing. cx, cy as the traversal names them; the interval is computed here.
 template <Surface kSurface>
-std::optional<double> leafHit(const FloatImage& heights, const CellGrid& grid, const GridRay& ray, AxisCell cx,
-                              AxisCell cy) {
+[[gnu::always_inline]] inline std::optional<double> leafHit(const FloatImage& heights, const CellGrid& grid,
+                                                            const GridRay& ray, AxisCell cx, AxisCell cy) {
     const Stay stay = cellStay(grid, ray, cx, cy);
     if (!(stay.in < stay.out)) return std::nullopt;
     if constexpr (kSurface == Surface::Columns) {

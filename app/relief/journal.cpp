@@ -98,8 +98,18 @@ Journal::Journal(const std::string& output, const Json& work, std::size_t parts,
 
 Journal::~Journal() {
     if (descriptor_ < 0) return;
-    ::close(descriptor_);
-    if (!anything_) ::unlink(path_.c_str());
+    if (anything_)
+        ::close(descriptor_);
+    else
+        remove();
+}
+
+// Unless another run has taken its place.
+void Journal::remove() {
+    struct stat own {};
+    const bool ours = fstat(descriptor_, &own) == 0 && numberOf(path_) == FileNumber(own.st_dev, own.st_ino);
+    ::close(std::exchange(descriptor_, -1));
+    if (ours) ::unlink(path_.c_str());
 }
 
 std::string Journal::firstLine(const Json& work) const {
@@ -133,7 +143,9 @@ std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
              {std::pair("part", &earlier_.results), std::pair("counted", &earlier_.counts)}) {
             const std::int64_t part = numberIn(line, key, -1);
             if (part < 0 || static_cast<std::size_t>(part) >= parts_) continue;
-            if (found->emplace(static_cast<std::size_t>(part), *result).second) kept += lineText(line);
+            // Of a part that is there twice the last one counts: the first could not be used.
+            found->insert_or_assign(static_cast<std::size_t>(part), *result);
+            kept += lineText(line);
         }
     }
     return kept;
@@ -192,8 +204,7 @@ void Journal::keepCounts(std::size_t part, const Json& counts) {
 }
 
 void Journal::finish() {
-    ::close(std::exchange(descriptor_, -1));
-    ::unlink(path_.c_str());
+    remove();
 }
 
 }  // namespace relief::app

@@ -48,6 +48,8 @@ class Journal {
     void keepCounts(std::size_t part, const Json& counts);
     // The output is written: the file goes.
     void finish();
+    // Whether it holds anything, be it what was counted and not yet timed.
+    bool keepsSome() const { return anything_; }
 
   private:
     std::string firstLine(const Json& work) const;
@@ -57,6 +59,7 @@ class Journal {
     using FileNumber = std::pair<std::uint64_t, std::uint64_t>;
     void takePlace(const FileNumber& before, const std::string& text);
     [[noreturn]] void refuseTheSecond() const;
+    void remove();
     void write(const std::string& text);
 
     std::string path_;

@@ -1,6 +1,7 @@
 // The program `relief`: one command a file; here parsing, and every failure turned into one line and an exit status:
 // 0 done, 1 the work failed, 2 bad usage or input, or more memory needed than is free, 128 + signal where it was
 // interrupted.
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -120,9 +121,16 @@ int parseAndRun(int count, char** arguments, Session& session) {
     throw InputError("", Message(MessageId::CommandMissing));
 }
 
-// Of several processes that a launcher has started, all may have found the same: rank 0 says it.
-void sayFailure(const std::string& why, Language language, const std::stop_token& stop) {
-    if (launchedRank() == 0) return sayLine(why);
+// Whether this process works on a part of its own, without those that were started with it.
+bool worksAlone(int count, char** arguments) {
+    return std::any_of(arguments, arguments + count, [](const std::string_view argument) {
+        return argument == "--part" || argument.starts_with("--part=");
+    });
+}
+
+// Of several processes that share a run all may meet the same error: rank 0 reports it.
+void sayFailure(const std::string& why, Language language, const std::stop_token& stop, bool alone) {
+    if (leadsRun(alone)) return sayLine(why);
     std::this_thread::sleep_for(kLastWords);
     if (stop.stop_requested()) return;
     sayLine(sentence(Message(MessageId::RankFailed, {{"rank", launchedRank()}, {"host", hostName()}, {"why", why}}),
@@ -132,7 +140,7 @@ void sayFailure(const std::string& why, Language language, const std::stop_token
 int runProgram(int count, char** arguments, const SignalWatch& signals) {
     Language language = Language::English;
     const auto failed = [&](const std::string& why, int status) {
-        sayFailure(why, language, signals.stop());
+        sayFailure(why, language, signals.stop(), worksAlone(count, arguments));
         return status;
     };
     try {

@@ -117,7 +117,7 @@ int runMerge(const MergeOptions& options, Session& session) {
     for (const std::string& path : options.files) {
         std::error_code none;
         if (options.output && std::filesystem::equivalent(path, *options.output, none)) {
-            throw InputError("--output", Message(MessageId::ArgumentsExclude, {{"other", path}}));
+            throw InputError("--output " + *options.output, Message(MessageId::ArgumentsExclude, {{"other", path}}));
         }
         parts.push_back(readPart(path));
         if (parts.back().content != parts.front().content) {

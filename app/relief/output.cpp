@@ -102,6 +102,10 @@ void TextOutput::commit() {
     if (file_) file_->commit();
 }
 
+void TextOutput::discard() const {
+    if (file_) ::unlink(file_->temporaryPath().c_str());
+}
+
 void writeStandardOutput(std::string_view text, std::stop_token stop) {
     TextOutput output("-", std::move(stop));
     output.write(text);

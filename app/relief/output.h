@@ -24,6 +24,8 @@ class TextOutput {
     void write(std::string_view text);
     // Without it, a file is left as it was. Throws WorkError.
     void commit();
+    // The temporary file goes, for a process that ends at once; while another thread may be writing to it.
+    void discard() const;
 
   private:
     void close();

@@ -119,7 +119,7 @@ std::optional<Part> parsePartLine(std::string_view text) {
     if (!line.is_object()) return std::nullopt;
     const auto number = [&](const char* name) {
         const std::int64_t value = numberIn(line, name, 0);
-        return value <= kMostParts ? static_cast<int>(value) : 0;
+        return value >= 1 && value <= kMostParts ? static_cast<int>(value) : 0;
     };
     Part part;
     part.part = number("relief part");

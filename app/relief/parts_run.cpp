@@ -74,11 +74,6 @@ class Ledger {
                        {{"rank", rank}, {"host", host}, {"counted", countedBy_[at]}, {"timed", partsOf_[at]}});
     }
     const Journal* journal() const { return journal_.get(); }
-    // Whether the journal holds anything, be it what was counted and not yet timed.
-    bool keepsSome() const {
-        const auto some = [](const std::optional<Json>& result) { return result.has_value(); };
-        return done_ > 0 || std::any_of(counts_.begin(), counts_.end(), some);
-    }
 
     void put(int rank, const Task& task, Json result) {
         if (task.pass == Pass::Counts) {
@@ -156,7 +151,7 @@ void work(const PartsRun& run, Session& session, int ranksHere, const std::funct
 // With how to go on, where there is a journal.
 void sayStopped(const PartsRun& run, const Ledger& ledger, Session& session) {
     if (ledger.journal() == nullptr) return session.note(run.bar, Message(MessageId::RunStopped));
-    const MessageId said = ledger.keepsSome() ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
+    const MessageId said = ledger.journal()->keepsSome() ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
     session.note(ledger.journal()->path(), Message(said, {{"done", ledger.done()}, {"total", run.parts}}));
 }
 
@@ -229,10 +224,10 @@ class Coordinator {
     void serve(const std::stop_token& end) {
         std::vector<int> waiting;
         int ended = 1;
-        Naps naps;
+        Backoff backoff;
         while (ended < team_.size() && !end.stop_requested()) {
             while (const std::optional<Team::Letter> letter = team_.look()) {
-                naps.wokenUp();
+                backoff.wokenUp();
                 Json said = letterJson(letter->text);
                 if (said.contains("result")) {
                     const std::lock_guard lock(mutex_);
@@ -249,7 +244,7 @@ class Coordinator {
                 if (!task) ++ended;
                 return true;
             });
-            naps.sleep();
+            backoff.sleep();
         }
     }
 

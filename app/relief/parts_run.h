@@ -39,8 +39,9 @@ struct PartsDone {
 };
 
 // Empty on ranks other than 0, whose work is done then. Rank 0 says at the end how many parts each rank did. Throws
-// Cancelled (said, with how to go on), and alone InputError, WorkError and whatever `measure` throws. Of several ranks
-// the one that fails says why and throws RunEnded; at its end all others end as well.
+// Cancelled (said where there is a journal, with how to go on, and by rank 0 of several), and alone InputError,
+// WorkError and whatever `measure` throws. Of several ranks the one that fails says why and throws RunEnded; at its end
+// all others end as well.
 std::optional<PartsDone> doParts(const PartsRun& run, Session& session);
 
 }  // namespace relief::app

@@ -148,7 +148,7 @@ int runStress(const StressCommandOptions& given, Session& session) {
             sentence(Message(MessageId::StressHang, {{"seconds", options.hangSeconds}, {"command", violation.command}}),
                      session.language()));
         // The tracer holds its thread: nothing else can be ended in order.
-        record.reset();
+        if (record) record->discard();
         _exit(kViolated);
     };
     if (launchedProcesses() > 1 && !number) return runShared(given, options, session);

@@ -110,15 +110,15 @@ std::optional<Team::Letter> Team::look() {
 }
 
 Team::Letter Team::wait(const std::stop_token& stop) {
-    Naps naps;
+    Backoff backoff;
     while (true) {
         if (std::optional<Letter> letter = look()) return *std::move(letter);
         if (stop.stop_requested()) throw Cancelled();
-        naps.sleep();
+        backoff.sleep();
     }
 }
 
-void Naps::sleep() {
+void Backoff::sleep() {
     constexpr auto kLongest = std::chrono::microseconds(2000);
     std::this_thread::sleep_for(next_);
     next_ = std::min(2 * next_, kLongest);

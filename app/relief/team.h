@@ -22,8 +22,8 @@ int launchedRank();
 // Whether this one writes and says what comes out: rank 0, or any that works without the others (--part).
 bool leadsRun(bool withoutOthers);
 
-// So long another rank than 0 waits before it says why it ends: rank 0, where it found the same, has said so and the
-// launcher has ended all.
+// How long another rank than 0 waits before it reports an error: if rank 0 has met the same, it has reported it by then
+// and the launcher has ended all.
 inline constexpr auto kLastWords = std::chrono::seconds(2);
 
 // Thrown where a rank ends and why has been said.
@@ -31,8 +31,8 @@ struct RunEnded {
     int status = 0;
 };
 
-// Sleeps between looks for a message, each twice as long as the last: a blocking wait would take a whole processor.
-class Naps {
+// Waits between looks for a message: 100 us, doubled up to 2 ms. A blocking wait of Open MPI would take a processor.
+class Backoff {
   public:
     void sleep();
     void wokenUp() { next_ = kFirst; }
@@ -66,7 +66,7 @@ class Team {
     void send(int to, const std::string& text);
     // The next message, if one is there.
     std::optional<Letter> look();
-    // Waits for a message, asleep between looks (Naps). Throws Cancelled.
+    // Waits for a message, asleep between looks (Backoff). Throws Cancelled.
     Letter wait(const std::stop_token& stop);
     // Waits for the other ranks to end as well.
     void finish();
