@@ -36,12 +36,15 @@ rows() {
         messages=$(sed -n 's/.* \([0-9]*\) messages$/\1/p' "$scratch/$name-$count" | tail -1)
         [ "$count" -gt 1 ] || one=$seconds
         awk -v name="$name" -v count="$count" -v one="$one" -v seconds="$seconds" -v messages="${messages:-0}" \
-            -v memory="$memory" 'BEGIN { printf "| %s | %d | %.1f | %.0f | %d | %.0f |\n",
-                name, count, seconds, 100 * one / seconds / count, messages, memory / 1024 }'
+            -v memory="$memory" 'BEGIN {
+                share = one / seconds / count
+                for (n = 0.05; n < share; n += 0.1) bar = bar "█"
+                printf "| %s | %d | %.1f | %.0f | %s | %d | %.0f |\n",
+                    name, count, seconds, 100 * share, bar, messages, memory / 1024 }'
     done
 }
 
-printf '| work | ranks | seconds | efficiency, %% | messages | rank 0, MB |\n| --- | --: | --: | --: | --: | --: |\n'
+printf '| work | ranks | seconds | efficiency, %% | | messages | rank 0, MB |\n| --- | --: | --: | --: | :-- | --: | --: |\n'
 rows 'stress, 64 cases' stress --cases 64 --threads 1 --quiet
 rows 'bench, 48 cells' bench tracers --relief bricks --relief hills --sizes 128 --seed 1,2,3,4,5,6 --elevations 60,25,10,random \
     --rays 50000 --rounds 2 --tracers exact,max-pyramid,layers --threads 1 -q -o "$scratch/out.csv"
