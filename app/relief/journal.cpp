@@ -67,10 +67,16 @@ std::vector<Json> linesOf(const std::string& path) {
     return all;
 }
 
+// Device and inode; zeros where there is none.
 std::pair<std::uint64_t, std::uint64_t> numberOf(const std::string& path) {
     struct stat info {};
     if (stat(path.c_str(), &info) != 0) return {};
     return {info.st_dev, info.st_ino};
+}
+
+[[noreturn]] void refuseBeside(const std::string& path, const Json& head) {
+    throw InputError(path, Message(MessageId::SweepAlive,
+                                   {{"process", numberIn(head, "process", 0)}, {"host", textIn(head, "host")}}));
 }
 
 }  // namespace
@@ -87,6 +93,7 @@ Journal::Journal(const std::string& output, const Json& work, std::size_t parts,
         takePlace(before, firstLine(kept) + text);
         return;
     }
+    own_ = numberOf(path_);
     try {
         write(firstLine(kept));
     } catch (...) {
@@ -106,10 +113,8 @@ Journal::~Journal() {
 
 // Unless another run has taken its place.
 void Journal::remove() {
-    struct stat own {};
-    const bool ours = fstat(descriptor_, &own) == 0 && numberOf(path_) == FileNumber(own.st_dev, own.st_ino);
     ::close(std::exchange(descriptor_, -1));
-    if (ours) ::unlink(path_.c_str());
+    if (numberOf(path_) == own_) ::unlink(path_.c_str());
 }
 
 std::string Journal::firstLine(const Json& work) const {
@@ -120,10 +125,7 @@ std::string Journal::firstLine(const Json& work) const {
 // A process of another host cannot be asked: --resume is believed.
 void Journal::refuseTheLiving(const Json& head) {
     const std::string host = textIn(head, "host");
-    if (host == hostName() && lives(head)) {
-        throw InputError(path_,
-                         Message(MessageId::SweepAlive, {{"process", numberIn(head, "process", 0)}, {"host", host}}));
-    }
+    if (host == hostName() && lives(head)) refuseBeside(path_, head);
     if (!host.empty() && host != hostName()) otherHost_ = host;
 }
 
@@ -163,6 +165,7 @@ void Journal::takePlace(const FileNumber& before, const std::string& text) {
     if (descriptor_ < 0) failWriting(path_);
     write(text);
     if (fsync(descriptor_) != 0) failWriting(path_);
+    own_ = numberOf(name);
     if (!exchange()) {
         if (errno == ENOENT) failWriting(path_);
         return next.commit();  // this file system cannot exchange names
@@ -175,15 +178,13 @@ void Journal::takePlace(const FileNumber& before, const std::string& text) {
 
 void Journal::refuseTheSecond() const {
     const std::vector<Json> lines = linesOf(path_);
-    const Json head = lines.empty() ? Json() : lines.front();
-    throw InputError(path_, Message(MessageId::SweepAlive,
-                                    {{"process", numberIn(head, "process", 0)}, {"host", textIn(head, "host")}}));
+    refuseBeside(path_, lines.empty() ? Json() : lines.front());
 }
 
 void Journal::write(const std::string& text) {
-    // A run on another host may have gone on from here, believing that this one had ended.
-    struct stat own {};
-    if (fstat(descriptor_, &own) == 0 && own.st_nlink == 0 && numberOf(path_) != FileNumber()) refuseTheSecond();
+    // A run on another host may have gone on from here, assuming that this one had ended.
+    const FileNumber now = numberOf(path_);
+    if (own_ != FileNumber() && now != FileNumber() && now != own_) refuseTheSecond();
     std::size_t written = 0;
     while (written < text.size()) {
         const ssize_t now = ::write(descriptor_, text.data() + written, text.size() - written);

@@ -65,6 +65,7 @@ class Journal {
     std::string path_;
     std::string otherHost_;
     int descriptor_ = -1;
+    FileNumber own_;  // of the file that this run writes
     std::size_t parts_;
     Earlier earlier_;
     bool anything_ = false;  // that would be lost with the file

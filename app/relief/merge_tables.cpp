@@ -59,19 +59,17 @@ std::optional<Json> numberOf(const std::string& text) {
     return Json(value);
 }
 
-// What a column's fields are. Mixed: numbers and words (elevations: "random").
-enum class Kind : std::uint8_t { Number, Real, Word, Mixed };
+// What a column's fields are. Real: words as well (elevations: "random").
+enum class Kind : std::uint8_t { Whole, Real, Word };
 
 // As benchField wrote it: no number is an empty field.
 Json valueOf(const Field& field, Kind kind) {
     if (kind == Kind::Word || field.quoted) return field.text;
     if (field.text.empty()) return nullptr;
-    if (kind != Kind::Number) {
-        const auto real = numberOf<double>(field.text);
-        return real && std::isfinite(real->get<double>()) ? *real : Json(field.text);
-    }
-    for (const auto& number : {numberOf<std::int64_t>(field.text), numberOf<std::uint64_t>(field.text)}) {
-        if (number) return *number;
+    if (kind == Kind::Whole) {
+        for (const auto& number : {numberOf<std::int64_t>(field.text), numberOf<std::uint64_t>(field.text)}) {
+            if (number) return *number;
+        }
     }
     const auto real = numberOf<double>(field.text);
     return real && std::isfinite(real->get<double>()) ? *real : Json(field.text);
@@ -90,13 +88,12 @@ struct Cell {
 struct Table {
     std::string_view header;
     std::string from;                    // the file that has the header first
-    std::set<std::string> words, reals;  // columns in which there are some
+    std::set<std::string> words, reals;  // columns with at least one
     std::vector<Cell> cells;
 
     Kind kindOf(const std::string& column) const {
-        const bool word = words.contains(column), real = reals.contains(column);
-        if (word) return real ? Kind::Mixed : Kind::Word;
-        return real ? Kind::Real : Kind::Number;
+        if (reals.contains(column)) return Kind::Real;
+        return words.contains(column) ? Kind::Word : Kind::Whole;
     }
 };
 
