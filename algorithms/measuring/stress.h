@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,6 +15,8 @@
 #include "measuring/stress_checks.h"
 
 namespace relief {
+
+struct StressSubjects;
 
 // What a case is made of, each part over the case's map. Frames cover filters and shadows, too.
 enum class StressPart : std::uint8_t { Tracers, AnyHit, Frames, Homographies, Rows };
@@ -80,6 +83,8 @@ struct StressOptions {
     std::optional<std::uint64_t> only;    // this case alone, by its number from 0
     std::size_t listed = 50;              // violations kept with a command; the others are counted
     double hangSeconds = 60;              // of one ray, or of one frame with its repetitions
+    // What is tried beside the methods (stress_subjects.h); null: the program's own.
+    std::shared_ptr<const StressSubjects> subjects;
     // Called once, from another thread, for a ray that takes longer; the tracer cannot be stopped.
     std::function<void(const StressViolation&)> onHang;
     // Called for every case in the order of their numbers, one call at a time, from any thread of the work. Its

@@ -161,7 +161,7 @@ void stressAnyHit(const CaseRun& run, const std::vector<Asked>& asked) {
         // Pyramids and packed cones are made in no time.
         const std::string& map = method.maps.front();
         if (map != "max-pyramid" && map != "packed-cones" && field.heights().size() > kStressBuildTexels) continue;
-        const auto query = makeAnyHit({method.name, {}}, field, *run.maps, run.work);
+        const auto query = run.subjects.query({method.name, {}}, field, *run.maps, run.work);
         QueryTurn turn(run, *query);
         for (const Asked& family : asked) {
             run.work.throwIfStopped();

@@ -199,7 +199,9 @@ CaseResult runCase(const Case& tried, const StressOptions& options, const std::v
     result.number = tried.number;
     result.map = tried.map;
     result.size = std::to_string(tried.field.width()) + "x" + std::to_string(tried.field.height());
-    const CaseRun run{tried, options, groups, std::make_shared<MapCache>(), watched, result, work};
+    static const StressSubjects own;
+    const StressSubjects& subjects = options.subjects ? *options.subjects : own;
+    const CaseRun run{tried, options, groups, subjects, std::make_shared<MapCache>(), watched, result, work};
     const auto wanted = [&](StressPart part) { return options.parts.empty() || options.parts.contains(part); };
     if (wanted(StressPart::Tracers) || wanted(StressPart::AnyHit)) {
         const auto exact = makeTracer({"exact", {}}, tried.field, *run.maps, work);

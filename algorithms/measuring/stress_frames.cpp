@@ -164,7 +164,7 @@ class FrameTry {
         : run_(run), random_(partRandom(run, StressPart::Frames, number)), number_(number) {}
 
     void operator()() {
-        const auto& cameras = stressCameraFamilies();
+        const auto& cameras = run_.subjects.cameras;
         const StressCameraFamily& camera = cameras[number_ % cameras.size()];
         family_ = camera.name;
         choose(camera);
@@ -229,7 +229,7 @@ class FrameTry {
     std::shared_ptr<const Frame> rendered(bool skip, int threads, bool spare = true) const {
         run_.work.throwIfStopped();
         Work work(threads);
-        return FrameRenderer(run_.maps).render(request(skip, spare), work);
+        return run_.subjects.frame(request(skip, spare), run_.maps, work);
     }
 
     void compare() {

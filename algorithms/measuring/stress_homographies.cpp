@@ -140,11 +140,11 @@ void checkMap(const CaseRun& run, const StressCameraFamily& family, const Homogr
     };
     std::optional<Homography> inverse;
     try {
-        inverse = map.inverse();
+        inverse = run.subjects.inverse(map);
     } catch (const InputError&) {
         ++run.result.parts["homographies"].refused;
     }
-    const auto terms = derivativeTerms<double>(map);
+    const auto terms = run.subjects.derivatives(map);
     for (int n = 0; n < kPixels; ++n) {
         const double x = random.below(kScreenWidth) + 0.5;
         const double y = random.below(kScreenHeight) + 0.5;
@@ -157,7 +157,7 @@ void checkMap(const CaseRun& run, const StressCameraFamily& family, const Homogr
 
 void stressHomographies(const CaseRun& run) {
     const HeightField& field = run.of.field;
-    const auto& families = stressCameraFamilies();
+    const auto& families = run.subjects.cameras;
     for (std::size_t f = 0; f < families.size(); ++f) {
         run.work.throwIfStopped();
         Random random = partRandom(run, StressPart::Homographies, run.of.number * families.size() + f);

@@ -1,6 +1,7 @@
 // The checks of relief stress beyond view rays: any-hit queries, frames, homographies, rows; one answer at a time.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "mapping/derivatives.h"
@@ -72,9 +73,13 @@ struct StressRow {
     PixelSpan valid;
     std::vector<T> u, v;
 };
-// evaluateRow() into one.
+// evaluateRow(), or what is tried in its place.
 template <typename T>
-StressRow<T> evaluatedRow(const Homography& map, double y, PixelSpan span, const RowOptions& options, bool stated);
+using RowEvaluator = std::function<PixelSpan(const Homography&, double, PixelSpan, const RowOptions&, T*, T*)>;
+// The row that it evaluates.
+template <typename T>
+StressRow<T> evaluatedRow(const Homography& map, double y, PixelSpan span, const RowOptions& options, bool stated,
+                          const RowEvaluator<T>& evaluate = evaluateRow<T>);
 // not-finite: a texel with a number that is none; horizon: a pixel with q <= 0 was evaluated; row: farther from the map
 // in long double than the variant's stated bound, or (not stated) than a q that is half off makes it. affine and
 // subspan are approximations: only finite.

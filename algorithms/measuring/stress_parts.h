@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measuring/stress_case.h"
+#include "measuring/stress_subjects.h"
 
 namespace relief::stress_detail {
 
@@ -17,6 +18,7 @@ struct CaseRun {
     const Case& of;
     const StressOptions& options;
     const std::vector<MethodGroup>& groups;
+    const StressSubjects& subjects;
     std::shared_ptr<MapCache> maps;
     Watched& watched;
     CaseResult& result;

@@ -84,10 +84,11 @@ Homography rowOfRatio(double width, double lastQ, double texels, double firstV, 
 }
 
 template <typename T>
-StressRow<T> evaluatedRow(const Homography& map, double y, PixelSpan span, const RowOptions& options, bool stated) {
+StressRow<T> evaluatedRow(const Homography& map, double y, PixelSpan span, const RowOptions& options, bool stated,
+                          const RowEvaluator<T>& evaluate) {
     const auto size = static_cast<std::size_t>(span.size());
     StressRow<T> row{&map, y, span, options, stated, {}, std::vector<T>(size), std::vector<T>(size)};
-    row.valid = evaluateRow(map, y, span, options, row.u.data(), row.v.data());
+    row.valid = evaluate(map, y, span, options, row.u.data(), row.v.data());
     return row;
 }
 
@@ -120,8 +121,10 @@ std::optional<StressFault> rowFault(const StressRow<T>& row) {
     return std::nullopt;
 }
 
-template StressRow<float> evaluatedRow<float>(const Homography&, double, PixelSpan, const RowOptions&, bool);
-template StressRow<double> evaluatedRow<double>(const Homography&, double, PixelSpan, const RowOptions&, bool);
+template StressRow<float> evaluatedRow<float>(const Homography&, double, PixelSpan, const RowOptions&, bool,
+                                              const RowEvaluator<float>&);
+template StressRow<double> evaluatedRow<double>(const Homography&, double, PixelSpan, const RowOptions&, bool,
+                                                const RowEvaluator<double>&);
 template std::optional<StressFault> rowFault<float>(const StressRow<float>&);
 template std::optional<StressFault> rowFault<double>(const StressRow<double>&);
 
@@ -161,11 +164,11 @@ RowOptions variantOptions(RowVariant variant, Random& random) {
 
 template <typename T>
 std::optional<StressFault> variantFault(const Homography& map, double y, PixelSpan span, RowOptions options,
-                                        bool stated) {
-    const StressRow<T> row = evaluatedRow<T>(map, y, span, options, stated);
+                                        bool stated, const RowEvaluator<T>& evaluate) {
+    const StressRow<T> row = evaluatedRow<T>(map, y, span, options, stated, evaluate);
     if (auto fault = rowFault(row)) return fault;
     options.lanes = false;
-    const StressRow<T> scalar = evaluatedRow<T>(map, y, span, options, stated);
+    const StressRow<T> scalar = evaluatedRow<T>(map, y, span, options, stated, evaluate);
     // Pixels that were cut off are not written: both hold zeros there.
     if (scalar.valid == row.valid && scalar.u == row.u && scalar.v == row.v) return std::nullopt;
     return StressFault{"lanes", "SIMD and scalar differ" + rowText(row, row.valid.begin)};
@@ -175,12 +178,13 @@ std::optional<StressFault> variantFault(const Homography& map, double y, PixelSp
 constexpr int kBlockLines = 5;
 constexpr int kBlockThreads = 3;
 
-std::optional<StressFault> blockFault(const Homography& map, double y, PixelSpan span, const RowOptions& options) {
+std::optional<StressFault> blockFault(const StressSubjects& subjects, const Homography& map, double y, PixelSpan span,
+                                      const RowOptions& options) {
     TexelRows<float> together(span.size(), kBlockLines);
     Work work(kBlockThreads);
-    evaluateRows(map, {span.size(), kBlockLines, y, 1}, options, together, work);
+    subjects.rowBlock(map, {span.size(), kBlockLines, y, 1}, options, together, work);
     for (int line = 0; line < kBlockLines; ++line) {
-        const StressRow<float> alone = evaluatedRow<float>(map, y + line, span, options, false);
+        const StressRow<float> alone = evaluatedRow<float>(map, y + line, span, options, false, subjects.floatRow);
         const PixelSpan valid = together.valid(line);
         bool same = valid == alone.valid;
         for (std::int64_t i = valid.begin; same && i < valid.end; ++i) {
@@ -202,9 +206,9 @@ void tryRow(const CaseRun& run, std::string_view family, const Homography& map, 
         ++run.result.parts["rows"].tried[name];
         const PixelSpan span{0, width};
         const bool parallel = variant == RowVariant::RowsParallel;
-        for (const auto& fault :
-             {variantFault<float>(map, y, span, options, stated), variantFault<double>(map, y, span, options, stated),
-              parallel ? blockFault(map, y, span, options) : std::nullopt}) {
+        for (const auto& fault : {variantFault<float>(map, y, span, options, stated, run.subjects.floatRow),
+                                  variantFault<double>(map, y, span, options, stated, run.subjects.doubleRow),
+                                  parallel ? blockFault(run.subjects, map, y, span, options) : std::nullopt}) {
             if (fault) run.result.report({*fault, StressPart::Rows, {name, {}}, family, ViewRay{}, nullptr});
         }
     }
@@ -214,7 +218,7 @@ void tryRow(const CaseRun& run, std::string_view family, const Homography& map, 
 
 void stressRows(const CaseRun& run) {
     const HeightField& field = run.of.field;
-    const auto& families = stressCameraFamilies();
+    const auto& families = run.subjects.cameras;
     Random random = partRandom(run, StressPart::Rows, run.of.number);
     tryRow(run, "stated", anyRowOfRatio(random), true, random);
     for (const StressCameraFamily& family : families) {
