@@ -1,0 +1,330 @@
+// elliptical-visible against brute force in long double: which texels of a footprint the relief hides from the viewer,
+// by the largest height of the surface above the line of sight, and the colour of those that are left.
+#include <gtest/gtest.h>
+
+#include "footprint_truth.h"
+#include "rendering/frame.h"
+
+namespace relief::test {
+namespace {
+
+using namespace truth;
+
+// A relief that repeats, by its definition in height_field.h.
+class Ground {
+  public:
+    explicit Ground(const HeightField& field)
+        : heights_(field.heights()), columns_(field.surface() == Surface::Columns) {}
+
+    Truth at(Truth s, Truth t) const {
+        if (columns_) return texel(static_cast<long>(std::floor(s)), static_cast<long>(std::floor(t)));
+        const auto i = static_cast<long>(std::floor(s - 0.5L)), j = static_cast<long>(std::floor(t - 0.5L));
+        const Truth u = s - 0.5L - i, v = t - 0.5L - j;
+        return (1 - v) * ((1 - u) * texel(i, j) + u * texel(i + 1, j)) +
+               v * ((1 - u) * texel(i, j + 1) + u * texel(i + 1, j + 1));
+    }
+    // By how much the surface rises above the line of sight from (s, t, h) back along the ray, at most; 0 where it
+    // nowhere does. Between crossings of its lines the surface along the line is a parabola (bilinear) or level.
+    Truth rise(Truth s, Truth t, Truth h, Truth a, Truth b) const {
+        std::vector<Truth> ends{0, 1 - h};
+        const auto crossings = [&](Truth from, Truth run) {
+            const Truth line = columns_ ? 0 : 0.5L;
+            const Truth low = std::min(from, from - (1 - h) * run), high = std::max(from, from - (1 - h) * run);
+            for (Truth k = std::ceil(low - line); k <= high - line; ++k) {
+                if (run != 0) ends.push_back((from - (k + line)) / run);
+            }
+        };
+        crossings(s, a);
+        crossings(t, b);
+        std::sort(ends.begin(), ends.end());
+        Truth most = 0;
+        for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
+            const Truth from = std::max(ends[n], Truth{0}), to = std::min(ends[n + 1], 1 - h);
+            if (!(to > from)) continue;
+            const Truth middle = (from + to) / 2;
+            const auto gap = [&](Truth mu) { return at(s - mu * a, t - mu * b) - (h + mu); };
+            if (columns_) {
+                most = std::max(most, at(s - middle * a, t - middle * b) - (h + from));
+                continue;
+            }
+            const Truth first = gap(from), half = gap(middle), last = gap(to);
+            most = std::max({most, first, last});
+            // first + p x + c x^2, x from 0 to 1.
+            const Truth c = 2 * (first + last - 2 * half), p = last - first - c;
+            if (c < 0 && p > 0 && p < -2 * c) most = std::max(most, first - p * p / (4 * c));
+        }
+        return most;
+    }
+
+  private:
+    Truth texel(long i, long j) const {
+        return static_cast<Truth>(heights_(wrapped(i, heights_.width()), wrapped(j, heights_.height())));
+    }
+
+    const FloatImage& heights_;
+    bool columns_;
+};
+
+// Heights within which rounding decides whether a line of sight is free: the library asks for 2^-30.
+constexpr Truth kSurelyFree = 1e-12L, kSurelyHidden = 1e-6L;
+
+struct View {
+    double azimuth, elevation, distance;
+};
+
+// What the pixels of a frame ask: the view's own rays, and where they meet the relief.
+std::vector<FilterQuery> askedBy(const HeightField& field, const View& view) {
+    FrameRequest request(field);
+    request.width = 40;
+    request.height = 30;
+    request.camera.azimuth = view.azimuth;
+    request.camera.elevation = view.elevation;
+    request.camera.distance = view.distance;
+    request.method = {"exact", {}};
+    request.filter = {"nearest", {}};
+    Work work(1);
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    const auto frame = renderer.render(request, work);
+    const VisiblePolygons visible = frame->visible(request);
+    std::vector<FilterQuery> all;
+    for (int y = 1; y < request.height; y += 3) {
+        for (int x = 2; x < request.width; x += 4) {
+            if (auto query = filterQuery(*frame, request, visible, x, y)) {
+                query->view = nullptr;  // the frame's, which is gone
+                all.push_back(*query);
+            }
+        }
+    }
+    return all;
+}
+
+struct Tally {
+    int pixels = 0, plain = 0, unsure = 0, nothingSeen = 0;
+    int hidden = 0, seen = 0;
+    std::map<int, int> levels;
+};
+
+enum class Form { Plane, Position, PositionArea };
+const char* nameOf(Form form) {
+    return form == Form::Plane ? "plane" : form == Form::Position ? "position" : "position-area";
+}
+
+// Texels without a part of their own: what a texel spans in the pixel must be small (surface_pieces.h), pixels.
+constexpr Truth kWhole = 0.5L;
+
+void expectTruth(Form form, const HeightField& field, const Picture& picture, const std::vector<View>& views,
+                 const OptionValues& more, const Settings& settings, const std::function<Truth(Truth square)>& weigh,
+                 Tally& tally) {
+    constexpr double kColor = 1e-5;  // weights and products are float
+    constexpr double kWeight = 1e-5;
+    constexpr Truth kTie = 1e-7L;  // of r^2: hits are rounded
+    const Levels levels(*picture, Address::Repeat);
+    const Ground ground(field);
+    const Truth toFieldX = static_cast<Truth>(field.width()) / picture->width();
+    const Truth toFieldY = static_cast<Truth>(field.height()) / picture->height();
+    OptionValues options = more;
+    options["form"] = nameOf(form);
+    options["implementation"] = "scalar";
+    MadeFilter made({"elliptical-visible", options}, picture, field, false);
+    for (const View& view : views) {
+        for (const FilterQuery& query : askedBy(field, view)) {
+            const glm::dvec2 scale(static_cast<double>(1 / toFieldX), static_cast<double>(1 / toFieldY));
+            const Jacobian j{query.jacobian.ux * scale.x, query.jacobian.vx * scale.y, query.jacobian.uy * scale.x,
+                             query.jacobian.vy * scale.y};
+            const glm::dvec2 place = query.place * scale;
+            const Footprint f = footprintOf(j, place, settings, levels.top());
+            if (f.kind != Kind::Ellipse || f.tie) continue;
+            FootprintLog log;
+            const Color found = made.at(query, &log);
+            ++tally.pixels;
+            // Where nothing is hidden and the relief is as good as a plane, these forms are plain filtering.
+            if (form != Form::Plane && log.skipped) {
+                ++tally.plain;
+                continue;
+            }
+            const Truth texels = std::ldexp(Truth{1}, f.level), reach = settings.radius * settings.radius;
+            const Truth a = query.ray.a, b = query.ray.b, h0 = 1 - static_cast<Truth>(query.lambda);
+            // Of the view ray, texels of the level.
+            const Vector run{a / (texels * toFieldX), b / (texels * toFieldY)};
+            if (form == Form::Position && field.surface() == Surface::Bilinear) {
+                ASSERT_LT(f.square(run), kWhole * kWhole) << "texels would be split";
+            }
+            if (form == Form::PositionArea) {
+                ASSERT_LT(f.square(run), kWhole * kWhole) << "texels would be split";
+            }
+            const Vector half = f.halfExtents(settings.radius);
+            struct Seen {
+                Truth weight;
+                bool hidden;
+            };
+            std::map<std::pair<long, long>, Seen> wanted;  // by place, in 1/1024 texels
+            const auto key = [](Truth u, Truth v) { return std::pair(std::lround(1024 * u), std::lround(1024 * v)); };
+            Rgb sum{};
+            Truth total = 0;
+            bool unsure = false;
+            const Vector box{half.x + std::abs(run.x) + 1, half.y + std::abs(run.y) + 1};
+            levels.around(f.level, f.centre, box, [&](const LevelTexel& texel) {
+                const Vector offset{texel.centre.x - f.centre.x, texel.centre.y - f.centre.y};
+                const Truth s = texel.centre.x * texels * toFieldX, t = texel.centre.y * texels * toFieldY;
+                const Truth h = ground.at(s, t);
+                const Truth moved = form == Form::Plane ? 0 : h - h0;
+                const Vector at{offset.x + moved * run.x, offset.y + moved * run.y};
+                const Truth square = f.square(at);
+                unsure = unsure || std::abs(square / reach - 1) < kTie;
+                if (square > reach) return;
+                Truth share = texel.size.x * texel.size.y;
+                if (form == Form::PositionArea) {
+                    const Truth x = texel.size.x * texels * toFieldX / 2, y = texel.size.y * texels * toFieldY / 2;
+                    const Truth alongS = (ground.at(s + x, t) - ground.at(s - x, t)) / (2 * x);
+                    const Truth alongT = (ground.at(s, t + y) - ground.at(s, t - y)) / (2 * y);
+                    share *= 1 + a * alongS + b * alongT;
+                    unsure = unsure || std::abs(share) < kTie;
+                    if (share <= 0) return;
+                }
+                const Truth rise = ground.rise(s, t, h, a, b);
+                unsure = unsure || (rise > kSurelyFree && rise < kSurelyHidden);
+                const Seen seen{weigh(square) * share, rise >= kSurelyHidden};
+                wanted[key(offset.x, offset.y)] = seen;
+                if (seen.hidden) return;
+                for (std::size_t k = 0; k < 3; ++k) sum[k] += seen.weight * levels.texel(f.level, texel.i, texel.j)[k];
+                total += seen.weight;
+            });
+            if (unsure) {
+                ++tally.unsure;
+                continue;
+            }
+            ++tally.levels[f.level];
+            ASSERT_EQ(log.footprint.level, f.level);
+            ASSERT_EQ(log.texels.size(), wanted.size());
+            const bool none = !(total > 0);
+            ASSERT_EQ(log.allHidden, none);
+            tally.nothingSeen += none ? 1 : 0;
+            Truth logged = 0;
+            for (const FootprintTexel& texel : log.texels) {
+                logged += texel.hidden ? 0 : static_cast<Truth>(texel.weight.x);
+            }
+            for (const FootprintTexel& texel : log.texels) {
+                const auto at = wanted.find(key(texel.u - log.footprint.centre.x, texel.v - log.footprint.centre.y));
+                ASSERT_NE(at, wanted.end()) << texel.u << " " << texel.v;
+                ASSERT_EQ(texel.hidden, at->second.hidden) << nameOf(form) << " " << texel.u << " " << texel.v;
+                (texel.hidden ? tally.hidden : tally.seen) += 1;
+                if (none) continue;
+                ASSERT_NEAR(static_cast<double>(texel.weight.x / logged),
+                            static_cast<double>(at->second.weight / total), kWeight);
+            }
+            const Rgb colorAtHit = levels.bilinear({place.x, place.y});
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Truth truth = none ? colorAtHit[k] : sum[k] / total;
+                ASSERT_NEAR(found[static_cast<int>(k)], static_cast<double>(truth), kColor)
+                    << nameOf(form) << " at " << place.x << " " << place.y;
+            }
+        }
+    }
+}
+
+HeightField randomGround(int width, int height, Surface surface, double depth) {
+    Random random(21);
+    auto heights = std::make_shared<FloatImage>(width, height);
+    for (float& value : heights->pixels()) value = static_cast<float>(random.unit());
+    return HeightField(heights, surface, Address::Repeat, depth);
+}
+
+Settings gaussianSettings(bool exhaustive) {
+    Settings settings;
+    settings.leastMinor = kCovering / settings.radius;
+    settings.exhaustive = exhaustive;
+    return settings;
+}
+Truth gaussianWeight(Truth square) {
+    constexpr Truth kSigma = 0.53L;
+    return std::exp(-square / (2 * kSigma * kSigma));
+}
+Settings uniformSettings() {
+    Settings settings;
+    settings.radius = 0.9L;
+    settings.texelSize = false;
+    settings.leastMinor = kCovering / settings.radius;
+    return settings;
+}
+Truth uniformWeight(Truth) {
+    return 1;
+}
+
+// From all round, low and steep, near (a pixel is about a texel) and far (on higher levels).
+const std::vector<View> kTurned{{20, 60, 1.2}, {-75, 25, 1.5}, {130, 15, 1}, {200, 40, 3}, {-20, 35, 6}};
+
+void expectMany(const Tally& tally, int hidden, int seen) {
+    EXPECT_GT(tally.hidden, hidden);
+    EXPECT_GT(tally.seen, seen);
+    EXPECT_LT(tally.unsure, tally.pixels / 10);
+}
+
+TEST(VisibleTruth, PlaneLeavesOutWhatTheReliefHides) {
+    for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+        Tally tally;
+        const HeightField field = randomGround(48, 40, surface, 0.06);
+        expectTruth(Form::Plane, field, randomPicture(48, 40, 22), kTurned, {}, gaussianSettings(false), gaussianWeight,
+                    tally);
+        expectTruth(Form::Plane, field, randomPicture(48, 40, 23), kTurned, {{"weights", "uniform"}}, uniformSettings(),
+                    uniformWeight, tally);
+        expectMany(tally, 1000, 1000);
+        EXPECT_GT(tally.levels[0], 100);
+        EXPECT_GT(tally.levels[1], 100);
+        EXPECT_GT(tally.nothingSeen, 5);
+    }
+}
+
+// A picture of other sizes than the height map, neither a power of two.
+TEST(VisibleTruth, PicturesFinerThanTheHeights) {
+    Tally tally;
+    const HeightField field = randomGround(24, 20, Surface::Bilinear, 0.1);
+    expectTruth(Form::Plane, field, randomPicture(54, 50, 24), kTurned, {}, gaussianSettings(false), gaussianWeight,
+                tally);
+    expectMany(tally, 500, 500);
+}
+
+// Each column's top at its own place in the pixel.
+TEST(VisibleTruth, PositionMovesColumnsToTheirOwnPlaces) {
+    Tally tally;
+    expectTruth(Form::Position, randomGround(48, 40, Surface::Columns, 0.05), randomPicture(48, 40, 25), kTurned,
+                {{"levels", "exhaustive"}}, gaussianSettings(true), gaussianWeight, tally);
+    expectMany(tally, 500, 500);
+    EXPECT_LT(tally.plain, tally.pixels / 2);
+}
+
+// Low relief, so that no texel is split: what a texel's slope turns away counts less, what it turns to the viewer more.
+TEST(VisibleTruth, AreasAreThoseTurnedToTheViewer) {
+    Tally tally;
+    const HeightField field = randomGround(48, 40, Surface::Bilinear, 0.02);
+    const std::vector<View> views{{30, 45, 6}, {-100, 38, 7}, {170, 52, 5}};
+    for (const Form form : {Form::Position, Form::PositionArea}) {
+        expectTruth(form, field, randomPicture(48, 40, 26), views, {}, gaussianSettings(false), gaussianWeight, tally);
+    }
+    EXPECT_GT(tally.seen, 500);
+    EXPECT_LT(tally.plain, tally.pixels / 2);
+    EXPECT_LT(tally.unsure, tally.pixels / 10);
+}
+
+// The line of sight along a slope, over a ridge and beside a wall: whether it is free is decided by hand.
+TEST(VisibleTruth, LinesOfSightByHand) {
+    // One ridge at s = 10.5, one texel wide on either side (bilinear), 0.5 high over ground of 0.2.
+    FloatImage heights(32, 8, 0.2F);
+    for (int j = 0; j < 8; ++j) heights(10, j) = 0.5F;
+    const auto shared = std::make_shared<const FloatImage>(heights);
+    const Ground slope(HeightField(shared, Surface::Bilinear)), wall(HeightField(shared, Surface::Columns));
+    constexpr Truth kRounding = 1e-7L;  // heights are float
+    // The viewer is to the left: over (20.5, 0.2) the sight rises by 0.1 a texel, at the ridge it is at 1.2.
+    EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, 10, 0)), 0, kRounding);
+    // It rises by 0.02 a texel: at the ridge it is at 0.4, 0.1 below.
+    EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, 50, 0)), 0.1, kRounding);
+    // The wall's near side is at s = 11, where the sight is at 0.2 + 9.5 * 0.02.
+    EXPECT_NEAR(static_cast<double>(wall.rise(20.5L, 4, 0.2L, 50, 0)), 0.11, kRounding);
+    // From the other side nothing is in the way until the next period's ridge, at 10.5 + 32.
+    EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, -50, 0)), 0, kRounding);
+    EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, -100, 0)), 0.5 - (0.2 + 22 * 0.01), kRounding);
+    // Across, 22 texels in t for each 10 in s: as far in s.
+    EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, 50, 110)), 0.1, kRounding);
+}
+
+}  // namespace
+}  // namespace relief::test
