@@ -391,11 +391,14 @@ class StressRowFaultsTest : public StressFaultsTest {
         alter(subjects);
         return checksOf(run(StressPart::Rows, subjects));
     }
-    // The same fault in rows of float and of double, one after the other.
+    // The same fault in rows of float and of double, one after the other. Blocks of rows are float and are held against
+    // single rows: where these are wrong, blocks differ from them.
     template <class Alter>
     void expectChecks(const Alter& alter, const Checks& expected, std::vector<StressCameraFamily> cameras) {
-        EXPECT_EQ(checks([&](StressSubjects& s) { s.floatRow = alteredRow<float>(alter); }, cameras), expected);
         EXPECT_EQ(checks([&](StressSubjects& s) { s.doubleRow = alteredRow<double>(alter); }, cameras), expected);
+        Checks withBlocks = expected;
+        if (!expected.empty()) withBlocks.insert("threads");
+        EXPECT_EQ(checks([&](StressSubjects& s) { s.floatRow = alteredRow<float>(alter); }, cameras), withBlocks);
     }
 };
 
