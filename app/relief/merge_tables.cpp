@@ -187,8 +187,10 @@ void mergeTables(const std::vector<TextPart>& parts, const std::string& output, 
                      [](const Cell& a, const Cell& b) { return a.index < b.index; });
     for (std::size_t n = 0; n < table.cells.size(); ++n) {
         if (table.cells[n].index == n) continue;
-        // Every cell once: the part that should have the n-th has it not, or another one twice.
-        const auto owner = std::find_if(parts.begin(), parts.end(), [&](const TextPart& p) { return p.part.has(n); });
+        // Every cell once: a part has the one before twice, or the part that should have the n-th has it not.
+        const std::size_t wrong = std::min(n, table.cells[n].index);
+        const auto owner =
+            std::find_if(parts.begin(), parts.end(), [&](const TextPart& p) { return p.part.has(wrong); });
         failLine(owner->path, 1);
     }
     TextOutput file(output, session.stop());
