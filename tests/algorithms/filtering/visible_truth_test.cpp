@@ -289,6 +289,30 @@ TEST(VisibleTruth, PlaneLeavesOutWhatTheReliefHides) {
     EXPECT_GT(all.nothingSeen, 0);
 }
 
+// Where the tests find nothing hidden, a footprint of form=plane has the bits of plain filtering, in SIMD, too.
+TEST(VisibleTruth, WhatIsNotHiddenHasThePlainFiltersBits) {
+    const HeightField field = randomGround(48, 40, Surface::Bilinear, 0.03);
+    const Picture picture = randomPicture(48, 40, 27);
+    MadeFilter plain({"elliptical", {}}, picture, field);
+    MadeFilter visible({"elliptical-visible", {{"form", "plane"}}}, picture, field, false);
+    int free = 0, hidden = 0;
+    for (const View& view : kTurned) {
+        for (const FilterQuery& query : askedBy(field, view)) {
+            FootprintLog log;
+            const FootprintCounts before = visible.counts;
+            const Color color = visible.at(query, &log);
+            if (visible.counts.hidden > before.hidden) {
+                ++hidden;
+                continue;
+            }
+            free += visible.counts.tested > before.tested ? 1 : 0;
+            ASSERT_EQ(color, plain.at(query));
+        }
+    }
+    EXPECT_GT(free, 100);
+    EXPECT_GT(hidden, 100);
+}
+
 // A picture of other sizes than the height map, neither a power of two.
 TEST(VisibleTruth, PicturesFinerThanTheHeights) {
     Tally tally;
