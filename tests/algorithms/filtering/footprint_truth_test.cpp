@@ -326,6 +326,40 @@ TEST(FootprintTruth, TablesAndMapsHaveTheWeightOfTheirCells) {
     expectEveryKind(tally, {Kind::Ellipse, Kind::Bilinear, Kind::Top});
 }
 
+// nearest and bilinear at the pixels' places, in pictures of the height map's sides and of others.
+TEST(FootprintTruth, PointFiltersReadTheirTexels) {
+    constexpr Truth kBorder = 1e-9L;  // between two texels rounding decides
+    int read = 0;
+    for (const Painted& painted : kPictures) {
+        for (const Address address : {painted.address, Address::Clamp, Address::Border}) {
+            const Picture picture = randomPicture(painted.width, painted.height, 13);
+            const auto heights = std::make_shared<const FloatImage>(painted.across, painted.down, 1.0F);
+            const HeightField field(heights, Surface::Bilinear, address);
+            MadeFilter nearest({"nearest", {}}, picture, field), bilinear({"bilinear", {}}, picture, field);
+            const Levels levels(*picture, address);
+            for (const Pixel& pixel : cameraPixels(painted.across, painted.down)) {
+                const Truth x = static_cast<Truth>(pixel.place.x) * painted.width / painted.across;
+                const Truth y = static_cast<Truth>(pixel.place.y) * painted.height / painted.down;
+                if (std::abs(x - std::round(x)) < kBorder || std::abs(y - std::round(y)) < kBorder) continue;
+                const auto at = [&](Truth place, int size) {
+                    const auto i = static_cast<long>(std::floor(place));
+                    return address == Address::Repeat ? wrapped(i, size)
+                                                      : static_cast<int>(std::clamp<long>(i, 0, size - 1));
+                };
+                ASSERT_EQ(nearest.at(pixel.place, pixel.j), (*picture)(at(x, painted.width), at(y, painted.height)));
+                const Color found = bilinear.at(pixel.place, pixel.j);
+                const Rgb truth = levels.bilinear({x, y});
+                for (std::size_t k = 0; k < 3; ++k) {
+                    ASSERT_NEAR(found[static_cast<int>(k)], static_cast<double>(truth[k]), kScalarColor)
+                        << x << " " << y;
+                }
+                ++read;
+            }
+        }
+    }
+    EXPECT_GT(read, 500);
+}
+
 // Near by, a display's pixel is its own shape over the bilinear picture: the integral by a fine grid. The filter looks
 // at two places a texel, twelve at least along a side.
 TEST(FootprintTruth, ShapesNearByAreTheirIntegrals) {

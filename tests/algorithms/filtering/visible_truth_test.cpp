@@ -10,11 +10,15 @@ namespace {
 
 using namespace truth;
 
-// A relief that repeats, by its definition in height_field.h.
+// A relief by its definition in height_field.h. Under border there is nothing outside the picture.
 class Ground {
   public:
     explicit Ground(const HeightField& field)
-        : heights_(field.heights()), columns_(field.surface() == Surface::Columns) {}
+        : heights_(field.heights()), columns_(field.surface() == Surface::Columns), address_(field.address()) {}
+
+    bool outside(Truth s, Truth t) const {
+        return address_ == Address::Border && (s < 0 || t < 0 || s > heights_.width() || t > heights_.height());
+    }
 
     Truth at(Truth s, Truth t) const {
         if (columns_) return texel(static_cast<long>(std::floor(s)), static_cast<long>(std::floor(t)));
@@ -39,12 +43,19 @@ class Ground {
         };
         crossings(s, a);
         crossings(t, b);
+        for (const Truth edge : {Truth{0}, static_cast<Truth>(heights_.width())}) {
+            if (a != 0) ends.push_back((s - edge) / a);
+        }
+        for (const Truth edge : {Truth{0}, static_cast<Truth>(heights_.height())}) {
+            if (b != 0) ends.push_back((t - edge) / b);
+        }
         std::sort(ends.begin(), ends.end());
         Truth most = 0;
         for (std::size_t n = 0; n + 1 < ends.size() && most < enough; ++n) {
             const Truth from = std::max(ends[n], Truth{0}), to = std::min(ends[n + 1], 1 - h);
             if (!(to > from)) continue;
             const Truth middle = (from + to) / 2;
+            if (outside(s - middle * a, t - middle * b)) continue;
             const auto gap = [&](Truth mu) { return at(s - mu * a, t - mu * b) - (h + mu); };
             if (columns_) {
                 most = std::max(most, at(s - middle * a, t - middle * b) - (h + from));
@@ -61,11 +72,15 @@ class Ground {
 
   private:
     Truth texel(long i, long j) const {
-        return static_cast<Truth>(heights_(wrapped(i, heights_.width()), wrapped(j, heights_.height())));
+        const auto addressed = [&](long k, int size) {
+            return address_ == Address::Repeat ? wrapped(k, size) : static_cast<int>(std::clamp<long>(k, 0, size - 1));
+        };
+        return static_cast<Truth>(heights_(addressed(i, heights_.width()), addressed(j, heights_.height())));
     }
 
     const FloatImage& heights_;
     bool columns_;
+    Address address_;
 };
 
 // Heights within which rounding decides whether a line of sight is free: the library asks for 2^-30.
@@ -123,7 +138,7 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
     constexpr double kColor = 1e-5;  // weights and products are float
     constexpr double kWeight = 1e-5;
     constexpr Truth kTie = 1e-7L;  // of r^2: hits are rounded
-    const Levels levels(*picture, Address::Repeat);
+    const Levels levels(*picture, field.address());
     const Ground ground(field);
     const Truth toFieldX = static_cast<Truth>(field.width()) / picture->width();
     const Truth toFieldY = static_cast<Truth>(field.height()) / picture->height();
@@ -161,18 +176,21 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
             struct Seen {
                 Truth weight;
                 bool hidden;
+                Rgb color;
             };
-            std::map<std::pair<long, long>, Seen> wanted;  // by place, in 1/1024 texels
+            std::map<std::pair<long, long>, Seen> wanted, beyond;  // by place, in 1/1024 texels
             const auto key = [](Truth u, Truth v) { return std::pair(std::lround(1024 * u), std::lround(1024 * v)); };
             Rgb sum{};
             Truth total = 0;
-            bool unsure = false;
+            bool unsure = false, hides = false;
             const Vector box{half.x + std::abs(run.x) + 1, half.y + std::abs(run.y) + 1};
             levels.around(f.level, f.centre, box, [&](const LevelTexel& texel) {
                 const Vector offset{texel.centre.x - f.centre.x, texel.centre.y - f.centre.y};
                 const Truth s = texel.centre.x * texels * toFieldX, t = texel.centre.y * texels * toFieldY;
                 // Between columns rounding decides whose height it is.
                 unsure = unsure || (ground.onALine(s) || ground.onALine(t));
+                const bool outside = ground.outside(s, t);
+                if (outside && form != Form::Plane) return;
                 const Truth h = ground.at(s, t);
                 const Truth moved = form == Form::Plane ? 0 : h - h0;
                 const Vector at{offset.x + moved * run.x, offset.y + moved * run.y};
@@ -188,17 +206,22 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                     unsure = unsure || std::abs(share) < kTie;
                     if (share <= 0) return;
                 }
-                const Truth rise = ground.rise(s, t, h, a, b, kSurelyHidden);
+                const Truth rise = outside ? 0 : ground.rise(s, t, h, a, b, kSurelyHidden);
                 unsure = unsure || (rise > kSurelyFree && rise < kSurelyHidden);
-                const Seen seen{weigh(square) * share, rise >= kSurelyHidden};
-                wanted[key(offset.x, offset.y)] = seen;
-                if (seen.hidden) return;
-                for (std::size_t k = 0; k < 3; ++k) sum[k] += seen.weight * levels.texel(f.level, texel.i, texel.j)[k];
-                total += seen.weight;
+                const Seen seen{weigh(square) * share, rise >= kSurelyHidden, levels.texel(f.level, texel.i, texel.j)};
+                (outside ? beyond : wanted)[key(offset.x, offset.y)] = seen;
+                hides = hides || seen.hidden;
             });
             if (unsure) {
                 ++tally.unsure;
                 continue;
+            }
+            // Where nothing is hidden it is plain filtering, to which the rim's texels go on beyond the border.
+            if (!hides) wanted.merge(beyond);
+            for (const auto& [where, seen] : wanted) {
+                if (seen.hidden) continue;
+                for (std::size_t k = 0; k < 3; ++k) sum[k] += seen.weight * seen.color[k];
+                total += seen.weight;
             }
             ++tally.levels[f.level];
             ASSERT_EQ(log.footprint.level, f.level);
@@ -229,11 +252,11 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
     }
 }
 
-HeightField randomGround(int width, int height, Surface surface, double depth) {
+HeightField randomGround(int width, int height, Surface surface, double depth, Address address = Address::Repeat) {
     Random random(21);
     auto heights = std::make_shared<FloatImage>(width, height);
     for (float& value : heights->pixels()) value = static_cast<float>(random.unit());
-    return HeightField(heights, surface, Address::Repeat, depth);
+    return HeightField(heights, surface, address, depth);
 }
 
 Settings gaussianSettings(bool exhaustive) {
@@ -320,6 +343,20 @@ TEST(VisibleTruth, PicturesFinerThanTheHeights) {
     expectTruth(Form::Plane, field, randomPicture(54, 50, 24), kTurned, {}, gaussianSettings(false), gaussianWeight,
                 tally);
     expectMany(tally, 500, 500);
+}
+
+// Beyond the rim a clamped relief goes on for ever; under border nothing is there, neither to be seen nor in the way.
+TEST(VisibleTruth, RimsGoOnOrEnd) {
+    for (const Address address : {Address::Clamp, Address::Border}) {
+        for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+            Tally tally;
+            // By these sides no texel's centre lies between two columns.
+            const HeightField field = randomGround(12, 12, surface, 0.2, address);
+            const Picture picture = randomPicture(16, 16, 28);
+            expectTruth(Form::Plane, field, picture, kTurned, {}, gaussianSettings(false), gaussianWeight, tally);
+            expectMany(tally, 300, 300);
+        }
+    }
 }
 
 // Each column's top at its own place in the pixel.
