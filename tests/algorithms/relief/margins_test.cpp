@@ -1,6 +1,7 @@
 // What the margins are for (algorithms/relief/margins.md): rays aimed at the places that random rays meet once in a
 // million times. Each margin that is set to 0 is noticed here, or where its line of the table says.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "lanes.h"
@@ -134,7 +135,11 @@ class Aim {
     }
 
   private:
-    double run() { return (random_.below(2) == 0 ? 1 : -1) * std::exp2(random_.between(-16, 14)); }
+    // Of any size; some all but parallel to an axis.
+    double run() {
+        const double exponent = random_.below(4) == 0 ? random_.between(-60, -10) : random_.between(-16, 14);
+        return (random_.below(2) == 0 ? 1 : -1) * std::exp2(exponent);
+    }
     // Up to 2^-bits on either side, of any size.
     double hair(int bits) {
         if (random_.below(4) == 0) return 0;
@@ -223,57 +228,76 @@ TEST(Margins, anyHitQueriesSeeTerracesAtTheirEdgesAlike) {
     }
 }
 
-// A low wall at the end of a long row, and rays that end on its top just before its far side, led there by one cone
-// that all but touches its near edge: a jump that is too long by 2^-16 of itself passes it. The peak that heights are
-// counted from stands behind the rays.
-struct LongRow {
-    static constexpr int kWall = 4096, kBlock = 256;  // so far off cones are made by blocks of as many cells
-    static constexpr double kTight = 5e-4;            // of the cone's slope
-    int cell;                                         // at the end of a block, for which the wall's height is chosen
-    double wall = 0;
-    Heights heights;
+// Level ground, and a wall as high as a packed cone can hold it without loss: such a cone, of a cell at that gap from
+// the wall, all but touches the wall's near edge. Slopes have three bits of their own, and below them the depths of the
+// cell and of its apex, those of level ground.
+double heightThatFits(double about, double gap) {
+    constexpr double kApexLower = 1e-6;  // cones are made from an apex lower by as much, rounding included
+    const auto slope = std::bit_cast<std::uint32_t>(static_cast<float>(about / gap)) | 0xFFFFFU;
+    return static_cast<double>(static_cast<float>(std::bit_cast<float>(slope) * gap - kApexLower));
+}
+bool tight(const PackedCones& cones, int x, int y, double height, double gap) {
+    constexpr double kTight = 5e-4;  // of the slope
+    return static_cast<double>(coneSlope(cones.quadrant(0)[cones.index(x, y)])) * gap < height * (1 + kTight);
+}
 
-    explicit LongRow(Random& random) : cell(kBlock * (1 + random.below(7)) - 1) {
-        const double gap = kWall - (cell + 1);
-        // Slopes have three bits of their own, and below them the depths of level ground.
-        const auto about = std::bit_cast<std::uint32_t>(static_cast<float>(random.between(0.004, 0.012) / gap));
-        const auto slope = static_cast<double>(std::bit_cast<float>(about | 0xFFFFFU));
-        constexpr double kApexLower = 1e-6;  // cones are made from an apex lower by as much, rounding included
-        const auto height = static_cast<float>(slope * gap - kApexLower);
-        wall = static_cast<double>(height);
-        FloatImage image(kWall + 100, 2, 0.0F);
-        for (int y = 0; y < 2; ++y) image(0, y) = 1, image(kWall, y) = height;
-        heights = share(std::move(image));
-    }
-    bool tight(const PackedCones& cones) const {
-        const auto slope = static_cast<double>(coneSlope(cones.quadrant(0)[cones.index(cell, 0)]));
-        return slope * (kWall - (cell + 1)) < wall * (1 + kTight);
-    }
-    ViewRay ontoTheTop(Random& random) const {
-        ViewRay ray;
-        ray.s0 = cell + random.unit(), ray.t0 = 0.5;
-        const double end = kWall + 1 - 0.02 * random.unit();
-        ray.a = (end - ray.s0) / (1 - wall), ray.b = 0;
-        return ray;
-    }
-};
-
+// Rays that end on the top of a low wall far off, just before its far side, led there by one cone: a jump that is too
+// long by 2^-16 of itself passes it. The peak that heights are counted from stands behind the rays.
 TEST(Margins, aLongJumpEndsBeforeTheWall) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    constexpr int kWall = 4096, kBlock = 256;  // so far off cones are made by blocks of as many cells
     Random random(kSeed);
-    int tight = 0;
+    int tightOnes = 0;
     for (int n = 0; n < 40; ++n) {
-        const LongRow row(random);
-        const HeightField field(row.heights, Surface::Columns, Address::Clamp, 0.5);
+        const int cell = kBlock * (1 + random.below(7)) - 1;  // at the end of a block
+        const double gap = kWall - (cell + 1), wall = heightThatFits(random.between(0.004, 0.012), gap);
+        FloatImage image(kWall + 100, 2, 0.0F);
+        for (int y = 0; y < 2; ++y) image(0, y) = 1, image(kWall, y) = static_cast<float>(wall);
+        const HeightField field(share(std::move(image)), Surface::Columns, Address::Clamp, 0.5);
         MapCache cache;
         Work work(1);
-        if (!row.tight(*packedCones(field, cache, work))) continue;
-        ++tight;
+        if (!tight(*packedCones(field, cache, work), cell, 0, wall, gap)) continue;
+        ++tightOnes;
         RayBlock rays;
-        for (int i = 0; i < 50; ++i) rays.push(row.ontoTheTop(random));
+        for (int i = 0; i < 50; ++i) {
+            ViewRay ray{cell + random.unit(), 0.5, 0, 0};
+            ray.a = (kWall + 1 - 0.02 * random.unit() - ray.s0) / (1 - wall);
+            rays.push(ray);
+        }
         expectSameBits(field, {"cone", {}}, rays, cache);
     }
-    EXPECT_GE(tight, 20) << "too few of the cones are as near to the wall as they were meant to be";
+    EXPECT_GE(tightOnes, 20);
+}
+
+// Grazing rays that cut a corner off a pillar, two cells after a cone that all but touches it: a jump that ends some
+// hundredths of a cell too late misses the pillar.
+TEST(Margins, aGrazingJumpEndsBeforeTheCorner) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    constexpr int kSide = 64, kPillar = 40;
+    Random random(kSeed);
+    int tightOnes = 0;
+    for (int n = 0; n < 40; ++n) {
+        const double height = heightThatFits(random.between(0.3, 0.9), 1);
+        FloatImage image(kSide, kSide, 0.0F);
+        image(kPillar, kPillar) = static_cast<float>(height);
+        const HeightField field(share(std::move(image)), Surface::Columns, Address::Repeat, 0.5);
+        MapCache cache;
+        Work work(1);
+        if (!tight(*packedCones(field, cache, work), kPillar - 2, kPillar, height, 1)) continue;
+        ++tightOnes;
+        RayBlock rays;
+        for (int i = 0; i < 100; ++i) {
+            ViewRay ray;
+            ray.a = random.between(3e4, 6e4), ray.b = ray.a * random.between(0.2, 1);
+            // Into the pillar's cell through its side x = kPillar, all but at its end.
+            const double lambda = (1 - height) * (1 + 1e-9 * random.unit());
+            ray.s0 = kPillar - lambda * ray.a;
+            ray.t0 = kPillar + 1 - std::exp2(-random.between(4, 16)) - lambda * ray.b;
+            rays.push(ray);
+        }
+        expectSameBits(field, {"cone", {}}, rays, cache);
+    }
+    EXPECT_GE(tightOnes, 20);
 }
 
 }  // namespace
