@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Puts faults of one line into the sources, one at a time, and tells which of them the tests notice.
 
-    tests/mutants.py FOLDER N SEED      called by: tests/run --mutants N [--seed S]
+    tests/mutants.py FOLDER N SEED [RULE]      called by: tests/run --mutants N [--seed S] [--rule RULE]
 
 FOLDER gets a copy of the sources (source/), its build (build/) and what was found, a line of JSON a fault, in
-seed-SEED.jsonl: a run that was stopped goes on from there; with other sources, remove that file. Faults are drawn by rules (RULES) from the .cpp
-and .h files of algorithms/, app/ and ui/. First the tests run whose files fit by name, then those of the same folder,
-then all, until one fails; what does not compile is drawn anew. At the end a table, and the faults that no test
-noticed.
+seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): a run that was stopped goes on from there; with other sources,
+remove that file. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/.
+First the tests run whose files fit by name, then those of the same folder, then those of the same library, then all
+others, until one fails; what does not compile is drawn anew. At the end a table with the faults that no test noticed.
 """
 
 import filecmp
@@ -20,8 +20,11 @@ import sys
 import time
 from pathlib import Path
 
-# A test that runs so long is noticed as well: most faults that are not seen otherwise are loops without end.
-PATIENCE = 600
+# Seconds after which a test has failed: a fault may be a loop without end. Of tests that fit, and of all.
+PATIENCE_NEAR, PATIENCE = 150, 600
+# The test program that a folder's faults are tried with first, and its tests.
+PROGRAMS = {"algorithms": ("relief_tests", "algorithms"), "app": ("relief_cmd_tests", "cmd"),
+            "ui": ("reliefui_tests", "ui")}
 # Not of what the program does: a fault may put a line out of form.
 NOT_TESTS = r"^(format)$"
 
@@ -51,7 +54,9 @@ RULES = [
     ("sign", r"(?<=\()-(?=[A-Za-z_(])", ""),
     ("truth", r"\btrue\b", "false"),
     ("truth", r"\bfalse\b", "true"),
-    ("margin", r"(?<=constexpr )(?:float|double) k\w+ = [^;]+(?=;)", 
+    # Of all constants, those that keep a decision safe (algorithms/relief/margins.md).
+    ("margin", r"(?<=constexpr )(?:float|double) k\w*(?:Margin|Slack|Shorter\w*|Steeper|Round\w*|Off\w*|Inside|Late|Away|"
+               r"Aside|Nudge|Unsure|Clearance|Start) = [^;]+(?=;)",
      lambda m: m.group().split("=")[0] + ("= 1" if re.search(r"= 1 [+-]", m.group()) else "= 0")),
     ("swapped", rf"(?<=[\w>]\()({NAME}), ({NAME})(?=\))", r"\2, \1"),
     ("key", rf" (?:\|\||&&|\|) {NAME}(?:\([\w:]*\))?(?: == {NAME})?(?=[;)])", ""),
@@ -80,6 +85,8 @@ def candidates(source):
             for number, line in code_lines(path.read_text()):
                 code = line.split(" //")[0]
                 for name, pattern, new in RULES:
+                    if name == "margin" and (folder != "algorithms" or "measuring" in path.parts):
+                        continue
                     for match in re.finditer(pattern, code):
                         other = match.expand(new) if isinstance(new, str) else new(match)
                         if other != match.group():
@@ -103,6 +110,8 @@ def fitting(source, suites, mutated):
     stem = re.sub(r"(_lanes|-inl)$", "", file.stem)
     include = '"' + str(Path(*file.parts[1:])).removesuffix(".cpp").removesuffix(".h") + '.h"'
     folder = source / "tests" / file.parent
+    while not folder.exists():
+        folder = folder.parent
     near, beside = [], []
     for suite, path in suites.items():
         if path.stem.startswith(stem) or include in path.read_text():
@@ -135,35 +144,49 @@ def configure(source, build):
         sys.exit("the copy of the sources could not be configured")
 
 
-class Tests:
-    def __init__(self, build):
-        self.build = build
-
-    def first_failure(self, suites):
-        """The suite that fails, or None; suites: None for all."""
-        command = ["ctest", "--test-dir", str(self.build), "--stop-on-failure", "--timeout", str(PATIENCE), "-j2",
-                   "-E", NOT_TESTS]
-        if suites is not None:
-            if not suites:
-                return None
-            command += ["-R", r"^(window\.)?(\w+/)?(" + "|".join(suites) + r")$"]
-        ran = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
-        failed = re.search(r"\*\*\*(\w+)", ran.stdout)
-        if failed is None:
-            return None
-        line = next(line for line in ran.stdout.split("\n") if "***" in line)
-        name = re.search(r"Test +#\d+: (\S+)", line).group(1)
-        return name + (" (no end)" if failed.group(1) == "Timeout" else "")
+def named(suites):
+    return r"^(window\.)?(\w+/)?(" + "|".join(sorted(suites)) + ")$"
 
 
-def builds(build):
+def first_failure(build, patience, only=None, without=()):
+    """The suite that fails, or None. only: these suites; without: all but these."""
+    if only is not None and not only:
+        return None
+    command = ["ctest", "--test-dir", str(build), "--stop-on-failure", "--timeout", str(patience), "-j2",
+               "-E", "|".join([NOT_TESTS] + ([named(without)] if without else []))]
+    if only is not None:
+        command += ["-R", named(only)]
+    ran = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    line = next((line for line in ran.stdout.split("\n") if "***" in line), None)
+    if line is None:
+        return None
+    name = re.search(r"Test +#\d+: (\S+)", line).group(1)
+    return name + (" (no end)" if "***Timeout" in line else "")
+
+
+def builds(build, *programs):
     """Whether it builds; the build runs the test programs to list their tests, so it may not end either."""
     try:
-        command = ["ninja", "-C", str(build)]
-        ran = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=PATIENCE)
+        command = ["ninja", "-C", str(build), *programs]
+        ran = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=3 * PATIENCE)
         return ran.returncode == 0
     except subprocess.TimeoutExpired:
         return False
+
+
+def noticed_by(source, build, suites, name):
+    """The suite that notices the fault in a file, or None; False: it does not compile."""
+    program, folder = PROGRAMS[Path(name).parts[0]]
+    if not builds(build, program):
+        return False
+    near, beside = fitting(source, suites, name)
+    whole = [suite for suite, path in suites.items() if path.is_relative_to(source / "tests" / folder)]
+    rest = [suite for suite in whole if suite not in near + beside]
+    by = (first_failure(build, PATIENCE_NEAR, near) or first_failure(build, PATIENCE_NEAR, beside)
+          or first_failure(build, PATIENCE, rest))
+    if by:
+        return by
+    return first_failure(build, PATIENCE, without=whole) if builds(build) else False
 
 
 def tried(source, build, suites, place):
@@ -177,13 +200,11 @@ def tried(source, build, suites, place):
     result = {"file": name, "line": number + 1, "old": old.strip(), "new": lines[number].strip()}
     path.write_text("\n".join(lines))
     try:
-        if not builds(build):
-            return None
         begun = time.monotonic()
-        tests = Tests(build)
-        near, beside = fitting(source, suites, name)
-        result["by"] = tests.first_failure(near) or tests.first_failure(beside) or tests.first_failure(None)
+        result["by"] = noticed_by(source, build, suites, name)
         result["seconds"] = round(time.monotonic() - begun)
+        if result["by"] is False:
+            return None
     finally:
         path.write_text(text)
     return result
@@ -200,21 +221,25 @@ def table(results):
 
 def main():
     folder, count, seed = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
+    rule = sys.argv[4] if len(sys.argv) > 4 else None
     source, build = folder / "source", folder / "build"
-    record = folder / f"seed-{seed}.jsonl"
+    record = folder / f"seed-{seed}{'-' + rule if rule else ''}.jsonl"
     refresh(source)
     configure(source, build)
     done = [json.loads(line) for line in record.read_text().splitlines()] if record.exists() else []
     places, suites = candidates(source), suites_of(source)
+    if rule is not None and rule not in places:
+        sys.exit(f"--rule {rule}: there are {', '.join(sorted(places))}")
+    rules = [rule] if rule else sorted(places)
+    count = min(count, len(set(sum((places[name] for name in rules), []))))
     if not builds(build):
         sys.exit("without a fault: it does not build")
-    if not done and (failed := Tests(build).first_failure(None)):
+    if not done and (failed := first_failure(build, PATIENCE)):
         sys.exit(f"without a fault: {failed} fails")
-    drawn, seen = random.Random(seed), set()
-    results = []
-    while len(results) < count:
+    drawn, seen, results = random.Random(seed), set(), []
+    while len(results) < count and len(seen) < sum(len(places[name]) for name in rules):
         # Each rule as often as any other, however many places it has.
-        place = drawn.choice(places[drawn.choice(sorted(places))])
+        place = drawn.choice(places[drawn.choice(rules)])
         if place in seen:
             continue
         seen.add(place)
@@ -227,7 +252,7 @@ def main():
         if result:
             results.append(result)
             print(f"{len(results)}/{count} {result['file']}:{result['line']}: {result['by'] or 'SURVIVED'}",
-                  file=sys.stderr)
+                  file=sys.stderr, flush=True)
     table(results)
 
 

@@ -5,6 +5,7 @@
 // what is slower than the best by more than the rounds so far can mistake.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -128,15 +129,16 @@ std::string adviceJson(const AdviceOptions& options, const Advice& advice);  // 
 std::vector<Message> adviceNotes(const AdviceOptions& options, const Advice& advice);
 
 // How good the advice is: the chosen form's cost over that of the best valid one in the full table, every form measured
-// to the end on other rays, less 1. Nothing: the chosen form breaks the bound there.
+// to the end on other rays, less 1. Valid: within the error bound and AdviceOptions::maxSteps there.
 struct AdviceRegret {
     MethodChoice chosen, best;
     double chosenCost = 0, bestCost = 0;
     double chosenBeyond = 0;  // share of the other rays past the bound
-    bool keepsBound = true;   // there
+    bool keepsBound = true;   // the chosen form is valid there, or the advice said that none is
     double adviceSeconds = 0, tableSeconds = 0;
     std::size_t measured = 0;  // forms of the full table
-    double regret() const { return chosenCost / bestCost - 1; }
+    bool anyIsValid() const { return std::isfinite(bestCost); }
+    double regret() const { return chosenCost / bestCost - 1; }  // where any is valid
 };
 AdviceRegret adviceRegret(const AdviceOptions& options, Work& work);
 

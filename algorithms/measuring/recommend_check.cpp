@@ -48,7 +48,8 @@ AdviceRegret adviceRegret(const AdviceOptions& options, Work& work) {
     auto begun = Clock::now();
     std::size_t stillClose = 0;
     std::vector<AdviceTrial> trials = runTrials(options, true, stillClose, work);
-    result.chosen = adviceOf(options, trials).best().method;
+    const Advice advice = adviceOf(options, trials);
+    result.chosen = advice.best().method;
     result.adviceSeconds = secondsSince(begun);
     begun = Clock::now();
     const AdviceRays rays(options, seedFor(options.seed, kOtherRays), work);
@@ -59,14 +60,15 @@ AdviceRegret adviceRegret(const AdviceOptions& options, Work& work) {
     measureAll(options, rays, table, work);
     result.measured = table.size();
     result.bestCost = std::numeric_limits<double>::infinity();
+    const auto keepsBounds = [&](const AdvisedForm& facts) { return rays.keepsBound(facts) && rays.keepsSteps(facts); };
     for (const AdviceTrial* trial : table) {
         const AdvisedForm& facts = trial->facts;
         if (facts.method == result.chosen) {
             result.chosenCost = facts.cost;
             result.chosenBeyond = facts.beyond;
-            result.keepsBound = rays.keepsBound(facts);
+            result.keepsBound = keepsBounds(facts) || !advice.keepsBounds;
         }
-        if (rays.keepsBound(facts) && facts.cost < result.bestCost) {
+        if (keepsBounds(facts) && facts.cost < result.bestCost) {
             result.bestCost = facts.cost;
             result.best = facts.method;
         }

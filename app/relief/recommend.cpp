@@ -84,18 +84,22 @@ int runCheck(const RecommendOptions& given, Session& session) {
         AdviceOptions options(fieldOf(scenario, assets));
         applyAsked(given, options);
         const AdviceRegret result = adviceRegret(options, session.work());
-        regrets.push_back(result.regret());
+        if (result.anyIsValid()) regrets.push_back(result.regret());
         kept = kept && result.keepsBound;
         advised += result.adviceSeconds;
         measured += result.tableSeconds;
-        rows.push_back({heightsName(scenario.pictures), readable(100 * result.regret(), kDigits),
-                        readable(100 * result.chosenBeyond, kDigits) + (result.keepsBound ? "" : "!"),
-                        methodText(result.chosen), methodText(result.best)});
+        rows.push_back(
+            {heightsName(scenario.pictures), result.anyIsValid() ? readable(100 * result.regret(), kDigits) : "-",
+             readable(100 * result.chosenBeyond, kDigits) + (result.keepsBound ? "" : "!"), methodText(result.chosen),
+             result.anyIsValid() ? methodText(result.best) : "none keeps all bounds"});
     }
     session.eraseBar();
-    std::string text = textTable(rows, 1, 3) + "regret: median " + readable(100 * quantile(regrets, 0.5), kDigits) +
-                       "%, worst " + readable(100 * quantile(regrets, 1), kDigits) + "%; advice " +
-                       readable(advised, kDigits) + " s, full tables " + readable(measured, kDigits) + " s\n";
+    const auto summary = [&](double share) {
+        return regrets.empty() ? std::string("-") : readable(100 * quantile(regrets, share), kDigits) + "%";
+    };
+    std::string text = textTable(rows, 1, 3) + "regret: median " + summary(0.5) + ", worst " + summary(1) +
+                       "; advice " + readable(advised, kDigits) + " s, full tables " + readable(measured, kDigits) +
+                       " s\n";
     TextOutput out(given.output.value_or("-"), session.stop());
     out.write(text);
     out.commit();

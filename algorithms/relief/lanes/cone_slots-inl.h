@@ -15,8 +15,9 @@ namespace relief::HWY_NAMESPACE {
 
 // Rays in flight.
 inline constexpr std::size_t kWalkSlots = 256;
-// Jumps end this part of a cell early, and by the rounding of places: the cell that is found is not too far on.
-inline constexpr float kShorterJump = 1e-3F;
+// Jumps end so early, in cells, times run + 1: what the apex, the jump and places are rounded by. So the cell that is
+// found is not too far on.
+inline constexpr float kShorterJump = 0x1p-19F;
 // Words of a quadrant that the second cache does not hold, though what neighbouring rays read of them; and of which it
 // does not hold that either.
 inline constexpr std::size_t kLargeMap = 1U << 19U, kVeryLargeMap = 1U << 21U;
@@ -88,10 +89,8 @@ struct WalkMap {
         quadrant = static_cast<std::int32_t>(size);
         stride = cones.stride;
         unit = static_cast<float>(cones.unit);
-        // Rounded up in the products and sums by less than the margin.
-        constexpr double kRounding = 0x1p-19;
-        top = static_cast<float>(1 - cones.highest - kRounding);
-        topOfApex = static_cast<float>(1 - cones.highest - kRounding - static_cast<double>(kApexMore * unit));
+        top = static_cast<float>(1 - cones.highest);
+        topOfApex = static_cast<float>(1 - cones.highest - static_cast<double>(kApexMore * unit));
         asksForNodes = size >= kLargeMap;
         asksForWords = size >= (scattered ? kLargeMap : kVeryLargeMap);
         wide = size >= kWideWords;
@@ -357,7 +356,7 @@ class WalkSlots {
         hn::StoreU(base, df_, out.base.data() + to);
         hn::StoreU(in.run, df_, out.run.data() + to);
         // base is of the line ahead.
-        const VF shorter = hn::MulAdd(in.run, hn::Set(df_, 8 * kCrossingMargin), hn::Set(df_, kShorterJump - 0.5F));
+        const VF shorter = hn::MulAdd(in.run, hn::Set(df_, kShorterJump), hn::Set(df_, kShorterJump - 0.5F));
         hn::StoreU(hn::MulAdd(base, in.run, shorter), df_, out.place.data() + to);
         const VF words = hn::Set(df_, static_cast<float>(stride));
         hn::StoreU(hn::IfThenElse(in.back, hn::Neg(words), words), df_, out.stride.data() + to);

@@ -267,7 +267,9 @@ class ConeKernel : WalkSlots<kAddress> {
         }
         // Too near a corner to tell which neighbour comes first, and the jump does not pass it: both must be skipped.
         const MF both = hn::And(who, near);
-        const MF clear = hn::And(sideClear<kWide>(i, at, both, true), sideClear<kWide>(i, at, both, false));
+        const MF clear = hn::And(cornerWithinCells(at.tie, hn::Load(df_, columns_.x.inverse.data() + i),
+                                                   hn::Load(df_, columns_.y.inverse.data() + i)),
+                                 hn::And(sideClear<kWide>(i, at, both, true), sideClear<kWide>(i, at, both, false)));
         bad = hn::And(who, hn::Or(bad, hn::AndNot(clear, both)));
         end(i, bad, LaneEnd::Unclear);
         who = hn::AndNot(bad, who);

@@ -13,6 +13,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
+// Whether a corner that a ray passes within `tie` is passed before the ray leaves the cell behind it: two ties are less
+// than a cell of either axis takes, lambda. Else, all but parallel to an axis, it may go through several cells beside
+// the line before it crosses that.
+HWY_INLINE MF cornerWithinCells(VF tie, VF inverseX, VF inverseY) {
+    return hn::Lt(hn::Add(tie, tie), hn::Min(inverseX, inverseY));
+}
+
 // ------------------------------------------------------------------------------------------------------- float leaf
 
 // One axis of lanes in flight: the place of the walk is cell `cell` (mirrored, addressed), n = cell + offset.

@@ -237,8 +237,9 @@ class PyramidKernel {
         const MF near = hn::And(who, hn::Lt(hn::Abs(hn::Sub(cx.lambda, cy.lambda)), state.tie));
         if (HWY_UNLIKELY(!hn::AllFalse(df_, near))) {
             // Too near a corner to tell which neighbour comes first: both must be skipped, then it does not matter.
-            const MF clear =
-                hn::And(sideClear(state, asInt(near), true, cx, out), sideClear(state, asInt(near), false, cy, out));
+            const MF clear = hn::And(
+                cornerWithinCells(state.tie, state.x.inverse, state.y.inverse),
+                hn::And(sideClear(state, asInt(near), true, cx, out), sideClear(state, asInt(near), false, cy, out)));
             const MF unclear = hn::AndNot(clear, near);
             if (!hn::AllFalse(df_, unclear)) {
                 finish(state, unclear, LaneEnd::Scalar);

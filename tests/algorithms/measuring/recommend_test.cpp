@@ -101,6 +101,24 @@ TEST(Recommend, ScalarRegretIsSmallOnEveryProceduralRelief) {
     EXPECT_LE(regrets[regrets.size() / 2], kMedian);
 }
 
+// The full table, too, holds only forms within the budget of steps; where there is none, nothing is regretted.
+TEST(Recommend, IsCheckedWithinTheBudgetOfSteps) {
+    AdviceOptions options = asked("bricks", Form::Scalar, kSide);
+    options.forms = choices({"exact", "cone", "layers:layers=16"});
+    options.error = 1e5;
+    Work work;
+    const AdviceRegret free = adviceRegret(options, work);
+    options.maxSteps = 20;
+    const AdviceRegret bounded = adviceRegret(options, work);
+    EXPECT_NE(free.best.name, "layers");
+    EXPECT_EQ(bounded.best.name, "layers");
+    EXPECT_EQ(bounded.regret(), 0);
+    options.maxSteps = 2;
+    const AdviceRegret none = adviceRegret(options, work);
+    EXPECT_FALSE(none.anyIsValid());
+    EXPECT_TRUE(none.keepsBound) << "the advice says so itself";
+}
+
 TEST(Recommend, KeepsTheErrorBoundAndFindsWhatItAllows) {
     AdviceOptions options = asked("hills");
     options.views = parseViews("40,80", "--views");

@@ -1,8 +1,7 @@
-// Laws of the lanes: the bits of the scalar text, for every instruction set, number of rays, surface and addressing.
+// Laws of the lanes: the bits of the reference, for every instruction set, number of rays, surface and addressing.
 #include <gtest/gtest.h>
 
-#include "fields.h"
-#include "mapping/rows/row_lanes.h"
+#include "lanes.h"
 #include "relief/distance_conservative.h"
 #include "relief/maps/cone_map.h"
 #include "relief/maps/packed_cones.h"
@@ -28,17 +27,6 @@ const std::vector<MethodChoice>& voxelWalks() {
         {"distance-refined", {{"footprint", "2"}, {"layers", "7"}, {"sectors", "4"}, {"horizons", "8"}}},
         {"distance-refined", {{"footprint", "3"}, {"layers", "6"}, {"flattest", "40"}, {"horizons", "4"}}}};
     return all;
-}
-
-// Each target that this machine can run, and at the end the best again.
-template <class Body>
-void onEveryTarget(const Body& body) {
-    for (const std::int64_t target : laneTargets()) {
-        SCOPED_TRACE(laneTargetName(target));
-        forceLaneTarget(target);
-        body();
-    }
-    forceLaneTarget(0);
 }
 
 // Rays of all kinds: random, along the axes, vertical, through texel corners and borders, far away, flat, not finite.
@@ -98,67 +86,44 @@ RayBlock awkwardRays(const HeightField& field, std::uint64_t seed, std::size_t c
     return rays;
 }
 
-void expectTwins(const HeightField& field, const MethodChoice& method, const RayBlock& rays, MapCache& cache) {
-    if (!supports(method, field.surface(), field.address())) return;
-    Work work(1);
-    const auto tracer = makeTracer(method, field, cache, work);
-    HitBlock scalar;
-    BlockCounts counts;
-    tracer->trace(rays, scalar, counts, work);
-    onEveryTarget([&] {
-        HitBlock lanes;
-        NullSink sink;
-        tracer->trace(rays, lanes, sink, work);
-        std::size_t different = 0;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (sameBits(scalar[i], lanes[i])) continue;
-            if (++different > 3) continue;
-            ADD_FAILURE() << describe(method) << ", " << describe(field) << ", ray " << i << ": " << describe(rays[i])
-                          << ": scalar " << static_cast<int>(scalar.outcome[i]) << " " << numberText(scalar.lambda[i])
-                          << ", lanes " << static_cast<int>(lanes.outcome[i]) << " " << numberText(lanes.lambda[i]);
-        }
-        EXPECT_EQ(different, 0U);
-    });
-}
-
-void expectTwinsEverywhere(const std::vector<MethodChoice>& methods, const std::vector<double>& depths,
-                           const Heights& heights, std::uint64_t seed) {
+void expectSameBitsEverywhere(const std::vector<MethodChoice>& methods, const std::vector<double>& depths,
+                              const Heights& heights, std::uint64_t seed) {
     MapCache cache;
     for (const Surface surface : allSurfaces()) {
         for (const Address address : allAddresses()) {
             for (const double depth : depths) {
                 const HeightField field(heights, surface, address, depth);
                 const RayBlock rays = awkwardRays(field, seed, rayCount());
-                for (const MethodChoice& method : methods) expectTwins(field, method, rays, cache);
+                for (const MethodChoice& method : methods) expectSameBits(field, method, rays, cache);
             }
         }
     }
 }
-void expectTwinsEverywhere(const Heights& heights, std::uint64_t seed) {
-    expectTwinsEverywhere(jumps(), {0.02, 0.1, 0.9}, heights, seed);
+void expectSameBitsEverywhere(const Heights& heights, std::uint64_t seed) {
+    expectSameBitsEverywhere(jumps(), {0.02, 0.1, 0.9}, heights, seed);
 }
 
-TEST(Lanes, haveTheBitsOfTheScalarTextOnEveryRelief) {
+TEST(Lanes, haveTheBitsOfTheReferenceOnEveryRelief) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const ReliefRecipe& recipe : reliefRecipes()) {
         if (!recipe.anySize) continue;
         const std::string name(recipe.name);
         SCOPED_TRACE(name);
-        expectTwinsEverywhere(share(makeRelief(name, 128, 128, kSeed)), kSeed);
+        expectSameBitsEverywhere(share(makeRelief(name, 128, 128, kSeed)), kSeed);
     }
 }
 
-TEST(Lanes, haveTheBitsOfTheScalarTextOnAwkwardSizes) {
+TEST(Lanes, haveTheBitsOfTheReferenceOnAwkwardSizes) {
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{
              {1, 1}, {1, 7}, {2, 2}, {3, 1}, {5, 3}, {16, 17}, {33, 64}, {100, 3}, {257, 31}}) {
-        expectTwinsEverywhere(randomHeights(width, height, kSeed), kSeed + static_cast<std::uint64_t>(width));
-        expectTwinsEverywhere(constantHeights(width, height, 0.25F), kSeed);
+        expectSameBitsEverywhere(randomHeights(width, height, kSeed), kSeed + static_cast<std::uint64_t>(width));
+        expectSameBitsEverywhere(constantHeights(width, height, 0.25F), kSeed);
     }
-    for (const float value : {0.0F, 1.0F}) expectTwinsEverywhere(constantHeights(9, 9, value), kSeed);
+    for (const float value : {0.0F, 1.0F}) expectSameBitsEverywhere(constantHeights(9, 9, value), kSeed);
 }
 
 // Ways on them are more words than a float tells apart, and rows are longer than the cells.
-TEST(Lanes, haveTheBitsOfTheScalarTextOnMapsOfManyWords) {
+TEST(Lanes, haveTheBitsOfTheReferenceOnMapsOfManyWords) {
     const Heights heights = std::make_shared<FloatImage>(makeRelief("fractal", 2101, 2005, 3));
     MapCache cache;
     for (const Address address : allAddresses()) {
@@ -167,16 +132,16 @@ TEST(Lanes, haveTheBitsOfTheScalarTextOnMapsOfManyWords) {
         const auto cones = packedCones(field, cache, work);
         ASSERT_GE(cones->quadrantWords(), kWideWords);
         ASSERT_GT(cones->stride, cones->nx + 1);
-        expectTwins(field, {"cone", {}}, awkwardRays(field, kSeed + 9, rayCount()), cache);
+        expectSameBits(field, {"cone", {}}, awkwardRays(field, kSeed + 9, rayCount()), cache);
     }
 }
 
-TEST(Lanes, haveTheBitsOfTheScalarTextForAnyNumberOfRaysAndThreads) {
+TEST(Lanes, haveTheBitsOfTheReferenceForAnyNumberOfRaysAndThreads) {
     const HeightField field(randomHeights(60, 60, kSeed));
     MapCache cache;
     for (const std::size_t count : {0U, 1U, 2U, 7U, 15U, 16U, 17U, 31U, 511U, 512U, 513U, 1030U}) {
         const RayBlock rays = awkwardRays(field, kSeed, count);
-        for (const MethodChoice& method : jumps()) expectTwins(field, method, rays, cache);
+        for (const MethodChoice& method : jumps()) expectSameBits(field, method, rays, cache);
     }
     const RayBlock rays = awkwardRays(field, kSeed, 20000);
     for (const MethodChoice& method : jumps()) {
@@ -192,7 +157,7 @@ TEST(Lanes, haveTheBitsOfTheScalarTextForAnyNumberOfRaysAndThreads) {
 
 // Rays that clear the edges of a stair by less than floats tell: the exact leaf refuses step after step, by the hundred
 // in one chunk.
-TEST(Lanes, haveTheBitsOfTheScalarTextWhereManyCellsAreRefused) {
+TEST(Lanes, haveTheBitsOfTheReferenceWhereManyCellsAreRefused) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     constexpr int kSteps = 16, kTread = 8, kRows = 24;
     constexpr double kClearance = 2e-7;  // of the height, at most
@@ -216,84 +181,23 @@ TEST(Lanes, haveTheBitsOfTheScalarTextWhereManyCellsAreRefused) {
     for (const Surface surface : allSurfaces()) {
         for (const Address address : allAddresses()) {
             for (const MethodChoice& method : jumps()) {
-                expectTwins(HeightField(stair, surface, address, 0.1), method, rays, cache);
+                expectSameBits(HeightField(stair, surface, address, 0.1), method, rays, cache);
             }
         }
     }
 }
 
-// Pillars on level ground; a flank of each lies on a line of the pyramid's, on levels 1 to 5 and at the map's ends.
-struct Pillars {
-    static constexpr int kSide = 64;
-    struct Pillar {
-        int i, j;
-        double height;
-    };
-    std::vector<Pillar> all;
-    Heights heights;
-
-    explicit Pillars(std::uint64_t seed) {
-        Random random(seed);
-        auto image = std::make_shared<FloatImage>(kSide, kSide, 0.0625F);
-        for (int n = 0; n < 60; ++n) {
-            const int line = (1 << (1 + random.below(5))) * (1 + random.below(kSide));
-            const int i = (line - random.below(2)) % kSide, j = random.below(kSide);
-            const auto height = static_cast<float>(random.between(0.3, 0.95));
-            (*image)(i, j) = height;
-            all.push_back({i, j, static_cast<double>(height)});
-        }
-        heights = std::move(image);
-    }
-
-    // cellShift: of the cells' lines from texels' borders. Past a corner of a pillar, by some units in the last place
-    // of a float on either side of it; of every second ray the height there is the pillar's, to as much.
-    ViewRay pastCorner(Random& random, double cellShift) const {
-        const Pillar& pillar = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
-        const double unit = 0x1p-24;
-        const auto units = [&] { return unit * random.below(33) - 16 * unit; };
-        const auto run = [&] { return (random.below(2) == 0 ? 1 : -1) * std::exp(random.between(0, 5)); };
-        ViewRay ray;
-        ray.a = run();
-        ray.b = run();
-        const bool atTop = random.below(2) == 0;
-        const double lambda = atTop ? 1 - pillar.height * (1 + units()) : random.between(0.02, 1 - pillar.height / 2);
-        const double x = pillar.i + random.below(2) + cellShift, y = pillar.j + random.below(2) + cellShift;
-        ray.s0 = x - lambda * ray.a + units() * std::abs(ray.a);
-        ray.t0 = y - lambda * ray.b + units() * std::abs(ray.b);
-        return ray;
-    }
-};
-
-// What margins are for: random rays meet these places once in a million times.
-TEST(Lanes, haveTheBitsOfTheScalarTextAtCorners) {
-    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
-    const std::size_t count = 30 * rayCount();
-    const Pillars pillars(kSeed);
-    MapCache cache;
-    for (const Surface surface : allSurfaces()) {
-        for (const Address address : allAddresses()) {
-            const HeightField field(pillars.heights, surface, address, 0.5);
-            Random random(kSeed + 1);
-            RayBlock rays;
-            for (std::size_t i = 0; i < count; ++i) {
-                rays.push(pillars.pastCorner(random, surface == Surface::Columns ? 0.0 : -0.5 + random.below(2)));
-            }
-            for (const MethodChoice& method : jumps()) expectTwins(field, method, rays, cache);
-        }
-    }
-}
-
-TEST(Lanes, haveTheBitsOfTheScalarTextThroughVoxels) {
+TEST(Lanes, haveTheBitsOfTheReferenceThroughVoxels) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const char* name : {"bricks", "spikes", "fractal"}) {
         SCOPED_TRACE(name);
-        expectTwinsEverywhere(voxelWalks(), {0.02, 0.3}, share(makeRelief(name, 64, 64, kSeed)), kSeed);
+        expectSameBitsEverywhere(voxelWalks(), {0.02, 0.3}, share(makeRelief(name, 64, 64, kSeed)), kSeed);
     }
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {33, 14}, {60, 3}}) {
-        expectTwinsEverywhere(voxelWalks(), {0.0, 0.9}, randomHeights(width, height, kSeed), kSeed);
+        expectSameBitsEverywhere(voxelWalks(), {0.0, 0.9}, randomHeights(width, height, kSeed), kSeed);
     }
     for (const float value : {0.0F, 1.0F}) {
-        expectTwinsEverywhere(voxelWalks(), {0.3}, constantHeights(9, 9, value), kSeed);
+        expectSameBitsEverywhere(voxelWalks(), {0.3}, constantHeights(9, 9, value), kSeed);
     }
 }
 
@@ -328,7 +232,7 @@ TEST(Lanes, coneMapsFromFilesAreWalkedAsTheyStand) {
 }
 
 // What an unsafe map makes of a ray is the same, too: the walk itself is, not only where it ends.
-TEST(Lanes, walkUnsafeMapsAsTheScalarTextDoes) {
+TEST(Lanes, walkUnsafeMapsAsTheReferenceDoes) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const StepRule rule : {StepRule::Exit, StepRule::Classic}) {
         for (const Address address : allAddresses()) {
