@@ -241,14 +241,14 @@ void VisibleKernel::gatherTexels(const LevelFootprint& f, std::vector<Piece>& pi
     const ColorImage& image = plain_.levels().level(f.level);
     overEllipse(f, plain_.across(f.level), plain_.down(f.level), [&](int i, int j, double u, double v, float share) {
         const glm::dvec2 place = fieldTexels(f.centre + glm::dvec2(u, v), f.level);
-        if (outside(place)) return;
         Piece piece;
         piece.texel = {i, j, f.level, u + f.centre.x, v + f.centre.y};
         piece.color = image(i, j);
         piece.share = share;
         piece.s = place.x;
         piece.t = place.y;
-        piece.h = field_.at(place.x, place.y);
+        // Beyond a border is nothing that could be hidden: its colour counts, as in plain filtering.
+        piece.h = outside(place) ? 1.0 : field_.at(place.x, place.y);
         piece.du = u;
         piece.dv = v;
         pieces.push_back(piece);

@@ -216,8 +216,8 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                 ++tally.unsure;
                 continue;
             }
-            // Where nothing is hidden it is plain filtering, to which the rim's texels go on beyond the border.
-            if (!hides) wanted.merge(beyond);
+            // Beyond the border nothing is hidden: the rim's texels go on, as in plain filtering.
+            if (!hides || form == Form::Plane) wanted.merge(beyond);
             for (const auto& [where, seen] : wanted) {
                 if (seen.hidden) continue;
                 for (std::size_t k = 0; k < 3; ++k) sum[k] += seen.weight * seen.color[k];
@@ -345,7 +345,8 @@ TEST(VisibleTruth, PicturesFinerThanTheHeights) {
     expectMany(tally, 500, 500);
 }
 
-// Beyond the rim a clamped relief goes on for ever; under border nothing is there, neither to be seen nor in the way.
+// Beyond the rim a clamped relief goes on for ever; under border nothing is there that could hide or be hidden, and the
+// rim's colours go on whether or not anything else is hidden.
 TEST(VisibleTruth, RimsGoOnOrEnd) {
     for (const Address address : {Address::Clamp, Address::Border}) {
         for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
