@@ -281,7 +281,7 @@ TEST(MergeParts, PartLinesAreReadBack) {
     };
     EXPECT_TRUE(altered([](Json&) {}));
     EXPECT_TRUE(altered([](Json& json) { json["relief part"] = 3; }));
-    for (const Json number : {Json(0), Json(4), Json(-1), Json(1.5), Json("2"), Json()}) {
+    for (const Json& number : {Json(0), Json(4), Json(-1), Json(1.5), Json("2"), Json()}) {
         EXPECT_FALSE(altered([&](Json& json) { json["relief part"] = number; })) << number.dump();
     }
     EXPECT_TRUE(altered([](Json& json) { json["of"] = kMostParts; }));

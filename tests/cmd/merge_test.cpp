@@ -240,7 +240,8 @@ TEST_P(MergeTest, PartsOfASweepMakeItsTable) {
         std::vector<std::vector<std::string>> rows;
         for (const std::string& line : lines(read(name))) {
             rows.push_back(fields(line));
-            for (const std::size_t column : {11U, 12U, 19U}) rows.back().at(column) = "";
+            for (const std::size_t column : {11U, 12U}) rows.back().at(column) = "";
+            rows.back().back() = "";
         }
         return rows;
     };

@@ -389,7 +389,7 @@ TEST(VisibleTruth, LinesOfSightByHand) {
     for (int j = 0; j < 8; ++j) heights(10, j) = 0.5F;
     const auto shared = std::make_shared<const FloatImage>(heights);
     const Ground slope(HeightField(shared, Surface::Bilinear)), wall(HeightField(shared, Surface::Columns));
-    constexpr Truth kRounding = 1e-7L;  // heights are float
+    constexpr double kRounding = 1e-7;  // heights are float
     // The viewer is to the left: over (20.5, 0.2) the sight rises by 0.1 a texel, at the ridge it is at 1.2.
     EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, 10, 0)), 0, kRounding);
     // It rises by 0.02 a texel: at the ridge it is at 0.4, 0.1 below.
