@@ -8,18 +8,25 @@ namespace relief::test {
 namespace {
 
 std::vector<std::string> mpirun(int ranks) {
-    std::vector<std::string> command;
-#ifdef __SANITIZE_ADDRESS__
-    // Open MPI leaves memory behind in plug-ins that it has unloaded: there is no name to suppress it by.
-    const char* const options = std::getenv("ASAN_OPTIONS");
-    command = {"env", "ASAN_OPTIONS=" + std::string(options != nullptr ? options : "") + ":detect_leaks=0"};
-#endif
-    for (const char* const word : {"mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-n"}) {
-        command.emplace_back(word);
-    }
-    command.push_back(std::to_string(ranks));
-    return command;
+    return {"mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-n", std::to_string(ranks)};
 }
+
+// Open MPI leaves memory behind in plug-ins that it has unloaded: the address sanitizer has no name to suppress it by.
+class LeaksOfMpi {
+  public:
+    LeaksOfMpi() {
+        const char* const options = std::getenv(kVariable);
+        if (options != nullptr) before_ = options;
+        setenv(kVariable, (before_ + ":detect_leaks=0").c_str(), 1);
+    }
+    ~LeaksOfMpi() { setenv(kVariable, before_.c_str(), 1); }
+    LeaksOfMpi(const LeaksOfMpi&) = delete;
+    LeaksOfMpi& operator=(const LeaksOfMpi&) = delete;
+
+  private:
+    static constexpr const char* kVariable = "ASAN_OPTIONS";
+    std::string before_;
+};
 
 // Processes that this one has started, and theirs, that run the program.
 std::vector<pid_t> ranksOf(pid_t parent) {
@@ -52,6 +59,9 @@ class MpiTest : public SweepTest {
         setup.launcher = mpirun(ranks);
         return run(arguments, setup);
     }
+
+  private:
+    LeaksOfMpi leaks_;
 };
 INSTANTIATE_TEST_SUITE_P(Places, MpiTest, testing::ValuesIn(places()), placeName);
 
