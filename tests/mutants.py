@@ -5,23 +5,28 @@
 
 FOLDER gets a copy of the sources (source/), its build (build/) and what was found, a line of JSON a fault, in
 seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): a run that was stopped goes on from there; with other sources,
-remove that file. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/.
-First the tests run whose files fit by name, then those of the same folder, then those of the same library, then all
-others, until one fails; what does not compile is drawn anew. At the end a table with the faults that no test noticed.
+remove that file. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/;
+what does not compile is drawn anew. Each fault is built by itself and tried with the tests whose files fit it by name,
+then with those of the same folder, until one fails. Those that none of these notices are then put in together and
+all tests run, once: a suite that passes with all of them in passes with each. The suites that fail are run with each
+fault by itself. At the end a table with the faults that no test noticed.
 """
 
 import filecmp
 import json
 import random
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import time
 from pathlib import Path
 
-# Seconds after which a test has failed: a fault may be a loop without end. Of tests that fit, and of all.
-PATIENCE_NEAR, PATIENCE = 150, 600
+# Seconds after which a suite has failed: a fault may be a loop without end. None takes a third as long without one.
+PATIENCE = 300
+# Bytes of address space that a process may have.
+MEMORY = 16 << 30
 # The test program that a folder's faults are tried with first, and its tests.
 PROGRAMS = {"algorithms": ("relief_tests", "algorithms"), "app": ("relief_cmd_tests", "cmd"),
             "ui": ("reliefui_tests", "ui")}
@@ -105,13 +110,11 @@ def suites_of(source):
 
 
 def fitting(source, suites, mutated):
-    """Two lists of suites: whose file fits the mutated one by name or includes it; those of the same folder."""
+    """Two lists of suites: whose file fits the mutated one by name or includes it; the others of the same folder."""
     file = Path(mutated)
     stem = re.sub(r"(_lanes|-inl)$", "", file.stem)
     include = '"' + str(Path(*file.parts[1:])).removesuffix(".cpp").removesuffix(".h") + '.h"'
     folder = source / "tests" / file.parent
-    while not folder.exists():
-        folder = folder.parent
     near, beside = [], []
     for suite, path in suites.items():
         if path.stem.startswith(stem) or include in path.read_text():
@@ -145,69 +148,134 @@ def configure(source, build):
 
 
 def named(suites):
-    return r"^(window\.)?(\w+/)?(" + "|".join(sorted(suites)) + ")$"
+    return r"^(window\.)?(\w+/)?(" + "|".join(re.escape(suite) for suite in sorted(suites)) + ")$"
 
 
-def first_failure(build, patience, only=None, without=()):
-    """The suite that fails, or None. only: these suites; without: all but these."""
+def failures(build, patience, only=None, *options):
+    """The tests that fail, of all or of these suites."""
     if only is not None and not only:
-        return None
-    command = ["ctest", "--test-dir", str(build), "--stop-on-failure", "--timeout", str(patience), "-j2",
-               "-E", "|".join([NOT_TESTS] + ([named(without)] if without else []))]
+        return []
+    command = ["ctest", "--test-dir", str(build), "--timeout", str(patience), "-j2", "-E", NOT_TESTS, *options]
     if only is not None:
         command += ["-R", named(only)]
     ran = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
-    line = next((line for line in ran.stdout.split("\n") if "***" in line), None)
-    if line is None:
-        return None
-    name = re.search(r"Test +#\d+: (\S+)", line).group(1)
-    return name + (" (no end)" if "***Timeout" in line else "")
+    failed = []
+    for line in ran.stdout.split("\n"):
+        if "***" in line and (match := re.search(r"Test +#\d+: (\S+)", line)):
+            failed.append(match.group(1) + (" (no end)" if "***Timeout" in line else ""))
+    return failed
+
+
+def first_failure(build, patience, only=None):
+    """The suite that fails first, or None."""
+    return next(iter(failures(build, patience, only, "--stop-on-failure")), None)
+
+
+def first_of(build, groups):
+    """The suite that fails first, the groups of suites in turn, or None."""
+    return next((by for group in groups if (by := first_failure(build, PATIENCE, group))), None)
+
+
+def likely_first(source, suites, tests, mutated):
+    """These tests in three groups: of the mutated file's folder, of its library, others."""
+    groups = [[], [], []]
+    for test in tests:
+        path = suites.get(re.sub(r"^(window\.)?(\w+/)?", "", test), source)
+        near = [source / "tests" / Path(mutated).parent, source / "tests" / PROGRAMS[Path(mutated).parts[0]][1]]
+        groups[next((k for k in (0, 1) if path.is_relative_to(near[k])), 2)].append(test)
+    return groups
+
+
+def programs_of(source, suites, tests):
+    """What is to be built for these tests; nothing, which is everything, where one has no program of its own."""
+    programs = set()
+    for test in tests:
+        path = suites.get(re.sub(r"^(window\.)?(\w+/)?", "", test))
+        if path is None:
+            return []
+        of = next(program for program, folder in PROGRAMS.values() if path.is_relative_to(source / "tests" / folder))
+        programs |= {of} if of != "relief_cmd_tests" else {of, "relief_cli", "reliefscope"}
+    return sorted(programs)
 
 
 def builds(build, *programs):
     """Whether it builds; the build runs the test programs to list their tests, so it may not end either."""
     try:
         command = ["ninja", "-C", str(build), *programs]
-        ran = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=3 * PATIENCE)
+        ran = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=6 * PATIENCE)
         return ran.returncode == 0
     except subprocess.TimeoutExpired:
         return False
 
 
-def noticed_by(source, build, suites, name):
-    """The suite that notices the fault in a file, or None; False: it does not compile."""
-    program, folder = PROGRAMS[Path(name).parts[0]]
-    if not builds(build, program):
+def noticed_nearby(source, build, suites, name):
+    """The suite that notices the fault in a file among those that fit it, or None; False: it does not compile."""
+    if not builds(build, PROGRAMS[Path(name).parts[0]]):
         return False
-    near, beside = fitting(source, suites, name)
-    whole = [suite for suite, path in suites.items() if path.is_relative_to(source / "tests" / folder)]
-    rest = [suite for suite in whole if suite not in near + beside]
-    by = (first_failure(build, PATIENCE_NEAR, near) or first_failure(build, PATIENCE_NEAR, beside)
-          or first_failure(build, PATIENCE, rest))
-    if by:
-        return by
-    return first_failure(build, PATIENCE, without=whole) if builds(build) else False
+    return first_of(build, fitting(source, suites, name))
+
+
+class Altered:
+    """The sources with faults in them, as long as it lasts."""
+
+    def __init__(self, source, places):
+        self.files = {source / name: (source / name).read_text() for name, *_ in places}
+        self.places = [(source / place[0], *place[1:]) for place in places]
+
+    def __enter__(self):
+        # From the end, so that what is replaced does not move what is still to be.
+        for path, number, begin, end, new in sorted(self.places, reverse=True, key=lambda place: place[:3]):
+            lines = path.read_text().split("\n")
+            lines[number] = lines[number][:begin] + new + lines[number][end:]
+            path.write_text("\n".join(lines))
+
+    def __exit__(self, *_):
+        for path, text in self.files.items():
+            path.write_text(text)
 
 
 def tried(source, build, suites, place):
-    """What became of a fault; None: it does not compile."""
+    """What became of a fault with the tests that fit it; None: it does not compile."""
     name, number, begin, end, new = place
-    path = source / name
-    text = path.read_text()
-    lines = text.split("\n")
-    old = lines[number]
-    lines[number] = old[:begin] + new + old[end:]
-    result = {"file": name, "line": number + 1, "old": old.strip(), "new": lines[number].strip()}
-    path.write_text("\n".join(lines))
-    try:
+    old = (source / name).read_text().split("\n")[number]
+    result = {"place": place, "file": name, "line": number + 1, "old": old.strip(),
+              "new": (old[:begin] + new + old[end:]).strip()}
+    with Altered(source, [place]):
         begun = time.monotonic()
-        result["by"] = noticed_by(source, build, suites, name)
+        result["by"] = noticed_nearby(source, build, suites, name)
         result["seconds"] = round(time.monotonic() - begun)
-        if result["by"] is False:
-            return None
-    finally:
-        path.write_text(text)
-    return result
+    return None if result["by"] is False else result
+
+
+def tried_together(source, build, suites, left, record):
+    """All tests, with all the faults at once that those which fit did not notice; then what failed, with each."""
+    known = [json.loads(line) for line in record.read_text().splitlines()] if record.exists() else []
+
+    def remember(entry):
+        with record.open("a") as out:
+            out.write(json.dumps(entry) + "\n")
+        known.append(entry)
+
+    asked = [list(result["place"]) for result in left]
+    if not known or known[0]["places"] != asked:
+        record.unlink(missing_ok=True)
+        known.clear()
+        with Altered(source, asked):
+            if not builds(build):
+                sys.exit("the faults that are left do not build together")
+            remember({"places": asked, "failed": [test.split(" ")[0] for test in failures(build, PATIENCE)]})
+    print("with all that are left, these fail: " + " ".join(known[0]["failed"]), file=sys.stderr, flush=True)
+    for number, result in enumerate(left):
+        if number + 1 >= len(known):
+            with Altered(source, [result["place"]]):
+                begun = time.monotonic()
+                by = "the build"
+                if builds(build, *programs_of(source, suites, known[0]["failed"])):
+                    by = first_of(build, likely_first(source, suites, known[0]["failed"], result["file"]))
+                remember({"by": by, "seconds": round(time.monotonic() - begun)})
+        result["by"] = known[number + 1]["by"]
+        result["seconds"] += known[number + 1]["seconds"]
+        print(f"{result['file']}:{result['line']}: {result['by'] or 'SURVIVED'}", file=sys.stderr, flush=True)
 
 
 def table(results):
@@ -224,6 +292,8 @@ def main():
     rule = sys.argv[4] if len(sys.argv) > 4 else None
     source, build = folder / "source", folder / "build"
     record = folder / f"seed-{seed}{'-' + rule if rule else ''}.jsonl"
+    # A fault may take all memory there is.
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     refresh(source)
     configure(source, build)
     done = [json.loads(line) for line in record.read_text().splitlines()] if record.exists() else []
@@ -251,8 +321,10 @@ def main():
                 out.write(json.dumps(result) + "\n")
         if result:
             results.append(result)
-            print(f"{len(results)}/{count} {result['file']}:{result['line']}: {result['by'] or 'SURVIVED'}",
+            print(f"{len(results)}/{count} {result['file']}:{result['line']}: {result['by'] or 'not by those that fit'}",
                   file=sys.stderr, flush=True)
+    left = [result for result in results if not result["by"]]
+    tried_together(source, build, suites, left, record.with_suffix(".together.jsonl"))
     table(results)
 
 

@@ -255,11 +255,11 @@ void SegmentWalk::step() {
     // From a cell that lies behind (its number was taken too low) no cone is followed: it counts from the way out.
     const M open = hn::And(hn::And(above, hn::Gt(room, zero)), hn::Ge(exits, mu));
     const M forEver = hn::And(open, hn::Le(closing, zero));
-    // Shortened, so that rounding of a place by less than kUnsure of a cell leaves out nothing but free way.
+    // The cell after a jump is found this much too early, in cells: more than places are rounded by. A cell is looked
+    // at over the whole of its interval, so that the jump itself may end a rounding too late.
     constexpr double kUnsure = 1e-8;
     const V share = hn::Mul(hn::Div(room, closing), constant(PackedConeAnyHit::kShorter));
-    const V back = hn::Div(constant(1e-6), run);
-    const V target = hn::Sub(hn::Add(out, share), back);
+    const V target = hn::Add(out, share);
     const M jumps = hn::And(open, hn::Gt(target, out));
     const V after = hn::IfThenElse(jumps, target, out);
     const auto next = [&](const AxisLanes& axis, V exit, V other) {

@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include "golden.h"
 #include "views/figure.h"
 #include "views/pyramid_view.h"
 #include "views/step_table.h"
@@ -80,6 +81,9 @@ TEST_P(EveryExport, needsNoDisplay) {
                                                     QStringLiteral("--dpi"), QStringLiteral("80")}));
     EXPECT_EQ(image.width(), 400);
     EXPECT_GT(colorsIn(image), 8);
+    // These two show measured times.
+    if (name != "charts" && name != "compare")
+        expectGolden(image, QStringLiteral(RELIEF_SOURCE "/tests/files/figures"), name);
     if (name == "trace" || name == "slabs") return;
     const QByteArray svg = contents(run(QStringLiteral(".svg"), {}));
     if (name == "result") {

@@ -25,8 +25,6 @@ inline constexpr std::size_t kChunkBeams = kLaneChunk / kBeamRays;  // as many a
 inline constexpr double kWidestBeam = 64;
 inline constexpr double kLeastLead = 0.5;
 inline constexpr int kMostLeads = 24;
-// Of the rounding here, and of the start in lanes (LaneScene).
-inline constexpr double kLeadSlack = 0x1p-12;
 
 inline constexpr std::size_t kQuadrants = 4;
 
@@ -171,7 +169,7 @@ void leadBeams(const LaneScene& scene, const PackedCones& cones, std::uint32_t q
     constexpr std::size_t kGroups = kBeamRays / kLaneGroup;
     for (std::size_t n = 0; n < beams; ++n) {
         const auto first = rays.start.begin() + static_cast<std::ptrdiff_t>(n * kGroups);
-        std::fill_n(first, kGroups, std::max(starts[n] - kLeadSlack, scene.start));
+        std::fill_n(first, kGroups, std::max(starts[n] - kStartSlack, scene.start));
     }
 }
 

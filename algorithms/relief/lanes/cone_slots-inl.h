@@ -24,10 +24,6 @@ inline constexpr std::size_t kLargeMap = 1U << 19U, kVeryLargeMap = 1U << 21U;
 // Numbers below 2^22 added to it are rounded to whole ones, its last bits.
 inline constexpr float kWhole = 0x1.8p23F;
 inline constexpr auto kWholeBits = std::bit_cast<std::int32_t>(kWhole);
-// Rays as most are: run at least so far, texels, and begin so far from lines at least, texels; whatever begins
-// otherwise is set up with care.
-inline constexpr double kLeastRun = 1e-5;
-inline constexpr double kOffLine = 1e-9;
 // Rays are asked for that long before they are taken.
 inline constexpr std::size_t kRaysAhead = 2 * kLaneChunk;
 // Cones met a little early: more than the error of an approximate reciprocal and all rounding.
@@ -120,15 +116,14 @@ class WalkSlots {
     // What the setting up of an axis needs to know.
     struct EntryFrame {
         GridAxis axis;
-        double low, high;  // of the places within the map, or within the first period, with something to spare
+        double low, high;  // of the places within the map, or within the first period
         float toRim = 0;   // from the line behind the last cell to the map's edge
         explicit EntryFrame(const GridAxis& of) : axis(of) {
-            constexpr double kInside = 1e-6;
             const bool border = kAddress == Address::Border;
             // Where the map repeats, starts that need not be taken into the first period: s within the texels.
             const double whole = kAddress == Address::Repeat ? axis.texels + axis.shift : axis.cells;
-            low = (border ? axis.low : 0) + kInside;
-            high = (border ? axis.high : whole) - kInside;
+            low = border ? axis.low : 0;
+            high = border ? axis.high : whole;
             toRim = static_cast<float>(border ? axis.high - axis.cells : 0);
         }
     };
@@ -273,7 +268,7 @@ class WalkSlots {
             const MD runs01 = hn::And(hn::Gt(absRun, hn::Set(d, kLeastRun)), hn::Lt(absRun, hn::Set(d, kLaneRun)));
             const MD within = hn::And(hn::Gt(hn::Min(at, along), hn::Set(d, frame.low)),
                                       hn::Lt(hn::Max(at, along), hn::Set(d, frame.high)));
-            const MD clear = hn::And(hn::Gt(part, hn::Set(d, kOffLine)), hn::Lt(part, hn::Set(d, 1 - kOffLine)));
+            const MD clear = hn::Gt(part, hn::Zero(d));
             usual = hn::And(usual, hn::And(runs01, hn::And(within, clear)));
             cell[h] = hn::DemoteTo(di, first);
             share[h] = hn::DemoteTo(df, part);

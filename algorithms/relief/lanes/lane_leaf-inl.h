@@ -168,14 +168,14 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
     const VF share = hn::Mul(slope, hn::ApproximateReciprocal(hn::IfThenElse(arched, c, one)));
     const VF vertex = hn::NegMulAdd(hn::Mul(slope, hn::Set(d, 0.25F * (1 + 0x1p-10F))), share, fIn);
     const VF highest = hn::Max(hn::Max(fIn, fOut), hn::IfThenElse(arched, vertex, fIn));
-    // Places are off by twice the crossing margin times the run at most, heights by as much of the cell's slopes.
+    // Places are off by at most twice the crossing margin times the run, heights by that times the cell's slopes. Of
+    // the two ties one and a half cover `in` and `out`, the rest, at least 16 units of 2^-24, the rounding of heights.
     const VF slopeX = hn::Max(hn::Abs(alongTop), hn::Abs(alongBottom));
     const VF slopeY = hn::Max(hn::Abs(hn::Sub(h01, h00)), hn::Abs(hn::Sub(h11, h10)));
     const auto blur = [&](const LaneAxisState& axis, VF slope) {
         return hn::Mul(slope, hn::MulAdd(axis.run, hn::Set(d, 2 * kCrossingMargin), hn::Set(d, 2 * kCrossingMargin)));
     };
-    const VF margin =
-        hn::Add(hn::Add(blur(x, slopeX), blur(y, slopeY)), hn::MulAdd(hn::Set(d, 2.0F), tie, hn::Set(d, 2e-6F)));
+    const VF margin = hn::Add(hn::Add(blur(x, slopeX), blur(y, slopeY)), hn::Mul(hn::Set(d, 2.0F), tie));
     return hn::Lt(highest, hn::Neg(margin));
 }
 
@@ -183,7 +183,7 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
 HWY_INLINE MF columnBelow(const LaneScene& scene, VI index, VF out, VF tie) {
     const DF d;
     const VF height = hn::GatherIndex(d, scene.heights, index);
-    const VF margin = hn::MulAdd(hn::Set(d, 2.0F), tie, hn::Set(d, 2e-6F));
+    const VF margin = hn::Mul(hn::Set(d, 2.0F), tie);
     return hn::Lt(hn::Add(height, margin), hn::Sub(hn::Set(d, 1.0F), out));
 }
 

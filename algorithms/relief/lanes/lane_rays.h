@@ -23,8 +23,14 @@ inline constexpr std::size_t kLaneSlots = kLaneChunk + 112;
 inline constexpr double kLaneRun = 65536;
 // Cells from the origin within which positions are held as integers.
 inline constexpr double kLanePlaces = 4194304;
-// Of n * inverse + base: products and sums of floats of at most 1 + inverse, four roundings, twice.
+// Times 1 + 1 / run, a bound of the error of n * inverse + base in float, lambda: at most 6 + 2.5 / run units of 2^-24.
 inline constexpr float kCrossingMargin = 0x1p-21F;
+// Rays that move less than this, in cells, are not walked where they begin as near to a line: rounding may put their
+// start on its wrong side.
+inline constexpr double kLeastRun = 1e-5;
+// Lambda by which walks begin before the first place that may be hit: more than the rounding of places (2^-30 of a
+// cell) over kLeastRun.
+inline constexpr double kStartSlack = 0x1p-12;
 
 // The numbers of the bits that are set, in front, for all bytes: to pack lanes where vectors are of eight at most.
 inline constexpr auto kPackedLanes = [] {
@@ -100,8 +106,6 @@ struct LaneScene {
           surface(field.surface()),
           address(field.address()),
           mirror(mirrored) {
-        // Above the rounding of places (2^-30 of a cell) over the least run that lanes take when they begin lower down.
-        constexpr double kStartSlack = 0x1p-12;
         start = std::max(0.0, 1 - highest - kStartSlack);
     }
     LaneScene(const HeightField& field, const PackedCones& cones)

@@ -173,7 +173,7 @@ HWY_INLINE Fitness setUpPlaces(const LaneScene& scene, const GridAxis& axis, con
     good = hn::And(good, hn::Or(hn::Ge(absRun, hn::Set(d, 1e-30)), hn::Eq(run, zero)));
     // Hardly moving and next to a line: the walk could begin on the wrong side of it.
     if (begin > 0) {
-        good = hn::AndNot(hn::And(hn::Lt(absRun, hn::Set(d, 1e-6)), hn::Lt(share, hn::Set(d, 1e-6))), good);
+        good = hn::AndNot(hn::And(hn::Lt(absRun, hn::Set(d, kLeastRun)), hn::Lt(share, hn::Set(d, kLeastRun))), good);
     }
     const VD low = hn::IfThenElse(mirrored, hn::Set(d, scene.mirror - axis.cells), zero);
     const VD cells = hn::Set(d, axis.cells);
@@ -185,12 +185,11 @@ HWY_INLINE Fitness setUpPlaces(const LaneScene& scene, const GridAxis& axis, con
     }
     MD gone = hn::MaskFromVec(zero);
     if constexpr (kAddress == Address::Border) {
-        constexpr double kInside = 1e-6;
-        const auto inside = [&](VD at) {
-            return hn::And(hn::Gt(at, hn::Set(d, axis.low + kInside)), hn::Lt(at, hn::Set(d, axis.high - kInside)));
-        };
-        const MD left =
-            hn::Or(hn::Lt(place, hn::Set(d, axis.low - kInside)), hn::Gt(place, hn::Set(d, axis.high + kInside)));
+        // No margins: nothing is hit before `begin` + kStartSlack, and a place that is rounded over the rim reaches it
+        // long before that.
+        const VD rimLow = hn::Set(d, axis.low), rimHigh = hn::Set(d, axis.high);
+        const auto inside = [&](VD at) { return hn::And(hn::Gt(at, rimLow), hn::Lt(at, rimHigh)); };
+        const MD left = hn::Or(hn::Lt(place, rimLow), hn::Gt(place, rimHigh));
         gone = hn::And(hn::And(good, inside(start)), left);
         good = hn::And(good, hn::Or(gone, hn::And(inside(start), inside(place))));
         const VD rim =

@@ -11,7 +11,7 @@ namespace relief {
 namespace {
 
 std::uint16_t depthOf(float maximum) {
-    const double depth = (1 - static_cast<double>(maximum) - kDepthSlack) / kDepthUnit;
+    const double depth = (1 - static_cast<double>(maximum)) / kDepthUnit;
     return static_cast<std::uint16_t>(std::clamp(std::floor(depth), 0.0, 65535.0));
 }
 

@@ -1,7 +1,8 @@
 // The max pyramid as the lanes read it: one array of depths 1 - maximum in 16 bits, level after level.
 //
-// A depth is rounded down, and kDepthSlack less than it is: "the ray leaves the node above this depth" excludes at
-// least as surely as PyramidWalk::excluded.
+// A depth is rounded down, and SIMD walks compute the lambda at which a ray leaves a node late by more than
+// PyramidWalk's kExclusionMargin (kCrossingMargin, lane_rays.h). So "the ray leaves the node above this depth" excludes
+// no node that PyramidWalk::excluded keeps.
 #pragma once
 
 #include <array>
@@ -14,7 +15,6 @@ namespace relief {
 
 inline constexpr int kDepthLevels = 16;  // fields of up to 32768 cells a side
 inline constexpr double kDepthUnit = 0x1p-16;
-inline constexpr double kDepthSlack = 0x1p-20;
 
 struct DepthPyramid {
     static constexpr RayClass kRays = RayClass::AnyRays;

@@ -1,9 +1,9 @@
 // What tests of form=grid share: frames with what their pixels ask.
 #pragma once
 
+#include "algorithms/every_target.h"
 #include "filter_cases.h"
 #include "images/reliefs.h"
-#include "mapping/rows/row_lanes.h"
 #include "rendering/frame.h"
 
 namespace relief::test {
@@ -13,11 +13,6 @@ inline constexpr std::uint64_t kSeed = 43;
 inline FilterChoice grid(const char* points = "3") {
     return {"elliptical-visible", {{"form", "grid"}, {"points", points}}};
 }
-
-struct ForcedTarget {
-    explicit ForcedTarget(std::int64_t target) { forceLaneTarget(target); }
-    ~ForcedTarget() { forceLaneTarget(0); }
-};
 
 inline HeightField reliefOf(const char* name, Address address = Address::Repeat, Surface surface = Surface::Bilinear) {
     return HeightField(std::make_shared<const FloatImage>(makeRelief(name, 64, 48, kSeed)), surface, address, 0.1);

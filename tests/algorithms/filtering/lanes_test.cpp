@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/every_target.h"
 #include "filter_cases.h"
-#include "mapping/rows/row_lanes.h"
 
 namespace relief::test {
 namespace {
@@ -54,11 +54,6 @@ std::vector<Color> colorsOf(const TextureFilter& filter, const FilterBlock& bloc
     filter.colors(block, colors, counts, work);
     return colors;
 }
-
-struct ForcedTarget {
-    explicit ForcedTarget(std::int64_t target) { forceLaneTarget(target); }
-    ~ForcedTarget() { forceLaneTarget(0); }
-};
 
 TEST(EllipticalLanes, NearTheScalarText) {
     Random random(kSeed);

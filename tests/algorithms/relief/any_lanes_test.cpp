@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/every_target.h"
 #include "fields.h"
-#include "mapping/rows/row_lanes.h"
 #include "relief/any_hit.h"
 
 namespace relief::test {
@@ -63,14 +63,12 @@ TEST(AnyHitLanes, AnswerAsTheScalarText) {
                 query->look(block, scalar, counts, work);
                 for (const Sight sight : scalar.sight) ++answers[static_cast<std::size_t>(sight)];
                 rays += block.size();
-                for (const std::int64_t target : laneTargets()) {
-                    forceLaneTarget(target);
+                onEveryTarget([&] {
                     SightBlock lanes;
                     NullSink null;
                     query->look(block, lanes, null, work);
-                    ASSERT_EQ(lanes.sight, scalar.sight) << laneTargetName(target);
-                }
-                forceLaneTarget(0);
+                    ASSERT_EQ(lanes.sight, scalar.sight);
+                });
             }
         }
     }

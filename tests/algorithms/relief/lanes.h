@@ -1,23 +1,10 @@
-// Instruction sets in turn, and SIMD versions held against their references, bit for bit.
+// SIMD versions held against their references, bit for bit, on every instruction set.
 #pragma once
 
-#include <gtest/gtest.h>
-
+#include "algorithms/every_target.h"
 #include "fields.h"
-#include "mapping/rows/row_lanes.h"
 
 namespace relief::test {
-
-// Each instruction set that this machine has, and at the end the best again.
-template <class Body>
-void onEveryTarget(const Body& body) {
-    for (const std::int64_t target : laneTargets()) {
-        SCOPED_TRACE(laneTargetName(target));
-        forceLaneTarget(target);
-        body();
-    }
-    forceLaneTarget(0);
-}
 
 // The first three rays whose hits differ are named.
 inline void expectSameHits(const HitBlock& expected, const HitBlock& hits, const RayBlock& rays,

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/every_target.h"
 #include "fields.h"
-#include "mapping/rows/row_lanes.h"
 
 namespace relief::test {
 namespace {
@@ -81,15 +81,12 @@ TEST(SampledLanes, HaveTheBitsOfTheScalarText) {
                         HitBlock scalar;
                         BlockCounts counts;
                         tracer->trace(rays, scalar, counts, work);
-                        for (const std::int64_t target : laneTargets()) {
-                            SCOPED_TRACE(laneTargetName(target));
-                            forceLaneTarget(target);
+                        onEveryTarget([&] {
                             HitBlock lanes;
                             NullSink null;
                             tracer->trace(rays, lanes, null, work);
                             expectSameBits(lanes, scalar, rays);
-                        }
-                        forceLaneTarget(0);
+                        });
                     }
                 }
             }

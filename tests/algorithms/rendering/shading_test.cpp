@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "../relief/fields.h"
-#include "mapping/rows/row_lanes.h"
+#include "algorithms/every_target.h"
 #include "measuring/random_rays.h"
 #include "relief/look_up_point.h"
 #include "rendering/frame.h"
@@ -73,19 +73,17 @@ TEST(Shading, lanesHaveTheBitsOfOneNormal) {
                 s.push_back(n % 7 == 0 ? random.below(width) + 0.5 : random.between(-far, far) * width);
                 t.push_back(n % 11 == 0 ? height : random.between(-far, far) * height);
             }
-            for (const std::int64_t target : laneTargets()) {
-                forceLaneTarget(target);
+            onEveryTarget([&] {
                 std::vector<double> facing(s.size()), byNodes(s.size());
                 facingLight(SlopeScene(field), axes, field.slabTexels(), toLight, s, t, facing);
                 facingLight(SlopeScene(field, cones), axes, field.slabTexels(), toLight, s, t, byNodes);
-                forceLaneTarget(0);
-                EXPECT_EQ(byNodes, facing) << laneTargetName(target);
+                EXPECT_EQ(byNodes, facing);
                 for (std::size_t n = 0; n < s.size(); ++n) {
                     const glm::vec3 normal(reliefNormal(quad, field.slope(s[n], t[n]), field.slabTexels()));
                     ASSERT_EQ(facing[n], glm::dot(glm::dvec3(normal), toLight))
-                        << s[n] << ' ' << t[n] << ' ' << laneTargetName(target);
+                        << s[n] << ' ' << t[n];
                 }
-            }
+            });
         }
     }
 }

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/every_target.h"
 #include "mapping/rows/row_kernels.h"
-#include "mapping/rows/row_lanes.h"
 #include "mapping/rows/row_planner.h"
 #include "row_cases.h"
 
@@ -16,6 +16,7 @@ namespace {
 using test::evaluated;
 using test::EvaluatedRow;
 using test::exactVariants;
+using test::ForcedTarget;
 using test::nameOf;
 using test::Random;
 using test::rowOfRatio;
@@ -259,15 +260,6 @@ TEST(Rows, LongWorkCanBeStopped) {
     EXPECT_THROW(evaluateRows(Homography{}, {100, 100}, {RowVariant::Direct}, rows, work), Cancelled);
     EXPECT_THROW(evaluateRows(Homography{}, {100, 100}, {RowVariant::RowsParallel}, rows, work), Cancelled);
 }
-
-// Every instruction set of this machine, lanes against the scalar text.
-class ForcedTarget {
-  public:
-    explicit ForcedTarget(std::int64_t target) { forceLaneTarget(target); }
-    ~ForcedTarget() { forceLaneTarget(0); }
-    ForcedTarget(const ForcedTarget&) = delete;
-    ForcedTarget& operator=(const ForcedTarget&) = delete;
-};
 
 template <typename T>
 void expectLanesLikeScalars() {

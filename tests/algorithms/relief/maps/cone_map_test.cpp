@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/every_target.h"
 #include "brute_cells.h"
 #include "images/reliefs.h"
-#include "mapping/rows/row_lanes.h"
 #include "relief/maps/cone_builders.h"
 #include "relief/maps/distance_map.h"
 
@@ -171,15 +171,13 @@ TEST(ConservativeCones, AreTheSameForAnyTargetAndThreads) {
         parameters.sectors = 4;
         Work one(1);
         const ConeMap expected = buildConeMap(ConeKind::Conservative, parameters, field, one);
-        for (const std::int64_t target : laneTargets()) {
-            SCOPED_TRACE(describe(field) + " " + laneTargetName(target));
-            forceLaneTarget(target);
+        SCOPED_TRACE(describe(field));
+        onEveryTarget([&] {
             Work work(3);
             const ConeMap map = buildConeMap(ConeKind::Conservative, parameters, field, work);
-            forceLaneTarget(0);
             EXPECT_TRUE(map.apex.codes() == expected.apex.codes());
             EXPECT_TRUE(map.slopes.codes() == expected.slopes.codes());
-        }
+        });
     }
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../fields.h"
-#include "mapping/rows/row_lanes.h"
+#include "algorithms/every_target.h"
 
 namespace relief::test {
 namespace {
@@ -52,13 +52,11 @@ TEST_P(Envelope, IsTheLeastOverAllPlaces) {
             }
         };
         transform(f);
-        for (const std::int64_t target : laneTargets()) {
-            forceLaneTarget(target);
+        onEveryTarget([&] {
             FloatImage again = given;
             transform(again);
-            forceLaneTarget(0);
-            ASSERT_EQ(again, f) << laneTargetName(target);
-        }
+            ASSERT_EQ(again, f);
+        });
         for (int y = 0; y < c.height; ++y) {
             for (int x = 0; x < c.width; ++x) {
                 double least = 1e30;

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/every_target.h"
 #include "brute_cells.h"
 #include "images/reliefs.h"
-#include "mapping/rows/row_lanes.h"
 
 namespace relief::test {
 namespace {
@@ -182,11 +182,7 @@ TEST(PackedCones, AreTheSameForAnyTargetAndThreads) {
     const HeightField field(needles(201, 93, 33), Surface::Bilinear, Address::Repeat, 0.2);
     const PackedCones reference = built(field, 1);
     EXPECT_EQ(built(field, 2).words, reference.words);
-    for (const std::int64_t target : laneTargets()) {
-        forceLaneTarget(target);
-        EXPECT_EQ(built(field, 2).words, reference.words) << laneTargetName(target);
-    }
-    forceLaneTarget(0);
+    onEveryTarget([&] { EXPECT_EQ(built(field, 2).words, reference.words); });
 }
 
 TEST(PackedCones, AreKeptOnceForAllReliefDepths) {
