@@ -3,7 +3,7 @@
 
     tests/mutants.py FOLDER N SEED [RULE]      called by: tests/run --mutants N [--seed S] [--rule RULE]
 
-FOLDER gets a copy of the sources (source/), its build (build/) and what was found, a line of JSON a fault, in
+FOLDER gets a copy of the sources (source/), their build (source/build/) and what was found, a line of JSON a fault, in
 seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): a run that was stopped goes on from there; with other sources,
 remove that file. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/;
 what does not compile is drawn anew. Each fault is built by itself and tried with the tests whose files fit it by name,
@@ -125,7 +125,8 @@ def fitting(source, suites, mutated):
 
 
 def refresh(source):
-    """The copy is what the checkout is; files that are the same stay, so that they are not built again."""
+    """Makes the copy what the checkout is; returns whether anything changed. Files that are the same stay as they are."""
+    changed = False
     root = Path(__file__).resolve().parent.parent
     for name in ("CMakeLists.txt", "README.md", "algorithms", "app", "datasets", "tests", "ui"):
         files = [root / name] if (root / name).is_file() else [p for p in (root / name).rglob("*") if p.is_file()]
@@ -135,9 +136,12 @@ def refresh(source):
             if not to.exists() or not filecmp.cmp(root / file, to, shallow=False):
                 to.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(root / file, to)
+                changed = True
         for file in (source / name).rglob("*"):
             if file.is_file() and file.relative_to(source) not in wanted:
                 file.unlink()
+                changed = True
+    return changed
 
 
 def configure(source, build):
@@ -210,7 +214,7 @@ def builds(build, *programs):
 
 def noticed_nearby(source, build, suites, name):
     """The suite that notices the fault in a file among those that fit it, or None; False: it does not compile."""
-    if not builds(build, PROGRAMS[Path(name).parts[0]]):
+    if not builds(build, PROGRAMS[Path(name).parts[0]][0]):
         return False
     return first_of(build, fitting(source, suites, name))
 
@@ -290,11 +294,15 @@ def table(results):
 def main():
     folder, count, seed = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     rule = sys.argv[4] if len(sys.argv) > 4 else None
-    source, build = folder / "source", folder / "build"
+    # The build lies in the sources as in a checkout, so that the compiler cache serves it.
+    source = folder / "source"
+    build = source / "build"
     record = folder / f"seed-{seed}{'-' + rule if rule else ''}.jsonl"
     # A fault may take all memory there is.
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    refresh(source)
+    passed = folder / "passed"  # all tests, without a fault
+    if refresh(source):
+        passed.unlink(missing_ok=True)
     configure(source, build)
     done = [json.loads(line) for line in record.read_text().splitlines()] if record.exists() else []
     places, suites = candidates(source), suites_of(source)
@@ -304,8 +312,10 @@ def main():
     count = min(count, len(set(sum((places[name] for name in rules), []))))
     if not builds(build):
         sys.exit("without a fault: it does not build")
-    if not done and (failed := first_failure(build, PATIENCE)):
-        sys.exit(f"without a fault: {failed} fails")
+    if not passed.exists():
+        if failed := first_failure(build, PATIENCE):
+            sys.exit(f"without a fault: {failed} fails")
+        passed.touch()
     drawn, seen, results = random.Random(seed), set(), []
     while len(results) < count and len(seen) < sum(len(places[name]) for name in rules):
         # Each rule as often as any other, however many places it has.

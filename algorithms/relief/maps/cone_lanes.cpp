@@ -74,11 +74,10 @@ void apexes(const float* cells, std::ptrdiff_t stride, int n, float* out) {
 }
 
 // Two vectors at once, for one waits for the other's maxima.
-void steepen(const NearRings& rings, const float* cells, const float* apex, int n, float steeper, float* slopes) {
+void steepen(const NearRings& rings, const float* cells, const float* apex, int n, float* slopes) {
     const DNear d;
     const auto lanes = static_cast<int>(hn::Lanes(d));
     const std::ptrdiff_t* offsets = rings.offsets.data();
-    const auto by = hn::Set(d, steeper);
     for (int i = 0; i < n; i += 2 * lanes) {
         const float* first = cells + i;
         const float* second = first + lanes;
@@ -95,8 +94,8 @@ void steepen(const NearRings& rings, const float* cells, const float* apex, int 
             slopeI = hn::Max(slopeI, hn::Mul(hn::Sub(highI, apexI), inverse));
             slopeK = hn::Max(slopeK, hn::Mul(hn::Sub(highK, apexK), inverse));
         }
-        hn::StoreU(hn::Mul(slopeI, by), d, slopes + i);
-        hn::StoreU(hn::Mul(slopeK, by), d, slopes + i + lanes);
+        hn::StoreU(slopeI, d, slopes + i);
+        hn::StoreU(slopeK, d, slopes + i + lanes);
     }
 }
 
@@ -139,9 +138,8 @@ void apexesAbove(const float* cells, std::ptrdiff_t stride, int n, float* out) {
     HWY_DYNAMIC_DISPATCH(apexes)(cells, stride, n, out);
 }
 
-void steepenByRings(const NearRings& rings, const float* cells, const float* apexes, int n, float steeper,
-                    float* slopes) {
-    HWY_DYNAMIC_DISPATCH(steepen)(rings, cells, apexes, n, steeper, slopes);
+void steepenByRings(const NearRings& rings, const float* cells, const float* apexes, int n, float* slopes) {
+    HWY_DYNAMIC_DISPATCH(steepen)(rings, cells, apexes, n, slopes);
 }
 
 }  // namespace relief

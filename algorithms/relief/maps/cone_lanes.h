@@ -43,8 +43,7 @@ struct NearRings {
     std::vector<std::size_t> ends;
     std::vector<float> inverseGaps;
 };
-// slopes[i] = steeper * max over rings k of (highest - apexes[i]) * inverseGaps[k], not below 0, 0 <= i < n.
-void steepenByRings(const NearRings& rings, const float* cells, const float* apexes, int n, float steeper,
-                    float* slopes);
+// slopes[i] = max over rings k of (highest - apexes[i]) * inverseGaps[k], not below 0, 0 <= i < n.
+void steepenByRings(const NearRings& rings, const float* cells, const float* apexes, int n, float* slopes);
 
 }  // namespace relief

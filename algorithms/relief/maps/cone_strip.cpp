@@ -70,7 +70,7 @@ void ConeStrip::load(int y0) {
         const float* cells = cells_.data() + static_cast<std::size_t>(row + kNearCells) * stride_ + kNearCells;
         apexesAbove(cells, static_cast<std::ptrdiff_t>(stride_), scene_.width, apexes_.data() + at(0, row));
         for (std::size_t sector = 0; sector < rings_.size(); ++sector) {
-            steepenByRings(rings_[sector], cells, apexes_.data() + at(0, row), scene_.width, kNearSteeper,
+            steepenByRings(rings_[sector], cells, apexes_.data() + at(0, row), scene_.width,
                            slopes_[sector].data() + at(0, row));
         }
     }

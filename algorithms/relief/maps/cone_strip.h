@@ -21,9 +21,8 @@ class ConeStrip {
     void load(int y0);
 
     float apex(int x, int row) const { return apexes_[at(x, row)]; }
-    // At least what a near cell asks of the cone, at most kNearSteeper times that.
+    // The steepest that a near cell needs the cone to be, rounded by at most three units of 2^-24.
     float slope(int sector, int x, int row) const { return slopes_[static_cast<std::size_t>(sector)][at(x, row)]; }
-    static constexpr float kNearSteeper = 1 + 3e-7F;
 
   private:
     std::size_t at(int x, int row) const {

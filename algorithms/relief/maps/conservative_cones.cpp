@@ -18,8 +18,10 @@ namespace relief {
 
 namespace {
 
-constexpr int kBlock = kStripRows;      // cells across
-constexpr double kRounded = 1 - 1e-12;  // squares of doubles
+// Height by which sums of heights up to 1 in double are surely right.
+constexpr double kRoomMargin = 1e-9;
+
+constexpr int kBlock = kStripRows;  // cells across
 constexpr std::size_t kBlockCells = kBlock * kBlock;
 
 // One block of cells; kept from one to the next of a row for what decided there.
@@ -181,7 +183,6 @@ void BlockCones::measureFall() {
 // Whether a cell of the node may rise above the cone of a cell of the block: by the maximum at the least gap, and by
 // the planes, the gap from below by its tangent between the middles (it is convex).
 bool BlockCones::matters(const ConePlanes::Node& node, const ConeNodes::Place& at, std::int64_t gap2) const {
-    constexpr double kMargin = 1e-9;
     const int step = std::min(static_cast<int>(std::bit_width(static_cast<std::uint64_t>(gap2))), Fall::kSteps - 1);
     if (static_cast<double>(node.highest) + fall_.above[static_cast<std::size_t>(step)] <= 0) return false;
     const NodeSpan x = NodeSpan::of(at.level, at.i, scene_.width);
@@ -193,7 +194,7 @@ bool BlockCones::matters(const ConePlanes::Node& node, const ConeNodes::Place& a
     const double halfY = 0.5 * (block_.y1 - block_.y0 - 1);
     const double room = fall.room(node, x, y) - fall_.apex + halfX * std::abs(fall_.slopeX - fall.x) +
                         halfY * std::abs(fall_.slopeY - fall.y);
-    return room > -kMargin;
+    return room > -kRoomMargin;
 }
 
 void BlockCones::collect(int level, int i, int j, int shiftX, int shiftY, int sector) {
@@ -234,18 +235,17 @@ void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) 
     const ConeCells cells = cellsOf(node);
     const auto gap2 = static_cast<double>(squaredGap(cell, cells));
     const double slope = slope_[at] * scene_.looser;
-    if (gap2 >= scene_.squaredReach || rise * rise < slope * slope * gap2 * kRounded) return;
+    if (gap2 >= scene_.squaredReach || rise * rise < slope * slope * gap2) return;
     if (node.level == 0) {
         raise(at, {cells.x0, cells.y0, static_cast<double>(plane.highest)}, sector);
         return;
     }
-    constexpr double kMargin = 1e-9;
     const NodeSpan x = NodeSpan::of(node.level, node.i, scene_.width);
     const NodeSpan y = NodeSpan::of(node.level, node.j, scene_.height);
     const double wayX = x.middle + node.shiftX - cell.x0;
     const double wayY = y.middle + node.shiftY - cell.y0;
     const double room = ConeTangent(wayX, wayY, slope).room(plane, x, y) - apex;
-    if (room <= -kMargin || !scene_.meets(cell, cells, sector)) return;
+    if (room <= -kRoomMargin || !scene_.meets(cell, cells, sector)) return;
     // The nearer children first.
     const int nearX = wayX > 0 ? 0 : 1;
     const int nearY = wayY > 0 ? 0 : 1;
@@ -276,8 +276,8 @@ void BlockCones::build(int x0, int y0, std::vector<float>& apex, std::vector<flo
                static_cast<std::size_t>(cell.x0);
     };
     overCells([&](std::size_t n) { apex[index(n)] = apex_[n]; });
-    // Rounded up: float has 24 bits.
-    constexpr float kSteeper = 1 + 2.4e-7F;
+    // Ten units of 2^-24: near slopes are rounded by three, the result by two, and comparisons in double by far less.
+    constexpr float kSteeper = 1 + 6e-7F;
     for (int sector = 0; sector < scene_.sectors.count(); ++sector) {
         guess(sector);
         measureFall();

@@ -87,9 +87,10 @@ void apexes(const std::uint32_t* depths, std::size_t stride, float highest, floa
     const D d;
     const DU du;
     const auto lanes = static_cast<int>(hn::Lanes(d));
-    // Lower by what float rounding of highest - depth * unit can make it higher: values are at most 1.
-    constexpr float kRounding = 4e-7F;
-    const V top = hn::Set(d, highest - kRounding), step = hn::Set(d, unit);
+    // Lower than the stored apexes by more than all that is rounded on the way to the slopes, in heights of at most 1:
+    // four roundings here, and three of the rise (a difference, 1 / gap, a product), of 2^-24 each.
+    constexpr float kApexLower = 0x1p-21F;
+    const V top = hn::Set(d, highest - kApexLower), step = hn::Set(d, unit);
     for (int y = 0; y < tile.height; ++y) {
         const std::uint32_t* from = depths + static_cast<std::size_t>(y) * stride;
         for (int x = 0; x < tile.width; x += lanes, from += lanes) {
@@ -109,13 +110,11 @@ void pack(const ConeTile& tile, int row, std::uint32_t* words) {
     const D d;
     const DU du;
     const auto lanes = static_cast<int>(hn::Lanes(d));
-    constexpr float kSteeper = 1 + 5e-7F;  // a difference and a product were rounded
     const auto step = hn::Set(du, 1U << 20);
     const auto least = hn::Set(du, 1U << 23);  // the smallest normal float
     for (int x = 0; x < tile.width; x += lanes) {
         const std::size_t cone = static_cast<std::size_t>(row) * tile.stride + static_cast<std::size_t>(x);
-        const auto slope =
-            hn::Max(hn::BitCast(du, hn::Mul(hn::LoadU(d, tile.slope + cone), hn::Set(d, kSteeper))), least);
+        const auto slope = hn::Max(hn::BitCast(du, hn::LoadU(d, tile.slope + cone)), least);
         const auto word = hn::Or(hn::ShiftLeft<20>(hn::ShiftRight<20>(slope)), hn::LoadU(du, tile.depths + cone));
         hn::StoreU(hn::IfThenElse(hn::Lt(word, slope), hn::Add(word, step), word), du, words + x);
     }

@@ -18,9 +18,7 @@ namespace {
 constexpr double kLeastCosine = 0.4;
 // Cells beyond are not looked at: the bound is cut there, which is safe.
 constexpr int kLargestRadius = 64;
-// Rounding of slopes and roots in double stays far below this share.
-constexpr double kShorter = 1 - 1e-9;
-// And so they do below what is taken for farther.
+// Share by which gates are looked for farther than exact arithmetic needs: more than slopes in double are rounded by.
 constexpr double kAway = 1e-9;
 
 FloatImage transposed(const FloatImage& image) {
@@ -280,10 +278,10 @@ void Builder::box(int bx, int by, Scratch& scratch) const {
         }
         distances(bx, by, z0, scratch);
         for (int s = 0; s < stored; ++s) {
-            // Rounded down: float has 24 bits, the share taken off is larger than their rounding.
+            // The share taken off is twice the rounding to float, and more than that and all rounding in double.
             constexpr float kFloatShorter = 1 - 1.2e-7F;
             value(bx, by, k, s) =
-                static_cast<float>(std::sqrt(scratch.best[static_cast<std::size_t>(s)]) * kShorter) * kFloatShorter;
+                static_cast<float>(std::sqrt(scratch.best[static_cast<std::size_t>(s)])) * kFloatShorter;
         }
     }
 }

@@ -106,6 +106,21 @@ TEST(ConservativeCones, AreTheSteepestOverAllOtherCells) {
     }
 }
 
+// High ground that is all but level: rises are so small that rounding of heights is a noticeable share of them.
+TEST(ConservativeCones, AreTheSteepestOnGroundAllButLevel) {
+    for (const char* relief : {"hills", "fractal", "spikes"}) {
+        for (const float share : {1e-3F, 1e-4F, 1e-5F}) {
+            for (const std::uint64_t seed : {5U, 6U, 7U}) {
+                FloatImage image = makeRelief(relief, 200, 5, seed);
+                for (float& h : image.pixels()) h = 0.9F + share * h;
+                const HeightField field(test::share(std::move(image)), Surface::Columns, Address::Clamp, 0.3);
+                SCOPED_TRACE(std::string(relief) + " " + std::to_string(share));
+                expectTheSteepest(field);
+            }
+        }
+    }
+}
+
 TEST(ConservativeCones, HoldNoPointOfTheSurface) {
     constexpr int kPoints = 40000;
     constexpr double kNearly = 0.05;  // of the slab, among so many points

@@ -1,6 +1,7 @@
 // Packed cones against every pair of cells.
 #include "relief/maps/packed_cones.h"
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -156,6 +157,29 @@ TEST(PackedCones, StandAboveEveryCellFarOff) {
                 SCOPED_TRACE(describe(field) + " one needle");
                 expectLaw(field, 13);
             }
+        }
+    }
+}
+
+// Walls as high as a word can hold their cone without loss, a few roundings higher or lower: slopes are rounded up from
+// what the wall needs, not from what rounding has made of it.
+TEST(PackedCones, AreSteepEnoughWhereWordsHoldSlopesExactly) {
+    constexpr std::uint32_t kDepths = 0xFFFFF;  // level ground, and its apex
+    Random random(51);
+    for (int n = 0; n < 400; ++n) {
+        const int gap = 1 + random.below(12);
+        const auto highest = static_cast<float>(random.between(0.5, 1));
+        const auto about = static_cast<float>(random.between(0.001, 0.9 * static_cast<double>(highest)) / gap);
+        const float slope = std::bit_cast<float>(std::bit_cast<std::uint32_t>(about) | kDepths);
+        float wall = slope * static_cast<float>(gap);
+        for (int k = 0; k < 4; ++k) wall = std::nextafter(wall, 0.0F);
+        for (int k = 0; k < 9; ++k, wall = std::nextafter(wall, 1.0F)) {
+            FloatImage image(gap + 3, 1, 0.0F);
+            image(0, 0) = highest, image(gap + 2, 0) = std::min(wall, highest);
+            const HeightField field(share(std::move(image)), Surface::Columns, Address::Clamp, 0.3);
+            const PackedCones map = built(field, 1);
+            const Need need = needOf(BruteCells(field), map, 1, 0, {0});
+            ASSERT_LE(need.above, 0) << "gap " << gap << " wall " << wall << " highest " << highest;
         }
     }
 }
