@@ -1,4 +1,5 @@
-// The instruction sets of this machine in turn (mapping/rows/row_lanes.h): all SIMD versions answer as their references.
+// The instruction sets of this machine in turn (mapping/rows/row_lanes.h): all SIMD versions answer as their
+// references.
 #pragma once
 
 #include <cstdint>

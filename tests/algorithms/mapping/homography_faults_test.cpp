@@ -92,9 +92,11 @@ TEST(HomographyFaults, BadCamerasAndPlanesAreRefused) {
     badEye.eye.y = kNaN;
     EXPECT_EQ(failure(badEye, plane), MessageId::MappingCameraInvalid);
     for (const double focal : {0.0, -3.0, kNaN, kInfinity}) {
-        PinholeCamera bad = camera;
-        bad.focal.x = focal;
-        EXPECT_EQ(failure(bad, plane), MessageId::MappingCameraInvalid);
+        for (const glm::dvec2& lengths : {glm::dvec2(focal, 500), glm::dvec2(500, focal)}) {
+            PinholeCamera bad = camera;
+            bad.focal = lengths;
+            EXPECT_EQ(failure(bad, plane), MessageId::MappingCameraInvalid);
+        }
     }
     PinholeCamera flat = camera;
     flat.up = flat.right;

@@ -204,6 +204,41 @@ TEST(Margins, referencesMeetTerracesAtTheirEdgesAlike) {
     }
 }
 
+// A ray leaves a plateau one unit in the last place above it, and the leaf, which rounds the plateau's height up, calls
+// it a hit: no walk may have passed over the cell.
+TEST(Margins, aPlateauThatTheLeafRoundsUpIsPassedByNoWalk) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    MapCache cache;
+    Work work(2);
+    Random random(kSeed);
+    const std::vector<MethodChoice> methods = choicesThatPromise(Guarantee::Exact);
+    std::size_t hits = 0;
+    for (int n = 0; n < 40; ++n) {
+        FloatImage image(8, 8, 0.0F);
+        const auto height = static_cast<float>(random.between(0.5, 0.95));
+        image(2, 2) = image(3, 2) = image(2, 3) = image(3, 3) = height;
+        const HeightField field(share(std::move(image)), Surface::Bilinear, Address::Clamp, 0.5);
+        // Where it leaves the plateau's cell.
+        const double lambda = 1 - static_cast<double>(height) - 0x1p-53, s = 3.5;
+        RayBlock rays;
+        for (int k = 0; k < 250; ++k) {
+            ViewRay ray;
+            ray.a = random.between(2.5, 4), ray.b = random.between(-0.5, 0.5);
+            ray.s0 = s - lambda * ray.a, ray.t0 = random.between(2.9, 3.1) - lambda * ray.b;
+            rays.push(ray);
+        }
+        const HitBlock truth = scalarHits(*makeTracer({"exact", {}}, field, cache, work), rays);
+        hits += static_cast<std::size_t>(std::count(truth.lambda.begin(), truth.lambda.end(), lambda));
+        for (const MethodChoice& method : methods) {
+            if (!supports(method, field.surface(), field.address())) continue;
+            const auto tracer = makeTracer(method, field, cache, work);
+            expectSameHits(truth, scalarHits(*tracer, rays), rays, describe(method) + ", " + describe(field));
+        }
+        for (const char* method : {"max-pyramid", "cone"}) expectSameBits(field, {method, {}}, rays, cache);
+    }
+    EXPECT_GT(hits, 100U) << "too few to notice anything";
+}
+
 // Which cells are looked at may differ, but not what the one leaf says of the cell that blocks.
 TEST(Margins, anyHitQueriesSeeTerracesAtTheirEdgesAlike) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));

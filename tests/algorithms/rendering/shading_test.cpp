@@ -80,8 +80,7 @@ TEST(Shading, lanesHaveTheBitsOfOneNormal) {
                 EXPECT_EQ(byNodes, facing);
                 for (std::size_t n = 0; n < s.size(); ++n) {
                     const glm::vec3 normal(reliefNormal(quad, field.slope(s[n], t[n]), field.slabTexels()));
-                    ASSERT_EQ(facing[n], glm::dot(glm::dvec3(normal), toLight))
-                        << s[n] << ' ' << t[n];
+                    ASSERT_EQ(facing[n], glm::dot(glm::dvec3(normal), toLight)) << s[n] << ' ' << t[n];
                 }
             });
         }
