@@ -1,29 +1,32 @@
 #!/usr/bin/env python3
-"""Puts faults of one line into the sources, one at a time, and tells which of them the tests notice.
+"""Mutation testing: puts faults of one line into the sources, one at a time, and reports those that no test detects.
 
     tests/mutants.py FOLDER N SEED [RULE]      called by: tests/run --mutants N [--seed S] [--rule RULE]
 
 FOLDER gets a copy of the sources (source/), their build (source/build/) and what was found, a line of JSON a fault, in
-seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): a run that was stopped goes on from there; with other sources,
-remove that file. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/;
-what does not compile is drawn anew. Each fault is built by itself and tried with the tests whose files fit it by name,
-then with those of the same folder, until one fails. Those that none of these notices are then put in together and
-all tests run, once: a suite that passes with all of them in passes with each. The suites that fail are run with each
-fault by itself. At the end a table with the faults that no test noticed.
+seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): a run that was stopped goes on from there, unless the sources have
+changed. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/; what does
+not compile is drawn anew. Each fault is built by itself and tried with the tests whose files fit it by name, then with
+those of the same folder, until one fails. The undetected ones are then put in together and all tests run, once; the
+suites that fail are run with each fault by itself. A suite that passes with all faults is taken to pass with each:
+where faults mask each other that is wrong, so survivors may be counted that are none.
 """
 
 import filecmp
 import json
+import os
 import random
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import time
 from pathlib import Path
 
-# Seconds after which a suite has failed: a fault may be a loop without end. None takes a third as long without one.
+# Seconds after which a suite has failed: a fault may be a loop without end. None takes a third as long without one. Set
+# when configuring: a test's own TIMEOUT overrides ctest's --timeout.
 PATIENCE = 300
 # Bytes of address space that a process may have.
 MEMORY = 16 << 30
@@ -59,9 +62,9 @@ RULES = [
     ("sign", r"(?<=\()-(?=[A-Za-z_(])", ""),
     ("truth", r"\btrue\b", "false"),
     ("truth", r"\bfalse\b", "true"),
-    # Of all constants, those that keep a decision safe (algorithms/relief/margins.md).
-    ("margin", r"(?<=constexpr )(?:float|double) k\w*(?:Margin|Slack|Shorter\w*|Steeper|Round\w*|Off\w*|Inside|Late|Away|"
-               r"Aside|Nudge|Unsure|Clearance|Start) = [^;]+(?=;)",
+    # Of all constants, those named as margins are (algorithms/relief/margins.md).
+    ("margin", r"(?<=constexpr )(?:float|double) k\w*(?:Margin|Slack|Shorter\w*|Steeper|Lower|LeastRun|Round\w*|Late|Away|Aside|"
+               r"Nudge|Unsure|Clearance) = [^;]+(?=;)",
      lambda m: m.group().split("=")[0] + ("= 1" if re.search(r"= 1 [+-]", m.group()) else "= 0")),
     ("swapped", rf"(?<=[\w>]\()({NAME}), ({NAME})(?=\))", r"\2, \1"),
     ("key", rf" (?:\|\||&&|\|) {NAME}(?:\([\w:]*\))?(?: == {NAME})?(?=[;)])", ""),
@@ -146,7 +149,7 @@ def refresh(source):
 
 def configure(source, build):
     command = ["cmake", "-G", "Ninja", "-S", str(source), "-B", str(build), "-DRELIEF_TESTS=ON",
-               "-DCMAKE_BUILD_TYPE=Release"]
+               "-DCMAKE_BUILD_TYPE=Release", f"-DRELIEF_PATIENCE={PATIENCE}"]
     if subprocess.run(command, stdout=subprocess.DEVNULL, stdin=subprocess.DEVNULL).returncode != 0:
         sys.exit("the copy of the sources could not be configured")
 
@@ -155,11 +158,11 @@ def named(suites):
     return r"^(window\.)?(\w+/)?(" + "|".join(re.escape(suite) for suite in sorted(suites)) + ")$"
 
 
-def failures(build, patience, only=None, *options):
+def failures(build, only=None, *options):
     """The tests that fail, of all or of these suites."""
     if only is not None and not only:
         return []
-    command = ["ctest", "--test-dir", str(build), "--timeout", str(patience), "-j2", "-E", NOT_TESTS, *options]
+    command = ["ctest", "--test-dir", str(build), "-j2", "-E", NOT_TESTS, *options]
     if only is not None:
         command += ["-R", named(only)]
     ran = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
@@ -170,14 +173,14 @@ def failures(build, patience, only=None, *options):
     return failed
 
 
-def first_failure(build, patience, only=None):
+def first_failure(build, only=None):
     """The suite that fails first, or None."""
-    return next(iter(failures(build, patience, only, "--stop-on-failure")), None)
+    return next(iter(failures(build, only, "--stop-on-failure")), None)
 
 
 def first_of(build, groups):
     """The suite that fails first, the groups of suites in turn, or None."""
-    return next((by for group in groups if (by := first_failure(build, PATIENCE, group))), None)
+    return next((by for group in groups if (by := first_failure(build, group))), None)
 
 
 def likely_first(source, suites, tests, mutated):
@@ -191,25 +194,27 @@ def likely_first(source, suites, tests, mutated):
 
 
 def programs_of(source, suites, tests):
-    """What is to be built for these tests; nothing, which is everything, where one has no program of its own."""
+    """Targets to build for these tests; none, with which ninja builds all, where a test has no program of its own."""
     programs = set()
     for test in tests:
         path = suites.get(re.sub(r"^(window\.)?(\w+/)?", "", test))
         if path is None:
             return []
         of = next(program for program, folder in PROGRAMS.values() if path.is_relative_to(source / "tests" / folder))
-        programs |= {of} if of != "relief_cmd_tests" else {of, "relief_cli", "reliefscope"}
+        programs.add(of)
     return sorted(programs)
 
 
 def builds(build, *programs):
     """Whether it builds; the build runs the test programs to list their tests, so it may not end either."""
-    try:
-        command = ["ninja", "-C", str(build), *programs]
-        ran = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=6 * PATIENCE)
-        return ran.returncode == 0
-    except subprocess.TimeoutExpired:
-        return False
+    command = ["ninja", "-C", str(build), *programs]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, stdin=subprocess.DEVNULL,
+                          start_new_session=True) as ran:
+        try:
+            return ran.wait(6 * PATIENCE) == 0
+        except subprocess.TimeoutExpired:
+            os.killpg(ran.pid, signal.SIGKILL)
+            return False
 
 
 def noticed_nearby(source, build, suites, name):
@@ -220,7 +225,7 @@ def noticed_nearby(source, build, suites, name):
 
 
 class Altered:
-    """The sources with faults in them, as long as it lasts."""
+    """Puts faults into the sources on entry and restores them on exit."""
 
     def __init__(self, source, places):
         self.files = {source / name: (source / name).read_text() for name, *_ in places}
@@ -253,6 +258,8 @@ def tried(source, build, suites, place):
 
 def tried_together(source, build, suites, left, record):
     """All tests, with all the faults at once that those which fit did not notice; then what failed, with each."""
+    if not left:
+        return
     known = [json.loads(line) for line in record.read_text().splitlines()] if record.exists() else []
 
     def remember(entry):
@@ -264,11 +271,17 @@ def tried_together(source, build, suites, left, record):
     if not known or known[0]["places"] != asked:
         record.unlink(missing_ok=True)
         known.clear()
-        with Altered(source, asked):
+        # Of two faults in one line the second could stand elsewhere by then, and what one takes out the other needs.
+        lines = [tuple(place[:2]) for place in asked]
+        apart = [place for place, line in zip(asked, lines) if lines.count(line) == 1]
+        with Altered(source, apart):
             if not builds(build):
                 sys.exit("the faults that are left do not build together")
-            remember({"places": asked, "failed": [test.split(" ")[0] for test in failures(build, PATIENCE)]})
+            failed = [test.split(" ")[0] for test in failures(build)]
+        remember({"places": asked, "failed": failed})
     print("with all that are left, these fail: " + " ".join(known[0]["failed"]), file=sys.stderr, flush=True)
+    if not known[0]["failed"]:
+        return
     for number, result in enumerate(left):
         if number + 1 >= len(known):
             with Altered(source, [result["place"]]):
@@ -299,10 +312,12 @@ def main():
     build = source / "build"
     record = folder / f"seed-{seed}{'-' + rule if rule else ''}.jsonl"
     # A fault may take all memory there is.
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    most = resource.getrlimit(resource.RLIMIT_AS)[1]
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY if most < 0 else min(MEMORY, most), most))
     passed = folder / "passed"  # all tests, without a fault
     if refresh(source):
-        passed.unlink(missing_ok=True)
+        for stale in (passed, record, record.with_suffix(".together.jsonl")):
+            stale.unlink(missing_ok=True)
     configure(source, build)
     done = [json.loads(line) for line in record.read_text().splitlines()] if record.exists() else []
     places, suites = candidates(source), suites_of(source)
@@ -313,7 +328,7 @@ def main():
     if not builds(build):
         sys.exit("without a fault: it does not build")
     if not passed.exists():
-        if failed := first_failure(build, PATIENCE):
+        if failed := first_failure(build):
             sys.exit(f"without a fault: {failed} fails")
         passed.touch()
     drawn, seen, results = random.Random(seed), set(), []

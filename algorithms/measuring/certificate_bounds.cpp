@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "measuring/azimuth_geometry.h"
-#include "measuring/cells_around.h"
+#include "measuring/cell_search.h"
 #include "measuring/horizon_scan.h"
 
 namespace relief {
@@ -141,7 +141,7 @@ class DistanceCheck {
     }
 
     const DistanceMap& map_;
-    CellsAround cells_;
+    CellSearch cells_;
     HorizonScan horizons_;
     double leastSlope_;
 };
@@ -215,7 +215,7 @@ class ConeCheck {
     static constexpr double kPeriods = 4;
 
     const ConeMap& map_;
-    CellsAround cells_;
+    CellSearch cells_;
     bool unbounded_;
 };
 

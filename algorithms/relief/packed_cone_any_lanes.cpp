@@ -255,8 +255,8 @@ void SegmentWalk::step() {
     // From a cell that lies behind (its number was taken too low) no cone is followed: it counts from the way out.
     const M open = hn::And(hn::And(above, hn::Gt(room, zero)), hn::Ge(exits, mu));
     const M forEver = hn::And(open, hn::Le(closing, zero));
-    // The cell after a jump is found this much too early, in cells: more than places are rounded by. A cell is looked
-    // at over the whole of its interval, so that the jump itself may end a rounding too late.
+    // Taken off the place after a jump, in cells, above its rounding, so that the cell found is never too far on. The
+    // jump itself needs no margin: a cell is tested over its whole interval.
     constexpr double kUnsure = 1e-8;
     const V share = hn::Mul(hn::Div(room, closing), constant(PackedConeAnyHit::kShorter));
     const V target = hn::Add(out, share);

@@ -41,7 +41,7 @@ bool servable([[maybe_unused]] const RunSetup& setup) {
 #ifdef RELIEF_ALWAYS_STARTED
     return false;
 #else
-    return !setup.started && setup.launcher.empty() && setup.program.empty() && setup.addressSpace < 0 &&
+    return setup.launcher.empty() && setup.program.empty() && setup.addressSpace < 0 &&
            setup.interruptAfterMilliseconds == 0;
 #endif
 }
@@ -126,7 +126,10 @@ Result CommandTest::run(const std::vector<std::string>& arguments, const RunSetu
     if (servable(setup)) {
         ProgramRun served{arguments, {{"LC_ALL", locale_}}, in, output, err, setup.largestFile};
         served.variables.insert(served.variables.end(), setup.variables.begin(), setup.variables.end());
-        return seen(runByServer(served));
+        const int status = runByServer(served);
+        if (status != -1) return seen(status);
+        ADD_FAILURE() << "the program server is gone";
+        return {};
     }
     int pipeEnds[2] = {-1, -1};
     if (setup.interruptAfterMilliseconds > 0 && pipe(pipeEnds) != 0) return {};
@@ -137,7 +140,11 @@ Result CommandTest::run(const std::vector<std::string>& arguments, const RunSetu
     }
     close(input);
     if (setup.interruptAfterMilliseconds > 0) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(setup.interruptAfterMilliseconds));
+        const auto last =
+            std::chrono::steady_clock::now() + std::chrono::milliseconds(setup.interruptAfterMilliseconds);
+        while (std::chrono::steady_clock::now() < last && !(setup.interruptWhen && setup.interruptWhen())) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
         kill(child, SIGINT);
     }
     int status = 0;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,15 +29,15 @@ struct Result {
 
 // What is not plain about a run.
 struct RunSetup {
-    bool started = false;                 // as a program of its own, not by the program server
-    std::vector<std::string> launcher{};  // starts the program: mpirun, with its options
-    std::string program{};                // another than the one that was built
-    std::string input{};                  // standard input
-    std::string output{};                 // write standard output into this file instead of Result::out
+    std::vector<std::string> launcher;    // starts the program: mpirun, with its options
+    std::string program;                  // another than the one that was built
+    std::string input;                    // standard input
+    std::string output;                   // write standard output into this file instead of Result::out
     std::int64_t largestFile = -1;        // bytes a file may grow to
     std::int64_t addressSpace = -1;       // bytes the program may map
     int interruptAfterMilliseconds = 0;   // SIGINT then; standard input stays open until the end
-    std::vector<std::pair<std::string, std::string>> variables{};  // of the environment
+    std::function<bool()> interruptWhen;  // SIGINT as soon as this holds, if that is earlier
+    std::vector<std::pair<std::string, std::string>> variables;  // of the environment
 };
 
 class CommandTest : public testing::TestWithParam<Place> {

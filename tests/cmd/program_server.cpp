@@ -61,7 +61,8 @@ bool receiveAll(int from, void* bytes, std::size_t size) {
     const int status = app::runProgram(static_cast<int>(words.size()), pointers.data());
     std::cout.flush();
     std::fflush(nullptr);
-    // Not exit(): a library's destructor would wait for a thread that the fork left behind.
+    // Not exit(): log4cplus, which comes with OpenImageIO, starts a thread when it is loaded, and its destructor would
+    // wait for it; here that thread is not.
     _exit(status);
 }
 
@@ -87,8 +88,13 @@ bool receiveAll(int from, void* bytes, std::size_t size) {
 
 void startProgramServer() {
     int ends[2] = {-1, -1};
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return;
-    if (fork() == 0) {
+    const bool paired = socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0;
+    const pid_t child = paired ? fork() : -1;
+    if (child < 0) {
+        std::perror("program server");
+        std::abort();
+    }
+    if (child == 0) {
         close(ends[0]);
         serve(ends[1]);
     }

@@ -1,7 +1,7 @@
-// Runs of the program without loading it anew: half a second each time, most of it for the shared libraries.
+// Runs of the program without loading its shared libraries anew, which takes half a second of a start.
 //
-// A process that has everything loaded, and has started no thread, waits from the beginning of the tests; for each run
-// it forks a child, which calls what main() calls.
+// startProgramServer() forks a server at the start of main(), before a test can start a thread; a forked child has only
+// the thread that called fork(). For each run the server forks a child that calls what the program's main() calls.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct ProgramRun {
     std::int64_t largestFile = -1;                               // bytes a file may grow to
 };
 
-// First thing in main().
+// First thing in main(). Aborts where there can be no server.
 void startProgramServer();
 
 // The status as waitpid() gives it; -1: the server is gone.

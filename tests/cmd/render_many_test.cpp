@@ -139,6 +139,13 @@ TEST_P(RenderManyTest, KilledItGoesOnToTheSamePictures) {
     EXPECT_EQ(run(again).status, 0);
 }
 
+TEST_P(RenderManyTest, OnePictureIsNoRunToGoOnWith) {
+    for (const char* flag : {"--resume", "--anew"}) {
+        expectRefusal({"render", "--relief", "bricks:64x64", "-o", path("f.png"), flag}, 2, {"--frames", "f.png"});
+    }
+    EXPECT_TRUE(files().empty());
+}
+
 TEST_P(RenderManyTest, AnEarlierRunIsNotThrownAwayUnasked) {
     std::filesystem::create_directory(path("path"));
     write("path/pictures.part", "kept");

@@ -27,7 +27,7 @@ inline constexpr auto kWholeBits = std::bit_cast<std::int32_t>(kWhole);
 // Rays are asked for that long before they are taken.
 inline constexpr std::size_t kRaysAhead = 2 * kLaneChunk;
 // Cones met a little early: more than the error of an approximate reciprocal and all rounding.
-inline constexpr float kSteeper = 1 + 0x1p-10F;
+inline constexpr float kSteeper = 1 + 2 * kReciprocalError;
 
 // A column; vectors are stored from any place on.
 template <class T>
@@ -247,8 +247,8 @@ class WalkSlots {
     // Not Iota of the number: that is written lane by lane.
     HWY_INLINE VI countedFrom(std::int32_t first) const { return hn::Add(hn::Iota(di_, 0), hn::Set(di_, first)); }
 
-    // One axis of rays where they begin. Returns whether all of them are as most rays are: well within the map and away
-    // from lines. Otherwise what it leaves is not to be used.
+    // One axis of rays where they begin. Returns whether all of them are as most rays are: strictly inside the map, not
+    // on a line, of a run between kLeastRun and kLaneRun. Otherwise what it leaves is not to be used.
     HWY_INLINE bool entry(const EntryFrame& frame, const double* origins, const double* runs, double begin,
                           Entry& out) const {
         const DD d;

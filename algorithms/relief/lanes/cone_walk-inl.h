@@ -387,7 +387,7 @@ class ConeKernel : WalkSlots<kAddress> {
         const Stay at = stay(columns, i);
         MF below;
         if constexpr (kSurface == Surface::Columns) {
-            below = columnBelow(scene_, hn::Load(di, cells), at.out, at.tie);
+            below = columnBelow(scene_, hn::Load(di, cells), at.out);
         } else {
             const LaneAxisState x = leafAxis(columns.x, i), y = leafAxis(columns.y, i);
             VF in = hn::Max(hn::MulAdd(at.x.n, x.inverse, x.base), hn::MulAdd(at.y.n, y.inverse, y.base));

@@ -142,8 +142,8 @@ HWY_INLINE Patch patchAt(const LaneScene& scene, MI who, VI realX, VI realY) {
     return out;
 }
 
-// Whether the bilinear surface is surely below the ray all along its stay in the patch's cell, which lasts from
-// before `in` to after `out`; nx, ny are the cell's distances n.
+// Whether the bilinear surface is surely below the ray all along its stay in the patch's cell, which is within
+// [in, out]: `in` is early by at most a tie, `out` late by at most half of one. nx, ny are the cell's distances n.
 HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneAxisState& y, VF nx, VF ny, VF in,
                          VF out, VF tie) {
     const DF d;
@@ -166,7 +166,7 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
         hn::And(hn::Lt(c, zero), hn::And(hn::Gt(slope, zero), hn::Lt(slope, hn::Mul(hn::Set(d, -2.0F), c))));
     // A little too high: the reciprocal is approximate.
     const VF share = hn::Mul(slope, hn::ApproximateReciprocal(hn::IfThenElse(arched, c, one)));
-    const VF vertex = hn::NegMulAdd(hn::Mul(slope, hn::Set(d, 0.25F * (1 + 0x1p-10F))), share, fIn);
+    const VF vertex = hn::NegMulAdd(hn::Mul(slope, hn::Set(d, 0.25F * (1 + 2 * kReciprocalError))), share, fIn);
     const VF highest = hn::Max(hn::Max(fIn, fOut), hn::IfThenElse(arched, vertex, fIn));
     // Places are off by at most twice the crossing margin times the run, heights by that times the cell's slopes. Of
     // the two ties one and a half cover `in` and `out`, the rest, at least 16 units of 2^-24, the rounding of heights.
@@ -179,12 +179,10 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
     return hn::Lt(highest, hn::Neg(margin));
 }
 
-// The same for the column of that number.
-HWY_INLINE MF columnBelow(const LaneScene& scene, VI index, VF out, VF tie) {
+// The same for the column of that number. No margin: `out` is late, heights are exact, and rounding keeps the order.
+HWY_INLINE MF columnBelow(const LaneScene& scene, VI index, VF out) {
     const DF d;
-    const VF height = hn::GatherIndex(d, scene.heights, index);
-    const VF margin = hn::Mul(hn::Set(d, 2.0F), tie);
-    return hn::Lt(hn::Add(height, margin), hn::Sub(hn::Set(d, 1.0F), out));
+    return hn::Lt(hn::GatherIndex(d, scene.heights, index), hn::Sub(hn::Set(d, 1.0F), out));
 }
 
 }  // namespace relief::HWY_NAMESPACE

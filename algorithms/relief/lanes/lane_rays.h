@@ -23,10 +23,11 @@ inline constexpr std::size_t kLaneSlots = kLaneChunk + 112;
 inline constexpr double kLaneRun = 65536;
 // Cells from the origin within which positions are held as integers.
 inline constexpr double kLanePlaces = 4194304;
-// Times 1 + 1 / run, a bound of the error of n * inverse + base in float, lambda: at most 6 + 2.5 / run units of 2^-24.
+// Times 1 + 1 / run, a bound of the error of lambda = n * inverse + base in float: at most 7 + 4.5 / run units of 2^-24
+// (margins.md).
 inline constexpr float kCrossingMargin = 0x1p-21F;
-// Rays that move less than this, in cells, are not walked where they begin as near to a line: rounding may put their
-// start on its wrong side.
+// Least run, in cells, of rays that begin less than this past a line: below it, rounding of the start (2^-30 of a cell)
+// may choose the wrong side.
 inline constexpr double kLeastRun = 1e-5;
 // Lambda by which walks begin before the first place that may be hit: more than the rounding of places (2^-30 of a
 // cell) over kLeastRun.

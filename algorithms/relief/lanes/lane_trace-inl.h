@@ -17,6 +17,9 @@ namespace relief::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Relative error of hn::ApproximateReciprocal, at most: x86 has eleven bits or more, ARM eight.
+inline constexpr float kReciprocalError = HWY_ARCH_X86 ? 0x1p-11F : 0x1p-7F;
+
 using DF = hn::ScalableTag<float>;
 using DI = hn::RebindToSigned<DF>;
 using VF = hn::Vec<DF>;
@@ -185,8 +188,9 @@ HWY_INLINE Fitness setUpPlaces(const LaneScene& scene, const GridAxis& axis, con
     }
     MD gone = hn::MaskFromVec(zero);
     if constexpr (kAddress == Address::Border) {
-        // No margins: nothing is hit before `begin` + kStartSlack, and a place that is rounded over the rim reaches it
-        // long before that.
+        // No margin is needed. begin == 0: the place is the start itself, so that `left` and inside(start) exclude each
+        // other. begin > 0: every hit is at least kStartSlack later, and by then a ray whose place was rounded over the
+        // rim has crossed it.
         const VD rimLow = hn::Set(d, axis.low), rimHigh = hn::Set(d, axis.high);
         const auto inside = [&](VD at) { return hn::And(hn::Gt(at, rimLow), hn::Lt(at, rimHigh)); };
         const MD left = hn::Or(hn::Lt(place, rimLow), hn::Gt(place, rimHigh));

@@ -21,7 +21,7 @@ class ConeStrip {
     void load(int y0);
 
     float apex(int x, int row) const { return apexes_[at(x, row)]; }
-    // The steepest that a near cell needs the cone to be, rounded by at most three units of 2^-24.
+    // Largest slope that a near cell requires, in float: up to three units of 2^-24 too low.
     float slope(int sector, int x, int row) const { return slopes_[static_cast<std::size_t>(sector)][at(x, row)]; }
 
   private:

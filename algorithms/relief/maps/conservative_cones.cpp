@@ -18,7 +18,7 @@ namespace relief {
 
 namespace {
 
-// Height by which sums of heights up to 1 in double are surely right.
+// Height; nodes below the cone by less are still opened. Far above the rounding of sums in double (2^-50).
 constexpr double kRoomMargin = 1e-9;
 
 constexpr int kBlock = kStripRows;  // cells across

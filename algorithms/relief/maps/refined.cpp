@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeastCosine = 0.4;
 // Cells beyond are not looked at: the bound is cut there, which is safe.
 constexpr int kLargestRadius = 64;
-// Share by which gates are looked for farther than exact arithmetic needs: more than slopes in double are rounded by.
+// Relative margin of the radius in which gates are looked for; above the rounding of slopes in double.
 constexpr double kAway = 1e-9;
 
 FloatImage transposed(const FloatImage& image) {
@@ -278,7 +278,8 @@ void Builder::box(int bx, int by, Scratch& scratch) const {
         }
         distances(bx, by, z0, scratch);
         for (int s = 0; s < stored; ++s) {
-            // The share taken off is twice the rounding to float, and more than that and all rounding in double.
+            // Conversion to float rounds up by at most half a unit in the last place; the factor takes off at least
+            // one, and the other half covers the rounding in double.
             constexpr float kFloatShorter = 1 - 1.2e-7F;
             value(bx, by, k, s) =
                 static_cast<float>(std::sqrt(scratch.best[static_cast<std::size_t>(s)])) * kFloatShorter;

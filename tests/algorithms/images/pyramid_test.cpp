@@ -199,5 +199,14 @@ TEST(Pyramid, EditsShareWhatDoesNotChange) {
     }
 }
 
+// A picture of its own counts, one that is shared does not.
+TEST(Pyramid, EditedCountsThePictureThatItOwns) {
+    Work work(1);
+    const auto picture = std::make_shared<const FloatImage>(16, 8, 0.5F);
+    const Pyramid shared(PyramidKind::Max, picture, work);
+    EXPECT_EQ(Pyramid::edited(shared, *picture).bytes(), shared.bytes() + picture->bytes());
+    EXPECT_EQ(Pyramid::edited(shared, picture).bytes(), shared.bytes());
+}
+
 }  // namespace
 }  // namespace relief

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <limits>
@@ -12,6 +13,7 @@
 
 #include "images/files.h"
 #include "images/reliefs.h"
+#include "images/system_error.h"
 #include "temporary_folder.h"
 
 namespace relief {
@@ -260,6 +262,12 @@ TEST(Writing, LongAndCyrillicNames) {
     EXPECT_EQ(readTextFile(path), "x");
     writeTextFile(folder / "звіт за рік.csv", "а,б\n");
     EXPECT_EQ(readTextFile(folder / "звіт за рік.csv"), "а,б\n");
+}
+
+TEST(Writing, AFullDiskAndAFullQuotaAreNoSpace) {
+    for (const int error : {ENOSPC, EDQUOT}) {
+        EXPECT_EQ(systemMessage(error, FileAccess::Write).id, MessageId::DiskFull) << error;
+    }
 }
 
 TEST(Writing, TextFilesAsBytes) {

@@ -1,5 +1,5 @@
-// What the margins are for (algorithms/relief/margins.md): rays aimed at the places that random rays meet once in a
-// million times. Each margin that is set to 0 is noticed here, or where its line of the table says.
+// Rays aimed at places that random rays meet about once in a million. algorithms/relief/margins.md says which test
+// fails without which margin, and without which ones none does.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -156,8 +156,7 @@ class Aim {
     Random random_;
 };
 
-// highest: what stands out above is cut off. Where that is lower than 1, walks begin above the cut, in some cell's
-// midst.
+// Heights are clamped to `highest`; below 1, walks begin above it, inside a cell.
 std::vector<HeightField> terraceFields(float highest = 1) {
     std::vector<HeightField> fields;
     FloatImage image = *terraces(96, 64, kSeed);
@@ -188,19 +187,25 @@ TEST(Margins, lanesBeginBesideLinesAsTheReference) {
     }
 }
 
+// The hits of `exact`.
+HitBlock expectAllReferencesAgree(const HeightField& field, const RayBlock& rays, MapCache& cache) {
+    static const std::vector<MethodChoice> methods = choicesThatPromise(Guarantee::Exact);
+    Work work(2);
+    const HitBlock truth = scalarHits(*makeTracer({"exact", {}}, field, cache, work), rays);
+    for (const MethodChoice& method : methods) {
+        if (!supports(method, field.surface(), field.address())) continue;
+        const auto tracer = makeTracer(method, field, cache, work);
+        expectSameHits(truth, scalarHits(*tracer, rays), rays, describe(method) + ", " + describe(field));
+    }
+    return truth;
+}
+
 TEST(Margins, referencesMeetTerracesAtTheirEdgesAlike) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     MapCache cache;
-    Work work(2);
-    const std::vector<MethodChoice> methods = choicesThatPromise(Guarantee::Exact);
     for (const HeightField& field : terraceFields()) {
         const RayBlock rays = Aim(field, kSeed).rays(rayCount() / 2);
-        const HitBlock truth = scalarHits(*makeTracer({"exact", {}}, field, cache, work), rays);
-        for (const MethodChoice& method : methods) {
-            if (!supports(method, field.surface(), field.address())) continue;
-            const auto tracer = makeTracer(method, field, cache, work);
-            expectSameHits(truth, scalarHits(*tracer, rays), rays, describe(method) + ", " + describe(field));
-        }
+        expectAllReferencesAgree(field, rays, cache);
     }
 }
 
@@ -209,9 +214,7 @@ TEST(Margins, referencesMeetTerracesAtTheirEdgesAlike) {
 TEST(Margins, aPlateauThatTheLeafRoundsUpIsPassedByNoWalk) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     MapCache cache;
-    Work work(2);
     Random random(kSeed);
-    const std::vector<MethodChoice> methods = choicesThatPromise(Guarantee::Exact);
     std::size_t hits = 0;
     for (int n = 0; n < 40; ++n) {
         FloatImage image(8, 8, 0.0F);
@@ -227,13 +230,8 @@ TEST(Margins, aPlateauThatTheLeafRoundsUpIsPassedByNoWalk) {
             ray.s0 = s - lambda * ray.a, ray.t0 = random.between(2.9, 3.1) - lambda * ray.b;
             rays.push(ray);
         }
-        const HitBlock truth = scalarHits(*makeTracer({"exact", {}}, field, cache, work), rays);
+        const HitBlock truth = expectAllReferencesAgree(field, rays, cache);
         hits += static_cast<std::size_t>(std::count(truth.lambda.begin(), truth.lambda.end(), lambda));
-        for (const MethodChoice& method : methods) {
-            if (!supports(method, field.surface(), field.address())) continue;
-            const auto tracer = makeTracer(method, field, cache, work);
-            expectSameHits(truth, scalarHits(*tracer, rays), rays, describe(method) + ", " + describe(field));
-        }
         for (const char* method : {"max-pyramid", "cone"}) expectSameBits(field, {method, {}}, rays, cache);
     }
     EXPECT_GT(hits, 100U) << "too few to notice anything";
@@ -281,9 +279,9 @@ TEST(Margins, anyHitQueriesSeeTerracesAtTheirEdgesAlike) {
 // the wall, all but touches the wall's near edge. Slopes have three bits of their own, and below them the depths of the
 // cell and of its apex, those of level ground.
 double heightThatFits(double about, double gap) {
-    constexpr double kApexLower = 1e-6;  // cones are made from an apex lower by as much, rounding included
+    constexpr double kSpare = 1e-6;  // the map's kApexLower, 2^-21, and as much again for rounding
     const auto slope = std::bit_cast<std::uint32_t>(static_cast<float>(about / gap)) | 0xFFFFFU;
-    return static_cast<double>(static_cast<float>(std::bit_cast<float>(slope) * gap - kApexLower));
+    return static_cast<double>(static_cast<float>(std::bit_cast<float>(slope) * gap - kSpare));
 }
 bool tight(const PackedCones& cones, int x, int y, double height, double gap) {
     constexpr double kTight = 5e-4;  // of the slope

@@ -36,6 +36,24 @@ TEST(BaseLevel, isThatOfTheNarrowestPixel) {
     EXPECT_EQ(footprintLevel(away).level, 0) << "nothing is seen";
 }
 
+// Of a picture so small that every pixel is looked at, seen at an angle: the narrowest lies in a corner.
+TEST(BaseLevel, looksAtThePixelsThemselves) {
+    FrameRequest view = request(0.3, 256);
+    view.width = 24;
+    view.height = 20;
+    view.camera.elevation = 50;
+    view.camera.azimuth = 25;
+    const TexturedPlane plane = makeScene(view.scene, 256, 256).front().plane;
+    const Homography map = fromCameraAndPlane(pinholeCamera(view.camera, view.width, view.height), plane);
+    double narrowest = std::numeric_limits<double>::infinity();
+    for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x) {
+            narrowest = std::min(narrowest, ellipseOf(jacobianAt(map, x + 0.5, y + 0.5)).semiAxes().minor);
+        }
+    }
+    EXPECT_NEAR(footprintLevel(view).pixelTexels, narrowest, 1e-9 * narrowest);
+}
+
 TEST(BaseLevel, autoIsReplacedAndNumbersStay) {
     const FrameRequest view = request(4, 256);
     const std::string level = std::to_string(footprintLevel(view).level);

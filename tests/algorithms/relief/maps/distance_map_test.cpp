@@ -291,5 +291,32 @@ TEST(RefinedMap, IsRefusedUnderClamp) {
     EXPECT_NO_THROW(built(DistanceKind::EuclideanConservative, 4, 8, field));
 }
 
+// Between the centres of eight voxels as the definition says, in any cell and round the seam.
+TEST(DistanceMap, trilinearWeighsTheEightVoxelsAround) {
+    const HeightField field(randomHeights(12, 8, 17), Surface::Bilinear, Address::Repeat, 0.3);
+    const DistanceMap map = built(DistanceKind::Euclidean, 2, 5, field);
+    Random random(18);
+    for (int n = 0; n < 500; ++n) {
+        const double s = random.between(-15, 30), t = random.between(-10, 20), z = random.between(0, 1);
+        const double at[3] = {s / 2 - 0.5, t / 2 - 0.5, std::clamp(z * 5 - 0.5, 0.0, 4.0)};
+        double expected = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            double weight = 1;
+            int voxel[3];
+            for (int axis = 0; axis < 3; ++axis) {
+                const double first = std::floor(at[axis]), share = at[axis] - first;
+                const bool second = (corner >> axis & 1) != 0;
+                voxel[axis] = static_cast<int>(first) + (second ? 1 : 0);
+                weight *= second ? share : 1 - share;
+            }
+            const auto around = [](int i, int size) { return ((i % size) + size) % size; };
+            const float value =
+                map.at(around(voxel[0], map.nx()), around(voxel[1], map.ny()), std::min(voxel[2], 4), 0);
+            expected += weight * static_cast<double>(value);
+        }
+        EXPECT_NEAR(map.trilinear(s, t, z), expected, 1e-12 * (1 + std::abs(expected)));
+    }
+}
+
 }  // namespace
 }  // namespace relief::test

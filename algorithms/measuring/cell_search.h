@@ -16,9 +16,9 @@ struct CellBox {
     int x0, x1, y0, y1;
 };
 
-class CellsAround {
+class CellSearch {
   public:
-    CellsAround(const HeightField& field, Work& work)
+    CellSearch(const HeightField& field, Work& work)
         : wraps_(field.address() == Address::Repeat),
           cells_(field),
           pyramid_(PyramidKind::Max, cells_.highest, work),
