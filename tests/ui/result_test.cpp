@@ -247,6 +247,20 @@ TEST_F(WindowTest, LargePixelsHaveTheirValues) {
     }
 }
 
+TEST_F(WindowTest, RShowsTheWholePictureAgain) {
+    openWindow(smallScenario());
+    ResultView* const view = window_->result();
+    view->setFocus();
+    const QPointF before = onScreen(60, 70);
+    QTest::keyClick(view, Qt::Key_Plus, Qt::ControlModifier);
+    const QPointF zoomed = onScreen(60, 70);
+    EXPECT_NE(zoomed, before);
+    QTest::keyClick(view, Qt::Key_R, Qt::ControlModifier);
+    EXPECT_EQ(onScreen(60, 70), zoomed) << "that is another key";
+    QTest::keyClick(view, Qt::Key_R);
+    EXPECT_EQ(onScreen(60, 70), before);
+}
+
 TEST_F(WindowTest, TheErrorLayerIsTheCores) {
     relief::Scenario wanted = smallScenario();
     wanted.method = {"layers", {{"layers", "6"}}};
