@@ -3,8 +3,6 @@
 #include <tuple>
 
 #include "relief/block_work.h"
-#include "relief/cone_any.h"
-#include "relief/distance_any.h"
 #include "relief/max_pyramid_any.h"
 #include "relief/packed_cone_any.h"
 
@@ -13,11 +11,7 @@ namespace relief {
 namespace {
 
 // The explicit list: one line a query.
-using QueryTypes = std::tuple<  //
-    MaxPyramidAnyHit,           //
-    ConeAnyHit,                 //
-    DistanceAnyHit,             //
-    PackedConeAnyHit>;
+using QueryTypes = std::tuple<MaxPyramidAnyHit, PackedConeAnyHit>;
 
 template <class T>
 class QueryOf final : public AnyHitQuery {

@@ -1,4 +1,4 @@
-// Whether a cell is in the way of a segment: the one text for all any-hit queries, as leaf.h is for view rays.
+// Whether a cell is in the way of a segment: the one answer for all any-hit queries, as leaf.h is for view rays.
 #pragma once
 
 #include "relief/any_ray.h"
