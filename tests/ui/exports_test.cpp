@@ -136,6 +136,31 @@ TEST_P(EveryExport, needsNoDisplay) {
     EXPECT_EQ(pdf.contains("/FontFile2"), name != "result") << "words are words, in a font of the file's own";
 }
 
+// What each kind of method looks at: nodes, voxels and spheres, cones; from outside and across.
+TEST(Exports, whatMethodsLookAtIsAsStored) {
+    const QTemporaryDir folder;
+    for (const char* const method : {"max-pyramid", "distance-conservative", "cone"}) {
+        for (const char* const view : {"trace", "profile", "distance"}) {
+            SCOPED_TRACE(std::string(method) + " " + view);
+            relief::Scenario scenario = smallScenario();
+            scenario.method = {method, {}};
+            scenario.pixel = relief::PixelChoice{60, 70};
+            scenario.step = 3;
+            const QString file = folder.filePath(QStringLiteral("scenario.json"));
+            relief::saveScenario(file.toStdString(), scenario);
+            const QString picture = folder.filePath(QStringLiteral("figure.png"));
+            QString complaint;
+            ASSERT_EQ(exportFigure({file, QStringLiteral("--export"), QString::fromLatin1(view), QStringLiteral("-o"),
+                                    picture, QStringLiteral("--width"), QStringLiteral("127"), QStringLiteral("--dpi"),
+                                    QStringLiteral("80")},
+                                   &complaint),
+                      0)
+                << complaint.toStdString();
+            expectGolden(picture, std::string(view) + "-" + method);
+        }
+    }
+}
+
 std::vector<std::string> exportedViews() {
     std::vector<std::string> views = figureViews();
     std::erase(views, "pareto");  // of a table of measurements: charts_test.cpp
