@@ -183,6 +183,16 @@ def first_of(build, groups):
     return next((by for group in groups if (by := first_failure(build, group))), None)
 
 
+def noticed_in_turn(source, build, suites, groups):
+    """The same; for each group only what it needs is built."""
+    for group in filter(None, groups):
+        if not builds(build, *programs_of(source, suites, group)):
+            return "the build"
+        if by := first_failure(build, group):
+            return by
+    return None
+
+
 def likely_first(source, suites, tests, mutated):
     """These tests in three groups: of the mutated file's folder, of its library, others."""
     groups = [[], [], []]
@@ -286,9 +296,8 @@ def tried_together(source, build, suites, left, record):
         if number + 1 >= len(known):
             with Altered(source, [result["place"]]):
                 begun = time.monotonic()
-                by = "the build"
-                if builds(build, *programs_of(source, suites, known[0]["failed"])):
-                    by = first_of(build, likely_first(source, suites, known[0]["failed"], result["file"]))
+                groups = likely_first(source, suites, known[0]["failed"], result["file"])
+                by = noticed_in_turn(source, build, suites, groups)
                 remember({"by": by, "seconds": round(time.monotonic() - begun)})
         result["by"] = known[number + 1]["by"]
         result["seconds"] += known[number + 1]["seconds"]

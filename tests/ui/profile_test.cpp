@@ -141,6 +141,26 @@ TEST(ProfileDrawing, numbersAndMarksDoNotOverlap) {
     }
 }
 
+// A name goes beside the longest plateau of its level that leaves room for it, not only beside the longest.
+TEST(ProfileDrawing, everyLevelIsNamedOnceWhereThereIsRoom) {
+    for (const char* const recipe : {"city", "hills"}) {
+        Traced t(recipe, 128, 128, Surface::Bilinear, Address::Repeat);
+        t.trace({12, 40, 60, -39}, {"max-pyramid-paper", {}});
+        ProfileOptions options;
+        options.levels = LevelsShown::All;
+        const ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+        std::vector<int> named;
+        for (const Item& item : profileMarks(t.source, options, frame, 2).items) {
+            if (item.id.kind == ItemKind::Level) named.push_back(item.id.level);
+        }
+        std::sort(named.begin(), named.end());
+        std::vector<int> levels = profileLevels(t.source, options);
+        std::sort(levels.begin(), levels.end());
+        EXPECT_EQ(levels.size(), 8u) << recipe;
+        EXPECT_EQ(named, levels) << recipe;
+    }
+}
+
 // Steps up to the rim of the drawing: their numbers are within it, the hit's too.
 TEST(ProfileDrawing, numbersAtTheRimAreWhole) {
     for (const char* const recipe : {"bricks", "city", "fractal"}) {

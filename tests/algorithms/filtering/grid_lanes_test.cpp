@@ -2,6 +2,7 @@
 #include "filtering/grid_lanes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -136,6 +137,25 @@ TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
                 ASSERT_NEAR(points.vx[i], 3 * (j.vx - rays.b[i] * alongX), 2 * kRelative * size) << i;
                 ASSERT_EQ(points.t[i], 3 * asked.block.t[i]);
             }
+        }
+    }
+}
+
+// Under border nothing is hit from beyond the edge: a centre on it must not be rounded out of the polygon.
+TEST(GridLanes, raysOnTheEdgeStayInsideByRounding) {
+    PixelView view;
+    view.width = 64, view.height = 48;
+    const double least = 1e-17, beyond = 0.01;
+    const std::vector<double> x = {-least, std::nextafter(64.0, 65.0), -beyond, 64 + beyond, 20};
+    const std::vector<double> y = {std::nextafter(48.0, 49.0), -least, 48 + beyond, -beyond, 30};
+    const std::vector<double> s = {0, 64, -beyond, 64 + beyond, 20}, t = {48, 0, 48 + beyond, -beyond, 30};
+    for (const std::int64_t target : laneTargets()) {
+        const ForcedTarget forced(target);
+        RayBlock rays(x.size());
+        raysThrough(view, x, y, rays, 0);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            EXPECT_EQ(rays.s0[i], s[i]) << i << ' ' << laneTargetName(target);
+            EXPECT_EQ(rays.t0[i], t[i]) << i << ' ' << laneTargetName(target);
         }
     }
 }
