@@ -196,6 +196,21 @@ TEST_P(MeasureTest, FiltersAgainstTheReference) {
     EXPECT_LT(elliptical, 0.5 * bilinear);
     EXPECT_EQ(fields(rows[5])[4], "map");
     EXPECT_EQ(fields(rows[5])[5], "64");
+    // Pictures of one's own, as deep as one says.
+    runFine({"make", "bricks", "--size", "24", "-o", path("h.png")});
+    runFine({"make", "checker", "--size", "24", "-o", path("c.png")});
+    std::vector<std::string> errors;
+    for (const char* depth : {"0.05", "0.4"}) {
+        const auto own = lines(
+            run({"bench", "filters", "--height", path("h.png"), "--color", path("c.png"), "--relief-depth", depth,
+                 "--filters", "bilinear", "--elevations", "40", "--size", "24x16", "--samples", "3", "--rounds", "1"})
+                .out);
+        ASSERT_EQ(own.size(), 3U);
+        EXPECT_NE(own[1].find("h.png"), std::string::npos) << own[1];
+        errors.push_back(fields(own[1])[11]);
+    }
+    EXPECT_NE(errors[0], errors[1]);
+    expectRefusal({"bench", "filters", "--filters", "supersample"}, 2, {"supersample"});
     expectRefusal({"bench", "filters", "--scenes", "moon"}, 2, {"\"moon\"", "checker"});
     expectRefusal({"bench", "filters", "--filters", "elliptical:sigma=9"}, 2, {"sigma", "9"});
     expectRefusal({"render", "--relief", "bricks", "--filter", "elliptical", "--filter-set", "radius", "-o", "x.png"},
