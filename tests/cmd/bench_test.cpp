@@ -1,6 +1,7 @@
 // relief bench and relief stress: tables for scripts, exit status, what is left behind.
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -126,6 +127,16 @@ TEST_P(MeasureTest, RowsInFilesAndOnStandardOutput) {
     EXPECT_EQ(runFine(with(path("r.json"))), "");
     EXPECT_EQ(nlohmann::json::parse(read("r.json")).size(), 6U);
     EXPECT_EQ(files(), (std::vector<std::string>{"r.csv", "r.json"})) << "no .part is left";
+    // Rows timed together, so many at a time.
+    std::vector<std::string> blocks = what;
+    blocks.insert(blocks.end(), {"--rows", "1,3"});
+    const auto together = lines(runFine(blocks));
+    ASSERT_EQ(together.size(), 1 + 2 * 2 * 3U);
+    std::set<std::string> sizes;
+    for (std::size_t r = 1; r < together.size(); ++r) sizes.insert(fields(together[r])[14]);
+    EXPECT_EQ(sizes, (std::set<std::string>{"1", "3"}));
+    blocks.back() = "0";
+    expectRefusal(blocks, 2, {"--rows"});
 }
 
 TEST_P(MeasureTest, WrongRequestsAreRefused) {
