@@ -130,5 +130,29 @@ TEST(RowPlanner, SpansOfAnyLengthReachBothEnds) {
     }
 }
 
+// A row seen in a mirror drifts as much: it starts again as often, whichever end recedes.
+TEST(RowPlanner, AMirroredRowHasTheSameAnchor) {
+    constexpr int kWidth = 3000;
+    Random random(kSeed + 5);
+    int anchored = 0;
+    for (int n = 0; n < 100; ++n) {
+        const Homography map = randomRow(random, kWidth);
+        // x becomes kWidth - x.
+        Homography mirror = map;
+        mirror.sx = -map.sx, mirror.tx = -map.tx, mirror.qx = -map.qx;
+        mirror.s1 = map.s1 + kWidth * map.sx, mirror.t1 = map.t1 + kWidth * map.tx;
+        mirror.q1 = map.q1 + kWidth * map.qx;
+        const RowOptions options{RowVariant::Incremental};
+        const RowPlan one = planRow<float>(map, 0.5, {0, kWidth}, options);
+        const RowPlan other = planRow<float>(mirror, 0.5, {0, kWidth}, options);
+        anchored += one.anchor > 0 ? 1 : 0;
+        // Ends are rounded.
+        EXPECT_NEAR(static_cast<double>(one.anchor), static_cast<double>(other.anchor),
+                    1 + 1e-3 * static_cast<double>(one.anchor))
+            << n;
+    }
+    EXPECT_GT(anchored, 50);
+}
+
 }  // namespace
 }  // namespace relief
