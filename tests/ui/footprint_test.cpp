@@ -368,6 +368,18 @@ TEST_F(FootprintTest, StripesTakeThreeSamples) {
     waitForFull();
     EXPECT_EQ(workspace_->scenario().filter.pixelModel, relief::PixelModel::Lcd);
     EXPECT_EQ(workspace_->scenario().filter.samples, 3);
+    // Where there are enough, none is taken away.
+    relief::Scenario many = this->scenario();
+    many.filter.samples = 16;
+    workspace_->change(many, {}, {});
+    QTest::qWait(20);
+    auto* const again = window_->findChild<QComboBox*>(QStringLiteral("pixel-model"));
+    ASSERT_NE(again, nullptr);
+    again->setCurrentText(QStringLiteral("gaussian"));
+    Q_EMIT again->activated(again->currentIndex());
+    QTest::qWait(20);
+    EXPECT_EQ(this->scenario().filter.pixelModel, relief::PixelModel::Gaussian);
+    EXPECT_EQ(this->scenario().filter.samples, 16);
 }
 
 TEST_F(FootprintTest, LayersShowTheFootprintAndWhatIsHiddenOfIt) {
