@@ -29,6 +29,21 @@ inline constexpr float kCrossingMargin = 0x1p-21F;
 // Least run, in cells, of rays that begin less than this past a line: below it, rounding of the start (2^-30 of a cell)
 // may choose the wrong side.
 inline constexpr double kLeastRun = 1e-5;
+// Relative error of an approximate reciprocal, at most: x86 has eleven bits or more, ARM eight.
+#if defined(__x86_64__) || defined(__i386__)
+inline constexpr float kReciprocalError = 0x1p-11F;
+#else
+inline constexpr float kReciprocalError = 0x1p-7F;
+#endif
+// Cones met a little early: more than the error of an approximate reciprocal and all rounding.
+inline constexpr float kSteeper = 1 + 2 * kReciprocalError;
+// Jumps end so early, in cells, times run + 1: what the apex, the jump and places are rounded by. So the cell that is
+// found is not too far on.
+inline constexpr float kShorterJump = 0x1p-19F;
+// Numbers below 2^22 added to it are rounded to whole ones, its last bits.
+inline constexpr float kWhole = 0x1.8p23F;
+// A word's depth of the apex, bits 10 to 19, under the bits of this number is a float: the depth and this.
+inline constexpr float kApexMore = 0x1p13F;
 // Lambda by which walks begin before the first place that may be hit: more than the rounding of places (2^-30 of a
 // cell) over kLeastRun.
 inline constexpr double kStartSlack = 0x1p-12;
@@ -79,8 +94,6 @@ struct LaneRays {
     struct Other {
         std::uint32_t ray;
         LaneEnd end;
-        double from;   // lambda before which nothing is met
-        double until;  // Unclear: from there on float tells again; infinite: hardly before its end
     };
     std::array<Other, kLaneSlots> others;
     std::size_t othersCount = 0;

@@ -184,28 +184,14 @@ class Settling {
         std::copy_n(values, count_ - i, to + i);
     }
 
-    // Those from ray i on that are no hits. Whatever has been walked has surely met nothing up to its cell: walks come
-    // to a cell at most so much later, cells, than the ray does. Past the corner, by as much, float tells cells apart.
+    // Those from ray i on that are no hits.
     HWY_NOINLINE void noteOthers(std::size_t i, VD end, MD refused) {
         const DD d;
-        constexpr double kLate = 0x1p-16;
-        ExactAxis x, y;
-        const ExactStay stay = stayOf(i, x, y);
-        const VD in = hn::Min(hn::Max(stay.inX, stay.inY), hn::Min(stay.outX, stay.outY));
-        const VD late =
-            hn::MulAdd(hn::Add(hn::Abs(x.inverse), hn::Abs(y.inverse)), hn::Set(d, kLate), hn::Set(d, kLate));
-        const VD first = hn::Min(stay.outX, stay.outY), last = hn::Max(stay.outX, stay.outY);
-        const MD corner = hn::Lt(hn::Sub(last, first), late);
-        const auto code = [&](LaneEnd which) { return hn::Set(d, static_cast<double>(which)); };
-        const MD walked = hn::Or(refused, hn::Eq(end, code(LaneEnd::Unclear)));
-        HWY_ALIGN double ends[kHalfLanes], starts[kHalfLanes], untils[kHalfLanes];
-        hn::Store(hn::IfThenElse(refused, code(LaneEnd::Refused), end), d, ends);
-        hn::Store(hn::IfThenElseZero(walked, hn::Max(hn::Sub(in, late), hn::Zero(d))), d, starts);
-        hn::Store(hn::IfThenElse(corner, hn::Add(last, late), hn::Inf(d)), d, untils);
+        HWY_ALIGN double ends[kHalfLanes];
+        hn::Store(hn::IfThenElse(refused, hn::Set(d, static_cast<double>(LaneEnd::Refused)), end), d, ends);
         for (std::size_t n = 0; n < std::min(kHalfLanes, count_ - i); ++n) {
             if (ends[n] == 0) continue;
-            rays_.others[rays_.othersCount++] = {static_cast<std::uint32_t>(i + n), static_cast<LaneEnd>(ends[n]),
-                                                 starts[n], untils[n]};
+            rays_.others[rays_.othersCount++] = {static_cast<std::uint32_t>(i + n), static_cast<LaneEnd>(ends[n])};
         }
     }
 

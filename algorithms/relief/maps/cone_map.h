@@ -40,7 +40,6 @@ class ConeMap {
     int fieldHeight = 0;
     StoredValues apex;      // heights; rounded up
     StoredValues slopes;    // kappa, one layer a sector; rounded up
-    bool fromFile = false;  // read, not built: to be walked as it stands, whatever other map gives the same answers
 
     int nx() const { return slopes.width(); }
     int ny() const { return slopes.height(); }

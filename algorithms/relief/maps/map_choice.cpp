@@ -51,7 +51,9 @@ std::vector<ParameterText> parameterTexts(const DistanceMap& map) {
 std::vector<ParameterText> parameterTexts(const ConeMap& map) {
     const ConeParameters& p = map.parameters;
     const ConeParameters unused;
-    return {{"sectors", std::to_string(p.sectors), std::to_string(unused.sectors)},
+    // The packed layout is no file.
+    return {{"layout", "texel", "texel"},
+            {"sectors", std::to_string(p.sectors), std::to_string(unused.sectors)},
             {"radius", std::to_string(p.radius), std::to_string(unused.radius)},
             {"directions", std::to_string(p.directions), std::to_string(unused.directions)},
             {"precision", std::string(precisionName(p.precision)), std::string(precisionName(unused.precision))}};
