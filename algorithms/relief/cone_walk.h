@@ -3,7 +3,8 @@
 // is decided by the one leaf, and what float cannot tell, next to corners and ends of the map, by the walk in double.
 //
 // Frame: lanes/lane_rays.h. n: cells from the one in which the ray begins, the way it runs; the line behind cell n is
-// crossed at lambda = n * inverse + base, at or after the true crossing, and by no more than `tie` on both axes together.
+// crossed at lambda = n * inverse + base, at or after the true crossing, and by no more than `tie` on both axes
+// together.
 #pragma once
 
 #include <optional>
@@ -256,8 +257,8 @@ ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeR
         const double apex = cones_.heightAt(coneApexDepth(bits));
         const auto note = [&](Decision decision, double out, double slope, double after) {
             const double end = std::clamp(out, lambda, 1.0);
-            const Step step = coneRecord(ground, exact, cx, cy, decision, {lambda, end}, apex, slope,
-                                         std::clamp(after, lambda, 1.0));
+            const Step step =
+                coneRecord(ground, exact, cx, cy, decision, {lambda, end}, apex, slope, std::clamp(after, lambda, 1.0));
             return step;
         };
         float jump = std::min(exit, ray.rim);
@@ -325,7 +326,9 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink) const {
             until = end == End::Left || ++returns > kMostReturns ? kEnd : part.until;
         }
         // Tests tell the steps in double from those that lanes take.
-        constexpr bool kTells = requires { sink.inDouble(true); };
+        constexpr bool kTells = requires {
+            sink.inDouble(true);
+        };
         if constexpr (kTells) sink.inDouble(true);
         PackedWalk part(ground, viewRay, 0, from, until);
         while (part.step(ground, sink)) {

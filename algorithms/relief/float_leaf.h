@@ -10,7 +10,8 @@
 
 namespace relief {
 
-// One axis of the stay: the cell's place along it is (lambda - base) * run - n, in [0, 1], counted the way the ray runs.
+// One axis of the stay: the cell's place along it is (lambda - base) * run - n, in [0, 1], counted the way the ray
+// runs.
 struct FloatStayAxis {
     float n = 0;
     float base = 0;
@@ -24,8 +25,8 @@ struct FloatStayAxis {
     }
 };
 
-// h: (before, before), (after, before), (before, after), (after, after) in (x, y). The stay is within [in, out]: `in` is
-// early by at most a tie, `out` late by at most half of one.
+// h: (before, before), (after, before), (before, after), (after, after) in (x, y). The stay is within [in, out]: `in`
+// is early by at most a tie, `out` late by at most half of one.
 inline bool patchBelow(const std::array<float, 4>& h, const FloatStayAxis& x, const FloatStayAxis& y, float in,
                        float out, float tie) {
     const auto [h00, h10, h01, h11] = h;

@@ -2,7 +2,6 @@
 
 #include <limits>
 
-
 namespace relief {
 
 void packedHits(const ConeGround& ground, const RayBlock& rays, const std::vector<PackedStart>& starts,

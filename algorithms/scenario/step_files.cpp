@@ -106,7 +106,8 @@ Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
         case Kind::SquareCone: {
             const double slope = step.decision == Decision::Advance ? step.value : 0;
             const bool ofCell = row.values[kWidth].value_or(0) > 0;
-            return subject::Cone{real(kS), real(kT), real(kZ), slope, whole(kIndex, 0), whole(kCount, 1), ofCell, kind == Kind::SquareCone};
+            return subject::Cone{real(kS),         real(kT),         real(kZ), slope,
+                                 whole(kIndex, 0), whole(kCount, 1), ofCell,   kind == Kind::SquareCone};
         }
         case Kind::Layer:
             return subject::Layer{whole(kIndex, 0), whole(kCount, 1), step.value};

@@ -80,7 +80,8 @@ void traceConesOn(const LaneScene& scene, const PackedCones& cones, const double
 template <Surface kSurface, class Arithmetic = FastArithmetic>
 void goOnOn(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
             HitBlock& hits) {
-    forAddress(scene, [&]<Address kAddress>() { goOnIn<kAddress, kSurface, Arithmetic>(scene, cones, given, rays, hits); });
+    forAddress(scene,
+               [&]<Address kAddress>() { goOnIn<kAddress, kSurface, Arithmetic>(scene, cones, given, rays, hits); });
 }
 
 }  // namespace relief::HWY_NAMESPACE

@@ -1,5 +1,5 @@
-// The walk by packed cones in lanes: one ray a lane, a step one word. Reference: ../cone_walk.h, which looks at the same
-// cells.
+// The walk by packed cones in lanes: one ray a lane, a step one word. Reference: ../cone_walk.h, which looks at the
+// same cells.
 #pragma once
 
 #include <vector>

@@ -89,6 +89,7 @@ class Leftovers {
     void goOn() {
         for (int times = 0; waiting() > 0; ++times) {
             passCorners();
+            if (again().rays.count == 0) break;
             if (times < kMostReturns) {
                 goOnInLanes();
             } else {

@@ -96,7 +96,8 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         const DF df;
         Axis out;
         out.n = hn::Load(df, from.n.data() + i);
-        out.cross = Arithmetic::mulAdd(out.n, hn::Load(df, from.inverse.data() + i), hn::Load(df, from.base.data() + i));
+        out.cross =
+            Arithmetic::mulAdd(out.n, hn::Load(df, from.inverse.data() + i), hn::Load(df, from.base.data() + i));
         if constexpr (kAddress == Address::Clamp) {
             const MF last = hn::Eq(out.n, hn::Load(df, from.last.data() + i));
             out.cross = hn::IfThenElse(last, hn::Set(df, kNever), out.cross);
@@ -201,7 +202,8 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     HWY_INLINE static VF nextCell(VF n, const WalkAxis& column, std::size_t i, MF moves, VF jump) {
         const DF df;
         // Down to a whole number: place is half a cell less.
-        const VF place = Arithmetic::mulSub(jump, hn::Load(df, column.run.data() + i), hn::Load(df, column.place.data() + i));
+        const VF place =
+            Arithmetic::mulSub(jump, hn::Load(df, column.run.data() + i), hn::Load(df, column.place.data() + i));
         const VF whole = hn::Sub(hn::Add(place, hn::Set(df, kWhole)), hn::Set(df, kWhole));
         return hn::Max(hn::IfThenElse(moves, hn::Add(n, hn::Set(df, 1.0F)), n), whole);
     }
@@ -391,7 +393,8 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
             below = columnBelow(scene_, hn::Load(di, cells), at.out);
         } else {
             const LaneAxisState x = leafAxis(columns.x, i), y = leafAxis(columns.y, i);
-            VF in = hn::Max(Arithmetic::mulAdd(at.x.n, x.inverse, x.base), Arithmetic::mulAdd(at.y.n, y.inverse, y.base));
+            VF in =
+                hn::Max(Arithmetic::mulAdd(at.x.n, x.inverse, x.base), Arithmetic::mulAdd(at.y.n, y.inverse, y.base));
             in = hn::Min(hn::Max(hn::Sub(in, at.tie), hn::Zero(df)), at.out);
             const auto h = nodesAt(df, scene_.nodes, cells);
             below = patchBelow<Arithmetic>({h[0], h[2], h[1], h[3]}, x, y, at.x.n, at.y.n, in, at.out, at.tie);

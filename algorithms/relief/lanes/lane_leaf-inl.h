@@ -175,7 +175,8 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
     const VF slopeX = hn::Max(hn::Abs(alongTop), hn::Abs(alongBottom));
     const VF slopeY = hn::Max(hn::Abs(hn::Sub(h01, h00)), hn::Abs(hn::Sub(h11, h10)));
     const auto blur = [&](const LaneAxisState& axis, VF slope) {
-        return hn::Mul(slope, Arithmetic::mulAdd(axis.run, hn::Set(d, 2 * kCrossingMargin), hn::Set(d, 2 * kCrossingMargin)));
+        return hn::Mul(slope,
+                       Arithmetic::mulAdd(axis.run, hn::Set(d, 2 * kCrossingMargin), hn::Set(d, 2 * kCrossingMargin)));
     };
     const VF margin = hn::Add(hn::Add(blur(x, slopeX), blur(y, slopeY)), hn::Mul(hn::Set(d, 2.0F), tie));
     return hn::Lt(highest, hn::Neg(margin));

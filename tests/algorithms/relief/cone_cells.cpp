@@ -124,8 +124,7 @@ Noted& noted() {
 void sortVisits(const double* const* given, const LaneRays& rays) {
     for (const Visit& visit : visits()) {
         const auto slot = static_cast<std::size_t>(visit.slot);
-        const std::size_t number =
-            noted().numbers.at({given[0][slot], given[1][slot], given[2][slot], given[3][slot]});
+        const std::size_t number = noted().numbers.at({given[0][slot], given[1][slot], given[2][slot], given[3][slot]});
         noted().rays[number].cells.push_back(
             {std::int64_t{rays.x.cell[slot]} + visit.x, std::int64_t{rays.y.cell[slot]} + visit.y, visit.word});
     }

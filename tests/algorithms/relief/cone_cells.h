@@ -21,8 +21,9 @@ struct LookedAtRay {
     std::vector<LookedAt> cells;
 };
 
-// Of an instance of the walk that rounds as the reference does (products and sums apart, quotients) and leads no rays in
-// packets; or of the product's. The rays differ from each other. hits: of all rays but those flatter than the domain.
+// Of an instance of the walk that rounds as the reference does (products and sums apart, quotients) and leads no rays
+// in packets; or of the product's. The rays differ from each other. hits: of all rays but those flatter than the
+// domain.
 std::vector<LookedAtRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
                                       HitBlock& hits, bool asTheReference);
 
