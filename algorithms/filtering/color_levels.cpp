@@ -48,12 +48,6 @@ ColorLevels::ColorLevels(std::shared_ptr<const ColorImage> picture, Work& work) 
     for (int l = 1; l < count; ++l) above_.push_back(meanLevel(level(l - 1), l, width(), height(), work));
 }
 
-std::size_t ColorLevels::bytes() const {
-    std::size_t sum = picture_->bytes();
-    for (const ColorImage& level : above_) sum += level.bytes();
-    return sum;
-}
-
 Color ColorLevels::bilinear(int l, glm::dvec2 place, Address address) const {
     const double scale = std::ldexp(1.0, -l);
     const BilinearSupport x = across(l, address).support(place.x * scale);

@@ -27,7 +27,6 @@ class ColorLevels {
     const ColorImage& level(int l) const { return l == 0 ? *picture_ : above_[static_cast<std::size_t>(l) - 1]; }
     LevelAxis across(int l, Address address) const { return LevelAxis::of(width(), l, address); }
     LevelAxis down(int l, Address address) const { return LevelAxis::of(height(), l, address); }
-    std::size_t bytes() const;
 
     // Bilinear within one level, between the true centres of its texels; (s, t) in texels of level 0, unwrapped.
     Color bilinear(int l, glm::dvec2 place, Address address) const;

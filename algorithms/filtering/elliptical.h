@@ -94,10 +94,6 @@ class EllipticalKernel {
     // Null: the scalar text filters.
     std::shared_ptr<const LaneLevels> laneLevels() const { return lanes_ ? lanes_->levels() : nullptr; }
     // Beyond the picture itself.
-    std::size_t bytes() const {
-        return levels_->bytes() - levels_->picture()->bytes() + table_.bytes() + map_.bytes() +
-               (lanes_ ? lanes_->bytes() : 0);
-    }
     LevelAxis across(int l) const { return levels_->across(l, address_); }
     LevelAxis down(int l) const { return levels_->down(l, address_); }
 

@@ -35,7 +35,6 @@ class GridKernel {
     GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone, std::shared_ptr<const Tracer> tracer,
                std::shared_ptr<const PackedConeHits> coneHits, int points);
 
-    std::size_t bytes() const { return plain_.bytes() + tracer_->bytes(); }
     // scale: texels of the picture per texel of the height map. counts.tested: rays, those of neighbours that neither
     // the block nor its picture has included. log: null but for a block of one. Throws Cancelled.
     void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,

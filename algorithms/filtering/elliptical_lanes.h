@@ -27,7 +27,6 @@ class EllipticalLanes {
     // Weights by a closed form, a level chosen by the footprint.
     static bool serves(const EllipticalSettings& settings);
 
-    std::size_t bytes() const { return levels_->bytes(); }
     const std::shared_ptr<const LaneLevels>& levels() const { return levels_; }
 
     // scale: texels of the picture per texel of the queries'. colors, left: of the block's length. A pixel with

@@ -59,7 +59,6 @@ class RaysKernel {
     static bool serves(const EllipticalSettings& settings) {
         return settings.weights == WeightKind::Uniform || settings.weights == WeightKind::Gaussian;
     }
-    std::size_t bytes() const { return plain_.bytes() + tracer_->bytes(); }
     // scale: texels of the picture per texel of the height map. counts.tested: rays. log: null but for a block of one;
     // takes the texels of all rays' footprints. Throws Cancelled.
     void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,

@@ -90,7 +90,6 @@ class VisibleKernel {
     VisibleKernel(EllipticalKernel plain, VisibleForm form, const HeightField& field,
                   std::shared_ptr<const AnyHitQuery> query, std::shared_ptr<const HeightBoundsMap> range);
 
-    std::size_t bytes() const { return plain_.bytes() + range_->bytes() + query_->bytes(); }
     // False: every test is made, for proving that skipping changes nothing.
     void setSkip(bool skip) { skip_ = skip; }
     // j, centre: in texels of the colour picture's level 0.

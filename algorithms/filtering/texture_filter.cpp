@@ -23,7 +23,6 @@ class PointFilter final : public TextureFilter {
         : description_(description), tools_(tools), scale_(pictureScale(*tools.picture, tools.field)) {}
 
     const FilterDescription& description() const override { return description_; }
-    std::size_t bytes() const override { return 0; }
     Color color(const FilterQuery& query, FootprintCounts& counts, Work&, FootprintLog* log) const override {
         const glm::dvec2 place = query.place * scale_;
         const Address address = tools_.field.address();
@@ -52,7 +51,6 @@ class TrilinearFilter final : public TextureFilter {
         : description_(description), tools_(tools), scale_(pictureScale(*tools.picture, tools.field)) {}
 
     const FilterDescription& description() const override { return description_; }
-    std::size_t bytes() const override { return tools_.levels->bytes() - tools_.picture->bytes(); }
     Color color(const FilterQuery& query, FootprintCounts& counts, Work&, FootprintLog* log) const override {
         const Jacobian j = scaled(query.jacobian, scale_);
         const double side = std::max(std::hypot(j.ux, j.vx), std::hypot(j.uy, j.vy));
@@ -80,7 +78,6 @@ class EllipticalFilter final : public TextureFilter {
         : description_(description), kernel_(std::move(kernel)), scale_(pictureScale(*tools.picture, tools.field)) {}
 
     const FilterDescription& description() const override { return description_; }
-    std::size_t bytes() const override { return kernel_.bytes(); }
     Color color(const FilterQuery& query, FootprintCounts& counts, Work&, FootprintLog* log) const override {
         return kernel_.filter(scaled(query.jacobian, scale_), query.place * scale_, counts, log);
     }
@@ -100,7 +97,6 @@ class VisibleFilter final : public TextureFilter {
         : description_(description), kernel_(std::move(kernel)), scale_(pictureScale(*tools.picture, tools.field)) {}
 
     const FilterDescription& description() const override { return description_; }
-    std::size_t bytes() const override { return kernel_.bytes(); }
     Color color(const FilterQuery& query, FootprintCounts& counts, Work& work, FootprintLog* log) const override {
         return kernel_.filter(scaled(query.jacobian, scale_), query.place * scale_,
                               {query.ray, query.lambda, query.place}, counts, work, log);
@@ -123,7 +119,6 @@ class RaysFilter final : public TextureFilter {
         : description_(description), kernel_(std::move(kernel)), scale_(pictureScale(*tools.picture, tools.field)) {}
 
     const FilterDescription& description() const override { return description_; }
-    std::size_t bytes() const override { return kernel_.bytes(); }
     Color color(const FilterQuery& query, FootprintCounts& counts, Work& work, FootprintLog* log) const override {
         FilterBlock block;
         block.push(query);

@@ -30,7 +30,6 @@ class TextureFilter {
     // Whether it asks what neighbours of a block's pixels met: FilterBlock::picture then saves it their rays.
     virtual bool asksNeighbours() const { return false; }
     // Beyond the picture itself.
-    virtual std::size_t bytes() const = 0;
 };
 
 // What filters are made of.

@@ -25,7 +25,6 @@ class RadialTable {
     RadialTable(const EllipticalSettings& settings);
     // r2 = r^2 / R^2 in [0, 1].
     float operator()(float r2) const { return weights_[static_cast<std::size_t>(r2 * scale_)]; }
-    std::size_t bytes() const { return weights_.size() * sizeof(float); }
 
   private:
     std::vector<float> weights_;
@@ -47,7 +46,6 @@ class WeightMap {
         if (!(x >= 0 && x < n && y >= 0 && y < n)) return glm::vec3(0);
         return weights_(static_cast<int>(x), static_cast<int>(y));
     }
-    std::size_t bytes() const { return weights_.bytes(); }
 
   private:
     Image<glm::vec3> weights_;

@@ -22,7 +22,6 @@ class QueryOf final : public AnyHitQuery {
 
     const MethodDescription& description() const override { return descriptionOf<T>(); }
     const HeightField& field() const override { return query_.field(); }
-    std::size_t bytes() const override { return query_.bytes(); }
     double stepBound(const AnyRay& ray) const override { return query_.stepBound(ray); }
 
     void look(const AnyRayBlock& rays, SightBlock& sights, NullSink&, Work& work) const override {

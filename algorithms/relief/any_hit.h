@@ -20,7 +20,6 @@ class AnyHitQuery {
 
     virtual const MethodDescription& description() const = 0;
     virtual const HeightField& field() const = 0;
-    virtual std::size_t bytes() const = 0;
     // Decision records that this segment takes at most.
     virtual double stepBound(const AnyRay& ray) const = 0;
 

@@ -45,7 +45,6 @@ class MaxPyramidAnyHit {
     Sight look(const AnyRay& ray, Sink& sink) const;
 
     const HeightField& field() const { return walk_.field(); }
-    std::size_t bytes() const { return walk_.bytes(); }
     double stepBound(const AnyRay& ray) const { return walk_.stepBound(GridRay(walk_.grid(), ray.course())); }
 
   private:

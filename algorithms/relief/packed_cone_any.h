@@ -46,7 +46,6 @@ class PackedConeAnyHit {
     const HeightField& field() const { return field_; }
     const CellGrid& grid() const { return grid_; }
     const PackedCones& map() const { return *map_; }
-    std::size_t bytes() const { return map_->bytes(); }
     double stepBound(const AnyRay& ray) const { return 2 * GridRay(grid_, ray.course()).cellBound() + 6; }
 
     static std::size_t quadrant(const GridRay& course) {

@@ -1,6 +1,7 @@
 // relief bench and relief stress: tables for scripts, exit status, what is left behind.
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -126,6 +127,16 @@ TEST_P(MeasureTest, RowsInFilesAndOnStandardOutput) {
     EXPECT_EQ(runFine(with(path("r.json"))), "");
     EXPECT_EQ(nlohmann::json::parse(read("r.json")).size(), 6U);
     EXPECT_EQ(files(), (std::vector<std::string>{"r.csv", "r.json"})) << "no .part is left";
+    // Rows timed together, so many at a time.
+    std::vector<std::string> blocks = what;
+    blocks.insert(blocks.end(), {"--rows", "1,3"});
+    const auto together = lines(runFine(blocks));
+    ASSERT_EQ(together.size(), 1 + 2 * 2 * 3U);
+    std::set<std::string> sizes;
+    for (std::size_t r = 1; r < together.size(); ++r) sizes.insert(fields(together[r])[14]);
+    EXPECT_EQ(sizes, (std::set<std::string>{"1", "3"}));
+    blocks.back() = "0";
+    expectRefusal(blocks, 2, {"--rows"});
 }
 
 TEST_P(MeasureTest, WrongRequestsAreRefused) {
@@ -196,6 +207,21 @@ TEST_P(MeasureTest, FiltersAgainstTheReference) {
     EXPECT_LT(elliptical, 0.5 * bilinear);
     EXPECT_EQ(fields(rows[5])[4], "map");
     EXPECT_EQ(fields(rows[5])[5], "64");
+    // Pictures of one's own, as deep as one says.
+    runFine({"make", "bricks", "--size", "24", "-o", path("h.png")});
+    runFine({"make", "checker", "--size", "24", "-o", path("c.png")});
+    std::vector<std::string> errors;
+    for (const char* depth : {"0.05", "0.4"}) {
+        const auto own = lines(
+            run({"bench", "filters", "--height", path("h.png"), "--color", path("c.png"), "--relief-depth", depth,
+                 "--filters", "bilinear", "--elevations", "40", "--size", "24x16", "--samples", "3", "--rounds", "1"})
+                .out);
+        ASSERT_EQ(own.size(), 3U);
+        EXPECT_NE(own[1].find("h.png"), std::string::npos) << own[1];
+        errors.push_back(fields(own[1])[11]);
+    }
+    EXPECT_NE(errors[0], errors[1]);
+    expectRefusal({"bench", "filters", "--filters", "supersample"}, 2, {"supersample"});
     expectRefusal({"bench", "filters", "--scenes", "moon"}, 2, {"\"moon\"", "checker"});
     expectRefusal({"bench", "filters", "--filters", "elliptical:sigma=9"}, 2, {"sigma", "9"});
     expectRefusal({"render", "--relief", "bricks", "--filter", "elliptical", "--filter-set", "radius", "-o", "x.png"},

@@ -1,4 +1,6 @@
 // What a newcomer types first, and what is answered to a slip of the finger.
+#include <nlohmann/json.hpp>
+
 #include "command_test.h"
 
 namespace relief::test {
@@ -54,6 +56,17 @@ TEST_P(HelpTest, MessagesSpeakUkrainian) {
 
 TEST_P(HelpTest, FilesMayBeCalledLikeCommands) {
     expectRefusal({"info", "list"}, 2, {"list: no such file"});
+}
+
+TEST_P(HelpTest, InfoSaysWhatAScenarioLooksAt) {
+    runFine({"render", "--relief", "bricks", "--eye", "1,2,3", "--target", "0,0,0.5", "--fov", "40", "--size", "32x24",
+             "-o", path("p.png"), "--report", path("r.json")});
+    auto scenario = nlohmann::json::parse(read("r.json"))["scenario"];
+    scenario["pixel"] = {7, 5};
+    const std::string said = runFine({"info", write("s.json", scenario.dump())});
+    for (const char* part : {"eye 1,2,3, target 0,0,0.5, fov 40", "7,5", "bricks", "32 x 24"}) {
+        EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
+    }
 }
 
 }  // namespace relief::test

@@ -315,6 +315,9 @@ TEST_P(MergeTest, WhatIsMissingTwiceOrOfAnotherRunIsNamed) {
 }
 
 TEST_P(MergeTest, WrongPartsAreRefused) {
+    runFine(stress("r.jsonl", {"--part", "1/2"}));
+    runFine({"render", "--relief", "bricks", "--size", "64x64", "--part", "1/2", "-o", path("p.png")});
+    expectRefusal({"merge", path("r.jsonl"), path("p.png"), "-o", path("m.png")}, 2, {"p.png", "r.jsonl"});
     expectRefusal(stress("r.jsonl", {"--seconds", "0"}), 2, {"--cases", "--seconds"});
     expectRefusal({"stress", "--part", "1/2", "--record", path("r.jsonl")}, 2, {"--part", "--cases"});
     expectRefusal({"stress", "--part", "1/2", "--cases", "3"}, 2, {"--part", "--record"});

@@ -1,4 +1,6 @@
 // relief make, render, list, compare, info: the journeys of README, and what they leave on disk.
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "command_test.h"
@@ -78,6 +80,25 @@ TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
     const Json lit = Json::parse(
         runFine({"render", "--height", height, "--size", "40x30", "--shadows", "-o", path("p.png"), "--report", "-"}));
     EXPECT_EQ(lit["walks"], (Json{{"hits", "cone"}, {"steps", "max-pyramid"}}));
+}
+
+// What is skipped at the price of an error says which, measured.
+TEST_P(RenderTest, TheReportTellsTheErrorOfWhatIsBounded) {
+    const Json report =
+        Json::parse(runFine({"render", "--relief", "hills", "--scene", "floor", "--size", "96x64", "--bounded", "0.5",
+                             "--relief-depth", "0.02", "-o", path("p.png"), "--report", "-"}));
+    double most = 0;
+    for (const Json& row : report["skipped"]["bounded"]) {
+        EXPECT_EQ(row["bound_texels"], 0.5) << row;
+        ASSERT_TRUE(row.contains("error_texels") || row.contains("error_linear")) << row;
+        if (!row.contains("error_texels")) continue;
+        EXPECT_LE(row["error_texels"]["mean"].get<double>(), row["error_texels"]["max"].get<double>());
+        EXPECT_GE(row["wrong_outcomes"].get<int>(), 0);
+        if (row["count"].get<double>() > 0) most = row["error_texels"]["max"].get<double>();
+    }
+    EXPECT_GT(most, 0) << "nothing was skipped";
+    EXPECT_LE(most, 0.5);
+    expectRefusal({"render", "--relief", "hills", "--layers", "depth,depth", "-o", path("p.exr")}, 2, {"--layers"});
 }
 
 TEST_P(RenderTest, AScenarioComesBack) {
@@ -173,6 +194,10 @@ TEST_P(RenderTest, ComparedPictures) {
     EXPECT_EQ(out[0].substr(0, 7), "RMSE 0.");
     EXPECT_EQ(out[2].substr(0, 7), "FLIP 0.");
     EXPECT_EQ(read("e.png").substr(1, 3), "PNG");
+    runFine({"compare", path("a.png"), path("c.png"), "-o", path("e.exr")});
+    EXPECT_EQ(lines(runFine({"compare", path("e.exr"), path("e.exr")}))[0], "RMSE 0");
+    const std::string holes = write("nan.exr", exrBytes(2, 1, {0.5F, std::nanf("")}));
+    expectRefusal({"compare", holes, holes}, 2, {"nan.exr", "1"});
     runFine({"render", "--height", height, "--size", "81x60", "-o", path("d.png")});
     expectRefusal({"compare", path("a.png"), path("d.png")}, 2, {path("d.png"), "81 x 60", "80 x 60"});
     expectRefusal({"compare", path("a.png"), path("none.png")}, 2, {path("none.png")});

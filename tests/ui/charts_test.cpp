@@ -213,54 +213,6 @@ TEST(Charts, HistogramsCountEveryRay) {
     EXPECT_EQ(at.bar->low, 2);
 }
 
-TEST(Charts, ATableIsReadBack) {
-    std::vector<relief::BenchRow> rows = madeUp();
-    rows[1].method.options["layers"] = "128";
-    rows[2].elevation.reset();
-    rows[3].errors.mean = std::nan("");
-    const std::vector<relief::BenchRow> back = relief::parseBenchJson(relief::benchJson(rows), "x.json");
-    ASSERT_EQ(back.size(), rows.size());
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        EXPECT_EQ(relief::benchCsvLine(back[r]), relief::benchCsvLine(rows[r]));
-        EXPECT_EQ(relief::shortMethodName(back[r].method), relief::shortMethodName(rows[r].method));
-    }
-    EXPECT_EQ(relief::shortMethodName(back[1].method), "layers:layers=128");
-}
-
-TEST(Charts, BrokenTablesAreRefused) {
-    const std::string good = relief::benchJson(madeUp());
-    const auto broken = [&](const std::string& from, const std::string& to) {
-        std::string text = good;
-        const std::size_t at = text.find(from);
-        EXPECT_NE(at, std::string::npos) << from;
-        return text.replace(at, from.size(), to);
-    };
-    const std::vector<std::string> texts{"",
-                                         "{",
-                                         "[]",
-                                         "{}",
-                                         "[1]",
-                                         "[{\"variant\": \"direct\"}]",
-                                         good.substr(0, good.size() / 2),
-                                         broken("\"rate\": 50000000.0", "\"rate\": 0"),
-                                         broken("\"rate\": 50000000.0", "\"rate\": \"fast\""),
-                                         broken("\"rate\": 50000000.0", "\"rate\": 1e999"),
-                                         broken("256x256", "256"),
-                                         broken("256x256", "1e300x2"),
-                                         broken("bilinear", "smooth"),
-                                         broken("\"cpu\"", "\"CPU\"")};
-    for (const std::string& text : texts) {
-        try {
-            relief::parseBenchJson(text, "x.json");
-            ADD_FAILURE() << text.substr(0, 60);
-        } catch (const relief::InputError& error) {
-            const std::string line = error.text(relief::Language::English);
-            EXPECT_EQ(line.rfind("x.json: ", 0), 0u) << line;
-            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-        }
-    }
-}
-
 // By the program, without a display.
 TEST(Charts, TheProgramExportsThem) {
     const QTemporaryDir folder;

@@ -333,10 +333,6 @@ std::string mapSizeText(const StoredMap& map) {
            std::to_string(values.layers());
 }
 
-std::uint64_t heightsChecksum(const FloatImage& heights) {
-    return checksumOf(heights).value();
-}
-
 void saveMap(const std::string& path, const StoredMap& map, const FloatImage& heights) {
     const std::vector<const StoredValues*> stacks = stacksOf(map);
     int tiles = 0;

@@ -24,9 +24,6 @@ std::size_t mapBytes(const StoredMap& map);
 // "64 x 64 x 16": voxels, or cells and sectors.
 std::string mapSizeText(const StoredMap& map);
 
-// FNV-1a, 64 bits, over the size and the bits of the heights.
-std::uint64_t heightsChecksum(const FloatImage& heights);
-
 // path: .tif or .tiff; appears only when complete. heights: those that the map was built from. Throws WorkError.
 void saveMap(const std::string& path, const StoredMap& map, const FloatImage& heights);
 

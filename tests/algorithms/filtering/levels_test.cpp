@@ -66,6 +66,29 @@ TEST(LevelAxis, supportInterpolatesBetweenTrueCentres) {
     }
 }
 
+// Everywhere, across the seam too: the two centres, mixed by the share, are the place itself.
+TEST(LevelAxis, supportIsExactBetweenCentresAndAcrossTheSeam) {
+    for (const int size : {1, 2, 5, 37, 64}) {
+        for (int level = 0; level < 5; ++level) {
+            const LevelAxis axis = LevelAxis::of(size, level, Address::Repeat);
+            for (int n = 0; n < 200; ++n) {
+                double x = axis.extent * (n + 0.5) / 200;
+                const BilinearSupport at = axis.support(x);
+                double second = axis.centre(at.second);
+                if (at.second <= at.first) {
+                    EXPECT_EQ(at.first, axis.size - 1);
+                    EXPECT_EQ(at.second, 0);
+                    second += axis.extent;
+                    if (x < axis.centre(at.first)) x += axis.extent;
+                }
+                const auto share = static_cast<double>(at.share);
+                EXPECT_NEAR((1 - share) * axis.centre(at.first) + share * second, x, 1e-5)
+                    << size << " level " << level << " at " << x;
+            }
+        }
+    }
+}
+
 TEST(PixelModels, namesAreReadBack) {
     for (std::size_t n = 0; n < kPixelModelNames.size(); ++n) {
         EXPECT_EQ(parsePixelModel(kPixelModelNames[n]), static_cast<PixelModel>(n));

@@ -1,6 +1,8 @@
 // What goes wrong first on a ray, by reliefs made for each kind, and laws over random ones.
 #include "measuring/duel.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
@@ -167,6 +169,16 @@ TEST(Duel, EveryDepartureIsNamed) {
     }
     // All kinds occur, so that the laws above speak of all.
     for (std::size_t kind = 0; kind < seen.size(); ++kind) EXPECT_GT(seen[kind], 0) << kind << ", seed " << kSeed;
+}
+
+TEST(Duel, everyDepartureHasATitleOfItsOwn) {
+    std::set<std::string> titles;
+    for (int kind = 0; kind <= static_cast<int>(Departure::NotRefined); ++kind) {
+        for (const Language language : {Language::English, Language::Ukrainian}) {
+            titles.insert(sentence(departureTitle(static_cast<Departure>(kind)), language));
+        }
+    }
+    EXPECT_EQ(titles.size(), 12U);
 }
 
 }  // namespace

@@ -85,5 +85,55 @@ TEST(Pareto, DominatedIsWhatAnotherOfItsFormBeats) {
     EXPECT_GT(others, 100);
 }
 
+TEST(Pareto, ATableIsReadBack) {
+    std::vector<BenchRow> rows{row("exact", 100, 0, 0), row("layers", 20, 0.5, 3), row("offset", 5, 9, 9),
+                               row("cone", 50, 0, 0)};
+    rows[1].method.options["layers"] = "128";
+    rows[2].elevation.reset();
+    rows[3].errors.mean = std::nan("");
+    const std::vector<BenchRow> back = parseBenchJson(benchJson(rows), "x.json");
+    ASSERT_EQ(back.size(), rows.size());
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        EXPECT_EQ(benchCsvLine(back[r]), benchCsvLine(rows[r]));
+        EXPECT_EQ(shortMethodName(back[r].method), shortMethodName(rows[r].method));
+    }
+    EXPECT_EQ(shortMethodName(back[1].method), "layers:layers=128");
+}
+
+TEST(Pareto, BrokenTablesAreRefused) {
+    const std::vector<BenchRow> table{row("exact", 20, 0, 0), row("layers", 20, 0.5, 3)};
+    const std::string good = benchJson(table);
+    const auto broken = [&](const std::string& from, const std::string& to) {
+        std::string text = good;
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return text.replace(at, from.size(), to);
+    };
+    const std::vector<std::string> texts{"",
+                                         "{",
+                                         "[]",
+                                         "{}",
+                                         "[1]",
+                                         "[{\"variant\": \"direct\"}]",
+                                         good.substr(0, good.size() / 2),
+                                         broken("\"rate\": 50000000.0", "\"rate\": 0"),
+                                         broken("\"rate\": 50000000.0", "\"rate\": \"fast\""),
+                                         broken("\"rate\": 50000000.0", "\"rate\": 1e999"),
+                                         broken("\"8x8\"", "\"8\""),
+                                         broken("\"8x8\"", "\"1e300x2\""),
+                                         broken("bilinear", "smooth"),
+                                         broken("\"cpu\"", "\"CPU\"")};
+    for (const std::string& text : texts) {
+        try {
+            parseBenchJson(text, "x.json");
+            ADD_FAILURE() << text.substr(0, 60);
+        } catch (const InputError& error) {
+            const std::string line = error.text(Language::English);
+            EXPECT_EQ(line.rfind("x.json: ", 0), 0u) << line;
+            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace relief::test

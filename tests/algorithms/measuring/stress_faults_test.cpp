@@ -73,7 +73,6 @@ class AlteredQuery final : public AnyHitQuery {
 
     const MethodDescription& description() const override { return inner_->description(); }
     const HeightField& field() const override { return inner_->field(); }
-    std::size_t bytes() const override { return inner_->bytes(); }
     double stepBound(const AnyRay& ray) const override { return inner_->stepBound(ray); }
     void look(const AnyRayBlock& rays, SightBlock& sights, NullSink& sink, Work& work) const override {
         inner_->look(rays, sights, sink, work);

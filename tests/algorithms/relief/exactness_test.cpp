@@ -84,8 +84,9 @@ bool buildsAMap(const MethodChoice& choice) {
 
 Heights part(const FloatImage& whole, int width, int height) {
     FloatImage image(width, height);
+    const int x0 = (whole.width() - width) / 2, y0 = (whole.height() - height) / 2;
     for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) image(x, y) = whole(x + whole.width() / 3, y + whole.height() / 3);
+        for (int x = 0; x < width; ++x) image(x, y) = whole(x + x0, y + y0);
     }
     return share(std::move(image));
 }

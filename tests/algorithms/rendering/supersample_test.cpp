@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "../relief/fields.h"
+#include "relief/look_up_point.h"
 #include "rendering/supersample.h"
 
 namespace relief::test {
@@ -72,6 +73,53 @@ TEST(Supersample, boxIsTheMeanOfRaysThroughTheParts) {
 }
 
 // The same samples, weighed by hand with the bell over 5 x 5 pixels, in the middle of the picture.
+// What the footprint pane draws: the very places that the parts' rays hit, and how much each counts.
+TEST(Supersample, samplesOfAPixelAreTheHitsOfItsParts) {
+    constexpr int kSamples = 3;
+    FrameRequest request = bricks();
+    request.method = {"exact", {}};
+    FrameRequest large = request;
+    large.width *= kSamples;
+    large.height *= kSamples;
+    const auto fine = rendered(large);
+    Work work(2);
+    MapCache maps;
+    const auto tracer = makeTracer(request.method, request.field, maps, work);
+    request = supersampledRequest(request, kSamples);
+    int hits = 0;
+    for (const auto& [x, y] : std::vector<std::pair<int, int>>{{48, 40}, {40, 33}, {58, 38}, {48, 0}, {30, 36}}) {
+        std::vector<std::pair<double, double>> wanted, found;
+        for (int part = 0; part < kSamples * kSamples; ++part) {
+            const int px = kSamples * x + part % kSamples, py = kSamples * y + part / kSamples;
+            const std::size_t i = fine->index(px, py);
+            if (!fine->ray(px, py) || fine->hits->hits.outcome[i] != Outcome::Hit) continue;
+            const glm::dvec2 place = lookUpPoint(request.field, *fine->ray(px, py), fine->hits->hits[i]);
+            wanted.emplace_back(place.x, place.y);
+        }
+        for (const PixelSample& sample : pixelSamples(request, *tracer, x, y, work)) {
+            found.emplace_back(sample.place.x, sample.place.y);
+            for (int channel = 0; channel < 3; ++channel) {
+                EXPECT_NEAR(sample.share[channel], 1.0 / (kSamples * kSamples), kFloatRounding);
+            }
+        }
+        std::sort(wanted.begin(), wanted.end());
+        std::sort(found.begin(), found.end());
+        ASSERT_EQ(found.size(), wanted.size()) << x << ' ' << y;
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            // Cameras of both sizes round apart, far off the most.
+            EXPECT_NEAR(found[k].first, wanted[k].first, 1e-6 * (1 + std::abs(wanted[k].first)));
+            EXPECT_NEAR(found[k].second, wanted[k].second, 1e-6 * (1 + std::abs(wanted[k].second)));
+        }
+        hits += static_cast<int>(found.size());
+    }
+    EXPECT_GT(hits, 3 * kSamples * kSamples);
+    // With neighbours: all shares of a pixel that sees nothing but relief sum to one.
+    request.filter.pixelModel = PixelModel::Gaussian;
+    glm::dvec3 sum(0);
+    for (const PixelSample& sample : pixelSamples(request, *tracer, 48, 40, work)) sum += glm::dvec3(sample.share);
+    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(sum[channel], 1, 1e-5);
+}
+
 TEST(Supersample, gaussianWeighsNeighbours) {
     constexpr int kSamples = 2;
     const FrameRequest request = bricks();

@@ -1,5 +1,7 @@
 #include "scenario/step_sentence.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "relief/tracers.h"
@@ -205,6 +207,31 @@ TEST(StepSentence, tellsTheKindsOfHitApart) {
 }
 
 // What a map claims is said as a claim; where the surface breaks it, that is said.
+TEST(StepSentence, answersAreSetAgainstTheFirstHit) {
+    const ViewRay ray{0, 0, 3, 4};
+    const Hit hit = Hit::at(ray, 0.5);
+    const Hit off = Hit::at(ray, 0.7);
+    const Hit miss = Hit::none(Outcome::Miss), limit = Hit::none(Outcome::Limit);
+    const auto id = [&](const Hit& answer, const Hit& exact) { return answerSentence(answer, exact, ray).id; };
+    EXPECT_EQ(id(hit, hit), MessageId::AnswerExact);
+    EXPECT_EQ(id(off, hit), MessageId::AnswerOff);
+    EXPECT_EQ(id(miss, hit), MessageId::AnswerWrongMiss);
+    EXPECT_EQ(id(limit, hit), MessageId::AnswerWrongMiss);
+    EXPECT_EQ(id(hit, miss), MessageId::AnswerWrongHit);
+    EXPECT_EQ(id(miss, miss), MessageId::AnswerRightMiss);
+    EXPECT_EQ(id(hit, limit), MessageId::AnswerUnknown);
+    EXPECT_EQ(id(hit, Hit::none(Outcome::Unset)), MessageId::AnswerUnknown);
+    // Five texels a unit of lambda.
+    const std::string text = sentence(answerSentence(off, hit, ray), Language::English);
+    EXPECT_NE(text.find(" 1 "), std::string::npos) << text;
+    EXPECT_NE(text.find("0.500"), std::string::npos) << text;
+    std::set<std::string> titles;
+    for (std::size_t n = 0; n < kDecisionNames.size(); ++n) {
+        titles.insert(sentence(decisionTitle(static_cast<Decision>(n)), Language::English));
+    }
+    EXPECT_EQ(titles.size(), kDecisionNames.size());
+}
+
 TEST(StepSentence, aBrokenPromiseIsSaid) {
     Step s = step(Decision::Advance);
     s.phase = Phase::Search;

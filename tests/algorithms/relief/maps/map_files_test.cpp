@@ -351,4 +351,25 @@ TEST(MapFiles, CancelledBuildsLeaveNothing) {
     }
 }
 
+TEST(MapFiles, usedMapsAreThoseThatTheMethodWalks) {
+    for (const MethodDescription& method : tracerList()) {
+        const auto used = usedMap({method.name, {}});
+        bool stored = false;
+        for (const std::string& kind : mapKinds()) {
+            stored = stored || std::find(method.maps.begin(), method.maps.end(), kind) != method.maps.end();
+        }
+        if (method.name != "hybrid") {
+            ASSERT_EQ(used.has_value(), stored) << method.name;
+        }
+        if (!stored) continue;
+        EXPECT_NE(std::find(method.maps.begin(), method.maps.end(), used->kind), method.maps.end()) << method.name;
+        for (const auto& [name, value] : method.defaults) EXPECT_EQ(used->options.at(name), value) << method.name;
+    }
+    const auto inner = usedMap({"hybrid", {{"inner", "cone"}, {"inner.sectors", "4"}}});
+    ASSERT_TRUE(inner);
+    EXPECT_EQ(inner->kind, "cone");
+    EXPECT_EQ(inner->options.at("sectors"), "4");
+    EXPECT_EQ(usedMap({"distance-conservative", {{"map", "refined"}}})->kind, "refined") << "another map is given";
+}
+
 }  // namespace relief::test

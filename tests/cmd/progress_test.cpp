@@ -1,0 +1,69 @@
+// The bar of long work: on a terminal, and gone when the work is done.
+#include "progress_bar.h"
+
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace relief::test {
+namespace {
+
+using app::durationText;
+using app::progressLine;
+
+TEST(ProgressBar, timesAreRoundedUp) {
+    EXPECT_EQ(durationText(0), "1 s");
+    EXPECT_EQ(durationText(2.1), "3 s");
+    EXPECT_EQ(durationText(59.5), "1 min 00 s");
+    EXPECT_EQ(durationText(125), "2 min 05 s");
+}
+
+TEST(ProgressBar, aLineIsNoWiderThanTheTerminal) {
+    const std::string line = progressLine("tracing", 0.5, 3, 80, Language::English);
+    EXPECT_EQ(line.substr(0, 42), "tracing  [############------------]  50%  ") << line;
+    EXPECT_NE(line.find("3 s"), std::string::npos) << line;
+    EXPECT_NE(progressLine("tracing", 0.5, 3, 80, Language::Ukrainian), line);
+    EXPECT_EQ(progressLine("tracing", 0.5, 3, static_cast<int>(line.size()), Language::English), line);
+    EXPECT_EQ(progressLine("tracing", 0.5, 3, static_cast<int>(line.size()) - 1, Language::English), "50%");
+}
+
+// What the program writes to a terminal until it is interrupted, as soon as it has drawn a bar.
+TEST(ProgressBar, isDrawnOnATerminalAndErased) {
+    constexpr const char* kErased = "\r\033[K";
+    winsize size{};
+    size.ws_row = 24;
+    size.ws_col = 120;
+    int terminal = -1;
+    const std::string picture = testing::TempDir() + "relief-progress.png";
+    ::unlink(picture.c_str());
+    const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+    if (child == 0) {
+        // Half a minute, if it were left alone.
+        execl(RELIEF_PROGRAM, "relief", "render", "--relief", "fractal", "--size", "640x480", "--supersample", "64",
+              "--language", "en", "-o", picture.c_str(), nullptr);
+        _exit(127);
+    }
+    std::string text;
+    char bytes[4096];
+    // The terminal is gone with the child: an error, not an end.
+    for (ssize_t got = 0; (got = ::read(terminal, bytes, sizeof bytes)) > 0;) {
+        text.append(bytes, static_cast<std::size_t>(got));
+        if (text.find(" left") != std::string::npos) ::kill(child, SIGINT);
+    }
+    ::close(terminal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status)) << text;
+    EXPECT_EQ(WEXITSTATUS(status), 130) << text;
+    EXPECT_EQ(text.substr(0, 12), "\rsamples  [#") << text;
+    EXPECT_NE(text.find(kErased, text.rfind(" left")), std::string::npos) << text;
+    EXPECT_EQ(::access(picture.c_str(), F_OK), -1);
+}
+
+}  // namespace
+}  // namespace relief::test
