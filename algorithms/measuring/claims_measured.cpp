@@ -199,7 +199,7 @@ void Measuring::pyramids() {
     say("many-cases", some(fewer), {{"fewer", fewer}, {"all", all}, {"fewerReads", fewerReads}});
     say("no-loss", confirmedIf(different == 0), {{"different", different}, {"rays", all * options_.rays}});
     say("bricks-best", confirmedIf(range.leastOn == "bricks"), shares);
-    const Range cone = stepShares("cone", "exact");
+    const Range cone = stepShares("cone:layout=texel", "exact");
     // Strongly: twice as much on one relief as on another.
     say("gain-by-relief", confirmedIf(cone.most > 2 * cone.least), cone.values());
     const Range hybrid = stepShares("hybrid:inner=distance-conservative", "distance-conservative");

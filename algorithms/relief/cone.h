@@ -43,17 +43,17 @@ class ConeTracer {
 
         // Other sectors or another precision are of that layout alone.
         bool ofTexels() const {
-            return layout == "texel" || sectors != 1 || parsePrecision(precision) != Precision::Float;
+            return layout == kStoredLayout || sectors != 1 || parsePrecision(precision) != Precision::Float;
         }
 
         static std::vector<OptionField<Options>> fields() {
-            return {{{"layout",
+            return {{{std::string(kLayoutOption),
                       OptionKind::Choice,
                       "",
                       0,
                       0,
                       0,
-                      {"packed", "texel"},
+                      {"packed", std::string(kStoredLayout)},
                       "four square cones a cell in words that are fast to read, or round ones as engines store them; "
                       "sectors, precision and maps from files are of texel"},
                      &Options::layout},

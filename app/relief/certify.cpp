@@ -91,6 +91,7 @@ int runCertify(const CertifyOptions& options, Session& session) {
     }
     if (options.seed) asked.seed = parseSeed(*options.seed, "--seed");
     Scenario scenario = options.scenario.scenario();
+    scenario.method = withStoredMap(scenario.method);
     Work& work = session.work();
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work);

@@ -52,7 +52,7 @@ std::vector<ParameterText> parameterTexts(const ConeMap& map) {
     const ConeParameters& p = map.parameters;
     const ConeParameters unused;
     // The packed layout is no file.
-    return {{"layout", "texel", "texel"},
+    return {{std::string(kLayoutOption), std::string(kStoredLayout), std::string(kStoredLayout)},
             {"sectors", std::to_string(p.sectors), std::to_string(unused.sectors)},
             {"radius", std::to_string(p.radius), std::to_string(unused.radius)},
             {"directions", std::to_string(p.directions), std::to_string(unused.directions)},
@@ -120,6 +120,17 @@ std::optional<UsedMap> usedMap(const MethodChoice& choice) {
         return usedMap(inner);
     }
     return std::nullopt;
+}
+
+MethodChoice withStoredMap(const MethodChoice& choice) {
+    MethodChoice stored = choice;
+    for (const ChoiceOption& option : choiceOptions(choice)) {
+        const std::string& name = option.description.name;
+        if (name == kLayoutOption || name.ends_with("." + std::string(kLayoutOption))) {
+            stored.options.emplace(name, kStoredLayout);
+        }
+    }
+    return stored;
 }
 
 const std::string& methodOfMap(const std::string& kind) {
