@@ -10,7 +10,7 @@ namespace relief::test {
 
 class CertifyTest : public CommandTest {
   protected:
-    std::string walls() const { return makeRelief("bricks", "bricks.png", {"--size", "48"}); }
+    std::string walls() const { return makeRelief("bricks", "bricks.png", {"--size", "48x40"}); }
     static void expectPart(const std::string& text, const std::string& part) {
         EXPECT_NE(text.find(part), std::string::npos) << text << " lacks " << part;
     }

@@ -72,6 +72,7 @@ TEST_P(MapTest, DistancesOfAPoint) {
     EXPECT_NE(said.find("3.000"), std::string::npos) << said;
     EXPECT_NE(said.find("4.000"), std::string::npos) << said;
     EXPECT_NE(said.find("4.000,4.500,0.000,0.000"), std::string::npos) << said;
+    EXPECT_NE(said.find("(4.000, 4.500, 0.200)"), std::string::npos) << "the ray's hit, and its height: " << said;
     const std::string inside = runFine(at("0.5,4.5,0.2"));
     EXPECT_NE(inside.find("not above the surface"), std::string::npos) << inside;
     EXPECT_EQ(lines(inside).size(), 1U) << "inside the wall nothing is measured";

@@ -104,6 +104,22 @@ TEST_P(RenderManyTest, APathOfTheCamera) {
     }
 }
 
+// Frames of two paths do not lie in one folder.
+TEST_P(RenderManyTest, AnotherPathDoesNotGoOn) {
+    auto stopped = pathOf("path", "400");
+    RunSetup setup;
+    setup.interruptAfterMilliseconds = 60000;
+    setup.interruptWhen = [&] { return std::filesystem::exists(path("path/frame_00002.png")); };
+    ASSERT_EQ(run(stopped, setup).status, 130);
+    ASSERT_TRUE(std::filesystem::exists(path("path/pictures.part")));
+    auto other = stopped;
+    *std::find(other.begin(), other.end(), "elevation=20,azimuth=90") = "elevation=20,azimuth=80";
+    other.push_back("--resume");
+    expectRefusal(other, 2, {path("path/pictures.part"), "--anew"});
+    stopped.push_back("--resume");
+    EXPECT_EQ(run(stopped).status, 0);
+}
+
 // MpiTest holds what several processes share.
 TEST_P(RenderManyTest, KilledItGoesOnToTheSamePictures) {
     runFine(pathOf("whole", "40"));

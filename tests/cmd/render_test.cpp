@@ -101,6 +101,20 @@ TEST_P(RenderTest, TheReportTellsTheErrorOfWhatIsBounded) {
     expectRefusal({"render", "--relief", "hills", "--layers", "depth,depth", "-o", path("p.exr")}, 2, {"--layers"});
 }
 
+// A method named again is the scenario's own, with its options.
+TEST_P(RenderTest, AScenariosMethodKeepsItsOptions) {
+    runFine({"render", "--relief", "bricks", "--tracer", "layers", "--set", "layers=7", "--size", "24x16", "-o",
+             path("p.png"), "--report", path("r.json")});
+    const std::string scenario = write("s.json", Json::parse(read("r.json"))["scenario"].dump());
+    const auto method = [&](const char* name) {
+        return Json::parse(runFine(
+            {"render", scenario, "--tracer", name, "-o", path("p.png"), "--report", "-"}))["scenario"]["method"];
+    };
+    EXPECT_EQ(method("layers")["layers"], Json::parse(read("r.json"))["scenario"]["method"]["layers"]);
+    EXPECT_EQ(method("layers"), Json::parse(read("r.json"))["scenario"]["method"]);
+    EXPECT_EQ(method("offset")["name"], "offset");
+}
+
 TEST_P(RenderTest, AScenarioComesBack) {
     const std::string height = makeRelief("hills", "h.png", {"--size", "64"});
     runFine({"render",
@@ -196,6 +210,14 @@ TEST_P(RenderTest, ComparedPictures) {
     EXPECT_EQ(read("e.png").substr(1, 3), "PNG");
     runFine({"compare", path("a.png"), path("c.png"), "-o", path("e.exr")});
     EXPECT_EQ(lines(runFine({"compare", path("e.exr"), path("e.exr")}))[0], "RMSE 0");
+    // As a picture the error is the grey that a viewer takes for it.
+    const auto meanOf = [&](const char* picture) {
+        const std::string said = runFine({"info", path(picture), "--range", "full"});
+        const std::size_t at = said.find("mean height");
+        return std::stod(said.substr(said.find_first_of("0123456789", at)));
+    };
+    EXPECT_NEAR(meanOf("e.png"), meanOf("e.exr"), 0.004);
+    EXPECT_GT(meanOf("e.exr"), 0.02);
     const std::string holes = write("nan.exr", exrBytes(2, 1, {0.5F, std::nanf("")}));
     expectRefusal({"compare", holes, holes}, 2, {"nan.exr", "1"});
     runFine({"render", "--height", height, "--size", "81x60", "-o", path("d.png")});

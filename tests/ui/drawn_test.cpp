@@ -183,6 +183,30 @@ TEST_F(DrawnPane, ADraggedTexelIsFollowedAndOneStepOfUndo) {
     EXPECT_EQ(scenario().pictures, after.pictures);
 }
 
+TEST_F(DrawnPane, AnotherSizeKeepsTheReliefInPlace) {
+    openPane();
+    view()->startFromRecipe(QStringLiteral("hills"));
+    waitForFull();
+    const relief::DrawnRelief large = drawn();
+    ASSERT_EQ(large.width, 16);
+    view()->setSide(8);
+    waitForFull();
+    const relief::DrawnRelief small = drawn();
+    ASSERT_EQ(small.heights.size(), 64U);
+    view()->setSide(16);
+    waitForFull();
+    ASSERT_EQ(drawn().heights.size(), 256U);
+    for (int j = 0; j < 16; ++j) {
+        for (int i = 0; i < 16; ++i) {
+            if (i % 2 == 0 && j % 2 == 0) {
+                EXPECT_EQ(small.at(i / 2, j / 2), large.at(i, j));
+            }
+            EXPECT_EQ(drawn().at(i, j), small.at(i / 2, j / 2));
+        }
+    }
+    expectFollowed();
+}
+
 TEST_F(DrawnPane, AHeightIsTypedAndKeysWork) {
     openPane();
     view()->startFlat(0.25);

@@ -56,6 +56,9 @@ TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
     EXPECT_EQ(duel->runs[0].steps, snapshot()->trace.steps);
     EXPECT_EQ(duel->runs[1].hit.lambda, duel->exact.lambda) << "max-pyramid is exact";
     EXPECT_EQ(duel->judgements[1].kind, relief::Departure::None);
+    // By its name; with its options where two have the same.
+    EXPECT_EQ(duel->runs[0].name, "layers");
+    EXPECT_EQ(duel->runs[1].name, "max-pyramid");
     // Every method is told of.
     for (const relief::DuelRun& run : duel->runs) {
         EXPECT_TRUE(window_->duel()->verdict().contains(QString::fromStdString(run.name))) << run.name;
@@ -64,6 +67,9 @@ TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
     // One less.
     choose(0, QString());
     EXPECT_EQ(window_->duel()->duel()->runs.size(), 2U);
+    choose(0, QStringLiteral("layers"));
+    ASSERT_EQ(window_->duel()->duel()->runs.size(), 2U);
+    EXPECT_EQ(window_->duel()->duel()->runs[0].name, "layers:layers=4");
 }
 
 TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {

@@ -220,6 +220,11 @@ TEST_F(FootprintTest, ReadingsAtAPointHaveTheirTexelsAndWeights) {
         scenario.pictures.color = RELIEF_DATASETS "/brick_tiles037/color.jpg";
         openPane(scenario);
         const PixelFootprint& f = *view()->shown();
+        const relief::FootprintTexel& first = f.log.texels.front();
+        QTest::mouseMove(canvas(), canvas()->toWidget({first.u, first.v}).toPoint());
+        QTest::qWait(30);
+        EXPECT_TRUE(view()->readout().contains(QStringLiteral("weight"))) << view()->readout().toStdString();
+        EXPECT_FALSE(view()->readout().contains(QStringLiteral("hidden"))) << view()->readout().toStdString();
         EXPECT_GE(f.log.texels.size(), 1U);
         EXPECT_LE(f.log.texels.size(), most) << filter;
         EXPECT_NEAR(f.weightSum, 1, 1e-6) << filter;

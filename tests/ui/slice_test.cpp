@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "drawings/distance_slice.h"
+#include "relief/maps/map_choice.h"
 #include "traced_ray.h"
 
 namespace reliefui {
@@ -98,6 +100,28 @@ TEST(Slice, thinningKeepsHighestAndLowest) {
     const auto [thinLow, thinHigh] = std::minmax_element(thin.points.begin(), thin.points.end(), lower);
     EXPECT_EQ(low->y, thinLow->y);
     EXPECT_EQ(high->y, thinHigh->y);
+}
+
+// Conservative cones stand on cells between texels' centres, published ones on the texels.
+TEST(SlicedMap, conesAreReadWhereTheyStand) {
+    relief::FloatImage heights(9, 7);
+    std::mt19937 random(4);
+    for (float& h : heights.pixels()) h = static_cast<float>(random() % 1000) / 1000;
+    const relief::HeightField field(std::make_shared<const relief::FloatImage>(heights), Surface::Bilinear,
+                                    Address::Repeat, 0.2);
+    relief::MapCache cache;
+    relief::Work work(1);
+    for (const char* kind : {"cone", "cone-dummer"}) {
+        const relief::StoredMap stored = relief::buildMap(kind, {}, field, cache, work);
+        const auto& cones = *std::get<std::shared_ptr<const relief::ConeMap>>(stored);
+        const SlicedMap sliced(stored, field);
+        const double shift = std::string(kind) == "cone" ? 0.5 : 0;
+        for (int j = 1; j < 6; ++j) {
+            for (int i = 1; i < 8; ++i) {
+                EXPECT_EQ(sliced.at({i + shift + 0.3, j + shift + 0.2, 0.01}, 0), cones.slopes(i, j, 0)) << kind;
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "file_bytes.h"
 #include "images/files.h"
+#include "images/picture_bytes.h"
 #include "picture_files.h"
 #include "temporary_folder.h"
 
@@ -49,6 +50,20 @@ TEST(Formats, PalettePng) {
     // With a transparency chunk it has an alpha channel, which multiplies nothing.
     const std::string clear = palette + pngChunk("tRNS", "\xff\x80");
     EXPECT_EQ(heights(folder.with("t.png", png(4, 1, 2, 3, rows, clear))).heights(2, 0), image.heights(2, 0));
+}
+
+// Adobe's segment says how the colours are coded; what says nothing of them is dropped before the library reads it.
+TEST(Formats, JpegKeepsAdobesSegmentAndDropsMetadata) {
+    const auto segment = [](unsigned char marker, const std::string& data) {
+        return std::string{'\xff', static_cast<char>(marker)} +
+               bigEndian(static_cast<std::uint32_t>(data.size()) + 2).substr(2) + data;
+    };
+    const std::string start("\xff\xd8", 2), scan = segment(0xda, "s") + "pixels";
+    const std::string jfif = segment(0xe0, "JFIF"), adobe = segment(0xee, "Adobe");
+    const std::string all =
+        start + jfif + segment(0xe1, "Exif") + adobe + segment(0xed, "Photoshop") + segment(0xfe, "comment") + scan;
+    const auto clean = cleanJpeg({reinterpret_cast<const unsigned char*>(all.data()), all.size()});
+    EXPECT_EQ(std::string(clean.begin(), clean.end()), start + jfif + adobe + scan);
 }
 
 TEST(Formats, FewBitsSpanTheFullRange) {

@@ -232,6 +232,15 @@ TEST(Writing, KeepsPermissionsAndWritesThroughLinks) {
     std::filesystem::create_symlink(folder / "later.txt", folder / "dangling.txt");
     writeTextFile(folder / "dangling.txt", "there now");
     EXPECT_EQ(bytesOf(folder / "later.txt"), "there now");
+    // A link to a link: each names its target from its own folder.
+    std::filesystem::create_directory(folder / "runs");
+    std::filesystem::create_symlink("7.txt", folder / "runs/current.txt");
+    std::filesystem::create_symlink("runs/current.txt", folder / "latest.txt");
+    writeTextFile(folder / "latest.txt", "seventh");
+    EXPECT_EQ(bytesOf(folder / "runs/7.txt"), "seventh");
+    EXPECT_FALSE(std::filesystem::exists(folder / "7.txt"));
+    std::filesystem::remove_all(folder / "runs");
+    std::filesystem::remove(folder / "latest.txt");
     std::filesystem::create_symlink("loop.txt", folder / "loop.txt");
     EXPECT_THROW(writeTextFile(folder / "loop.txt", "x"), WorkError);
     EXPECT_EQ(folder.files(), 5);

@@ -100,6 +100,9 @@ TEST(Advice, WeighsBuildingAgainstRays) {
     ASSERT_TRUE(advice.rebuilt);
     EXPECT_EQ(advice.forms[*advice.rebuilt].method.name, "plain");
     EXPECT_DOUBLE_EQ(advice.paysAfterRays, 5 / 1e-6);
+    plain.facts.buildSeconds = 0.25;  // its map takes time as well
+    EXPECT_DOUBLE_EQ(adviceOf(options(), {map, plain}).paysAfterRays, 4.75 / 1e-6);
+    plain.facts.buildSeconds = 0;
     map.facts.buildSeconds = 1e-3;
     EXPECT_FALSE(adviceOf(options(), {map, plain}).rebuilt);
 }

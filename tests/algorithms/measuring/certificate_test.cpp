@@ -72,6 +72,22 @@ std::size_t placeOf(const StoredValues& values, int x, int y, int layer) {
 
 }  // namespace
 
+// Under repeat a ray through a place enters within the picture, a whole number of pictures away.
+TEST(Certificate, RaysThroughAPlaceGoThroughIt) {
+    const HeightField field(randomHeights(40, 12, 5), Surface::Bilinear, Address::Repeat, 0.3);
+    const CertificateRays rays(field, 100);
+    Random random(9);
+    for (int n = 0; n < 200; ++n) {
+        const double s = 40 * random.unit(), t = 12 * random.unit(), z = random.unit();
+        const double a = 200 * random.unit() - 100, b = 200 * random.unit() - 100;
+        const auto ray = rays.through(s, t, z, a, b);
+        ASSERT_TRUE(ray);
+        EXPECT_TRUE(ray->s0 >= 0 && ray->s0 <= 40 && ray->t0 >= 0 && ray->t0 <= 12) << describe(*ray);
+        EXPECT_NEAR(std::remainder(ray->s0 + (1 - z) * a - s, 40), 0, 1e-9);
+        EXPECT_NEAR(std::remainder(ray->t0 + (1 - z) * b - t, 12), 0, 1e-9);
+    }
+}
+
 TEST(Certificate, ConservativeMapsAreProvenOnEveryRelief) {
     std::uint64_t seed = 40;
     std::uint64_t values = 0;

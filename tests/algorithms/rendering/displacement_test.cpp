@@ -90,6 +90,17 @@ Agreement heldAgainstTheWalk(const FrameRequest& request) {
     return agreement;
 }
 
+// The mesh of one surface is not taken for the other's.
+TEST(Displacement, eachSurfaceHasAMeshOfItsOwn) {
+    MapCache cache;
+    Work work(1);
+    const Heights heights = share(makeRelief("city", 32, 32, 1));
+    const auto bilinear = meshHeights({heights, Surface::Bilinear, Address::Repeat, 0.2}, 50, cache, work);
+    const auto columns = meshHeights({heights, Surface::Columns, Address::Repeat, 0.2}, 50, cache, work);
+    EXPECT_FALSE(bilinear->heights == columns->heights);
+    EXPECT_EQ(meshHeights({heights, Surface::Bilinear, Address::Repeat, 0.7}, 50, cache, work), bilinear);
+}
+
 TEST(Displacement, rasterisedHitsAreTheWalksHits) {
     for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
         for (const Address address : allAddresses()) {

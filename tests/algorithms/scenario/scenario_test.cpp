@@ -1,8 +1,11 @@
 // Scenarios survive the round trip through JSON, and broken ones are refused with the line.
 #include <clocale>
+#include <filesystem>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
+#include "../images/temporary_folder.h"
 #include "scenario/scenario.h"
 
 namespace relief::test {
@@ -46,6 +49,22 @@ TEST(Scenario, survivesTheRoundTrip) {
     other.camera.elevation = Camera().elevation;  // not stored: the free camera has none
     other.pixel.reset();
     EXPECT_EQ(parseScenario(scenarioText(other), "s.json"), other);
+}
+
+// Files beside the scenario are named from its folder, wherever the program runs.
+TEST(Scenario, anotherTracersFilesAreNamedFromItsFolder) {
+    const testing::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "other");
+    Scenario scenario;
+    scenario.other = {folder / "other/rays.csv", folder / "other/steps.json", 3, false};
+    saveScenario(folder / "s.json", scenario);
+    std::ifstream stream(folder / "s.json");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_NE(text.find("\"other/rays.csv\""), std::string::npos) << text;
+    EXPECT_NE(text.find("\"other/steps.json\""), std::string::npos) << text;
+    const Scenario back = loadScenario(folder / "s.json");
+    EXPECT_TRUE(std::filesystem::path(back.other.rays).lexically_normal() == (folder / "other/rays.csv"));
+    EXPECT_TRUE(std::filesystem::path(back.other.steps).lexically_normal() == (folder / "other/steps.json"));
 }
 
 Scenario drawn() {
