@@ -93,7 +93,6 @@ class EllipticalKernel {
     const std::shared_ptr<const ColorLevels>& sharedLevels() const { return levels_; }
     // Null: the scalar text filters.
     std::shared_ptr<const LaneLevels> laneLevels() const { return lanes_ ? lanes_->levels() : nullptr; }
-    // Beyond the picture itself.
     LevelAxis across(int l) const { return levels_->across(l, address_); }
     LevelAxis down(int l) const { return levels_->down(l, address_); }
 

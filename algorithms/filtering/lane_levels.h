@@ -31,8 +31,6 @@ struct LaneLevels {
     PerLevel<std::int32_t> whole{};  // 1: the last row's and column's texels are as wide as the others
     int count = 0;
     Address address = Address::Repeat;
-
-    std::size_t bytes() const { return texels.size() * sizeof(std::uint64_t) + sizeof(*this); }
 };
 
 // Null where 16 bits do not hold the picture: a value outside [0, 1], or 2^31 texels. In parallel over rows; equal

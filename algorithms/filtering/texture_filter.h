@@ -29,7 +29,6 @@ class TextureFilter {
     virtual bool tracesBack() const { return false; }
     // Whether it asks what neighbours of a block's pixels met: FilterBlock::picture then saves it their rays.
     virtual bool asksNeighbours() const { return false; }
-    // Beyond the picture itself.
 };
 
 // What filters are made of.

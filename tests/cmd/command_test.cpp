@@ -110,17 +110,6 @@ void CommandTest::TearDown() {
     if (!folder_.empty()) std::filesystem::remove_all(folder_.parent_path());
 }
 
-// Without what a build that counts coverage says where it cannot write its counts.
-std::string withoutProfiler(const std::string& text) {
-    constexpr std::string_view kMark = "profiling:";
-    if (!text.starts_with(kMark) && text.find("\n" + std::string(kMark)) == std::string::npos) return text;
-    std::string kept;
-    for (const std::string& line : lines(text)) {
-        if (!line.starts_with(kMark)) kept += line + "\n";
-    }
-    return kept;
-}
-
 Result CommandTest::run(const std::vector<std::string>& arguments, const RunSetup& setup) const {
     const std::string out = (folder_.parent_path() / "stdout").string();
     const std::string err = (folder_.parent_path() / "stderr").string();
@@ -130,7 +119,7 @@ Result CommandTest::run(const std::vector<std::string>& arguments, const RunSetu
         Result result;
         result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
         if (setup.output.empty()) result.out = readFile(out);
-        result.err = withoutProfiler(readFile(err));
+        result.err = readFile(err);
         return result;
     };
     const std::string& output = setup.output.empty() ? out : setup.output;

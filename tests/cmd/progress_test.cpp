@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/images/temporary_folder.h"
+
 namespace relief::test {
 namespace {
 
@@ -39,8 +41,8 @@ TEST(ProgressBar, isDrawnOnATerminalAndErased) {
     size.ws_row = 24;
     size.ws_col = 120;
     int terminal = -1;
-    const std::string picture = testing::TempDir() + "relief-progress.png";
-    ::unlink(picture.c_str());
+    const testing::TemporaryFolder folder;
+    const std::string picture = folder / "p.png";
     const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
     if (child == 0) {
         // Half a minute, if it were left alone.
@@ -62,7 +64,7 @@ TEST(ProgressBar, isDrawnOnATerminalAndErased) {
     EXPECT_EQ(WEXITSTATUS(status), 130) << text;
     EXPECT_EQ(text.substr(0, 11), "\rsamples  [") << text;
     EXPECT_NE(text.find(kErased, text.rfind(" left")), std::string::npos) << text;
-    EXPECT_EQ(::access(picture.c_str(), F_OK), -1);
+    EXPECT_EQ(folder.files(), 0);
 }
 
 }  // namespace

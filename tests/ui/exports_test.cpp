@@ -99,6 +99,24 @@ void expectGolden(const QString& exported, const std::string& name) {
     }
 }
 
+// So many pixels as are asked for: 127 mm of 80 an inch are 400.
+const QStringList& pictureSize() {
+    static const QStringList size{QStringLiteral("--width"), QStringLiteral("127"), QStringLiteral("--dpi"),
+                                  QStringLiteral("80")};
+    return size;
+}
+
+// A figure of a scenario in a file, as it must be: without a word.
+QString exportedFigure(const QString& scenario, const QString& view, const QString& path,
+                       const QStringList& more = {}) {
+    QString complaint;
+    const int status = exportFigure(
+        QStringList{scenario, QStringLiteral("--export"), view, QStringLiteral("-o"), path} + more, &complaint);
+    EXPECT_EQ(complaint.toStdString(), "");
+    EXPECT_EQ(status, 0) << path.toStdString();
+    return path;
+}
+
 class EveryExport : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryExport, needsNoDisplay) {
@@ -106,32 +124,24 @@ TEST_P(EveryExport, needsNoDisplay) {
     const std::string& name = GetParam();
     const QString view = QString::fromStdString(name);
     const QString scenario = writeScenario(folder, name == "drawn");
-    const auto run = [&](const QString& ending, const QStringList& more) {
-        const QString path = folder.filePath(view + ending);
-        QString complaint;
-        const int status = exportFigure(
-            QStringList{scenario, QStringLiteral("--export"), view, QStringLiteral("-o"), path} + more, &complaint);
-        EXPECT_EQ(complaint.toStdString(), "");
-        EXPECT_EQ(status, 0) << ending.toStdString();
-        return path;
+    const auto run = [&](const QString& ending, const QStringList& more = {}) {
+        return exportedFigure(scenario, view, folder.filePath(view + ending), more);
     };
-    // So many pixels as are asked for: 127 mm of 80 an inch are 400.
-    const QString picture = run(QStringLiteral(".png"), {QStringLiteral("--width"), QStringLiteral("127"),
-                                                         QStringLiteral("--dpi"), QStringLiteral("80")});
+    const QString picture = run(QStringLiteral(".png"), pictureSize());
     const QImage image(picture);
     EXPECT_EQ(image.width(), 400);
     EXPECT_GT(colorsIn(image), 8);
     // These two show measured times.
     if (name != "charts" && name != "compare") expectGolden(picture, name);
     if (name == "trace" || name == "slabs") return;
-    const QByteArray svg = contents(run(QStringLiteral(".svg"), {}));
+    const QByteArray svg = contents(run(QStringLiteral(".svg")));
     if (name == "result") {
         EXPECT_TRUE(svg.contains("<image"));
     } else {
         EXPECT_TRUE(hasCyrillic(svg));
         EXPECT_TRUE(svg.contains("<path") || svg.contains("<polyline") || svg.contains("<rect"));
     }
-    const QByteArray pdf = contents(run(QStringLiteral(".pdf"), {}));
+    const QByteArray pdf = contents(run(QStringLiteral(".pdf")));
     EXPECT_TRUE(pdf.startsWith("%PDF"));
     EXPECT_EQ(pdf.contains("/FontFile2"), name != "result") << "words are words, in a font of the file's own";
 }
@@ -148,14 +158,8 @@ TEST(Exports, whatMethodsLookAtIsAsStored) {
             scenario.step = 3;
             const QString file = folder.filePath(QStringLiteral("scenario.json"));
             relief::saveScenario(file.toStdString(), scenario);
-            const QString picture = folder.filePath(QStringLiteral("figure.png"));
-            QString complaint;
-            ASSERT_EQ(exportFigure({file, QStringLiteral("--export"), QString::fromLatin1(view), QStringLiteral("-o"),
-                                    picture, QStringLiteral("--width"), QStringLiteral("127"), QStringLiteral("--dpi"),
-                                    QStringLiteral("80")},
-                                   &complaint),
-                      0)
-                << complaint.toStdString();
+            const QString picture = exportedFigure(file, QString::fromLatin1(view),
+                                                   folder.filePath(QStringLiteral("figure.png")), pictureSize());
             expectGolden(picture, std::string(view) + "-" + method);
         }
     }

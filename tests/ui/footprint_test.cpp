@@ -369,7 +369,7 @@ TEST_F(FootprintTest, StripesTakeThreeSamples) {
     EXPECT_EQ(workspace_->scenario().filter.pixelModel, relief::PixelModel::Lcd);
     EXPECT_EQ(workspace_->scenario().filter.samples, 3);
     // Where there are enough, none is taken away.
-    relief::Scenario many = this->scenario();
+    relief::Scenario many = workspace_->scenario();
     many.filter.samples = 16;
     workspace_->change(many, {}, {});
     QTest::qWait(20);
@@ -378,8 +378,8 @@ TEST_F(FootprintTest, StripesTakeThreeSamples) {
     again->setCurrentText(QStringLiteral("gaussian"));
     Q_EMIT again->activated(again->currentIndex());
     QTest::qWait(20);
-    EXPECT_EQ(this->scenario().filter.pixelModel, relief::PixelModel::Gaussian);
-    EXPECT_EQ(this->scenario().filter.samples, 16);
+    EXPECT_EQ(workspace_->scenario().filter.pixelModel, relief::PixelModel::Gaussian);
+    EXPECT_EQ(workspace_->scenario().filter.samples, 16);
 }
 
 TEST_F(FootprintTest, LayersShowTheFootprintAndWhatIsHiddenOfIt) {

@@ -149,15 +149,12 @@ TEST(GridLanes, raysOnTheEdgeStayInsideByRounding) {
     const std::vector<double> x = {-least, std::nextafter(64.0, 65.0), -beyond, 64 + beyond, 20};
     const std::vector<double> y = {std::nextafter(48.0, 49.0), -least, 48 + beyond, -beyond, 30};
     const std::vector<double> s = {0, 64, -beyond, 64 + beyond, 20}, t = {48, 0, 48 + beyond, -beyond, 30};
-    for (const std::int64_t target : laneTargets()) {
-        const ForcedTarget forced(target);
+    onEveryTarget([&] {
         RayBlock rays(x.size());
         raysThrough(view, x, y, rays, 0);
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            EXPECT_EQ(rays.s0[i], s[i]) << i << ' ' << laneTargetName(target);
-            EXPECT_EQ(rays.t0[i], t[i]) << i << ' ' << laneTargetName(target);
-        }
-    }
+        EXPECT_EQ(rays.s0, s);
+        EXPECT_EQ(rays.t0, t);
+    });
 }
 
 TEST(GridLanes, evenColorsAreThoseOfFourCorners) {

@@ -8,27 +8,18 @@
 #include <gtest/gtest.h>
 
 #include "../relief/fields.h"
+#include "rendered_view.h"
 #include "scenario/step_sentence.h"
 
 namespace relief::test {
 namespace {
 
-struct View {
-    FrameRequest request;
-    std::shared_ptr<MapCache> maps = std::make_shared<MapCache>();
-    Work work{2};
-    std::shared_ptr<const Frame> frame;
-    std::shared_ptr<const Tracer> tracer;
+struct View : RenderedView {
     HitBlock exact;
 
     View(const MethodChoice& method, Address address)
-        : request(HeightField(share(makeRelief("bricks", 64, 48, 1)), Surface::Bilinear, address, 0.3)) {
-        request.width = 48;
-        request.height = 36;
-        request.method = method;
-        FrameRenderer renderer(maps);
-        frame = renderer.render(request, work);
-        tracer = renderer.tracer();
+        : RenderedView(HeightField(share(makeRelief("bricks", 64, 48, 1)), Surface::Bilinear, address, 0.3), method, 48,
+                       36) {
         NullSink sink;
         makeTracer({"exact", {}}, request.field, *maps, work)->trace(frame->rays->rays, exact, sink, work);
     }
@@ -38,7 +29,6 @@ struct View {
         return answerError(frame->hits->hits[i], exact[i], *frame->ray(x, y));
     }
     std::int64_t stepsOf(int x, int y) {
-        CountSink sink;
         RayBlock one;
         one.push(*frame->ray(x, y));
         HitBlock hit;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
+#include "rendered_view.h"
 
 namespace relief::test {
 namespace {
@@ -28,22 +29,9 @@ TEST(WorthSeeing, TheLargestComeFirstAndApart) {
     EXPECT_EQ(largestApart(values, 20, 1, 10).size(), 4U) << "neighbours count where nothing is to lie apart";
 }
 
-struct Rendered {
-    std::shared_ptr<MapCache> maps = std::make_shared<MapCache>();
-    FrameRequest request;
-    std::shared_ptr<const Frame> frame;
-    std::shared_ptr<const Tracer> tracer;
-    Work work{2};
-
+struct Rendered : RenderedView {
     explicit Rendered(const MethodChoice& method)
-        : request(HeightField(share(makeRelief("bricks", 48, 48, 1)), Surface::Bilinear)) {
-        request.width = 60;
-        request.height = 40;
-        request.method = method;
-        FrameRenderer renderer(maps);
-        frame = renderer.render(request, work);
-        tracer = renderer.tracer();
-    }
+        : RenderedView(HeightField(share(makeRelief("bricks", 48, 48, 1)), Surface::Bilinear), method, 60, 40) {}
 };
 
 TEST(WorthSeeing, WhatRanksIsWhatTheLayersSay) {

@@ -1,11 +1,11 @@
 // Scenarios survive the round trip through JSON, and broken ones are refused with the line.
 #include <clocale>
 #include <filesystem>
-#include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "../images/temporary_folder.h"
+#include "images/files.h"
 #include "scenario/scenario.h"
 
 namespace relief::test {
@@ -58,8 +58,7 @@ TEST(Scenario, anotherTracersFilesAreNamedFromItsFolder) {
     Scenario scenario;
     scenario.other = {folder / "other/rays.csv", folder / "other/steps.json", 3, false};
     saveScenario(folder / "s.json", scenario);
-    std::ifstream stream(folder / "s.json");
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string text = readTextFile(folder / "s.json");
     EXPECT_NE(text.find("\"other/rays.csv\""), std::string::npos) << text;
     EXPECT_NE(text.find("\"other/steps.json\""), std::string::npos) << text;
     const Scenario back = loadScenario(folder / "s.json");
