@@ -104,6 +104,14 @@ TEST_F(ComparePane, ItMeasuresWhatItShows) {
     }
 }
 
+// Its rate and steps too are of the level that the view chooses.
+TEST_F(ComparePane, ALevelLeftToTheViewIsTimedAsItIsDrawn) {
+    openPane({{"max-pyramid", {{"base", "auto"}}}});
+    ASSERT_EQ(pane()->view()->methods.size(), 2u);
+    ASSERT_FALSE(method(1).problem);
+    EXPECT_TRUE(method(1).steps && method(1).rate);
+}
+
 TEST_F(ComparePane, PicturesAreRightAndZoomTogether) {
     openPane();
     const relief::PixelChoice pixel = whereTheyDiffer(method(0).picture, method(1).picture);

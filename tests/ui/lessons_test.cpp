@@ -69,6 +69,8 @@ void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
         EXPECT_NEAR(point->distances.refined, 4, kRounding);
         EXPECT_NEAR(1 - point->distances.hit.lambda, 0.2, kRounding) << "the floor";
         EXPECT_GT(point->distances.blocked, 0);
+        EXPECT_EQ(snapshot.scenario.panes.distance.axis, "y") << "both walls stand in the slice across them";
+        EXPECT_EQ(snapshot.scenario.panes.distance.slice, 4) << "the slice of the point";
     } else {
         FAIL() << "what it shows is not tested";
     }

@@ -57,6 +57,16 @@ TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
     press(Qt::Key_D);
     EXPECT_GT(window_->finder()->found().front().value, 0);
     EXPECT_TRUE(said.last().first().toString().contains(QStringLiteral("exact")));
+    // Against another method they are other pixels, of the same picture.
+    const auto asExact = window_->finder()->found();
+    relief::Scenario rival = scenario();
+    rival.comparison.others = {{"layers", {{"layers", "7"}}}};
+    workspace_->change(rival, QStringLiteral("test"));
+    waitForFull();
+    press(Qt::Key_D);
+    EXPECT_TRUE(said.last().first().toString().contains(QStringLiteral("layers")))
+        << said.last().first().toString().toStdString();
+    EXPECT_NE(window_->finder()->found().front().value, asExact.front().value);
     // Each is a step of undo of its own.
     const auto here = scenario().pixel;
     workspace_->undo();

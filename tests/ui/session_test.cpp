@@ -115,6 +115,12 @@ TEST_F(SessionTest, WhoDoesNotAnswerIsAskedAgain) {
         const RestoreOffer offer(window_.get(), workspace_.get(), keeper_.get(), SessionFiles::leftBehind());
         answer("restore");
         EXPECT_TRUE(QTest::qWaitFor([&] { return window_->messages()->isVisible(); }, kPatienceMs)) << "why not";
+        // What is done meanwhile is saved beside it.
+        workspace_->setBookmarks({{"a", {60, 50}, scenario().camera, 0}}, QStringLiteral("bookmark"));
+        const auto both = [] { return unfinished().filter(QStringLiteral(".json")).size() == 2; };
+        EXPECT_TRUE(QTest::qWaitFor(both, kPatienceMs));
+        QTest::qWait(100);
+        EXPECT_TRUE(QFileInfo::exists(lost)) << "saved is not shown";
         EXPECT_EQ(keeper_->end(), "");
         keeper_.reset();
     }

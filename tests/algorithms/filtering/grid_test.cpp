@@ -121,10 +121,11 @@ TEST(Grid, levelGroundIsPlainFiltering) {
 // Alone, in rows, and as the frame's tiles have them; the log changes nothing.
 TEST(Grid, anyCompanyAndAnyTargetHaveTheSameBits) {
     // Of the faint picture some points are means of centres.
-    for (const std::string name : {"bricks", "hills", "faint bricks"}) {
+    for (const std::string name : {"bricks", "hills", "faint bricks", "bricks with an edge"}) {
         const bool faint = name == "faint bricks";
         const Picture picture = faintPicture(100, 96, faint ? 3 * kEvenColors : 1);
-        const HeightField field = reliefOf(faint ? "bricks" : name.c_str());
+        const HeightField field = reliefOf(name == "hills" ? "hills" : "bricks",
+                                           name == "bricks with an edge" ? Address::Border : Address::Repeat);
         const Asked asked(requestOf(field, picture, grid("5")));
         MadeFilter made(grid("5"), picture, field);
         std::vector<Color> rows(asked.block.size());

@@ -100,6 +100,19 @@ TEST(StepFiles, PeriodsAreFoundAgain) {
     }
 }
 
+// Of 5 texels the coarsest one, 8 wide, ends with the picture: a ray just behind the seam is in the next period.
+TEST(StepFiles, ATexelLargerThanThePictureEndsWithIt) {
+    const HeightField field(constantHeights(5, 5, 0.1F), Surface::Columns, Address::Repeat, 0.3);
+    const std::string stays[] = {"0,0.02,1,0.98", "0.4,0.42,0.6,0.58", "0.8,0.82,0.2,0.18"};
+    for (int period = 0; period < 3; ++period) {
+        const std::string line = "0,1,search,3,0,0,0," + stays[period] + ",0.5,skip,0.9\n";
+        std::vector<Step> steps = parseSteps(kFewColumns + line, "s.csv", 1).steps;
+        placeSteps(steps, {0.25, 0.25, 12.5, 0.5}, field, "s.csv", 0);
+        EXPECT_EQ(steps[0].periodX, period);
+        EXPECT_EQ(steps[0].periodY, 0);
+    }
+}
+
 TEST(StepFiles, FaultsNameTheLine) {
     const std::string good = "0,1,search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,test,0.2\n";
     EXPECT_EQ(refusal(kFewColumns + good), "");
