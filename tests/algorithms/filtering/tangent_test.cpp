@@ -20,13 +20,25 @@ double runOf(double elevation) {
     return kDepthTexels / std::tan(elevation * 0.017453292519943295);
 }
 
+// Level ground with walls of all heights, thin and far apart: what hides the ground is one of them alone.
+FloatImage walls(int width, int height, std::uint64_t seed) {
+    constexpr int kApart = 32;
+    Random random(seed);
+    FloatImage image(width, height, 0.2F);
+    for (int x = 0; x < width; x += kApart) {
+        const auto wall = static_cast<float>(random.between(0.2, 1));
+        for (int y = 0; y < height; ++y) image(x, y) = wall;
+    }
+    return image;
+}
+
 TEST(TangentFootprint, ClearIsNotHiddenAndPlanarIsSeenOnItsPlane) {
     Random random(kSeed);
     int clear = 0, planar = 0, hidden = 0;
-    for (const char* name : {"bricks", "hills", "fractal", "city"}) {
+    for (const std::string name : {"bricks", "hills", "fractal", "city", "walls"}) {
         for (const Address address : {Address::Repeat, Address::Clamp}) {
-            const HeightField field(std::make_shared<const FloatImage>(makeRelief(name, 96, 80, kSeed)),
-                                    Surface::Bilinear, address);
+            FloatImage heights = name == "walls" ? walls(96, 80, kSeed) : makeRelief(name, 96, 80, kSeed);
+            const HeightField field(std::make_shared<const FloatImage>(std::move(heights)), Surface::Bilinear, address);
             Work work(1);
             MapCache maps;
             const auto bounds = heightBoundsMap(field, maps, work);
