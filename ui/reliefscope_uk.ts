@@ -52,6 +52,10 @@
         <translation>Кроки до краю конуса, який карта обіцяє вільним, над кожною коміркою; де промінь нижче вершини конуса, перевіряється сама комірка.</translation>
     </message>
     <message>
+        <source>four square cones a cell, packed to be read fast, or round ones as engines store them; sectors, precision and map files mean texel</source>
+        <translation>чотири квадратні конуси на комірку, упаковані для швидкого читання, або круглі, як їх зберігають рушії; сектори, точність і файли карт означають texel</translation>
+    </message>
+    <message>
         <source>azimuth sectors that have slopes of their own</source>
         <translation>сектори азимута з власними нахилами</translation>
     </message>
@@ -3378,6 +3382,24 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 </context>
 <context>
     <name>reliefui::StatusLine</name>
+    <message>
+        <source>Drawn by another method</source>
+        <translation>Накреслив інший метод</translation>
+    </message>
+    <message>
+        <source>drawn by %1</source>
+        <translation>накреслив %1</translation>
+    </message>
+    <message>
+        <source>This picture was drawn by %1, which is faster and has the same hits: the time is its own. The steps shown are those of %2.
+Click: the steps of %1</source>
+        <translation>Це зображення накреслив метод %1: він швидший і дає ті самі влучання; час — його. Показані кроки — методу %2.
+Клацання: кроки методу %1</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
     <message>
         <source>Stages of this frame (seconds of all threads together):</source>
         <translation>Стадії цього кадру (секунди всіх потоків разом):</translation>

@@ -38,17 +38,17 @@ bool nothingNew(const std::uint8_t* wanted, const std::uint8_t* known) {
 }  // namespace
 
 GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone,
-                       std::shared_ptr<const Tracer> tracer, std::shared_ptr<const ConeTwin> twin, int points)
+                       std::shared_ptr<const Tracer> tracer, std::shared_ptr<const PackedConeHits> coneHits, int points)
     : plain_(std::move(plain)),
       reader_(std::move(reader)),
       alone_(std::move(alone)),
       tracer_(std::move(tracer)),
-      twin_(std::move(twin)),
+      coneHits_(std::move(coneHits)),
       lattice_(PointLattice::of(points)),
       bounds_(boundsFor(points)) {
     const HeightField& field = tracer_->field();
     if (field.surface() != Surface::Bilinear) return;
-    slopes_ = twin_ ? SlopeScene(field, twin_->cones()) : SlopeScene(field);
+    slopes_ = coneHits_ ? SlopeScene(field, coneHits_->cones()) : SlopeScene(field);
 }
 
 // All cells that the picture has, row after row.
@@ -107,8 +107,8 @@ void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
 // Hits of tile.rays, a thread's share at once.
 void GridKernel::trace(Tile& tile, Work& work) const {
     assert(tile.rays.size() <= kRayGrain);
-    if (twin_) {
-        twin_->trace(tile.rays, tile.hits, *tracer_, work);
+    if (coneHits_) {
+        coneHits_->trace(tile.rays, tile.hits, *tracer_, work);
     } else {
         NullSink sink;
         tracer_->trace(tile.rays, tile.hits, sink, work);

@@ -22,7 +22,7 @@
 #include "filtering/elliptical_rays.h"
 #include "filtering/point_lattice.h"
 #include "filtering/point_reader.h"
-#include "relief/lanes/cone_twin.h"
+#include "relief/lanes/packed_cone_hits.h"
 #include "relief/slope_scene.h"
 
 namespace relief {
@@ -31,9 +31,9 @@ inline constexpr std::string_view kGridForm = "grid";
 
 class GridKernel {
   public:
-    // plain: of whole pixels; alone: of pixels without a view. twin: null, then the tracer traces.
+    // plain: of whole pixels; alone: of pixels without a view. coneHits: null, then the tracer traces.
     GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone, std::shared_ptr<const Tracer> tracer,
-               std::shared_ptr<const ConeTwin> twin, int points);
+               std::shared_ptr<const PackedConeHits> coneHits, int points);
 
     // scale: texels of the picture per texel of the height map. counts.tested: rays, those of neighbours that neither
     // the block nor its picture has included. log: null but for a block of one. Throws Cancelled.
@@ -76,7 +76,7 @@ class GridKernel {
     PointReader reader_;
     RaysKernel alone_;
     std::shared_ptr<const Tracer> tracer_;
-    std::shared_ptr<const ConeTwin> twin_;
+    std::shared_ptr<const PackedConeHits> coneHits_;
     PointLattice lattice_;
     float bounds_;                      // of what is smooth and even: boundsFor()
     std::optional<SlopeScene> slopes_;  // of bilinear relief

@@ -291,16 +291,16 @@ std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, cons
         return std::make_unique<RaysFilter<RaysKernel>>(filter, ready, raysKernel());
     }
     if (options.form == kGridForm && rays) {
-        std::shared_ptr<const ConeTwin> twin;
-        if (tools.field.heights().size() <= ConeTwin::kMostTexels) {
-            twin = std::make_shared<const ConeTwin>(tools.field, packedCones(tools.field, maps, work));
+        std::shared_ptr<const PackedConeHits> coneHits;
+        if (tools.field.heights().size() <= PackedConeHits::kMostTexels) {
+            coneHits = std::make_shared<const PackedConeHits>(tools.field, packedCones(tools.field, maps, work));
         }
         EllipticalKernel plain = kernelOf(options);
         PointReader reader(plain.sharedLevels(), address, plain.laneLevels());
         return std::make_unique<RaysFilter<GridKernel>>(
             filter, ready,
             GridKernel(std::move(plain), std::move(reader), raysKernel(),
-                       makeTracer({"max-pyramid", {}}, tools.field, maps, work), std::move(twin), options.points));
+                       makeTracer({"max-pyramid", {}}, tools.field, maps, work), std::move(coneHits), options.points));
     }
     VisibleKernel kernel(kernelOf(options), parsedForm(options.form), tools.field,
                          makeAnyHit(sightChoice(tools.field), tools.field, maps, work),

@@ -17,9 +17,12 @@ constexpr std::uint64_t kBlock = std::uint64_t{1} << 16;
 // Rays through a value that breaks its bound.
 constexpr std::size_t kWitnesses = 4096;
 
-// The method, or the one inside it, that walks a map which can be stored: the map, as that tracer gets it.
+// The method, or the one inside it, that walks a map which can be stored: the map, as that tracer gets it. Other
+// layouts are tried with rays alone.
 std::optional<StoredMap> mapOf(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work) {
     const MethodDescription& method = findTracer(choice.name);
+    const auto layout = choice.options.find(std::string(kLayoutOption));
+    if (layout != choice.options.end() && layout->second != kStoredLayout) return std::nullopt;
     for (const std::string& kind : mapKinds()) {
         if (std::find(method.maps.begin(), method.maps.end(), kind) == method.maps.end()) continue;
         return buildMap(kind, choice.options, field, cache, work);
@@ -254,7 +257,7 @@ void Certifier::witness() {
 
 Certificate certify(const MethodChoice& choice, const HeightField& field, const CertificateOptions& options,
                     MapCache& cache, Work& work) {
-    return Certifier(choice, field, options, cache, work).run();
+    return Certifier(withStoredMap(choice), field, options, cache, work).run();
 }
 
 }  // namespace relief

@@ -34,6 +34,7 @@ std::vector<std::string> worthATrial(const MethodDescription& method, const Opti
         return allowed({"32", "128", "256", "512"}, 3 + static_cast<std::int64_t>(refining));
     }
     if (name == "iterations") return allowed({"128"}, 3);
+    if (name == kLayoutOption) return {std::string(kStoredLayout)};
     if (name == "sectors") return {"4", "8"};
     if (name == "footprint") return {"4"};
     if (name == "rule") return option.choices;

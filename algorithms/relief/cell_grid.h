@@ -1,4 +1,4 @@
-// The grid of cells that a ray crosses, and where it crosses its lines: the only text that turns a cell's border into a
+// The grid of cells that a ray crosses, and where it crosses its lines: the only code that turns a cell's border into a
 // lambda. Every traversal and the leaf use it, so that the stays of a ray in its cells partition [0, 1] exactly.
 //
 // Cell coordinates: x = s + shift. Columns: cell = texel. Bilinear: cell i lies between the centres of texels i and

@@ -3,13 +3,17 @@
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Model: if the ray leaves its cell above the cell's apex A, nothing can be hit before it meets the cone of slope kappa
 // that stands on A: t = t_exit + (z_exit - A) / (|dz| + kappa |dxy|). Otherwise the one leaf tests the cell.
+// Layouts: packed, four square cones a cell, one a quadrant of directions, |dxy| the larger of |dx| and |dy|
+// (maps/packed_cones.h; cone_walk.h, SIMD: lanes/cone_walk-inl.h); texel, one round cone a cell or one a sector, as
+// engines store them (maps/cone_map.h).
 // Guarantee: exact, the same bits as `exact`. Failure mode: needle forests at grazing angles.
-// Cost: two stored values a step, one leaf a cell near the surface; memory 2 W H values (1 + sectors).
+// Cost: one or two stored values a step, one leaf a cell near the surface; memory 16 bytes a cell (packed; bilinear
+// surfaces 24), or 4 (1 + sectors).
 #pragma once
 
 #include <optional>
 
-#include "relief/cell_record.h"
+#include "relief/cone_walk.h"
 #include "relief/lanes/cone_rays.h"
 #include "relief/maps/cone_map.h"
 #include "relief/maps/distance_map.h"
@@ -33,11 +37,27 @@ class ConeTracer {
         return method;
     }
     struct Options {
+        std::string layout = "packed";
         int sectors = 1;
         std::string precision = "float";
 
+        // Other sectors or another precision are of that layout alone.
+        bool ofTexels() const {
+            return layout == kStoredLayout || sectors != 1 || parsePrecision(precision) != Precision::Float;
+        }
+
         static std::vector<OptionField<Options>> fields() {
-            return {{{"sectors",
+            return {{{std::string(kLayoutOption),
+                      OptionKind::Choice,
+                      "",
+                      0,
+                      0,
+                      0,
+                      {"packed", std::string(kStoredLayout)},
+                      "four square cones a cell, packed to be read fast, or round ones as engines store them; sectors, "
+                      "precision and map files mean texel"},
+                     &Options::layout},
+                    {{"sectors",
                       OptionKind::Integer,
                       "sectors",
                       1,
@@ -50,7 +70,7 @@ class ConeTracer {
                      &Options::precision}};
         }
     };
-    // The map alone.
+    // The map of texels alone: what files hold.
     static std::shared_ptr<const ConeMap> makeMap(const HeightField& field, const Options& options, MapCache& cache,
                                                   Work& work) {
         ConeParameters parameters;
@@ -58,43 +78,38 @@ class ConeTracer {
         parameters.precision = parsePrecision(options.precision);
         return relief::coneMap(ConeKind::Conservative, parameters, field, cache, work);
     }
-    // Other values than these are chosen to see that map at work: nothing else is built for it.
-    static bool simdWith(const Options& options) {
-        return options.sectors == 1 && parsePrecision(options.precision) == Precision::Float;
+    static bool simdWith(const Options& options) { return !options.ofTexels(); }
+    static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+        if (options.ofTexels()) return {field, makeMap(field, options, cache, work)};
+        return {field, packedCones(field, cache, work)};
     }
-    static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work,
-                           Form form = Form::Simd) {
-        ConeTracer tracer(field, makeMap(field, options, cache, work));
-        // A map from a file likewise.
-        if (form == Form::Scalar || !simdWith(options) || tracer.map_->fromFile) return tracer;
-        tracer.packed_ = packedCones(field, cache, work);
-        tracer.scene_ = LaneScene(field, *tracer.packed_);
-        return tracer;
+    ConeTracer(HeightField field, std::shared_ptr<const ConeMap> map)
+        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
+    ConeTracer(HeightField field, std::shared_ptr<const PackedCones> map)
+        : field_(std::move(field)), grid_(field_), packed_(std::move(map)) {
+        walk_.emplace(field_, *packed_);
+    }
+
+    template <class Sink>
+    Hit trace(const ViewRay& ray, Sink& sink) const {
+        return walk_ ? walk_->trace(ray, walk_->scene().start, sink) : run<true>(ray, {}, sink);
+    }
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return walk_ ? walk_->traceSegment(ray, segment, sink) : run<false>(ray, segment, sink);
     }
     void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
-        if (!packed_) return traceOneByOne(*this, rays, first, last, hits);
         std::vector<std::size_t> flat;
-        traceByCones(field_, scene_, *packed_, rays, first, last, hits, flat);
+        traceByCones(field_, walk_->scene(), *packed_, rays, first, last, hits, flat);
         NullSink sink;
         for (const std::size_t i : flat) hits.set(i, trace(rays[i], sink));
     }
 
-    ConeTracer(HeightField field, std::shared_ptr<const ConeMap> map)
-        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
-
-    template <class Sink>
-    Hit trace(const ViewRay& ray, Sink& sink) const {
-        return run<true>(ray, {}, sink);
-    }
-    template <class Sink>
-    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
-        return run<false>(ray, segment, sink);
-    }
-
     const HeightField& field() const { return field_; }
+    // Null: the layout is packed.
     const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }
     bool hasSimdMap() const { return packed_ != nullptr; }
-    std::size_t bytes() const { return map_->bytes() + (packed_ ? packed_->bytes() : 0); }
+    std::size_t bytes() const { return packed_ ? packed_->bytes() : map_->bytes(); }
     double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 6; }
     double segmentRecords() const { return 3; }
 
@@ -106,9 +121,10 @@ class ConeTracer {
     std::shared_ptr<const ConeMap> map_;
     CellGrid grid_;
     std::shared_ptr<const PackedCones> packed_;
-    LaneScene scene_;
+    std::optional<ConeWalk> walk_;
 };
 
+// The layout of texels.
 template <bool kWhole, class Sink>
 Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);

@@ -109,6 +109,9 @@ template <class Options>
 
 // The option by which a method is given one of its MethodDescription::otherMaps.
 inline constexpr std::string_view kMapOption = "map";
+// The option by which a method chooses how its map lies in memory, and the layout that files hold.
+inline constexpr std::string_view kLayoutOption = "layout";
+inline constexpr std::string_view kStoredLayout = "texel";
 // Options of a method inside another one: "inner.layers".
 inline constexpr std::string_view kInnerPrefix = "inner.";
 

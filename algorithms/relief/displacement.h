@@ -3,7 +3,7 @@
 // Frame and units: ray.h. Surfaces: bilinear, columns (whose walls become slopes one quad wide); any addressing.
 // Model: a regular mesh, `density` quads along each side of the texture (displacement_mesh.h has vertices and
 // diagonal). Two forms of it, held against each other by the tests:
-// - a single ray (this text) walks over the quads that it crosses, two triangles each;
+// - a single ray (here) walks over the quads that it crosses, two triangles each;
 // - a frame rasterises the projected mesh with a depth buffer (rendering/mesh_raster.h) and traces no ray.
 // A difference of model: a rasterised polygon shows one texture, [0, W] x [0, H], and where a view ray leaves it within
 // the slab there is nothing; a traced ray goes on into the repeated or clamped picture. Under border both agree.

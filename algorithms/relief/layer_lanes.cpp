@@ -1,153 +1,19 @@
 #include "relief/layer_lanes.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "relief/cell_grid.h"
-
 #include "base/simd_targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "relief/layer_lanes.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include <hwy/highway.h>
-
-#include "relief/lanes/surface_lanes-inl.h"
+#include "relief/layer_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// A layer that brackets the surface: to be halved.
-struct Bracket {
-    std::size_t ray;
-    ViewRay reduced;
-    double above;
-    double below;
-};
-
-struct LayerQueue : RayQueue<LayerSearch> {
-    std::vector<Bracket> brackets;
-};
-
-// A vector of rays on their way through the layers.
-class LayerWalk : public VectorOfRays<LayerWalk> {
-  public:
-    explicit LayerWalk(LayerQueue& queue) : queue_(queue), field_(queue.search.field), surface_(field_) {}
-
-    bool fill(std::size_t lane);
-    void step();
-
-  private:
-    void finish(std::size_t lane, bool inside);
-
-    LayerQueue& queue_;
-    const HeightField& field_;
-    SurfaceLanes surface_;
-    Row<double> s0_{}, t0_{}, a_{}, b_{}, layer_{}, lambda_{}, gap_{}, above_{}, gapAbove_{};
-    std::array<std::size_t, kLanes> ray_{};
-};
-
-bool LayerWalk::fill(std::size_t lane) {
-    constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
-    while (queue_.next < queue_.last) {
-        const std::size_t i = queue_.next++;
-        ViewRay ray = queue_.rays[i];
-        if (!ray.finite()) {
-            queue_.hits.set(i, Hit::none(Outcome::Miss));
-            continue;
-        }
-        if (field_.address() == Address::Repeat) {
-            ray.s0 = reduceToPeriod(ray.s0, field_.width());
-            ray.t0 = reduceToPeriod(ray.t0, field_.height());
-            if (!(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
-                queue_.left.push_back(i);
-                continue;
-            }
-        }
-        s0_[lane] = ray.s0, t0_[lane] = ray.t0, a_[lane] = ray.a, b_[lane] = ray.b;
-        layer_[lane] = 0;
-        ray_[lane] = i;
-        active_ |= 1U << lane;
-        return true;
-    }
-    return false;
-}
-
-void LayerWalk::step() {
-    const V one = constant(1), zero = hn::Zero(D());
-    const V layer = load(layer_);
-    const V lambda = hn::Min(hn::Div(layer, constant(queue_.search.layers)), one);
-    const V s = hn::Add(load(s0_), hn::Mul(lambda, load(a_)));
-    const V t = hn::Add(load(t0_), hn::Mul(lambda, load(b_)));
-    const V gap = hn::Sub(surface_.at(s, t), hn::Sub(one, lambda));
-    M inside = hn::Eq(zero, zero);
-    if (field_.address() == Address::Border) {
-        inside = hn::And(hn::And(hn::Ge(s, zero), hn::Le(s, constant(field_.width()))),
-                         hn::And(hn::Ge(t, zero), hn::Le(t, constant(field_.height()))));
-    }
-    const M ends = hn::Or(hn::Not(inside), hn::Or(hn::Ge(gap, zero), hn::Ge(lambda, one)));
-    const std::uint32_t done = bitsOf(ends) & active_;
-    if (done != 0) {
-        store(lambda, lambda_), store(gap, gap_);
-        const std::uint32_t in = bitsOf(inside);
-        overLanes(done, [&](std::size_t lane) { finish(lane, (in >> lane & 1) != 0); });
-        active_ &= ~done;
-    }
-    store(hn::Add(layer, one), layer_), store(lambda, above_), store(gap, gapAbove_);
-}
-
-void LayerWalk::finish(std::size_t lane, bool inside) {
-    const std::size_t i = ray_[lane];
-    if (!inside) {
-        queue_.hits.set(i, Hit::none(Outcome::Miss));
-        return;
-    }
-    double lambda = lambda_[lane];
-    if (layer_[lane] > 0 && queue_.search.refinement == LayerRefinement::Bisection) {
-        queue_.brackets.push_back({i, {s0_[lane], t0_[lane], a_[lane], b_[lane]}, above_[lane], lambda});
-        return;
-    }
-    if (layer_[lane] > 0 && queue_.search.refinement == LayerRefinement::Secant) {
-        const double share = gapAbove_[lane] / (gapAbove_[lane] - std::max(gap_[lane], 0.0));
-        lambda = above_[lane] + share * (lambda - above_[lane]);
-    }
-    queue_.hits.set(i, Hit::at(queue_.rays[i], lambda));
-}
-
-// All brackets take as many halvings.
-void bisect(LayerQueue& queue) {
-    const SurfaceLanes surface(queue.search.field);
-    Row<double> s0{}, t0{}, a{}, b{}, from{}, to{};
-    for (std::size_t begin = 0; begin < queue.brackets.size(); begin += kLanes) {
-        const std::size_t count = std::min(kLanes, queue.brackets.size() - begin);
-        for (std::size_t n = 0; n < count; ++n) {
-            const Bracket& bracket = queue.brackets[begin + n];
-            s0[n] = bracket.reduced.s0, t0[n] = bracket.reduced.t0;
-            a[n] = bracket.reduced.a, b[n] = bracket.reduced.b;
-            from[n] = bracket.above, to[n] = bracket.below;
-        }
-        V above = load(from), below = load(to);
-        const V startS = load(s0), startT = load(t0), runS = load(a), runT = load(b);
-        for (int k = 0; k < queue.search.bisections; ++k) {
-            const V middle = hn::Mul(constant(0.5), hn::Add(above, below));
-            const V height = surface.at(hn::Add(startS, hn::Mul(middle, runS)), hn::Add(startT, hn::Mul(middle, runT)));
-            const M over = hn::Lt(hn::Sub(height, hn::Sub(constant(1), middle)), hn::Zero(D()));
-            above = hn::IfThenElse(over, middle, above);
-            below = hn::IfThenElse(over, below, middle);
-        }
-        store(below, to);
-        for (std::size_t n = 0; n < count; ++n) {
-            const std::size_t ray = queue.brackets[begin + n].ray;
-            queue.hits.set(ray, Hit::at(queue.rays[ray], to[n]));
-        }
-    }
-}
-
 void searchLayers(const LayerSearch& search, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
                   std::vector<std::size_t>& left) {
     LayerQueue queue{{search, rays, hits, first, last, left}, {}};
-    goInTurn<LayerWalk>(queue);
+    goInTurn<LayerWalk<NoVisits>>(queue);
     if (search.refinement == LayerRefinement::Bisection) bisect(queue);
 }
 

@@ -1,5 +1,6 @@
 // layers, layers-secant, layers-bisection in lanes of double, a ray a lane, finished lanes refilled: the operations of
-// layers.h and HeightField::at in their order, so the same bits for any target and width. Twin: LayersTracerOf::trace.
+// layers.h and HeightField::at in their order, so the same bits for any target and width. Reference:
+// LayersTracerOf::trace.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ struct LayerSearch {
     int bisections;
 };
 
-// hits of rays first to last - 1. Returns those that are left to the scalar text: so far off that a period cannot be
+// hits of rays first to last - 1. Returns those that are left to the reference: so far off that a period cannot be
 // taken off exactly by one product.
 std::vector<std::size_t> layersInLanes(const LayerSearch& search, const RayBlock& rays, std::size_t first,
                                        std::size_t last, HitBlock& hits);

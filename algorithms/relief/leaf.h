@@ -1,4 +1,4 @@
-// The one leaf: where a ray meets the surface within one cell. Traversals only exclude cells; this text decides.
+// The one leaf: where a ray meets the surface within one cell. Traversals only exclude cells; this one decides.
 //
 // Along the stay [in, out] the surface minus the ray, f(w) with w from 0 at the entry to 1 at the exit, is
 // quadratic (bilinear patch) or constant minus linear (column):

@@ -5,7 +5,8 @@
 // leaf decides at level 0. After a step that leaves the parent, the walk goes up one level.
 // Guarantee: with base level 0 exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at
 // grazing angles, where little can be skipped. Cost: O(log) steps a ray on even surfaces, one stored maximum a step.
-// Twins: max_pyramid_paper.h is the text to read, lanes/pyramid_lanes.h runs blocks of rays without a log.
+// Other forms: max_pyramid_paper.h follows the paper word by word; lanes/pyramid_lanes.h, SIMD, traces blocks without a
+// log.
 #pragma once
 
 #include "relief/describe.h"

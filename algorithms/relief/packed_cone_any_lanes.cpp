@@ -1,4 +1,4 @@
-// packed-cone-any in lanes of double, a segment a lane. Twin: PackedConeAnyHit::look.
+// packed-cone-any in lanes of double, a segment a lane. Reference: PackedConeAnyHit::look.
 // The same answers for any target and width: the walk visits every cell in which the segment stays and something may
 // be in its way, and cellBlocks() is done here operation by operation; a cell more that is looked at changes nothing.
 // Mirrored: x -> -x where the run is negative, so that every segment runs to +x, +y; in IEEE arithmetic all edges and
@@ -16,6 +16,7 @@
 #include <hwy/highway.h>
 
 #include "relief/lanes/double_lanes-inl.h"
+#include "relief/lanes/exact_leaf-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
@@ -78,7 +79,7 @@ struct AxisLanes {
         const V period = hn::Floor(hn::Mul(hn::Add(cell, constant(0.5)), constant(1 / cells)));
         return hn::Add(turn, hn::Mul(sign, hn::Sub(cell, hn::Mul(period, constant(cells)))));
     }
-    // Place within the cell as the scalar text has it.
+    // Place within the cell as the reference has it.
     HWY_INLINE V within(V mu) const {
         const V one = constant(1), zero = hn::Zero(D());
         const V unmirrored = hn::Sub(hn::Mul(sign, cell), hn::IfThenElseZero(hn::Lt(sign, zero), one));
@@ -184,42 +185,14 @@ M SegmentWalk::blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const {
     const V out = hn::Min(hn::Min(exits, one), end);
     const M stays = hn::Lt(in, out);
     const V zIn = lanes.heightAt(in), zOut = lanes.heightAt(out);
-    const FloatImage& heights = field_.heights();
-    const auto heightsAt = [&](VI x, VI y) {
-        const VI at = hn::Add(hn::Mul(y, whole(heights.width())), x);
-        return hn::PromoteTo(D(), hn::GatherIndex(DF(), heights.data(), at));
-    };
     if (field_.surface() == Surface::Columns) {
-        return hn::And(stays, hn::Gt(hn::Sub(heightsAt(cx, cy), hn::Min(zIn, zOut)), clearance));
+        const V height = heightsAt(field_.heights(), cx, cy);
+        return hn::And(stays, hn::Gt(hn::Sub(height, hn::Min(zIn, zOut)), clearance));
     }
-    // GridAxis::nodeBefore, nodeAfter.
-    const auto nodes = [&](const GridAxis& axis, VI k) {
-        const VI last = whole(axis.texels - 1), next = hn::Add(k, whole(1));
-        if (axis.wraps) return std::array{k, hn::IfThenZeroElse(hn::Eq(k, last), next)};
-        return std::array{hn::Max(hn::Sub(k, whole(1)), whole(0)), hn::Min(k, last)};
-    };
-    const auto i = nodes(grid_.x, cx), j = nodes(grid_.y, cy);
-    const V h00 = heightsAt(i[0], j[0]), h10 = heightsAt(i[1], j[0]);
-    const V h01 = heightsAt(i[0], j[1]), h11 = heightsAt(i[1], j[1]);
-    const auto lerp = [&](V u, V v) {
-        const V rest = hn::Sub(one, u);
-        const V upper = hn::Add(hn::Mul(rest, h00), hn::Mul(u, h10));
-        const V lower = hn::Add(hn::Mul(rest, h01), hn::Mul(u, h11));
-        return hn::Add(hn::Mul(hn::Sub(one, v), upper), hn::Mul(v, lower));
-    };
-    const V uIn = lanes.x.within(in), vIn = lanes.y.within(in);
-    const V uOut = lanes.x.within(out), vOut = lanes.y.within(out);
-    const V twist = hn::Sub(hn::Sub(h11, h10), hn::Sub(h01, h00));
-    const V bend = hn::Mul(hn::Mul(hn::Sub(uOut, uIn), hn::Sub(vOut, vIn)), twist);
-    // highestGap().
-    const V fIn = hn::Sub(lerp(uIn, vIn), zIn), fOut = hn::Sub(lerp(uOut, vOut), zOut);
-    const V rise = hn::Sub(hn::Sub(fOut, fIn), bend);
-    const V ends = hn::Max(fIn, fOut);
-    const M vertex =
-        hn::And(hn::And(hn::Lt(bend, zero), hn::Gt(rise, zero)), hn::Lt(rise, hn::Mul(constant(-2), bend)));
-    const V peak = hn::Sub(fIn, hn::Div(hn::Mul(rise, rise), hn::Mul(constant(4), bend)));
-    const V highest = hn::IfThenElse(vertex, hn::Max(ends, peak), ends);
-    return hn::And(stays, hn::Gt(highest, clearance));
+    const ExactPlaces places{
+        lanes.x.within(in), lanes.y.within(in), lanes.x.within(out), lanes.y.within(out), zIn, zOut};
+    const ExactGaps gaps = exactGaps(cornersAt(field_.heights(), grid_, cx, cy), places);
+    return hn::And(stays, hn::Gt(highestGap(gaps), clearance));
 }
 
 void SegmentWalk::step() {

@@ -1,43 +1,181 @@
-// The scalar text of the walk by packed cones: for the rays that lanes leave over, from where they left them. All exact
-// methods give the same bits: the one leaf decides, and cells partition the ray.
+// The walk by packed cones in double, a step at a time: for what float cannot tell (cone_walk.h), and for rays that
+// lanes leave over, from where they left them. All exact methods give the same bits: the one leaf decides, and cells
+// partition the ray.
 //
-// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing. Rays of the domain of exactness (packedWalks()).
+// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include <hwy/cache_control.h>
+
+#include "relief/cell_record.h"
 #include "relief/maps/packed_cones.h"
 
 namespace relief {
 
-// Rays that it takes; flatter ones each method gives up after steps of its own.
+// What all walks share; the caller keeps it.
+struct ConeGround {
+    const HeightField& field;
+    const CellGrid& grid;
+    const PackedCones& cones;
+};
+
+// Number of the ray's quadrant.
+inline std::size_t quadrantOf(const GridRay& ray) {
+    return (ray.x.side < 0 ? 1U : 0U) + (ray.y.side < 0 ? 2U : 0U);
+}
+// The record of a step: an advance is over the word's cone, which stands under the place where the ray leaves the cell;
+// any other is about the cell's highest point.
+inline Step coneRecord(const ConeGround& ground, const GridRay& ray, AxisCell cx, AxisCell cy, Decision decision,
+                       Stay stay, std::uint32_t word, double after) {
+    // In the order of azimuths.
+    constexpr std::array<int, 4> kSectors{0, 1, 3, 2};
+    const bool advances = decision == Decision::Advance;
+    const double own = ground.cones.heightAt(coneOwnDepth(word)), slope = static_cast<double>(coneSlope(word));
+    Step step =
+        cellRecord(ground.field, ground.grid, cx, cy, decision, stay.in, stay.out, advances ? slope : own, after);
+    if (!advances) {
+        step.subject = subject::Texel{0, step.i, step.j, own, {}};
+        return step;
+    }
+    const double s = ray.x.start + stay.out * ray.x.run - ground.grid.x.shift;
+    const double t = ray.y.start + stay.out * ray.y.run - ground.grid.y.shift;
+    const double apex = ground.cones.heightAt(coneApexDepth(word));
+    step.subject = subject::Cone{s, t, apex, slope, kSectors[quadrantOf(ray)], 4, true, true};
+    return step;
+}
+
+// Rays flatter than the domain of exactness each method gives up after steps of its own.
 inline bool packedWalks(const CellGrid& grid, const ViewRay& ray) {
     return !ray.finite() || GridRay(grid, ray).inDomain();
 }
 
-// A part of a ray's way. Ended: with that hit or none, which a step that began before `until` has found. Else it is in
-// that cell, no earlier than at `until`.
-struct PackedPart {
-    std::size_t ray;  // number in the block
-    double from;      // lambda before which it meets nothing
-    double until;
-    bool ended = false;
-    Hit hit{};
-    AxisCell x{}, y{};
+// Rays that come back to float more often go on in double to their end.
+inline constexpr int kMostReturns = 4;
+
+class PackedWalk {
+  public:
+    // from: lambda before which the ray meets nothing. It pauses at the first place from `until` on. number: as the
+    // caller counts.
+    PackedWalk(const ConeGround& ground, const ViewRay& viewRay, std::size_t number, double from, double until)
+        : number_(number),
+          viewRay_(viewRay),
+          ray_(ground.grid, viewRay),
+          quadrant_(quadrantOf(ray_)),
+          run_(std::max(std::abs(ray_.x.run), std::abs(ray_.y.run))),
+          end_(ray_.end(ground.grid)),
+          lambda_(from),
+          until_(until),
+          left_(ray_.cellBound() + 2) {
+        arrive(ground);
+    }
+
+    std::size_t number() const { return number_; }
+    const Hit& hit() const { return hit_; }
+    // Not at a hit or a miss: where it is.
+    bool paused() const { return paused_; }
+    const AxisCell& x() const { return x_; }
+    const AxisCell& y() const { return y_; }
+    double lambda() const { return lambda_; }
+
+    // A step; false: it has ended, or come to where it was to pause.
+    template <class Sink>
+    bool step(const ConeGround& ground, Sink& sink) {
+        const std::uint32_t word = ground.cones.quadrant(quadrant_)[ground.cones.index(x_.index, y_.index)];
+        const auto note = [&](Decision decision, double after) {
+            return [&, decision, after] {
+                return coneRecord(ground, ray_, x_, y_, decision, {lambda_, out_}, word, after);
+            };
+        };
+        double after = out_;
+        if (testing_) {
+            const Surface surface = ground.field.surface();
+            const FloatImage& heights = ground.field.heights();
+            const auto met = surface == Surface::Bilinear
+                                 ? leafHit<Surface::Bilinear>(heights, ground.grid, ray_, x_, y_)
+                                 : leafHit<Surface::Columns>(heights, ground.grid, ray_, x_, y_);
+            sink.read(surface == Surface::Bilinear ? 4 : 1);
+            sink.step(note(met ? Decision::Hit : Decision::Test, met ? *met : out_));
+            if (met) return finish(Hit::at(viewRay_, *met));
+            testing_ = false;
+        } else {
+            sink.read(1);
+            if (!(ground.cones.heightAt(coneOwnDepth(word)) + kExclusionMargin < 1 - out_)) {
+                testing_ = true;
+                fetchHeights(ground);
+                return true;
+            }
+            // Rounding of the quotient stays far below this share.
+            constexpr double kShorter = 1 - 1e-9;
+            const double room = 1 - out_ - ground.cones.heightAt(coneApexDepth(word));
+            const double free = room / (1 + static_cast<double>(coneSlope(word)) * run_) * kShorter;
+            after += std::max(0.0, free - kExclusionMargin);
+            // Below the apex it is above the cell alone.
+            sink.step(note(room > 0 ? Decision::Advance : Decision::Skip, std::min(after, end_)));
+        }
+        lambda_ = after;
+        if (!(lambda_ < end_)) return finish(Hit::none(Outcome::Miss));
+        if (!(--left_ > 0)) return finish(Hit::none(Outcome::Limit));
+        arrive(ground);
+        paused_ = lambda_ >= until_;
+        return !paused_;
+    }
+
+  private:
+    bool finish(const Hit& hit) {
+        hit_ = hit;
+        return false;
+    }
+    void arrive(const ConeGround& ground) {
+        x_ = ray_.x.cellAt(ground.grid.x, lambda_);
+        y_ = ray_.y.cellAt(ground.grid.y, lambda_);
+        out_ = std::max(cellStay(ground.grid, ray_, x_, y_).out, lambda_);
+        hwy::Prefetch(ground.cones.quadrant(quadrant_) + ground.cones.index(x_.index, y_.index));
+    }
+    void fetchHeights(const ConeGround& ground) const {
+        const auto width = static_cast<std::size_t>(ground.field.width());
+        const bool nodes = ground.field.surface() == Surface::Bilinear;
+        const auto at = [&](int i, int j) {
+            return ground.field.heights().data() + static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
+        };
+        const int i = nodes ? ground.grid.x.nodeBefore(x_.index) : x_.index;
+        hwy::Prefetch(at(i, nodes ? ground.grid.y.nodeBefore(y_.index) : y_.index));
+        if (nodes) hwy::Prefetch(at(i, ground.grid.y.nodeAfter(y_.index)));
+    }
+
+    std::size_t number_;
+    ViewRay viewRay_;
+    GridRay ray_;
+    std::size_t quadrant_;
+    double run_, end_;
+    double lambda_, until_;
+    double left_;  // steps
+    double out_ = 0;
+    AxisCell x_, y_;
+    bool testing_ = false;  // the cell itself is to be tested
+    bool paused_ = false;
+    Hit hit_;
 };
 
-struct PackedStart {
-    std::size_t ray;  // number in the block
-    double from;      // lambda before which it meets nothing
-};
-
-// The hits of some rays of the block, into their places. All take a step in turn: each waits for memory at every step,
-// and so they wait together.
-void packedHits(const HeightField& field, const CellGrid& grid, const PackedCones& cones, const RayBlock& rays,
-                const std::vector<PackedStart>& starts, HitBlock& hits);
-
-// The same for parts, of rays that enter the map.
-void packedParts(const HeightField& field, const CellGrid& grid, const PackedCones& cones, const RayBlock& rays,
-                 std::vector<PackedPart>& parts);
+// All walks, each a step in turn: each waits for memory at every step, and so they wait together. What has come to its
+// end is given to end().
+template <class End>
+void walkAll(const ConeGround& ground, std::vector<PackedWalk>& walks, const End& end) {
+    NullSink sink;
+    while (!walks.empty()) {
+        for (std::size_t n = 0; n < walks.size();) {
+            if (walks[n].step(ground, sink)) {
+                ++n;
+                continue;
+            }
+            end(walks[n]);
+            walks[n] = walks.back();
+            walks.pop_back();
+        }
+    }
+}
 
 }  // namespace relief

@@ -113,7 +113,7 @@ HWY_INLINE Slope slopeByNodes(const SlopeScene& scene, V s, V t) {
     const auto wide = [&](hn::Vec<decltype(df)> v) HWY_ATTR { return hn::PromoteTo(d, v); };
     return slopeOf(wide(h[0]), wide(h[2]), wide(h[1]), wide(h[3]), x, y);
 }
-// body(slopeAt), one text for each kind of scene: a branch in the loop costs more than what is behind it.
+// body(slopeAt), one loop for each kind of scene: a branch in the loop costs more than what is behind it.
 template <class Body>
 HWY_INLINE void withSlopes(const SlopeScene& scene, const Body& body) {
     if (scene.nodes != nullptr) {

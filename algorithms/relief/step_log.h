@@ -75,7 +75,8 @@ struct Sphere {
 };
 // A cone that stands on (s, t, apex) and is said to be empty within its azimuth sector, one of `sectors`.
 // slope: heights per texel; 0 where it was not read because the ray is not above the apex. ofCell: it holds for the
-// whole cell (i, j); else it is interpolated at the point of the ray above the apex.
+// whole cell (i, j); else it is interpolated at the point of the ray above the apex. square: distances from its axis
+// are the larger of |x| and |y|.
 struct Cone {
     double s = 0;
     double t = 0;
@@ -84,6 +85,7 @@ struct Cone {
     int sector = 0;
     int sectors = 1;
     bool ofCell = true;
+    bool square = false;
     bool operator==(const Cone&) const = default;
 };
 // The surface's height under the ray where it reaches layer n of `count` equal layers, 0 the top plane.
@@ -102,10 +104,14 @@ struct Point {
 
 using Subject = std::variant<subject::Texel, subject::Quad, subject::Voxel, subject::Sphere, subject::Cone,
                              subject::Layer, subject::Point>;
-// In files.
-inline constexpr std::array<std::string_view, 7> kSubjectNames{"texel", "quad",  "voxel", "sphere",
-                                                               "cone",  "layer", "point"};
-static_assert(kSubjectNames.size() == std::variant_size_v<Subject>);
+// In files: the kinds of Subject, and last cones that are square.
+inline constexpr std::array<std::string_view, 8> kSubjectNames{"texel", "quad",  "voxel", "sphere",
+                                                               "cone",  "layer", "point", "square-cone"};
+static_assert(kSubjectNames.size() == std::variant_size_v<Subject> + 1);
+inline std::string_view subjectName(const Subject& subject) {
+    const auto* const cone = std::get_if<subject::Cone>(&subject);
+    return cone != nullptr && cone->square ? kSubjectNames.back() : kSubjectNames[subject.index()];
+}
 
 // One decision. [lambdaIn, lambdaOut]: the part of the ray that it is about; the ray's heights there are 1 - lambda.
 // lambdaAfter: where the tracer went on. subject: what it looked at.

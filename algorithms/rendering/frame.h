@@ -25,7 +25,7 @@
 
 namespace relief {
 
-class ConeTwin;
+class PackedConeHits;
 class FlatGround;
 struct FrameBuffers;
 struct FrameSetup;
@@ -120,6 +120,9 @@ struct Frame {
     std::shared_ptr<const TextureFilter> filter;       // null: heights in grey, read at the hit
     std::shared_ptr<const TextureFilter> plainFilter;  // of tiny footprints; null: there are none
     bool exactHits = false;                            // by an exact method, of the heights themselves
+    // Name of the method whose walk has found the hits: `cone` where that is faster than the request's own, which gives
+    // the same hits. Steps and reads are always the request's method's.
+    std::string tracedBy;
     ShadingNormal shading = ShadingNormal::Relief;
     std::shared_ptr<const BakedNormals> bakedNormals;  // where the method shades by a normal map and none is given
     PinholeCamera camera;
@@ -205,8 +208,8 @@ class FrameRenderer {
     std::shared_ptr<const TextureFilter> madeFilter(const FrameRequest& request, Work& work);
     std::shared_ptr<const TextureFilter> madePlainFilter(const FrameRequest& request, Work& work);
     std::unique_ptr<const FlatGround> madeGround(const FrameRequest& request, const Tracer& tracer, Work& work);
-    std::unique_ptr<const ConeTwin> madeTwin(const FrameRequest& request, const Tracer& tracer, bool asksNeighbours,
-                                             Work& work);
+    std::unique_ptr<const PackedConeHits> madeConeHits(const FrameRequest& request, const Tracer& tracer,
+                                                       bool asksNeighbours, Work& work);
     void reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work);
 
     std::optional<FrameRequest> last_;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "relief/lanes/cone_twin.h"
+#include "relief/lanes/packed_cone_hits.h"
 #include "rendering/tile_worker.h"
 
 namespace relief {
@@ -21,9 +21,9 @@ struct FrameSetup {
     std::unique_ptr<const MeshRaster> mesh{};
     std::unique_ptr<const AnyHitQuery> query{};
     std::unique_ptr<const FlatGround> ground{};
-    std::unique_ptr<const ConeTwin> twin{};
+    std::unique_ptr<const PackedConeHits> coneHits{};
 
-    FrameTools tools() const { return {visible, *tracer, mesh.get(), query.get(), ground.get(), twin.get()}; }
+    FrameTools tools() const { return {visible, *tracer, mesh.get(), query.get(), ground.get(), coneHits.get()}; }
 };
 
 // Throws InputError where the request's sizes or its filter are out of range.

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "relief/lanes/cone_twin.h"
+#include "relief/lanes/packed_cone_hits.h"
 #include "relief/look_up_point.h"
 #include "rendering/query_lanes.h"
 #include "rendering/tile_work.h"
@@ -41,7 +41,8 @@ TileWorker::TileWorker(const FrameRequest& request, const Frame& frame, const Fr
     polygons_.resize(frame.polygons.size(), nullptr);
     for (const VisiblePolygon& polygon : tools.visible.polygons) polygons_[polygon.number] = &polygon;
     if (frame.shadedByRelief(request) && request.field.surface() == Surface::Bilinear) {
-        slopes_ = tools.twin != nullptr ? SlopeScene(request.field, tools.twin->cones()) : SlopeScene(request.field);
+        slopes_ =
+            tools.coneHits != nullptr ? SlopeScene(request.field, tools.coneHits->cones()) : SlopeScene(request.field);
     }
 }
 
@@ -146,8 +147,8 @@ void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
     std::erase_if(pixels, [&](std::size_t i) { return by[i] != HitBy::Traced; });
     raysOf(pixels, *frame_.rays, block);
     NullSink sink;
-    if (tools_.twin != nullptr) {
-        tools_.twin->trace(block, hits, tools_.tracer, work);
+    if (tools_.coneHits != nullptr) {
+        tools_.coneHits->trace(block, hits, tools_.tracer, work);
     } else {
         hits.resize(0);
         tools_.tracer.trace(block, hits, sink, work);

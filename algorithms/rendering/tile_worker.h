@@ -38,8 +38,8 @@ struct FrameTools {
     const Tracer& tracer;
     const MeshRaster* mesh;
     const AnyHitQuery* query;
-    const FlatGround* ground = nullptr;  // null: every ray is traced
-    const ConeTwin* twin = nullptr;      // null: the tracer itself traces
+    const FlatGround* ground = nullptr;        // null: every ray is traced
+    const PackedConeHits* coneHits = nullptr;  // null: the tracer itself traces
 };
 
 // References are kept; one worker serves all tiles, from any thread.

@@ -173,7 +173,7 @@ void appendStepLines(std::string& out, const StepLog& log, std::size_t inLog, st
                 comma();
                 out += name;
             });
-        out.append(",").append(kSubjectNames[log.steps[s].subject.index()]);
+        out.append(",").append(subjectName(log.steps[s].subject));
         for (const std::optional<double>& value : subjectValues(log.steps[s])) {
             out += ',';
             if (value) appendNumber(out, *value);
@@ -206,7 +206,7 @@ void appendStepObjects(std::string& out, const StepLog& log, std::size_t inLog, 
                 out.append("\"").append(text).append("\"");
             });
         key("kind");
-        out.append("\"").append(kSubjectNames[log.steps[s].subject.index()]).append("\"");
+        out.append("\"").append(subjectName(log.steps[s].subject)).append("\"");
         const SubjectValues values = subjectValues(log.steps[s]);
         for (std::size_t n = 0; n < values.size(); ++n) {
             if (!values[n] || !std::isfinite(*values[n])) continue;

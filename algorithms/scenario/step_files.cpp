@@ -88,8 +88,9 @@ Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
         if (!(value >= low && value <= kMost && value == std::floor(value))) lacks(at, "whole number");
         return static_cast<int>(value);
     };
-    enum class Kind : std::uint8_t { Texel, Quad, Voxel, Sphere, Cone, Layer, Point };
-    switch (place.word<Kind>("kind", row.kind, kSubjectNames)) {
+    enum class Kind : std::uint8_t { Texel, Quad, Voxel, Sphere, Cone, Layer, Point, SquareCone };
+    const Kind kind = place.word<Kind>("kind", row.kind, kSubjectNames);
+    switch (kind) {
         case Kind::Texel: {
             std::optional<subject::LevelPoint> ray;
             if (row.values[kS] && row.values[kT]) ray = {*row.values[kS], *row.values[kT]};
@@ -101,10 +102,12 @@ Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
             return subject::Voxel{step.i, step.j, step.k, whole(kWidth, 1), whole(kCount, 1), step.value};
         case Kind::Sphere:
             return subject::Sphere{real(kS), real(kT), real(kZ), step.value};
-        case Kind::Cone: {
+        case Kind::Cone:
+        case Kind::SquareCone: {
             const double slope = step.decision == Decision::Advance ? step.value : 0;
             const bool ofCell = row.values[kWidth].value_or(0) > 0;
-            return subject::Cone{real(kS), real(kT), real(kZ), slope, whole(kIndex, 0), whole(kCount, 1), ofCell};
+            return subject::Cone{real(kS),         real(kT),         real(kZ), slope,
+                                 whole(kIndex, 0), whole(kCount, 1), ofCell,   kind == Kind::SquareCone};
         }
         case Kind::Layer:
             return subject::Layer{whole(kIndex, 0), whole(kCount, 1), step.value};

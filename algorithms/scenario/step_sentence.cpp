@@ -84,7 +84,9 @@ Message claimSentence(const Step& step, const StepContext& context, std::string 
 Message advanceSentence(const Step& step, const StepContext& context) {
     const auto height = [](double z) { return fixedText(z, kHeightDecimals); };
     if (const auto* const cone = step.as<subject::Cone>()) {
-        return claimSentence(step, context, height(cone->slope), MessageId::StepCone, MessageId::StepConeBroken);
+        const auto [kept, broken] = cone->square ? std::pair(MessageId::StepSquareCone, MessageId::StepSquareConeBroken)
+                                                 : std::pair(MessageId::StepCone, MessageId::StepConeBroken);
+        return claimSentence(step, context, height(cone->slope), kept, broken);
     }
     const auto* const sphere = step.as<subject::Sphere>();
     const auto* const voxel = step.as<subject::Voxel>();

@@ -4,6 +4,7 @@
 #include "measuring/certificate.h"
 #include "options_common.h"
 #include "output.h"
+#include "relief/maps/map_choice.h"
 
 namespace relief::app {
 
@@ -91,6 +92,7 @@ int runCertify(const CertifyOptions& options, Session& session) {
     }
     if (options.seed) asked.seed = parseSeed(*options.seed, "--seed");
     Scenario scenario = options.scenario.scenario();
+    scenario.method = withStoredMap(scenario.method);
     Work& work = session.work();
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work);

@@ -20,7 +20,7 @@
 #include "measuring/picture_error.h"
 #include "measuring/quantiles.h"
 #include "peer_table.h"
-#include "relief/lanes/cone_twin.h"
+#include "relief/lanes/packed_cone_hits.h"
 #include "rendering/progressive.h"
 
 namespace {
@@ -65,7 +65,7 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
     ProgressiveRenderer renderer(maps, budget);
     // Until what pays only after some frames has been made.
     const double pixels = static_cast<double>(request.width) * request.height;
-    const double enough = static_cast<double>(ConeTwin::kRaysPerTexel * request.field.heights().size()) / pixels;
+    const double enough = static_cast<double>(PackedConeHits::kRaysPerTexel * request.field.heights().size()) / pixels;
     for (int n = 0; n <= enough; ++n) {
         renderer.moving(request, work);
         request.camera.azimuth += kTurn;

@@ -75,6 +75,11 @@ TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
     const Json again =
         Json::parse(runFine({"render", "--height", height, "--size", "40x30", "-o", path("p.png"), "--report", "-"}));
     EXPECT_EQ(again["scenario"]["size"], (Json{40, 30}));
+    // Shadows build the packed cones: then the hits are found by them.
+    EXPECT_EQ(again["walks"], (Json{{"hits", "max-pyramid"}, {"steps", "max-pyramid"}}));
+    const Json lit = Json::parse(
+        runFine({"render", "--height", height, "--size", "40x30", "--shadows", "-o", path("p.png"), "--report", "-"}));
+    EXPECT_EQ(lit["walks"], (Json{{"hits", "cone"}, {"steps", "max-pyramid"}}));
 }
 
 // What is skipped at the price of an error says which, measured.

@@ -127,7 +127,9 @@ TEST_F(DistanceTest, ConesAreCutFromTheSideAndFromAbove) {
                 // Every point of the line lies on the cone.
                 for (const Point& p : std::get<Polyline>(item->primitive).points) {
                     const Place3 place = fromSlice(axis, frame.slab, frame.plane, frame.uvAt(p));
-                    const double away = std::hypot(place[0] - over[0], place[1] - over[1]);
+                    const double away = body.away(place[0] - over[0], place[1] - over[1]);
+                    // From above a sector's outline has its corner on the axis.
+                    if (axis == SliceAxis::Z && !body.whole() && away < 0.01) continue;
                     // Between its points the line of a circle lies a little inside.
                     EXPECT_NEAR(place[2] / frame.slab, body.apex + body.slope * away, 0.01);
                 }

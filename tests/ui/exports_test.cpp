@@ -146,21 +146,33 @@ TEST_P(EveryExport, needsNoDisplay) {
     EXPECT_EQ(pdf.contains("/FontFile2"), name != "result") << "words are words, in a font of the file's own";
 }
 
-// What each kind of method looks at: nodes, voxels and spheres, cones; from outside and across.
+// What each kind of method looks at: nodes, voxels and spheres, round cones and square ones; from outside and across.
 TEST(Exports, whatMethodsLookAtIsAsStored) {
+    struct Shown {
+        const char* name;
+        relief::MethodChoice method;
+        relief::PixelChoice pixel;
+        int step;
+        std::vector<const char*> views;
+    };
+    const std::vector<Shown> all{
+        {"max-pyramid", {"max-pyramid", {}}, {60, 70}, 3, {"trace", "profile", "distance"}},
+        {"distance-conservative", {"distance-conservative", {}}, {60, 70}, 3, {"trace", "profile", "distance"}},
+        {"cone", {"cone", {{"layout", "texel"}}}, {60, 70}, 3, {"trace", "profile", "distance"}},
+        {"square-cone", {"cone", {}}, {150, 80}, 8, {"trace", "profile"}}};
     const QTemporaryDir folder;
-    for (const char* const method : {"max-pyramid", "distance-conservative", "cone"}) {
-        for (const char* const view : {"trace", "profile", "distance"}) {
-            SCOPED_TRACE(std::string(method) + " " + view);
+    for (const Shown& shown : all) {
+        for (const char* const view : shown.views) {
+            SCOPED_TRACE(std::string(shown.name) + " " + view);
             relief::Scenario scenario = smallScenario();
-            scenario.method = {method, {}};
-            scenario.pixel = relief::PixelChoice{60, 70};
-            scenario.step = 3;
+            scenario.method = shown.method;
+            scenario.pixel = shown.pixel;
+            scenario.step = shown.step;
             const QString file = folder.filePath(QStringLiteral("scenario.json"));
             relief::saveScenario(file.toStdString(), scenario);
             const QString picture = exportedFigure(file, QString::fromLatin1(view),
                                                    folder.filePath(QStringLiteral("figure.png")), pictureSize());
-            expectGolden(picture, std::string(view) + "-" + method);
+            expectGolden(picture, std::string(view) + "-" + shown.name);
         }
     }
 }

@@ -14,6 +14,7 @@
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolButton>
 
 #include "views/compare_view.h"
 #include "views/drawing_canvas.h"
@@ -292,6 +293,36 @@ TEST_F(KeyboardTest, DividersAreMovedByKeys) {
     EXPECT_EQ(dividers()[1], dividers()[0]);
     workspace_->undo();
     EXPECT_EQ(dividers(), first) << "one step of undo";
+}
+
+// A small relief's packed cones draw what max-pyramid would.
+TEST_F(WindowTest, AnotherWalkThatDrewThePictureIsNamedAndItsStepsAreAClickAway) {
+    relief::Scenario shown = smallScenario();
+    shown.method = {"exact", {}};
+    openWindow(shown);
+    auto* const walk = window_->findChild<QToolButton*>(QStringLiteral("status-walk"));
+    ASSERT_NE(walk, nullptr);
+    EXPECT_EQ(snapshot()->frame->tracedBy, "exact");
+    EXPECT_FALSE(walk->isVisible());
+    shown.method = {"max-pyramid", {}};
+    workspace_->change(shown, QStringLiteral("test"));
+    waitForFull();
+    const relief::Scenario before = scenario();
+    EXPECT_EQ(snapshot()->frame->tracedBy, "cone");
+    ASSERT_TRUE(walk->isVisible());
+    EXPECT_TRUE(walk->text().endsWith(QStringLiteral("cone"))) << walk->text().toStdString();
+    const QImage picture = snapshot()->picture;
+    const auto pyramidSteps = snapshot()->trace.steps;
+    QTest::mouseClick(walk, Qt::LeftButton);
+    waitForFull();
+    EXPECT_EQ(scenario().method.name, "cone");
+    EXPECT_FALSE(walk->isVisible());
+    EXPECT_EQ(snapshot()->picture, picture) << "the same hits";
+    EXPECT_NE(snapshot()->trace.steps, pyramidSteps);
+    workspace_->undo();
+    waitForFull();
+    EXPECT_EQ(scenario(), before);
+    EXPECT_TRUE(walk->isVisible());
 }
 
 }  // namespace

@@ -122,15 +122,15 @@ class Marks {
         if (!body.whole()) edge.push_back(frame_.at(apex));
         for (int n = 0; n <= kAround; ++n) {
             const double angle = body.from + (body.to - body.from) * n / kAround;
-            edge.push_back(
-                frame_.at(Place3{apex[0] + radius * std::cos(angle), apex[1] + radius * std::sin(angle), apex[2]}));
+            const double x = std::cos(angle), y = std::sin(angle), far = radius / body.away(x, y);
+            edge.push_back(frame_.at(Place3{apex[0] + far * x, apex[1] + far * y, apex[2]}));
         }
         if (!body.whole()) edge.push_back(frame_.at(apex));
         line(edge, stepId(k), role_, strength);
         number(k, frame_.at(apex), strength);
     }
 
-    // A branch of a hyperbola; two straight lines where the slice goes through the apex.
+    // A branch of a hyperbola, of a square cone its straight sides; two lines where the slice goes through the apex.
     void coneUpright(std::size_t k, const Place3& apex, const StepBody& body, Emphasis strength) {
         const double off = frame_.plane - apex[frame_.axis == SliceAxis::X ? 0 : 1];
         const double center = toSlice(frame_.axis, frame_.slab, apex).x;
@@ -142,7 +142,7 @@ class Marks {
             const double f = 2.0 * n / samples - 1;
             const double u = f * std::abs(f) * (frame_.window.width() + std::abs(center - frame_.window.center().x));
             const Point towards = alongX ? Point{u, off} : Point{off, u};
-            const double away = std::hypot(u, off);
+            const double away = body.away(u, off);
             if (away > 0 && !body.holds(towards.x, towards.y)) {
                 if (!runs.back().empty()) runs.emplace_back();
                 continue;

@@ -94,17 +94,19 @@ void LegendRows::ramp(ColorMap map, const Message& what) {
 
 void LegendRows::bodies(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& exact,
                         const std::function<bool(const StepBody&)>& drawn) {
-    StepBody::Kind kind = StepBody::Kind::None;
+    StepBody some;
     bool broken = false;
     for (const relief::Step& step : steps) {
         const StepBody body = stepBody(step);
         if (!body) continue;
-        kind = body.kind;
+        some = body;
         broken = broken || (bodyRole(step, ray, exact) == Role::Overshoot && (!drawn || drawn(body)));
     }
-    if (kind == StepBody::Kind::None) return;
-    const bool cones = kind == StepBody::Kind::Cone;
-    line(Role::Empty, Message(cones ? MessageId::DrawPromisedCone : MessageId::DrawPromisedSphere));
+    if (!some) return;
+    const MessageId promise = some.kind != StepBody::Kind::Cone ? MessageId::DrawPromisedSphere
+                              : some.square                     ? MessageId::DrawPromisedSquareCone
+                                                                : MessageId::DrawPromisedCone;
+    line(Role::Empty, Message(promise));
     if (broken) line(Role::Overshoot, Message(MessageId::DrawPromiseBroken));
 }
 

@@ -56,8 +56,9 @@ class Bodies {
     // Two sides of a triangle; what lies behind is in another sector where there are several.
     void cone(std::size_t k, const StepBody& body, bool chosen) {
         const double longest = frame_.lambdaEnd;
+        const double away = body.away(source_.ray.a, source_.ray.b);  // a unit of lambda
         const auto side = [&](double run) {
-            return frame_.at(body.lambda + run, body.apex + body.slope * std::abs(run) * frame_.run);
+            return frame_.at(body.lambda + run, body.apex + body.slope * std::abs(run) * away);
         };
         std::vector<Point> edge;
         if (body.whole()) edge.push_back(side(-longest));

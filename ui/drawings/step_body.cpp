@@ -1,5 +1,6 @@
 #include "drawings/step_body.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,6 +27,10 @@ bool StepBody::holds(double x, double y) const {
     return azimuth >= from && azimuth <= to;
 }
 
+double StepBody::away(double x, double y) const {
+    return square ? std::max(std::abs(x), std::abs(y)) : std::hypot(x, y);
+}
+
 StepBody stepBody(const relief::Step& step) {
     StepBody body;
     if (!step.trustsMap()) return body;
@@ -41,6 +46,7 @@ StepBody stepBody(const relief::Step& step) {
         body.slope = cone->slope;
         body.from = 2 * std::numbers::pi * cone->sector / cone->sectors;
         body.to = 2 * std::numbers::pi * (cone->sector + 1) / cone->sectors;
+        body.square = cone->square;
     }
     return body;
 }

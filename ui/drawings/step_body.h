@@ -17,14 +17,17 @@ struct StepBody {
     double lambda = 0;
     double radius = 0;  // sphere: texels, in the metric (x, y, D z)
     double apex = 0;    // cone: height
-    double slope = 0;   // cone: heights per texel of horizontal distance
+    double slope = 0;   // cone: heights per texel of horizontal distance, away()
     double from = 0;    // cone: azimuths of (x, y) that it holds for, radians; all of them: 0 to 2 pi
     double to = 0;
+    bool square = false;  // cone
 
     explicit operator bool() const { return kind != Kind::None; }
     // Whether the cone holds in that direction.
     bool holds(double x, double y) const;
     bool whole() const;
+    // From the cone's axis to (x, y): the larger side where it is square.
+    double away(double x, double y) const;
 };
 StepBody stepBody(const relief::Step& step);
 // Role of the step's sphere or cone: Overshoot where the ray's first hit lies within it (Unset: not known).

@@ -25,8 +25,9 @@ class Bodies {
     Bodies(const TraceScene& scene, const Snapshot& snapshot, const Style& style, double radius)
         : scene_(scene),
           slab_(std::max(snapshot.request->field.slabTexels(), 1e-9)),
-          run_(std::hypot(snapshot.trace.ray.a, snapshot.trace.ray.b)),
-          direction_(run_ > 0 ? Point{snapshot.trace.ray.a / run_, snapshot.trace.ray.b / run_} : Point{1, 0}),
+          ray_(snapshot.trace.ray),
+          run_(std::hypot(ray_.a, ray_.b)),
+          direction_(run_ > 0 ? Point{ray_.a / run_, ray_.b / run_} : Point{1, 0}),
           style_(style),
           tube_(radius) {}
 
@@ -93,14 +94,15 @@ class Bodies {
     double reachOf(const StepBody& body) const {
         constexpr double kFarther = 1.4;
         constexpr double kLeast = 1.5;  // texels
-        const double way = (1 - body.lambda - body.apex) / (1 + body.slope * run_) * run_;
+        const double away = body.away(ray_.a, ray_.b);
+        const double way = (1 - body.lambda - body.apex) / (1 + body.slope * away) * away;
         const double far = std::max(kFarther * way, kLeast);
         return body.slope > 0 ? std::min(far, (1 - body.apex) / body.slope) : far;
     }
     Place onCone(const StepBody& body, double reach, double azimuth) const {
         const Place over = scene_.onRay(body.lambda);
-        return {over[0] + reach * std::cos(azimuth), over[1] - reach * std::sin(azimuth),
-                (body.apex + body.slope * reach) * scene_.scale};
+        const double x = std::cos(azimuth), y = std::sin(azimuth), far = reach / body.away(x, y);
+        return {over[0] + far * x, over[1] - far * y, (body.apex + body.slope * reach) * scene_.scale};
     }
 
     vtkSmartPointer<vtkPolyData> ball(const StepBody& body) const {
@@ -140,6 +142,7 @@ class Bodies {
 
     const TraceScene& scene_;
     double slab_;
+    relief::ViewRay ray_;
     double run_;  // of the ray, texels a unit of lambda
     Point direction_;
     const Style& style_;

@@ -63,7 +63,8 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
       frame_(new QLabel(this)),
       what_(new QLabel(this)),
       bar_(new QProgressBar(this)),
-      cancel_(new QToolButton(this)) {
+      cancel_(new QToolButton(this)),
+      walk_(new QToolButton(this)) {
     pixel_->setObjectName(QStringLiteral("status-pixel"));
     frame_->setObjectName(QStringLiteral("status-frame"));
     pixel_->setAccessibleName(tr("The chosen pixel"));
@@ -85,7 +86,12 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     addPermanentWidget(what_);
     addPermanentWidget(bar_);
     addPermanentWidget(cancel_);
+    walk_->setObjectName(QStringLiteral("status-walk"));
+    walk_->setAutoRaise(true);
+    walk_->setAccessibleName(tr("Drawn by another method"));
+    walk_->hide();
     addPermanentWidget(frame_);
+    addPermanentWidget(walk_);
     showBusy(false);
     patience_.setSingleShot(true);
     patience_.setInterval(kPatienceMs);
@@ -106,6 +112,7 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
         if (workspace_->busy()) patience_.start();
     });
     connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
+    connect(walk_, &QToolButton::clicked, this, &StatusLine::takeWalk);
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
@@ -133,6 +140,32 @@ void StatusLine::refresh() {
     pixel_->setText(pixelText());
     pixel_->setToolTip(pixel_->text());
     frame_->setText(frameText());
+    refreshWalk();
+}
+
+// Where another walk drew the picture than the one whose steps are shown: that walk, by name.
+void StatusLine::refreshWalk() {
+    const auto snapshot = workspace_->snapshot();
+    const bool other = snapshot && snapshot->frame->tracedBy != snapshot->request->method.name;
+    walk_->setVisible(other);
+    if (!other) return;
+    const QString by = QString::fromStdString(snapshot->frame->tracedBy);
+    walk_->setText(tr("drawn by %1").arg(by));
+    walk_->setToolTip(
+        tr("This picture was drawn by %1, which is faster and has the same hits: the time is its own. The "
+           "steps shown are those of %2.\nClick: the steps of %1")
+            .arg(by, QString::fromStdString(snapshot->request->method.name)));
+    walk_->setAccessibleName(walk_->text());
+    walk_->setAccessibleDescription(walk_->toolTip());
+}
+
+// Its steps over the same picture.
+void StatusLine::takeWalk() {
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot) return;
+    relief::Scenario scenario = workspace_->scenario();
+    scenario.method = {snapshot->frame->tracedBy, {}};
+    workspace_->change(scenario, tr("Method"));
 }
 
 void StatusLine::showLedger() {

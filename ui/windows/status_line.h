@@ -28,6 +28,8 @@ class StatusLine : public QStatusBar {
 
   private:
     void refresh();
+    void refreshWalk();
+    void takeWalk();
     void showLedger();
     void showProgress(const QString& what, double fraction);
     void showBusy(bool busy);
@@ -38,6 +40,7 @@ class StatusLine : public QStatusBar {
     QLabel* what_;
     QProgressBar* bar_;
     QToolButton* cancel_;
+    QToolButton* walk_;
     QTimer patience_;  // short work shows nothing
 };
 

@@ -23,7 +23,7 @@ inline WalkColumns& columnsOfThread() {
     return *columns;
 }
 
-template <Address kAddress, Surface kSurface>
+template <Address kAddress, Surface kSurface, class Arithmetic>
 void goOnIn(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
             HitBlock& hits) {
     rays.othersCount = 0;
@@ -33,18 +33,18 @@ void goOnIn(const LaneScene& scene, const PackedCones& cones, const double* cons
         hn::StoreU(hn::Zero(DI()), DI(), axis->hitPeriod.data() + rays.count);
     }
     hn::StoreU(hn::Zero(DI()), DI(), rays.within.data() + rays.count);
-    ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, true), given, rays, true, columnsOfThread()).run();
+    ConeKernel<kAddress, kSurface, Arithmetic>(scene, WalkMap(cones, true), given, rays, true, columnsOfThread()).run();
     settleLanes<kAddress, kSurface>(scene, given, rays, hits, 0);
 }
 
-template <Address kAddress, Surface kSurface>
+template <Address kAddress, Surface kSurface, class Arithmetic>
 void traceConesIn(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                   std::size_t firstHit, LaneRays& scratch) {
     WalkColumns& walk = columnsOfThread();
     scratch.start.fill(scene.start);
     scratch.othersCount = 0;
     bool scattered = true;
-    if (scratch.count >= kBeamRays) {
+    if (Arithmetic::kBeams && scratch.count >= kBeamRays) {
         // A beam's rays are of one quadrant, and those of a view mostly come in order.
         const std::size_t common = commonQuadrant(given[2], given[3], scratch.count);
         if (common < kQuadrants) {
@@ -52,7 +52,7 @@ void traceConesIn(const LaneScene& scene, const PackedCones& cones, const double
             scattered = false;
         }
     }
-    ConeKernel<kAddress, kSurface>(scene, WalkMap(cones, scattered), given, scratch, false, walk).run();
+    ConeKernel<kAddress, kSurface, Arithmetic>(scene, WalkMap(cones, scattered), given, scratch, false, walk).run();
     settleLanes<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
 }
 
@@ -69,18 +69,19 @@ void forAddress(const LaneScene& scene, const Body& body) {
     }
 }
 
-template <Surface kSurface>
+template <Surface kSurface, class Arithmetic = FastArithmetic>
 void traceConesOn(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                   std::size_t firstHit, LaneRays& scratch) {
     forAddress(scene, [&]<Address kAddress>() {
-        traceConesIn<kAddress, kSurface>(scene, cones, given, hits, firstHit, scratch);
+        traceConesIn<kAddress, kSurface, Arithmetic>(scene, cones, given, hits, firstHit, scratch);
     });
 }
 
-template <Surface kSurface>
+template <Surface kSurface, class Arithmetic = FastArithmetic>
 void goOnOn(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
             HitBlock& hits) {
-    forAddress(scene, [&]<Address kAddress>() { goOnIn<kAddress, kSurface>(scene, cones, given, rays, hits); });
+    forAddress(scene,
+               [&]<Address kAddress>() { goOnIn<kAddress, kSurface, Arithmetic>(scene, cones, given, rays, hits); });
 }
 
 }  // namespace relief::HWY_NAMESPACE

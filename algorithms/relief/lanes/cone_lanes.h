@@ -1,4 +1,5 @@
-// Conservative cones in lanes: one ray a lane, a step one word. Twin: ../cone.h, same bits (both exact).
+// The walk by packed cones in lanes: one ray a lane, a step one word. Reference: ../cone_walk.h, which looks at the
+// same cells.
 #pragma once
 
 #include <vector>
@@ -17,5 +18,12 @@ void traceConeLanes(const LaneScene& scene, const PackedCones& cones, const RayB
 // rays.{x,y} or behind them (rays.within). Their hits in this order; rays.others as above.
 void goOnConeLanes(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
                    HitBlock& hits);
+
+// Both, as rays of a block are traced by (cone_rays.h); tests have others.
+struct ConeLanes {
+    decltype(&traceConeLanes) trace;
+    decltype(&goOnConeLanes) goOn;
+};
+inline constexpr ConeLanes kConeLanes{&traceConeLanes, &goOnConeLanes};
 
 }  // namespace relief

@@ -3,16 +3,13 @@
 #include <cmath>
 #include <memory>
 
-#include "relief/lanes/cone_lanes.h"
-#include "relief/packed_walk.h"
+#include "relief/cone_walk.h"
+#include "relief/packed_parts.h"
 
 namespace relief {
 
 namespace {
 
-// Fewer do not go on in lanes, nor do those that come back more often.
-constexpr std::size_t kFew = 4;
-constexpr int kMostTimes = 4;
 // As many wait for each other at most: vectors are full, and what the cache holds of their ways is not all lost.
 constexpr std::size_t kTogether = 256;
 
@@ -25,14 +22,14 @@ struct Again {
     HitBlock found = HitBlock(kLaneSlots);
 };
 
-// What lanes leave over of a block. Where float cannot tell where a ray goes on, the scalar text takes it past that
+// What lanes leave over of a block. Where float cannot tell where a ray goes on, the reference takes it past that
 // corner; then, as those that the exact leaf has refused, it goes on in lanes. So all wait for memory together, and no
 // ray is walked twice.
 class Leftovers {
   public:
     Leftovers(const HeightField& field, const LaneScene& scene, const PackedCones& cones, const RayBlock& block,
-              HitBlock& hits, std::vector<std::size_t>& flat)
-        : field_(field), scene_(scene), cones_(cones), block_(block), hits_(hits), flat_(flat) {
+              HitBlock& hits, std::vector<std::size_t>& flat, const ConeLanes& lanes)
+        : lanes_(lanes), field_(field), scene_(scene), cones_(cones), block_(block), hits_(hits), flat_(flat) {
         again().rays.count = 0;
     }
 
@@ -47,7 +44,7 @@ class Leftovers {
     }
     void finish() {
         goOn();
-        packedHits(field_, scene_.grid, cones_, block_, starts_, hits_);
+        packedHits({field_, scene_.grid, cones_}, block_, starts_, hits_);
     }
 
   private:
@@ -59,17 +56,22 @@ class Leftovers {
 
     // number: the ray's in the block.
     void sort(const LaneRays::Other& other, std::size_t number, const LaneRays& of) {
-        if (other.end == LaneEnd::Refused) {
+        if (!packedWalks(scene_.grid, block_[number])) {
+            flat_.push_back(number);
+        } else if (other.end == LaneEnd::Scalar) {
+            starts_.push_back({number, 0});
+        } else {
             const auto cell = [&](const LaneAxisRays& axis) {
                 return AxisCell{axis.hitCell[other.ray], axis.hitPeriod[other.ray]};
             };
-            add(number, cell(of.x), cell(of.y), other.from, false);
-        } else if (!packedWalks(scene_.grid, block_[number])) {
-            flat_.push_back(number);
-        } else if (other.end == LaneEnd::Unclear && std::isfinite(other.until)) {
-            parts_.push_back({number, other.from, other.until});
-        } else {
-            starts_.push_back({number, other.from});
+            const UnclearPart part(scene_.grid, GridRay(scene_.grid, block_[number]), cell(of.x), cell(of.y));
+            if (other.end == LaneEnd::Refused) {
+                add(number, cell(of.x), cell(of.y), part.from, false);
+            } else if (std::isfinite(part.until)) {
+                parts_.push_back({number, part.from, part.until});
+            } else {
+                starts_.push_back({number, part.from});
+            }
         }
     }
     void add(std::size_t number, const AxisCell& x, const AxisCell& y, double from, bool within) {
@@ -87,7 +89,8 @@ class Leftovers {
     void goOn() {
         for (int times = 0; waiting() > 0; ++times) {
             passCorners();
-            if (times < kMostTimes && again().rays.count >= kFew) {
+            if (again().rays.count == 0) break;
+            if (times < kMostReturns) {
                 goOnInLanes();
             } else {
                 leave();
@@ -95,7 +98,7 @@ class Leftovers {
         }
     }
     void passCorners() {
-        packedParts(field_, scene_.grid, cones_, block_, parts_);
+        packedParts({field_, scene_.grid, cones_}, block_, parts_);
         for (const PackedPart& part : parts_) {
             if (part.ended) {
                 hits_.set(part.ray, part.hit);
@@ -109,7 +112,7 @@ class Leftovers {
         Again& all = again();
         const double* const columns[] = {all.columns[0].data(), all.columns[1].data(), all.columns[2].data(),
                                          all.columns[3].data()};
-        goOnConeLanes(scene_, cones_, columns, all.rays, all.found);
+        lanes_.goOn(scene_, cones_, columns, all.rays, all.found);
         for (std::size_t n = 0; n < all.rays.count; ++n) {
             const std::size_t i = all.of[n];
             hits_.lambda[i] = all.found.lambda[n];
@@ -137,6 +140,7 @@ class Leftovers {
         all.rays.count = 0;
     }
 
+    const ConeLanes& lanes_;
     const HeightField& field_;
     const LaneScene& scene_;
     const PackedCones& cones_;
@@ -150,12 +154,13 @@ class Leftovers {
 }  // namespace
 
 void traceByCones(const HeightField& field, const LaneScene& scene, const PackedCones& cones, const RayBlock& rays,
-                  std::size_t first, std::size_t last, HitBlock& hits, std::vector<std::size_t>& flat) {
-    Leftovers leftovers(field, scene, cones, rays, hits, flat);
+                  std::size_t first, std::size_t last, HitBlock& hits, std::vector<std::size_t>& flat,
+                  const ConeLanes& lanes) {
+    Leftovers leftovers(field, scene, cones, rays, hits, flat, lanes);
     traceChunks(
         first, last, hits,
         [&](std::size_t begin, std::size_t end, LaneRays& scratch) {
-            traceConeLanes(scene, cones, rays, begin, end, hits, scratch);
+            lanes.trace(scene, cones, rays, begin, end, hits, scratch);
         },
         [&](std::size_t begin, const LaneRays& scratch) { leftovers.take(begin, scratch); });
     leftovers.finish();

@@ -15,19 +15,12 @@ namespace relief::HWY_NAMESPACE {
 
 // Rays in flight.
 inline constexpr std::size_t kWalkSlots = 256;
-// Jumps end so early, in cells, times run + 1: what the apex, the jump and places are rounded by. So the cell that is
-// found is not too far on.
-inline constexpr float kShorterJump = 0x1p-19F;
-// Words of a quadrant that the second cache does not hold, though what neighbouring rays read of them; and of which it
+// Words of a quadrant that L2 does not hold, though what neighbouring rays read of them; and of which it
 // does not hold that either.
 inline constexpr std::size_t kLargeMap = 1U << 19U, kVeryLargeMap = 1U << 21U;
-// Numbers below 2^22 added to it are rounded to whole ones, its last bits.
-inline constexpr float kWhole = 0x1.8p23F;
 inline constexpr auto kWholeBits = std::bit_cast<std::int32_t>(kWhole);
-// Rays are asked for that long before they are taken.
+// Rays are prefetched that long before they are taken.
 inline constexpr std::size_t kRaysAhead = 2 * kLaneChunk;
-// Cones met a little early: more than the error of an approximate reciprocal and all rounding.
-inline constexpr float kSteeper = 1 + 2 * kReciprocalError;
 
 // A column; vectors are stored from any place on.
 template <class T>
@@ -63,19 +56,17 @@ struct WalkColumns {
 };
 inline constexpr std::int32_t kWalking = 0, kAtLeaf = 1, kEnded = 2;
 
-// A word's depth of the apex, bits 10 to 19, under these bits is a float: the depth and kApexMore.
-inline constexpr float kApexMore = 0x1p13F;
 inline constexpr auto kApexBits = std::bit_cast<std::int32_t>(kApexMore);
 
 // What is the same for all rays.
 struct WalkMap {
-    const std::int32_t* words = nullptr;              // quadrant after quadrant
-    std::int32_t quadrant = 0;                        // words of one
-    std::int32_t stride = 0;                          // words of a row
-    float unit = 0, top = 0;                          // depth d is at lambda top + d unit
-    float topOfApex = 0;                              // the same of kApexBits' number, which is more by kApexMore
-    bool asksForNodes = false, asksForWords = false;  // before they are needed
-    bool wide = false;                                // ways are found by rows of units of 2^kRowShift words
+    const std::int32_t* words = nullptr;                    // quadrant after quadrant
+    std::int32_t quadrant = 0;                              // words of one
+    std::int32_t stride = 0;                                // words of a row
+    float unit = 0, top = 0;                                // depth d is at lambda top + d unit
+    float topOfApex = 0;                                    // the same of kApexBits' number, which is more by kApexMore
+    bool prefetchesNodes = false, prefetchesWords = false;  // before they are needed
+    bool wide = false;                                      // ways are found by rows of units of 2^kRowShift words
 
     WalkMap() = default;
     // scattered: the rays are not those of neighbouring pixels, which find words that others of them have read.
@@ -87,15 +78,15 @@ struct WalkMap {
         unit = static_cast<float>(cones.unit);
         top = static_cast<float>(1 - cones.highest);
         topOfApex = static_cast<float>(1 - cones.highest - static_cast<double>(kApexMore * unit));
-        asksForNodes = size >= kLargeMap;
-        asksForWords = size >= (scattered ? kLargeMap : kVeryLargeMap);
+        prefetchesNodes = size >= kLargeMap;
+        prefetchesWords = size >= (scattered ? kLargeMap : kVeryLargeMap);
         wide = size >= kWideWords;
     }
 };
 
 // The slots of the rays that are walked together: taken in from the rays as they are given, and packed when many have
 // ended.
-template <Address kAddress>
+template <Address kAddress, class Arithmetic>
 class WalkSlots {
   public:
     // given: s0, t0, a, b of the chunk's rays. again: they go on in the cells rays.{x,y}.hitCell or behind them
@@ -189,7 +180,7 @@ class WalkSlots {
                 columns[c] = rest[c].data();
             }
         }
-        askForRays(from);
+        prefetchRays(from);
         const double begin = rays_.start[from / kLaneGroup];
         MI starting = hn::FirstN(di_, count);
         Entry x, y;
@@ -213,7 +204,7 @@ class WalkSlots {
         const VF nx = hn::LoadU(df_, columns_.x.n.data() + to), ny = hn::LoadU(df_, columns_.y.n.data() + to);
         const VI way = map_.wide ? wayTo<true>(columns_, to, nx, ny) : wayTo<false>(columns_, to, nx, ny);
         hn::StoreU(hn::Sub(index, way), di_, columns_.first.data() + to);
-        if (map_.asksForWords) askFor<1>(map_.words, index);
+        if (map_.prefetchesWords) prefetch<1>(map_.words, index);
         hn::StoreU(hn::Mul(hn::Max(x.run, y.run), hn::Set(df_, kSteeper)), df_, columns_.steep.data() + to);
         hn::StoreU(rim, df_, columns_.rim.data() + to);
         hn::StoreU(hn::Add(margins, margins), df_, columns_.tie.data() + to);
@@ -223,10 +214,10 @@ class WalkSlots {
         walking_ += hn::CountTrue(di_, starting);
     }
 
-    // Into the second cache alone: on its way into the first one each line holds one of few buffers. kSize: from one
+    // Into L2 alone: on its way into the first one each line holds one of few buffers. kSize: from one
     // number's to the next.
     template <std::size_t kSize, class T>
-    HWY_INLINE static void askFor(const T* memory, VI which) {
+    HWY_INLINE static void prefetch(const T* memory, VI which) {
         HWY_ALIGN std::int32_t numbers[kLanes];
         hn::Store(which, DI(), numbers);
         for (std::size_t k = 0; k < kLanes; ++k) {
@@ -235,11 +226,11 @@ class WalkSlots {
     }
 
     // Rays are read once, in order, but column by column and a chunk at a time, which the processor does not foresee.
-    HWY_INLINE void askForRays(std::size_t from) const {
+    HWY_INLINE void prefetchRays(std::size_t from) const {
         if (from + kRaysAhead + kLanes > end_ + rays_.behind) return;
         for (std::size_t c = 0; c < 4; ++c) {
             for (std::size_t i = 0; i < kLanes; i += kLineOfDoubles) {
-                __builtin_prefetch(given_[c] + from + kRaysAhead + i, 0, 2);  // to the second cache
+                __builtin_prefetch(given_[c] + from + kRaysAhead + i, 0, 2);  // to L2
             }
         }
     }
@@ -262,24 +253,26 @@ class WalkSlots {
             const VD signedRun = hn::LoadU(d, runs + i);
             const VD absRun = hn::Abs(signedRun);
             const VD at = hn::Add(hn::LoadU(d, origins + i), hn::Set(d, frame.axis.shift));
-            const VD along = hn::MulAdd(signedRun, hn::Set(d, begin), at);
+            // As setUpPlaces() has it, to the bit.
+            const VD along = hn::Add(at, hn::Mul(hn::Set(d, begin), signedRun));
             const VD first = hn::Floor(along);
             const VD part = hn::Sub(along, first);
+            const MD back = hn::Lt(signedRun, hn::Zero(d));
+            const VD behind = hn::IfThenElse(back, hn::Sub(hn::Add(first, hn::Set(d, 1.0)), along), part);
             const MD runs01 = hn::And(hn::Gt(absRun, hn::Set(d, kLeastRun)), hn::Lt(absRun, hn::Set(d, kLaneRun)));
             const MD within = hn::And(hn::Gt(hn::Min(at, along), hn::Set(d, frame.low)),
                                       hn::Lt(hn::Max(at, along), hn::Set(d, frame.high)));
             const MD clear = hn::Gt(part, hn::Zero(d));
             usual = hn::And(usual, hn::And(runs01, hn::And(within, clear)));
             cell[h] = hn::DemoteTo(di, first);
-            share[h] = hn::DemoteTo(df, part);
+            share[h] = hn::DemoteTo(df, behind);
             run[h] = hn::DemoteTo(df, signedRun);
         }
         out.cell = out.first = joined(di_, cell[0], cell[1]);
         const VF signedRun = joined(df_, run[0], run[1]);
-        const VF part = joined(df_, share[0], share[1]);
         out.back = hn::Lt(signedRun, hn::Zero(df_));
         out.run = hn::Abs(signedRun);
-        out.ahead = hn::IfThenElse(out.back, part, hn::Sub(hn::Set(df_, 1.0F), part));
+        out.ahead = hn::Sub(hn::Set(df_, 1.0F), joined(df_, share[0], share[1]));
         return hn::AllTrue(d, usual);
     }
     template <class D, class Half>
@@ -334,14 +327,14 @@ class WalkSlots {
         const VF one = hn::Set(df_, 1.0F);
         const VF inverse = hn::Div(one, hn::Max(in.run, hn::Set(df_, 1e-30F)));
         const VF margin = hn::Mul(hn::Set(df_, kCrossingMargin), hn::Add(inverse, one));
-        const VF base = hn::MulAdd(in.ahead, inverse, hn::Add(start, margin));
+        const VF base = Arithmetic::mulAdd(in.ahead, inverse, hn::Add(start, margin));
         const VF n = hn::ConvertTo(df_, beginning(in, from, rays));
         const VI last = hn::Set(di_, frame.axis.cells - 1);
         const VF lines = hn::ConvertTo(df_, hn::IfThenElse(asInt(in.back), in.cell, hn::Sub(last, in.cell)));
         const VF lastN = hn::Add(n, lines);
         if constexpr (kAddress == Address::Border) {
             // The rim is a line like others, `toRim` beyond that behind the last cell.
-            rim = hn::Min(rim, hn::MulAdd(hn::Add(lastN, hn::Set(df_, frame.toRim)), inverse, base));
+            rim = hn::Min(rim, Arithmetic::mulAdd(hn::Add(lastN, hn::Set(df_, frame.toRim)), inverse, base));
         } else {
             hn::StoreU(lastN, df_, out.last.data() + to);
         }
@@ -351,8 +344,8 @@ class WalkSlots {
         hn::StoreU(base, df_, out.base.data() + to);
         hn::StoreU(in.run, df_, out.run.data() + to);
         // base is of the line ahead.
-        const VF shorter = hn::MulAdd(in.run, hn::Set(df_, kShorterJump), hn::Set(df_, kShorterJump - 0.5F));
-        hn::StoreU(hn::MulAdd(base, in.run, shorter), df_, out.place.data() + to);
+        const VF shorter = Arithmetic::mulAdd(in.run, hn::Set(df_, kShorterJump), hn::Set(df_, kShorterJump - 0.5F));
+        hn::StoreU(Arithmetic::mulAdd(base, in.run, shorter), df_, out.place.data() + to);
         const VF words = hn::Set(df_, static_cast<float>(stride));
         hn::StoreU(hn::IfThenElse(in.back, hn::Neg(words), words), df_, out.stride.data() + to);
         return margin;

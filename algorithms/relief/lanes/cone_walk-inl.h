@@ -18,9 +18,9 @@ namespace relief::HWY_NAMESPACE {
 // No crossing: beyond all.
 inline constexpr float kNever = 1e30F;
 
-template <Address kAddress, Surface kSurface>
-class ConeKernel : WalkSlots<kAddress> {
-    using Slots = WalkSlots<kAddress>;
+template <Address kAddress, Surface kSurface, class Arithmetic>
+class ConeKernel : WalkSlots<kAddress, Arithmetic> {
+    using Slots = WalkSlots<kAddress, Arithmetic>;
     using Slots::again_;
     using Slots::cellsOfHits;
     using Slots::columns_;
@@ -96,7 +96,8 @@ class ConeKernel : WalkSlots<kAddress> {
         const DF df;
         Axis out;
         out.n = hn::Load(df, from.n.data() + i);
-        out.cross = hn::MulAdd(out.n, hn::Load(df, from.inverse.data() + i), hn::Load(df, from.base.data() + i));
+        out.cross =
+            Arithmetic::mulAdd(out.n, hn::Load(df, from.inverse.data() + i), hn::Load(df, from.base.data() + i));
         if constexpr (kAddress == Address::Clamp) {
             const MF last = hn::Eq(out.n, hn::Load(df, from.last.data() + i));
             out.cross = hn::IfThenElse(last, hn::Set(df, kNever), out.cross);
@@ -119,14 +120,14 @@ class ConeKernel : WalkSlots<kAddress> {
     HWY_INLINE static VF ownOf(const WalkMap& map, VI word) {
         const DF df;
         const VI bits = hn::And(word, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths)));
-        return hn::MulAdd(hn::ConvertTo(df, bits), hn::Set(df, map.unit), hn::Set(df, map.top));
+        return Arithmetic::mulAdd(hn::ConvertTo(df, bits), hn::Set(df, map.unit), hn::Set(df, map.top));
     }
     HWY_INLINE static VF apexOf(const WalkMap& map, VI word) {
         const DF df;
         const DI di;
         const VI bits =
             hn::OrAnd(hn::Set(di, kApexBits), word, hn::Set(di, static_cast<std::int32_t>(kConeDepths << 10)));
-        return hn::MulAdd(hn::BitCast(df, bits), hn::Set(df, map.unit), hn::Set(df, map.topOfApex));
+        return Arithmetic::mulAdd(hn::BitCast(df, bits), hn::Set(df, map.unit), hn::Set(df, map.topOfApex));
     }
 
     // What a step reads: fetched while the vector before takes its own.
@@ -181,6 +182,7 @@ class ConeKernel : WalkSlots<kAddress> {
         const DI di;
         const VI state = hn::Load(di, columns.state.data() + i);
         const MF walking = asFloat(hn::Eq(state, hn::Set(di, kWalking)));
+        if constexpr (Arithmetic::kRecords) Arithmetic::visit(columns, i, at.x.n, at.y.n, at.word, walking);
         const MF above = hn::Lt(at.out, ownOf(map, at.word));
         const MF leaf = hn::AndNot(above, walking);
         hn::Store(hn::IfThenElse(asInt(leaf), hn::Set(di, kAtLeaf), state), di, columns.state.data() + i);
@@ -188,19 +190,20 @@ class ConeKernel : WalkSlots<kAddress> {
         // The ray meets the cone.
         const VF apex = apexOf(map, at.word);
         const VF steepness =
-            hn::MulAdd(hn::BitCast(df, at.word), hn::Load(df, columns.steep.data() + i), hn::Set(df, kSteeper));
+            Arithmetic::mulAdd(hn::BitCast(df, at.word), hn::Load(df, columns.steep.data() + i), hn::Set(df, kSteeper));
         const VF free = hn::Max(hn::Sub(apex, at.out), hn::Zero(df));
         Planned out;
         out.x = at.x, out.y = at.y;
         out.on = hn::And(above, walking);
-        out.jump = hn::MulAdd(free, hn::ApproximateReciprocal(steepness), at.out);
+        out.jump = Arithmetic::mulAdd(free, Arithmetic::reciprocal(steepness), at.out);
         return out;
     }
 
     HWY_INLINE static VF nextCell(VF n, const WalkAxis& column, std::size_t i, MF moves, VF jump) {
         const DF df;
         // Down to a whole number: place is half a cell less.
-        const VF place = hn::MulSub(jump, hn::Load(df, column.run.data() + i), hn::Load(df, column.place.data() + i));
+        const VF place =
+            Arithmetic::mulSub(jump, hn::Load(df, column.run.data() + i), hn::Load(df, column.place.data() + i));
         const VF whole = hn::Sub(hn::Add(place, hn::Set(df, kWhole)), hn::Set(df, kWhole));
         return hn::Max(hn::IfThenElse(moves, hn::Add(n, hn::Set(df, 1.0F)), n), whole);
     }
@@ -225,7 +228,7 @@ class ConeKernel : WalkSlots<kAddress> {
         }
         if (HWY_UNLIKELY(!hn::AllFalse(df, hn::And(who, rare)))) {
             moveWithCare<kWide>(i, who, jump);
-        } else if (!map.asksForWords) {
+        } else if (!map.prefetchesWords) {
             storeWhere(who, nextX, x.n, columns.x.n.data() + i);
             storeWhere(who, nextY, y.n, columns.y.n.data() + i);
         } else {
@@ -233,7 +236,7 @@ class ConeKernel : WalkSlots<kAddress> {
             const VF nx = hn::IfThenElse(who, nextX, x.n), ny = hn::IfThenElse(who, nextY, y.n);
             hn::Store(nx, df, columns.x.n.data() + i);
             hn::Store(ny, df, columns.y.n.data() + i);
-            Slots::template askFor<1>(map.words, Slots::template wordOf<kWide>(columns, i, nx, ny));
+            Slots::template prefetch<1>(map.words, Slots::template wordOf<kWide>(columns, i, nx, ny));
         }
     }
     // before: what is there.
@@ -354,7 +357,7 @@ class ConeKernel : WalkSlots<kAddress> {
             const MI who = hn::Eq(hn::Load(di_, columns.state.data() + i), hn::Set(di_, kAtLeaf));
             const VI cell = hn::IfThenElseZero(who, cellNumber<kWide>(map, columns, i));
             hn::Store(cell, di_, cells.data() + i);
-            if (kSurface == Surface::Bilinear && map.asksForNodes) Slots::template askFor<2>(scene_.nodes, cell);
+            if (kSurface == Surface::Bilinear && map.prefetchesNodes) Slots::template prefetch<2>(scene_.nodes, cell);
         }
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
             on += leaves<kWide>(map, columns, i, cells.data() + i);
@@ -390,10 +393,11 @@ class ConeKernel : WalkSlots<kAddress> {
             below = columnBelow(scene_, hn::Load(di, cells), at.out);
         } else {
             const LaneAxisState x = leafAxis(columns.x, i), y = leafAxis(columns.y, i);
-            VF in = hn::Max(hn::MulAdd(at.x.n, x.inverse, x.base), hn::MulAdd(at.y.n, y.inverse, y.base));
+            VF in =
+                hn::Max(Arithmetic::mulAdd(at.x.n, x.inverse, x.base), Arithmetic::mulAdd(at.y.n, y.inverse, y.base));
             in = hn::Min(hn::Max(hn::Sub(in, at.tie), hn::Zero(df)), at.out);
             const auto h = nodesAt(df, scene_.nodes, cells);
-            below = patchBelow({h[0], h[2], h[1], h[3]}, x, y, at.x.n, at.y.n, in, at.out, at.tie);
+            below = patchBelow<Arithmetic>({h[0], h[2], h[1], h[3]}, x, y, at.x.n, at.y.n, in, at.out, at.tie);
         }
         const MF on = hn::And(below, who);
         const VI after = hn::IfThenElse(asInt(on), hn::Set(di, kWalking), hn::Set(di, kEnded));

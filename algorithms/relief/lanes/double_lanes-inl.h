@@ -12,24 +12,22 @@
 #include <cstdint>
 #include <vector>
 
-#include <hwy/highway.h>
-
+#include "relief/lanes/double_vectors-inl.h"
 #include "relief/ray.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr std::size_t kLanes = hn::MaxLanes(D());
+using D = DD;
+using V = VD;
+using M = MD;
+constexpr std::size_t kLanes = kHalfLanes;
 template <class T>
 using Row = std::array<T, kLanes>;
 // Whole numbers of 31 bits (numbers of cells, texels, values), and stored values.
-using DI = hn::Rebind<std::int32_t, D>;
-using VI = hn::Vec<DI>;
-using DF = hn::Rebind<float, D>;
+using DI = DHI;
+using VI = VHI;
+using DF = DHF;
 
 HWY_INLINE V constant(double value) {
     return hn::Set(D(), value);
@@ -54,7 +52,7 @@ HWY_INLINE void overLanes(std::uint32_t lanes, const Body& body) {
     for (; lanes != 0; lanes &= lanes - 1) body(static_cast<std::size_t>(__builtin_ctz(lanes)));
 }
 
-// The rays that come next, for all vectors of a Search; left: those that are left to the scalar text.
+// The rays that come next, for all vectors of a Search; left: those that are left to the reference.
 template <class Search>
 struct RayQueue {
     const Search& search;
@@ -63,6 +61,11 @@ struct RayQueue {
     std::size_t next;
     std::size_t last;
     std::vector<std::size_t>& left;
+};
+
+// What walks look at, a row of numbers a step: only tests note it, to hold it to what the reference logs.
+struct NoVisits {
+    static constexpr bool kRecords = false;
 };
 
 // A vector of rays on their way. Walk has fill(lane), which takes the next ray of the queue (false: there is none) and

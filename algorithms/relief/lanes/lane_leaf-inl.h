@@ -44,10 +44,11 @@ HWY_INLINE void cellNodes(const GridAxis& axis, VI cell, VI& before, VI& after) 
     }
 }
 
+template <class Arithmetic>
 HWY_INLINE VF lerpPatchLanes(VF h00, VF h10, VF h01, VF h11, VF u, VF v) {
-    const VF top = hn::MulAdd(u, hn::Sub(h10, h00), h00);
-    const VF bottom = hn::MulAdd(u, hn::Sub(h11, h01), h01);
-    return hn::MulAdd(v, hn::Sub(bottom, top), top);
+    const VF top = Arithmetic::mulAdd(u, hn::Sub(h10, h00), h00);
+    const VF bottom = Arithmetic::mulAdd(u, hn::Sub(h11, h01), h01);
+    return Arithmetic::mulAdd(v, hn::Sub(bottom, top), top);
 }
 
 // from[index] and from[index + 1]: gathers cost by the element, pairs are one.
@@ -144,20 +145,21 @@ HWY_INLINE Patch patchAt(const LaneScene& scene, MI who, VI realX, VI realY) {
 
 // Whether the bilinear surface is surely below the ray all along its stay in the patch's cell, which is within
 // [in, out]: `in` is early by at most a tie, `out` late by at most half of one. nx, ny are the cell's distances n.
+template <class Arithmetic = FastArithmetic>
 HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneAxisState& y, VF nx, VF ny, VF in,
                          VF out, VF tie) {
     const DF d;
     const auto [h00, h10, h01, h11] = patch;
     const VF zero = hn::Zero(d), one = hn::Set(d, 1.0F);
     const auto within = [&](const LaneAxisState& axis, VF n, VF lambda) {
-        const VF along = hn::MulSub(hn::Sub(lambda, axis.base), axis.run, n);
+        const VF along = Arithmetic::mulSub(hn::Sub(lambda, axis.base), axis.run, n);
         const VF clamped = hn::Min(hn::Max(along, zero), one);
         return hn::IfThenElse(axis.mirrored, hn::Sub(one, clamped), clamped);
     };
     const VF uIn = within(x, nx, in), vIn = within(y, ny, in);
     const VF uOut = within(x, nx, out), vOut = within(y, ny, out);
-    const VF fIn = hn::Sub(lerpPatchLanes(h00, h10, h01, h11, uIn, vIn), hn::Sub(one, in));
-    const VF fOut = hn::Sub(lerpPatchLanes(h00, h10, h01, h11, uOut, vOut), hn::Sub(one, out));
+    const VF fIn = hn::Sub(lerpPatchLanes<Arithmetic>(h00, h10, h01, h11, uIn, vIn), hn::Sub(one, in));
+    const VF fOut = hn::Sub(lerpPatchLanes<Arithmetic>(h00, h10, h01, h11, uOut, vOut), hn::Sub(one, out));
     const VF alongTop = hn::Sub(h10, h00), alongBottom = hn::Sub(h11, h01);
     const VF c = hn::Mul(hn::Mul(hn::Sub(uOut, uIn), hn::Sub(vOut, vIn)), hn::Sub(alongBottom, alongTop));
     // The vertex of the parabola, where it is inside and a maximum.
@@ -165,15 +167,16 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
     const MF arched =
         hn::And(hn::Lt(c, zero), hn::And(hn::Gt(slope, zero), hn::Lt(slope, hn::Mul(hn::Set(d, -2.0F), c))));
     // A little too high: the reciprocal is approximate.
-    const VF share = hn::Mul(slope, hn::ApproximateReciprocal(hn::IfThenElse(arched, c, one)));
-    const VF vertex = hn::NegMulAdd(hn::Mul(slope, hn::Set(d, 0.25F * (1 + 2 * kReciprocalError))), share, fIn);
+    const VF share = hn::Mul(slope, Arithmetic::reciprocal(hn::IfThenElse(arched, c, one)));
+    const VF vertex = Arithmetic::negMulAdd(hn::Mul(slope, hn::Set(d, 0.25F * (1 + 2 * kReciprocalError))), share, fIn);
     const VF highest = hn::Max(hn::Max(fIn, fOut), hn::IfThenElse(arched, vertex, fIn));
     // Places are off by at most twice the crossing margin times the run, heights by that times the cell's slopes. Of
     // the two ties one and a half cover `in` and `out`, the rest, at least 16 units of 2^-24, the rounding of heights.
     const VF slopeX = hn::Max(hn::Abs(alongTop), hn::Abs(alongBottom));
     const VF slopeY = hn::Max(hn::Abs(hn::Sub(h01, h00)), hn::Abs(hn::Sub(h11, h10)));
     const auto blur = [&](const LaneAxisState& axis, VF slope) {
-        return hn::Mul(slope, hn::MulAdd(axis.run, hn::Set(d, 2 * kCrossingMargin), hn::Set(d, 2 * kCrossingMargin)));
+        return hn::Mul(slope,
+                       Arithmetic::mulAdd(axis.run, hn::Set(d, 2 * kCrossingMargin), hn::Set(d, 2 * kCrossingMargin)));
     };
     const VF margin = hn::Add(hn::Add(blur(x, slopeX), blur(y, slopeY)), hn::Mul(hn::Set(d, 2.0F), tie));
     return hn::Lt(highest, hn::Neg(margin));

@@ -1,6 +1,6 @@
 // A chunk of rays as the lanes walk it. The lanes only exclude cells, in float with margins that cover its rounding;
 // where a ray meets its cell is decided by the one leaf, in double; whatever the margins cannot decide is left to the
-// scalar text. So hits have the bits of the scalar text for any instruction set.
+// scalar text. So hits have the bits of the reference for any instruction set.
 //
 // Frame of the walk: cells of cell_grid.h, mirrored so that every ray runs towards larger indices, n counted in cells
 // from the one in which the walk begins. The ray crosses line n at lambda = n * inverse + base; base holds a margin, so
@@ -19,7 +19,7 @@ namespace relief {
 inline constexpr std::size_t kLaneChunk = 1024;
 // Columns of a chunk: a whole vector may be loaded from any of its rays on, and parts of it begin a vector.
 inline constexpr std::size_t kLaneSlots = kLaneChunk + 112;
-// Flatter rays are left to the scalar text: float would separate too few of their cells.
+// Flatter rays are left to the reference: float would separate too few of their cells.
 inline constexpr double kLaneRun = 65536;
 // Cells from the origin within which positions are held as integers.
 inline constexpr double kLanePlaces = 4194304;
@@ -29,6 +29,21 @@ inline constexpr float kCrossingMargin = 0x1p-21F;
 // Least run, in cells, of rays that begin less than this past a line: below it, rounding of the start (2^-30 of a cell)
 // may choose the wrong side.
 inline constexpr double kLeastRun = 1e-5;
+// Relative error of an approximate reciprocal, at most: x86 has eleven bits or more, ARM eight.
+#if defined(__x86_64__) || defined(__i386__)
+inline constexpr float kReciprocalError = 0x1p-11F;
+#else
+inline constexpr float kReciprocalError = 0x1p-7F;
+#endif
+// Cones met a little early: more than the error of an approximate reciprocal and all rounding.
+inline constexpr float kSteeper = 1 + 2 * kReciprocalError;
+// Jumps end so early, in cells, times run + 1: what the apex, the jump and places are rounded by. So the cell that is
+// found is not too far on.
+inline constexpr float kShorterJump = 0x1p-19F;
+// Numbers below 2^22 added to it are rounded to whole ones, its last bits.
+inline constexpr float kWhole = 0x1.8p23F;
+// A word's depth of the apex, bits 10 to 19, under the bits of this number is a float: the depth and this.
+inline constexpr float kApexMore = 0x1p13F;
 // Lambda by which walks begin before the first place that may be hit: more than the rounding of places (2^-30 of a
 // cell) over kLeastRun.
 inline constexpr double kStartSlack = 0x1p-12;
@@ -79,8 +94,6 @@ struct LaneRays {
     struct Other {
         std::uint32_t ray;
         LaneEnd end;
-        double from;   // lambda before which nothing is met
-        double until;  // Unclear: from there on float tells again; infinite: hardly before its end
     };
     std::array<Other, kLaneSlots> others;
     std::size_t othersCount = 0;
@@ -117,7 +130,7 @@ struct LaneScene {
     }
 };
 
-// Without lanes: the tracer's own text, ray after ray.
+// Without lanes: the tracer's reference, ray after ray.
 template <class T>
 void traceOneByOne(const T& tracer, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) {
     NullSink sink;
@@ -139,7 +152,7 @@ void traceChunks(std::size_t first, std::size_t last, HitBlock& hits, const Kern
         if (left) rest(begin, scratch);
     }
 }
-// The same, what it leaves over by the tracer's own text.
+// The same, what it leaves over by the tracer's reference.
 template <class T, class Kernel>
 void traceInLanes(const T& tracer, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
                   const Kernel& kernel) {

@@ -8,17 +8,11 @@
 #define RELIEF_LANE_TRACE_INL_H
 #endif
 
-#include <hwy/highway.h>
-
+#include "relief/lanes/double_vectors-inl.h"
 #include "relief/lanes/lane_rays.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-// Relative error of hn::ApproximateReciprocal, at most: x86 has eleven bits or more, ARM eight.
-inline constexpr float kReciprocalError = HWY_ARCH_X86 ? 0x1p-11F : 0x1p-7F;
 
 using DF = hn::ScalableTag<float>;
 using DI = hn::RebindToSigned<DF>;
@@ -26,15 +20,19 @@ using VF = hn::Vec<DF>;
 using VI = hn::Vec<DI>;
 using MF = hn::Mask<DF>;
 using MI = hn::Mask<DI>;
-// Doubles, and as many floats and integers.
-using DD = hn::ScalableTag<double>;
-using VD = hn::Vec<DD>;
-using MD = hn::Mask<DD>;
-using DHF = hn::Rebind<float, DD>;
-using DHI = hn::Rebind<std::int32_t, DD>;
 
 inline constexpr std::size_t kLanes = hn::MaxLanes(DF());
-inline constexpr std::size_t kHalfLanes = hn::MaxLanes(DD());
+
+// How a walk calculates: sums of products are fused where the target can, and reciprocals are approximate. Tests have
+// another one, which rounds as the reference does and notes what is looked at.
+struct FastArithmetic {
+    static constexpr bool kRecords = false;
+    static constexpr bool kBeams = true;
+    HWY_INLINE static VF mulAdd(VF a, VF b, VF c) { return hn::MulAdd(a, b, c); }
+    HWY_INLINE static VF mulSub(VF a, VF b, VF c) { return hn::MulSub(a, b, c); }
+    HWY_INLINE static VF negMulAdd(VF a, VF b, VF c) { return hn::NegMulAdd(a, b, c); }
+    HWY_INLINE static VF reciprocal(VF a) { return hn::ApproximateReciprocal(a); }
+};
 
 HWY_INLINE MF asFloat(MI m) {
     return hn::RebindMask(DF(), m);
@@ -165,13 +163,11 @@ HWY_INLINE Fitness setUpPlaces(const LaneScene& scene, const GridAxis& axis, con
     const VD start = hn::Add(s, hn::Set(d, axis.shift));
     const VD place = hn::Add(start, hn::Mul(hn::Set(d, begin), run));
     const MD mirrored = hn::Lt(run, zero);
-    const VD along = hn::IfThenElse(mirrored, hn::Sub(hn::Set(d, scene.mirror), place), place);
-    const VD first = hn::Floor(along);
-    const VD share = hn::Sub(along, first);
+    const VD line = hn::IfThenElse(mirrored, hn::Ceil(place), hn::Floor(place));
+    const VD first = hn::IfThenElse(mirrored, hn::Sub(hn::Set(d, scene.mirror), line), line);
+    const VD share = hn::IfThenElse(mirrored, hn::Sub(line, place), hn::Sub(place, line));
     const VD absRun = hn::Abs(run);
     MD good = hn::And(hn::Lt(hn::Abs(first), hn::Set(d, kLanePlaces)), hn::Le(absRun, hn::Set(d, kLaneRun)));
-    // Less than a rounding behind a line: mirrored, the walk would begin beyond it, and the start's own cell be missed.
-    good = hn::AndNot(hn::And(hn::And(mirrored, hn::Eq(share, zero)), hn::Lt(hn::Floor(place), place)), good);
     // Too small for a float to keep its sign; RayAxis takes the smallest for parallel, whatever theirs.
     good = hn::And(good, hn::Or(hn::Ge(absRun, hn::Set(d, 1e-30)), hn::Eq(run, zero)));
     // Hardly moving and next to a line: the walk could begin on the wrong side of it.

@@ -38,9 +38,8 @@ class ConeMap {
     Address address = Address::Repeat;
     int fieldWidth = 0;
     int fieldHeight = 0;
-    StoredValues apex;      // heights; rounded up
-    StoredValues slopes;    // kappa, one layer a sector; rounded up
-    bool fromFile = false;  // read, not built: to be walked as it stands, whatever other map gives the same answers
+    StoredValues apex;    // heights; rounded up
+    StoredValues slopes;  // kappa, one layer a sector; rounded up
 
     int nx() const { return slopes.width(); }
     int ny() const { return slopes.height(); }

@@ -26,7 +26,7 @@ struct DepthPyramid {
     std::size_t bytes() const { return depths.size() * sizeof(std::uint16_t); }
 };
 
-// From the cache, or built in parallel. Null: the field is too big for it (the scalar text runs).
+// From the cache, or built in parallel. Null: the field is too big for it (the reference runs).
 std::shared_ptr<const DepthPyramid> depthPyramid(const HeightField& field,
                                                  const std::shared_ptr<const MaxPyramidMap>& map, MapCache& cache,
                                                  Work& work);

@@ -51,7 +51,9 @@ std::vector<ParameterText> parameterTexts(const DistanceMap& map) {
 std::vector<ParameterText> parameterTexts(const ConeMap& map) {
     const ConeParameters& p = map.parameters;
     const ConeParameters unused;
-    return {{"sectors", std::to_string(p.sectors), std::to_string(unused.sectors)},
+    // The packed layout is no file.
+    return {{std::string(kLayoutOption), std::string(kStoredLayout), std::string(kStoredLayout)},
+            {"sectors", std::to_string(p.sectors), std::to_string(unused.sectors)},
             {"radius", std::to_string(p.radius), std::to_string(unused.radius)},
             {"directions", std::to_string(p.directions), std::to_string(unused.directions)},
             {"precision", std::string(precisionName(p.precision)), std::string(precisionName(unused.precision))}};
@@ -118,6 +120,17 @@ std::optional<UsedMap> usedMap(const MethodChoice& choice) {
         return usedMap(inner);
     }
     return std::nullopt;
+}
+
+MethodChoice withStoredMap(const MethodChoice& choice) {
+    MethodChoice stored = choice;
+    for (const ChoiceOption& option : choiceOptions(choice)) {
+        const std::string& name = option.description.name;
+        if (name == kLayoutOption || name.ends_with("." + std::string(kLayoutOption))) {
+            stored.options.emplace(name, kStoredLayout);
+        }
+    }
+    return stored;
 }
 
 const std::string& methodOfMap(const std::string& kind) {

@@ -19,6 +19,8 @@ struct UsedMap {
     OptionValues options;
 };
 std::optional<UsedMap> usedMap(const MethodChoice& choice);
+// The method with a map that can be stored, where it has a choice and none was made: cones of texels.
+MethodChoice withStoredMap(const MethodChoice& choice);
 // The tracer that walks maps of this kind; throws InputError("", ...) with the known ones.
 const std::string& methodOfMap(const std::string& kind);
 

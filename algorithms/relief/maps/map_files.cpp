@@ -242,7 +242,6 @@ Shell shellOf(const std::string& path, const Json& header, const HeightField& fi
     } else if (cone) {
         ConeMap map;
         map.kind = *cone;
-        map.fromFile = true;
         fillCommon(map, header, field);
         shell.precision = map.parameters.precision;
         shell.cones = std::make_shared<ConeMap>(std::move(map));

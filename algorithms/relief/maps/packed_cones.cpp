@@ -14,7 +14,7 @@ namespace relief {
 
 namespace {
 
-constexpr int kTileWidth = 256;  // a tile's buffers stay in the second cache
+constexpr int kTileWidth = 256;  // a tile's buffers stay in L2
 constexpr int kTileHeight = 64;
 constexpr int kReach = 16;       // cells, or blocks of a level, beyond a tile's that its windows reach
 constexpr int kNearRings = 15;   // gaps of 1 to 15 cells, one by one

@@ -47,6 +47,7 @@ inline std::vector<MethodChoice> allChoices() {
         all.push_back({method.name, {}});
         for (const OptionDescription& option : method.options) {
             if (option.name == "base") all.push_back({method.name, {{"base", "1"}}});
+            if (option.name == kLayoutOption) all.push_back({method.name, {{option.name, std::string(kStoredLayout)}}});
             if (option.kind != OptionKind::Method) continue;
             for (const std::string& inner : option.choices) {
                 for (const char* level : {"0", "2"}) all.push_back({method.name, {{"inner", inner}, {"level", level}}});

@@ -1,10 +1,11 @@
 // Rays that lanes leave over: their walks find what `exact` finds, from wherever they begin before the hit; and lanes
 // say a place before the hit.
-#include "relief/packed_walk.h"
+#include "relief/packed_parts.h"
 
 #include <gtest/gtest.h>
 
 #include "fields.h"
+#include "relief/cone_walk.h"
 #include "relief/lanes/cone_lanes.h"
 #include "relief/leaf.h"
 
@@ -49,6 +50,7 @@ TEST(PackedWalk, findsTheHitFromAnyPlaceBeforeIt) {
                 SCOPED_TRACE(describe(field));
                 Work work(1);
                 const PackedCones cones = buildPackedCones(field, work);
+                const CellGrid grid(field);
                 const RayBlock rays = walkable(field, kRays, kSeed);
                 const HitBlock exact = exactHits(field, rays);
                 for (const double share : {0.0, 0.5, 0.999, 1.0}) {
@@ -57,7 +59,7 @@ TEST(PackedWalk, findsTheHitFromAnyPlaceBeforeIt) {
                         starts.push_back({i, exact.outcome[i] == Outcome::Hit ? share * exact.lambda[i] : 0});
                     }
                     HitBlock hits(rays.size());
-                    packedHits(field, CellGrid(field), cones, rays, starts, hits);
+                    packedHits({field, grid, cones}, rays, starts, hits);
                     for (std::size_t i = 0; i < rays.size(); ++i) {
                         ASSERT_TRUE(sameBits(hits[i], exact[i])) << "ray " << i << " from " << share;
                     }
@@ -82,7 +84,7 @@ void partsOf(const HeightField& field) {
         const double from = exact.outcome[i] == Outcome::Hit ? random.unit() * exact.lambda[i] : 0;
         parts.push_back({i, from, from + random.unit() * (1 - from)});
     }
-    packedParts(field, grid, cones, rays, parts);
+    packedParts({field, grid, cones}, rays, parts);
     std::size_t ended = 0;
     for (const PackedPart& part : parts) {
         SCOPED_TRACE("ray " + std::to_string(part.ray));
@@ -133,9 +135,13 @@ TEST(PackedWalk, lanesLeaveRaysBeforeTheirHits) {
                 const std::size_t i = first + other.ray;
                 if (other.end != LaneEnd::Refused && other.end != LaneEnd::Unclear) continue;
                 ++(other.end == LaneEnd::Refused ? refused : unclear);
-                EXPECT_LT(other.from, other.until);
+                const auto cell = [&](const LaneAxisRays& axis) {
+                    return AxisCell{axis.hitCell[other.ray], axis.hitPeriod[other.ray]};
+                };
+                const UnclearPart part(scene.grid, GridRay(scene.grid, rays[i]), cell(scratch->x), cell(scratch->y));
+                EXPECT_LT(part.from, part.until);
                 if (exact.outcome[i] == Outcome::Hit) {
-                    ASSERT_LE(other.from, exact.lambda[i]) << "ray " << i;
+                    ASSERT_LE(part.from, exact.lambda[i]) << "ray " << i;
                 }
             }
         }

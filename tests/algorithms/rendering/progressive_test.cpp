@@ -6,7 +6,7 @@
 
 #include "../relief/fields.h"
 #include "measuring/random_rays.h"
-#include "relief/lanes/cone_twin.h"
+#include "relief/lanes/packed_cone_hits.h"
 #include "rendering/progressive.h"
 
 namespace relief::test {
@@ -88,8 +88,8 @@ TEST(Progressive, aDraggedViewSettlesToThePictureItself) {
         // Long enough for what is built only after some frames.
         const double pixels = kWidth * kHeight;
         const int drags =
-            2 +
-            static_cast<int>(static_cast<double>(ConeTwin::kRaysPerTexel * request.field.heights().size()) / pixels);
+            2 + static_cast<int>(static_cast<double>(PackedConeHits::kRaysPerTexel * request.field.heights().size()) /
+                                 pixels);
         for (int n = 0; n < drags; ++n) {
             request.camera.azimuth += random.between(-20, 20);
             request.camera.elevation = random.between(15, 80);

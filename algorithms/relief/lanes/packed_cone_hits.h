@@ -9,14 +9,15 @@
 
 namespace relief {
 
-class ConeTwin {
+class PackedConeHits {
   public:
+    static constexpr const char* kMethod = "cone";  // whose walk it is
     // Above this many texels four words a texel are not worth their memory.
     static constexpr std::size_t kMostTexels = std::size_t{1} << 22;
     // Rays after which the cones have paid for being built, a texel: some 0.1 us a texel against some 0.03 us a ray.
     static constexpr std::size_t kRaysPerTexel = 3;
 
-    ConeTwin(const HeightField& field, std::shared_ptr<const PackedCones> cones);
+    PackedConeHits(const HeightField& field, std::shared_ptr<const PackedCones> cones);
 
     // As Tracer::trace() of `method`, which is exact and of the same field; it traces rays that are flatter than
     // the domain of exactness.

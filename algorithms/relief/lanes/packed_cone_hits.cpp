@@ -1,4 +1,4 @@
-#include "relief/lanes/cone_twin.h"
+#include "relief/lanes/packed_cone_hits.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,10 +8,10 @@
 
 namespace relief {
 
-ConeTwin::ConeTwin(const HeightField& field, std::shared_ptr<const PackedCones> cones)
+PackedConeHits::PackedConeHits(const HeightField& field, std::shared_ptr<const PackedCones> cones)
     : field_(field), cones_(std::move(cones)), scene_(field, *cones_) {}
 
-void ConeTwin::trace(const RayBlock& rays, HitBlock& hits, const Tracer& method, Work& work) const {
+void PackedConeHits::trace(const RayBlock& rays, HitBlock& hits, const Tracer& method, Work& work) const {
     assert(method.guarantee() == Guarantee::Exact && method.baseLevel() == 0);
     hits.resize(rays.size());
     overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {

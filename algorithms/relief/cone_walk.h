@@ -1,0 +1,383 @@
+// The walk by packed cones, one ray: the reference of lanes/cone_walk-inl.h, in the same precision and with the same
+// margins (margins.md), so that both look at the same cells. Cells are only passed over in float; where a ray meets one
+// is decided by the one leaf, and what float cannot tell, next to corners and ends of the map, by the walk in double.
+//
+// Frame: lanes/lane_rays.h. n: cells from the one in which the ray begins, the way it runs; the line behind cell n is
+// crossed at lambda = n * inverse + base, at or after the true crossing, and by no more than `tie` on both axes
+// together.
+#pragma once
+
+#include <optional>
+#include <type_traits>
+
+#include "relief/float_leaf.h"
+#include "relief/packed_walk.h"
+
+namespace relief {
+
+// One axis of a ray.
+struct ConeAxis {
+    bool back = false;  // it runs towards lower indices
+    int first = 0;      // cell of its start, before any addressing
+    int n = 0;
+    int last = 0;  // n of the map's last cell (of this period, where it repeats)
+    float run = 0, inverse = 0, base = 0;
+    float place = 0;   // n at lambda is lambda * run - place, less half a cell and a little
+    float margin = 0;  // of a crossing
+
+    AxisCell cell(const GridAxis& axis) const { return cellOf(axis, back ? first - n : first + n); }
+    static AxisCell cellOf(const GridAxis& axis, int at) {
+        if (!axis.wraps) return {std::clamp(at, 0, axis.cells - 1), 0};
+        const int base = at >= 0 ? at / axis.cells * axis.cells : -((axis.cells - 1 - at) / axis.cells) * axis.cells;
+        return {at - base, base};
+    }
+    // The cell in which the jump to lambda ends, or the next one.
+    int beyond(bool moves, float lambda) const {
+        const float whole = (lambda * run - place + kWhole) - kWhole;
+        return std::max(moves ? n + 1 : n, static_cast<int>(whole));
+    }
+};
+
+// Whether float can follow a ray. Gone: under border it has left the map before its walk begins.
+enum class FloatFit : std::uint8_t { Fit, Gone, Unfit };
+
+// A ray in float, from lambda `begin` on: nothing is met before.
+struct ConeRay {
+    ConeAxis x, y;
+    float rim = 1;  // lambda at which it has left the map or is at the bottom
+    float tie = 0;
+    float steep = 0;  // the larger run, times kSteeper
+    FloatFit fit = FloatFit::Fit;
+
+    ConeRay(const LaneScene& scene, const GridRay& ray, double begin) {
+        const FloatFit fitX = setUp(scene, scene.grid.x, ray.x, begin, x);
+        const FloatFit fitY = setUp(scene, scene.grid.y, ray.y, begin, y);
+        fit = fitX == FloatFit::Unfit || fitY == FloatFit::Unfit ? FloatFit::Unfit : std::max(fitX, fitY);
+        const float start = static_cast<float>(begin);
+        for (ConeAxis* axis : {&x, &y}) {
+            // `base` is the share of a cell to the line ahead till now.
+            axis->inverse = 1 / std::max(axis->run, 1e-30F);
+            axis->margin = kCrossingMargin * (axis->inverse + 1);
+            axis->base = axis->base * axis->inverse + (start + axis->margin);
+            axis->place = axis->base * axis->run + (axis->run * kShorterJump + (kShorterJump - 0.5F));
+        }
+        tie = (x.margin + y.margin) + (x.margin + y.margin);
+        steep = std::max(x.run, y.run) * kSteeper;
+        goTo(scene, x.cell(scene.grid.x), y.cell(scene.grid.y));
+    }
+    // In that cell.
+    void goTo(const LaneScene& scene, AxisCell cx, AxisCell cy) {
+        rim = 1;
+        for (ConeAxis* axis : {&x, &y}) {
+            const GridAxis& of = axis == &x ? scene.grid.x : scene.grid.y;
+            const AxisCell& cell = axis == &x ? cx : cy;
+            const int at = cell.index + static_cast<int>(cell.base);
+            axis->n = axis->back ? axis->first - at : at - axis->first;
+            axis->last = axis->n + (axis->back ? cell.index : of.cells - 1 - cell.index);
+            if (scene.address != Address::Border) continue;
+            // The rim is a line like others, so far beyond that behind the last cell.
+            const float lines = static_cast<float>(axis->last) + static_cast<float>(of.high - of.cells);
+            rim = std::min(rim, lines * axis->inverse + axis->base);
+        }
+    }
+    // lambda at which the cell is left.
+    float cross(const LaneScene& scene, const ConeAxis& axis) const {
+        constexpr float kNever = 1e30F;
+        if (scene.address == Address::Clamp && axis.n == axis.last) return kNever;
+        return static_cast<float>(axis.n) * axis.inverse + axis.base;
+    }
+
+  private:
+    static FloatFit setUp(const LaneScene& scene, const GridAxis& axis, const RayAxis& ray, double begin,
+                          ConeAxis& out) {
+        const double place = ray.start + begin * ray.run;
+        out.back = ray.run < 0;
+        const double line = out.back ? std::ceil(place) : std::floor(place);
+        const double share = out.back ? line - place : place - line;  // of its cell that is behind it
+        const double run = std::abs(ray.run);
+        const double alongLine = out.back ? scene.mirror - line : line;
+        bool good = std::abs(alongLine) < kLanePlaces && run <= kLaneRun && (run >= 1e-30 || run == 0);
+        // Hardly moving and next to a line: the walk could begin on the wrong side of it.
+        good = good && !(begin > 0 && run < kLeastRun && share < kLeastRun);
+        FloatFit fit = FloatFit::Fit;
+        if (scene.address == Address::Border) {
+            const auto inside = [&](double at) { return at > axis.low && at < axis.high; };
+            const bool left = place < axis.low || place > axis.high;
+            if (inside(ray.start) && left) fit = FloatFit::Gone;
+            good = good && inside(ray.start) && (left || inside(place));
+        }
+        if (!good) return FloatFit::Unfit;
+        out.first = static_cast<int>(out.back ? line - 1 : line);
+        out.run = static_cast<float>(run);
+        out.base = 1 - static_cast<float>(share);
+        return fit;
+    }
+};
+
+// A corner of cells that float cannot tell apart: nothing is met before `from`; from `until` on float tells again
+// (infinite: hardly before the ray's end).
+struct UnclearPart {
+    double from, until;
+
+    // In that cell.
+    UnclearPart(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
+        // Walks come to a cell at most so much later, cells, than the ray does; past the corner, by as much, float
+        // tells cells apart.
+        constexpr double kLate = 0x1p-16;
+        const auto enters = [](const RayAxis& of, const GridAxis& axis, AxisCell c) {
+            return of.enter(axis, c.index, c.index + 1, c.base);
+        };
+        const auto leaves = [](const RayAxis& of, const GridAxis& axis, AxisCell c) {
+            return of.leave(axis, c.index, c.index + 1, c.base);
+        };
+        const double outX = leaves(ray.x, grid.x, cx), outY = leaves(ray.y, grid.y, cy);
+        const double in = std::max(enters(ray.x, grid.x, cx), enters(ray.y, grid.y, cy));
+        const double first = std::min(outX, outY), last = std::max(outX, outY);
+        const double late = (std::abs(ray.x.inverse) + std::abs(ray.y.inverse)) * kLate + kLate;
+        from = std::max(std::min(in, first) - late, 0.0);
+        until = last - first < late ? last + late : std::numeric_limits<double>::infinity();
+    }
+};
+
+// Of steps that begin a little before lambda `from` and lead beyond `to`, what is between.
+template <class Sink>
+struct StepsWithin {
+    Sink& sink;
+    double from, to;
+
+    template <class Make>
+    void step(const Make& make) {
+        sink.step([&] {
+            Step step = make();
+            for (double* lambda : {&step.lambdaIn, &step.lambdaOut, &step.lambdaAfter}) {
+                *lambda = std::max(*lambda, from);
+            }
+            step.lambdaAfter = std::min(step.lambdaAfter, to);
+            return step;
+        });
+    }
+    void read(std::uint32_t values) { sink.read(values); }
+};
+
+class ConeWalk {
+  public:
+    // cones: of this field; kept by the caller.
+    ConeWalk(const HeightField& field, const PackedCones& cones)
+        : field_(field),
+          cones_(cones),
+          scene_(field, cones),
+          unit_(static_cast<float>(cones.unit)),
+          top_(static_cast<float>(1 - cones.highest)),
+          topOfApex_(static_cast<float>(1 - cones.highest - static_cast<double>(kApexMore * unit_))) {}
+
+    // begin: lambda at which the ray parts from the packet that it began with, or scene().start.
+    template <class Sink>
+    Hit trace(const ViewRay& viewRay, double begin, Sink& sink) const;
+    // Within a segment, in double.
+    template <class Sink>
+    Hit traceSegment(const ViewRay& viewRay, Segment segment, Sink& sink) const {
+        PackedWalk part({field_, scene_.grid, cones_}, viewRay, 0, segment.in, segment.out);
+        StepsWithin<Sink> within{sink, segment.in, segment.out};
+        while (part.step({field_, scene_.grid, cones_}, within)) {
+        }
+        return part.paused() ? Hit::none(Outcome::Miss) : part.hit();
+    }
+    const LaneScene& scene() const { return scene_; }
+
+  private:
+    // Left: it has come back too often.
+    enum class End : std::uint8_t { Hit, Miss, Unclear, Left };
+
+    float depthAt(std::uint32_t depth) const { return static_cast<float>(depth) * unit_ + top_; }
+    std::uint32_t word(std::size_t quadrant, int cx, int cy) const {
+        return cones_.quadrant(quadrant)[cones_.index(cx, cy)];
+    }
+    bool below(const ConeRay& ray, AxisCell cx, AxisCell cy, float out) const;
+    bool clearBeside(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const;
+    std::optional<End> move(ConeRay& ray, std::size_t quadrant, float jump) const;
+    template <class Sink>
+    End walk(const ViewRay& viewRay, const GridRay& exact, ConeRay& ray, double& lambda, int& returns, Hit& hit,
+             Sink& sink) const;
+
+    HeightField field_;
+    const PackedCones& cones_;
+    LaneScene scene_;
+    float unit_, top_, topOfApex_;  // depth d is at lambda top + d unit
+};
+
+// Whether the surface is surely below the ray in the cell.
+inline bool ConeWalk::below(const ConeRay& ray, AxisCell cx, AxisCell cy, float out) const {
+    const FloatImage& heights = field_.heights();
+    if (scene_.surface == Surface::Columns) return columnBelow(heights(cx.index, cy.index), out);
+    const auto entered = [](const ConeAxis& axis) {
+        return static_cast<float>(axis.n) * axis.inverse + (axis.base - axis.inverse);
+    };
+    const float latest = std::max(entered(ray.x), entered(ray.y));
+    const float in = std::min(std::max(latest - ray.tie, 0.0F), out);
+    const auto stay = [](const ConeAxis& axis) {
+        return FloatStayAxis{static_cast<float>(axis.n), axis.base - axis.inverse, axis.run, axis.back};
+    };
+    std::array<float, 4> corners;
+    std::ranges::transform(cellCorners(heights, scene_.grid, cx.index, cy.index), corners.begin(),
+                           [](double height) { return static_cast<float>(height); });
+    return patchBelow(corners, stay(ray.x), stay(ray.y), in, out, ray.tie);
+}
+
+// Whether the neighbour along one axis alone is surely above the surface until the corner is passed.
+inline bool ConeWalk::clearBeside(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const {
+    ConeRay beside = ray;
+    ConeAxis& axis = alongX ? beside.x : beside.y;
+    if (axis.n == axis.last && scene_.address != Address::Repeat) return scene_.address == Address::Clamp;
+    ++axis.n;
+    const AxisCell cx = beside.x.cell(scene_.grid.x), cy = beside.y.cell(scene_.grid.y);
+    return out + (ray.tie + ray.tie) < depthAt(coneOwnDepth(word(quadrant, cx.index, cy.index)));
+}
+
+// To the cell where the jump ends, the next one at least; or an end.
+inline std::optional<ConeWalk::End> ConeWalk::move(ConeRay& ray, std::size_t quadrant, float jump) const {
+    const float crossX = ray.cross(scene_, ray.x), crossY = ray.cross(scene_, ray.y);
+    const float first = std::min(crossX, crossY), out = std::min(first, ray.rim);
+    if (ray.rim < 1) {
+        // Beyond the rim for sure; or which comes first, rim or line, cannot be told.
+        if (std::max(first, jump) > ray.rim + ray.tie) return End::Miss;
+        if (first + ray.tie >= ray.rim) return End::Unclear;
+    } else if (out >= 1) {
+        return End::Unclear;
+    }
+    // Too near a corner to tell which neighbour comes first, and the jump does not pass it: both are skipped if they
+    // can be, and if the ray passes the corner before it leaves the cell behind it.
+    const bool corner = std::abs(crossX - crossY) < ray.tie && jump < std::max(crossX, crossY) + ray.tie;
+    const bool clear = ray.tie + ray.tie < std::min(ray.x.inverse, ray.y.inverse) &&
+                       clearBeside(ray, quadrant, true, out) && clearBeside(ray, quadrant, false, out);
+    if (corner && !clear) return End::Unclear;
+    const int nextX = ray.x.beyond(corner || crossX <= crossY, jump);
+    const int nextY = ray.y.beyond(corner || crossY <= crossX, jump);
+    const auto take = [&](ConeAxis& axis, const GridAxis& of, int next) {
+        if (scene_.address == Address::Repeat) {
+            while (next > axis.last) axis.last += of.cells;
+        } else if (next > axis.last) {
+            if (scene_.address == Address::Border) return false;
+            next = axis.last;
+        }
+        axis.n = next;
+        return true;
+    };
+    if (!take(ray.x, scene_.grid.x, nextX) || !take(ray.y, scene_.grid.y, nextY)) return End::Miss;
+    return std::nullopt;
+}
+
+// Until it hits, misses, or float cannot tell where it goes on.
+template <class Sink>
+ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeRay& ray, double& lambda, int& returns,
+                             Hit& hit, Sink& sink) const {
+    const ConeGround ground{field_, scene_.grid, cones_};
+    const std::size_t quadrant = quadrantOf(exact);
+    while (true) {
+        const AxisCell cx = ray.x.cell(scene_.grid.x), cy = ray.y.cell(scene_.grid.y);
+        const std::uint32_t bits = word(quadrant, cx.index, cy.index);
+        const float exit = std::min(ray.cross(scene_, ray.x), ray.cross(scene_, ray.y));
+        float jump = std::min(exit, ray.rim);
+        // What is logged: the cell's way out itself, which float puts a little later.
+        double out = lambda;
+        if constexpr (!std::is_same_v<Sink, NullSink>) {
+            out = std::clamp(cellStay(scene_.grid, exact, cx, cy).out, lambda, 1.0);
+        }
+        double after = out;
+        const auto note = [&](Decision decision) {
+            return coneRecord(ground, exact, cx, cy, decision, {lambda, out}, bits, after);
+        };
+        sink.read(1);
+        if (exit < depthAt(coneOwnDepth(bits))) {
+            // To where it meets the cone.
+            const float apexDepth = (kApexMore + static_cast<float>(coneApexDepth(bits))) * unit_ + topOfApex_;
+            const float steepness = coneSlope(bits) * ray.steep + kSteeper;
+            jump = std::max(apexDepth - exit, 0.0F) * (1 / steepness) + exit;
+            after = std::min(out + static_cast<double>(jump - exit), 1.0);
+            // Below the apex it is above the cell alone.
+            const bool inCone = 1 - out > cones_.heightAt(coneApexDepth(bits));
+            sink.step([&] { return note(inCone ? Decision::Advance : Decision::Skip); });
+        } else {
+            sink.read(scene_.surface == Surface::Bilinear ? 4 : 1);
+            const bool excluded = below(ray, cx, cy, jump);
+            const auto met = excluded ? std::nullopt
+                             : scene_.surface == Surface::Bilinear
+                                 ? leafHit<Surface::Bilinear>(field_.heights(), scene_.grid, exact, cx, cy)
+                                 : leafHit<Surface::Columns>(field_.heights(), scene_.grid, exact, cx, cy);
+            if (met) {
+                after = *met;
+                sink.step([&] { return note(Decision::Hit); });
+                hit = Hit::at(viewRay, *met);
+                return End::Hit;
+            }
+            sink.step([&] { return note(Decision::Test); });
+            // In lanes a ray that the one leaf has refused comes back.
+            if (!excluded && ++returns > kMostReturns) return End::Left;
+        }
+        lambda = after;
+        if (const auto end = move(ray, quadrant, jump)) return *end;
+    }
+}
+
+template <class Sink>
+Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink) const {
+    if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+    const ConeGround ground{field_, scene_.grid, cones_};
+    const GridRay exact(scene_.grid, viewRay);
+    const auto record = [&](Decision decision, double at, double value) {
+        const AxisCell cx = exact.x.cellAt(scene_.grid.x, at), cy = exact.y.cellAt(scene_.grid.y, at);
+        return cellRecord(field_, scene_.grid, cx, cy, decision, at, at, value, at);
+    };
+    const auto none = [&](Outcome outcome, double at) {
+        const Decision end = outcome == Outcome::Limit ? Decision::Limit : Decision::Miss;
+        sink.step([&] { return record(end, std::min(at, 1.0), 0); });
+        return Hit::none(outcome);
+    };
+    const auto miss = [&](double at) { return none(Outcome::Miss, at); };
+    sink.step([&] { return record(Decision::Start, 0, 1); });
+    if (exact.entersOutside(scene_.grid)) return miss(0);
+    ConeRay ray(scene_, exact, begin);
+    // Down to where anything is as high; or, in a packet, to where the ray parts from it.
+    if (begin > 0) {
+        sink.step([&] {
+            Step step = record(Decision::Advance, begin, cones_.highest);
+            if (begin <= scene_.start) step.phase = Phase::Start;
+            step.lambdaIn = 0;
+            return step;
+        });
+    }
+    if (ray.fit == FloatFit::Gone) return miss(begin);
+    double lambda = begin;
+    constexpr double kEnd = std::numeric_limits<double>::infinity();
+    double from = 0, until = kEnd;
+    int returns = 0;
+    while (true) {
+        if (ray.fit == FloatFit::Fit) {
+            Hit hit;
+            const End end = walk(viewRay, exact, ray, lambda, returns, hit, sink);
+            if (end == End::Hit) return hit;
+            if (end == End::Miss) return miss(lambda);
+            const UnclearPart part(scene_.grid, exact, ray.x.cell(scene_.grid.x), ray.y.cell(scene_.grid.y));
+            from = part.from;
+            until = end == End::Left || ++returns > kMostReturns ? kEnd : part.until;
+        }
+        // Tests tell the steps in double from those that lanes take.
+        constexpr bool kTells = requires {
+            sink.inDouble(true);
+        };
+        if constexpr (kTells) sink.inDouble(true);
+        PackedWalk part(ground, viewRay, 0, from, until);
+        StepsWithin<Sink> rest{sink, lambda, 1};
+        while (part.step(ground, rest)) {
+        }
+        if constexpr (kTells) sink.inDouble(false);
+        if (!part.paused()) {
+            const Outcome outcome = part.hit().outcome;
+            return outcome == Outcome::Hit ? part.hit() : none(outcome, part.lambda());
+        }
+        if (begin != scene_.start) ray = ConeRay(scene_, exact, begin = scene_.start);
+        ray.goTo(scene_, part.x(), part.y());
+        lambda = std::max(lambda, part.lambda());
+    }
+}
+
+}  // namespace relief
