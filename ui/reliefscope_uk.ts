@@ -48,12 +48,12 @@
         <translation>Ділення кожні m пікселів, між ними u та v лінійні; m задане або найдовше, що зберігає похибку.</translation>
     </message>
     <message>
-        <source>Steps to the edge of the cone that the map promises to be empty above each cell; where the ray is below its apex, the cell itself is tested.</source>
-        <translation>Кроки до краю конуса, який карта обіцяє вільним, над кожною коміркою; де промінь нижче вершини конуса, перевіряється сама комірка.</translation>
+        <source>Steps to the edge of the cone that the map promises to be empty above each cell; below its apex the cell is skipped if the ray stays above it, else tested.</source>
+        <translation>Просувається до краю конуса, який карта обіцяє порожнім над кожною коміркою; нижче його вершини комірку пропускають, якщо промінь над нею, інакше перевіряють.</translation>
     </message>
     <message>
-        <source>four square cones a cell, packed to be read fast, or round ones as engines store them; sectors, precision and map files mean texel</source>
-        <translation>чотири квадратні конуси на комірку, упаковані для швидкого читання, або круглі, як їх зберігають рушії; сектори, точність і файли карт означають texel</translation>
+        <source>packed: four square cones per cell, compact and fast; texel: one round cone per cell, as engines store them. Sectors, a precision or a map file select texel</source>
+        <translation>packed: чотири квадратні конуси на комірку, компактно й швидко; texel: один круглий конус на комірку, як в ігрових рушіях. Сектори, точність або файл карти вибирають texel</translation>
     </message>
     <message>
         <source>azimuth sectors that have slopes of their own</source>
@@ -3384,17 +3384,17 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <name>reliefui::StatusLine</name>
     <message>
         <source>Drawn by another method</source>
-        <translation>Накреслив інший метод</translation>
+        <translation>Побудовано іншим методом</translation>
     </message>
     <message>
         <source>drawn by %1</source>
-        <translation>накреслив %1</translation>
+        <translation>побудовано: %1</translation>
     </message>
     <message>
-        <source>This picture was drawn by %1, which is faster and has the same hits: the time is its own. The steps shown are those of %2.
-Click: the steps of %1</source>
-        <translation>Це зображення накреслив метод %1: він швидший і дає ті самі влучання; час — його. Показані кроки — методу %2.
-Клацання: кроки методу %1</translation>
+        <source>Drawn by %1, which is faster and has the same hits; the time shown is that of %1. The steps shown are those of %2.
+Click to switch the method to %1</source>
+        <translation>Це зображення побудував метод %1: він швидший і дає ті самі влучання; час указано для нього. Кроки показано для методу %2.
+Клацання: перейти до методу %1</translation>
     </message>
     <message>
         <source>Method</source>

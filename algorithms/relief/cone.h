@@ -2,7 +2,8 @@
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Model: if the ray leaves its cell above the cell's apex A, nothing can be hit before it meets the cone of slope kappa
-// that stands on A: t = t_exit + (z_exit - A) / (|dz| + kappa |dxy|). Otherwise the one leaf tests the cell.
+// that stands on A: t = t_exit + (z_exit - A) / (|dz| + kappa |dxy|). Below the apex the cell is skipped if the ray
+// stays above it (packed), else the one leaf tests it.
 // Layouts: packed, four square cones a cell, one a quadrant of directions, |dxy| the larger of |dx| and |dy|
 // (maps/packed_cones.h; cone_walk.h, SIMD: lanes/cone_walk-inl.h); texel, one round cone a cell or one a sector, as
 // engines store them (maps/cone_map.h).
@@ -29,9 +30,8 @@ class ConeTracer {
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::AnyRays;
         method.help =
-            "Steps to the edge of the cone that the map promises to be empty above each cell; where the ray is below "
-            "its "
-            "apex, the cell itself is tested.";
+            "Steps to the edge of the cone that the map promises to be empty above each cell; below its apex the "
+            "cell is skipped if the ray stays above it, else tested.";
         method.source = "Dummer 2006; Ban et al. 2024";
         method.maps = {"cone"};
         return method;
@@ -41,33 +41,34 @@ class ConeTracer {
         int sectors = 1;
         std::string precision = "float";
 
-        // Other sectors or another precision are of that layout alone.
+        // Sectors and precisions exist in that layout only.
         bool ofTexels() const {
             return layout == kStoredLayout || sectors != 1 || parsePrecision(precision) != Precision::Float;
         }
 
         static std::vector<OptionField<Options>> fields() {
-            return {{{std::string(kLayoutOption),
-                      OptionKind::Choice,
-                      "",
-                      0,
-                      0,
-                      0,
-                      {"packed", std::string(kStoredLayout)},
-                      "four square cones a cell, packed to be read fast, or round ones as engines store them; sectors, "
-                      "precision and map files mean texel"},
-                     &Options::layout},
-                    {{"sectors",
-                      OptionKind::Integer,
-                      "sectors",
-                      1,
-                      8,
-                      1,
-                      {},
-                      "azimuth sectors that have slopes of their own"},
-                     &Options::sectors},
-                    {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how cones are stored"},
-                     &Options::precision}};
+            return {
+                {{std::string(kLayoutOption),
+                  OptionKind::Choice,
+                  "",
+                  0,
+                  0,
+                  0,
+                  {"packed", std::string(kStoredLayout)},
+                  "packed: four square cones per cell, compact and fast; texel: one round cone per cell, as engines "
+                  "store them. Sectors, a precision or a map file select texel"},
+                 &Options::layout},
+                {{"sectors",
+                  OptionKind::Integer,
+                  "sectors",
+                  1,
+                  8,
+                  1,
+                  {},
+                  "azimuth sectors that have slopes of their own"},
+                 &Options::sectors},
+                {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how cones are stored"},
+                 &Options::precision}};
         }
     };
     // The map of texels alone: what files hold.

@@ -139,7 +139,7 @@ struct UnclearPart {
     }
 };
 
-// Of steps that begin a little before lambda `from` and lead beyond `to`, what is between.
+// Steps that begin a little before lambda `from` and lead beyond `to`, cut to [from, to]; a hit keeps its lambda.
 template <class Sink>
 struct StepsWithin {
     Sink& sink;
@@ -152,7 +152,10 @@ struct StepsWithin {
             for (double* lambda : {&step.lambdaIn, &step.lambdaOut, &step.lambdaAfter}) {
                 *lambda = std::max(*lambda, from);
             }
-            step.lambdaAfter = std::min(step.lambdaAfter, to);
+            if (step.decision != Decision::Hit) {
+                step.lambdaOut = std::min(step.lambdaOut, to);
+                step.lambdaAfter = std::min(step.lambdaAfter, to);
+            }
             return step;
         });
     }
@@ -176,11 +179,20 @@ class ConeWalk {
     // Within a segment, in double.
     template <class Sink>
     Hit traceSegment(const ViewRay& viewRay, Segment segment, Sink& sink) const {
-        PackedWalk part({field_, scene_.grid, cones_}, viewRay, 0, segment.in, segment.out);
+        if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+        const ConeGround ground{field_, scene_.grid, cones_};
+        PackedWalk part(ground, viewRay, 0, segment.in, segment.out);
         StepsWithin<Sink> within{sink, segment.in, segment.out};
-        while (part.step({field_, scene_.grid, cones_}, within)) {
+        while (part.step(ground, within)) {
         }
-        return part.paused() ? Hit::none(Outcome::Miss) : part.hit();
+        if (part.paused()) return Hit::none(Outcome::Miss);
+        if (part.hit().outcome == Outcome::Limit) {
+            within.step([&] {
+                const double at = part.lambda();
+                return cellRecord(field_, scene_.grid, part.x(), part.y(), Decision::Limit, at, at, 0, at);
+            });
+        }
+        return part.hit();
     }
     const LaneScene& scene() const { return scene_; }
 
@@ -223,7 +235,7 @@ inline bool ConeWalk::below(const ConeRay& ray, AxisCell cx, AxisCell cy, float 
     return patchBelow(corners, stay(ray.x), stay(ray.y), in, out, ray.tie);
 }
 
-// Whether the neighbour along one axis alone is surely above the surface until the corner is passed.
+// Whether the ray is surely above the neighbouring cell along one axis until it has passed the corner.
 inline bool ConeWalk::clearBeside(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const {
     ConeRay beside = ray;
     ConeAxis& axis = alongX ? beside.x : beside.y;

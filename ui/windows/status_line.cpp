@@ -151,10 +151,9 @@ void StatusLine::refreshWalk() {
     if (!other) return;
     const QString by = QString::fromStdString(snapshot->frame->tracedBy);
     walk_->setText(tr("drawn by %1").arg(by));
-    walk_->setToolTip(
-        tr("This picture was drawn by %1, which is faster and has the same hits: the time is its own. The "
-           "steps shown are those of %2.\nClick: the steps of %1")
-            .arg(by, QString::fromStdString(snapshot->request->method.name)));
+    walk_->setToolTip(tr("Drawn by %1, which is faster and has the same hits; the time shown is that of %1. The steps "
+                         "shown are those of %2.\nClick to switch the method to %1")
+                          .arg(by, QString::fromStdString(snapshot->request->method.name)));
     walk_->setAccessibleName(walk_->text());
     walk_->setAccessibleDescription(walk_->toolTip());
 }
