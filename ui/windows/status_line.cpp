@@ -88,6 +88,7 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     addPermanentWidget(cancel_);
     walk_->setObjectName(QStringLiteral("status-walk"));
     walk_->setAutoRaise(true);
+    walk_->setCursor(Qt::PointingHandCursor);
     walk_->setAccessibleName(tr("Drawn by another method"));
     walk_->hide();
     addPermanentWidget(frame_);
