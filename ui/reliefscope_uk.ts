@@ -3383,10 +3383,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 <context>
     <name>reliefui::StatusLine</name>
     <message>
-        <source>Drawn by another method</source>
-        <translation>Побудовано іншим методом</translation>
-    </message>
-    <message>
         <source>drawn by %1</source>
         <translation>побудовано: %1</translation>
     </message>

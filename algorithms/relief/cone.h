@@ -93,7 +93,7 @@ class ConeTracer {
 
     template <class Sink>
     Hit trace(const ViewRay& ray, Sink& sink) const {
-        return walk_ ? walk_->trace(ray, walk_->scene().start, sink) : run<true>(ray, {}, sink);
+        return walk_ ? walk_->trace(ray, sink) : run<true>(ray, {}, sink);
     }
     template <class Sink>
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
@@ -129,8 +129,6 @@ class ConeTracer {
 template <bool kWhole, class Sink>
 Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);
-    // Rounding of the quotient stays far below this share.
-    constexpr double kShorter = 1 - 1e-9;
     const GridRay ray(grid_, viewRay);
     const double runLength = std::hypot(ray.x.run, ray.y.run);
     const int sector = azimuthSector(ray.x.run, ray.y.run, map_->parameters.sectors);
@@ -174,14 +172,12 @@ Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
         if (1 - out > apex) {
             const double kappa = static_cast<double>(map_->slopes(cx.index, cy.index, sector));
             sink.read(1);
-            const double free = (1 - out - apex) / (1 + kappa * runLength) * kShorter;
+            const double free = (1 - out - apex) / (1 + kappa * runLength) * kShorterShare;
             after = out + std::max(0.0, free - kExclusionMargin);
             sink.step(noteCone(Decision::Advance, lambda, out, apex, kappa, std::min(after, segment.out)));
         } else {
-            sink.read(field_.surface() == Surface::Bilinear ? 4 : 1);
-            const auto hit = field_.surface() == Surface::Bilinear
-                                 ? leafHit<Surface::Bilinear>(field_.heights(), grid_, ray, cx, cy)
-                                 : leafHit<Surface::Columns>(field_.heights(), grid_, ray, cx, cy);
+            sink.read(leafReads(field_.surface()));
+            const auto hit = leafHit(field_, grid_, ray, cx, cy);
             if (hit) {
                 sink.step(noteCone(Decision::Hit, lambda, out, apex, 0, *hit));
                 return Hit::at(viewRay, *hit);

@@ -1,6 +1,6 @@
 // The walk by packed cones, one ray: the reference of lanes/cone_walk-inl.h, in the same precision and with the same
-// margins (margins.md), so that both look at the same cells. Cells are only passed over in float; where a ray meets one
-// is decided by the one leaf, and what float cannot tell, next to corners and ends of the map, by the walk in double.
+// margins (margins.md), so that both visit the same cells. Cells are only excluded in float; where a ray meets one is
+// decided by the one leaf, and what float cannot decide, next to corners and ends of the map, by the walk in double.
 //
 // Frame: lanes/lane_rays.h. n: cells from the one in which the ray begins, the way it runs; the line behind cell n is
 // crossed at lambda = n * inverse + base, at or after the true crossing, and by no more than `tie` on both axes
@@ -22,7 +22,7 @@ struct ConeAxis {
     int n = 0;
     int last = 0;  // n of the map's last cell (of this period, where it repeats)
     float run = 0, inverse = 0, base = 0;
-    float place = 0;   // n at lambda is lambda * run - place, less half a cell and a little
+    float place = 0;   // n at lambda is lambda * run - place, rounded; a little early
     float margin = 0;  // of a crossing
 
     AxisCell cell(const GridAxis& axis) const { return cellOf(axis, back ? first - n : first + n); }
@@ -53,14 +53,6 @@ struct ConeRay {
         const FloatFit fitX = setUp(scene, scene.grid.x, ray.x, begin, x);
         const FloatFit fitY = setUp(scene, scene.grid.y, ray.y, begin, y);
         fit = fitX == FloatFit::Unfit || fitY == FloatFit::Unfit ? FloatFit::Unfit : std::max(fitX, fitY);
-        const float start = static_cast<float>(begin);
-        for (ConeAxis* axis : {&x, &y}) {
-            // `base` is the share of a cell to the line ahead till now.
-            axis->inverse = 1 / std::max(axis->run, 1e-30F);
-            axis->margin = kCrossingMargin * (axis->inverse + 1);
-            axis->base = axis->base * axis->inverse + (start + axis->margin);
-            axis->place = axis->base * axis->run + (axis->run * kShorterJump + (kShorterJump - 0.5F));
-        }
         tie = (x.margin + y.margin) + (x.margin + y.margin);
         steep = std::max(x.run, y.run) * kSteeper;
         goTo(scene, x.cell(scene.grid.x), y.cell(scene.grid.y));
@@ -80,11 +72,19 @@ struct ConeRay {
             rim = std::min(rim, lines * axis->inverse + axis->base);
         }
     }
-    // lambda at which the cell is left.
-    float cross(const LaneScene& scene, const ConeAxis& axis) const {
+    // lambda at which it leaves the cell along each axis.
+    struct Crossings {
+        float x, y;
+        float first() const { return std::min(x, y); }
+        float last() const { return std::max(x, y); }
+    };
+    Crossings crossings(const LaneScene& scene) const {
         constexpr float kNever = 1e30F;
-        if (scene.address == Address::Clamp && axis.n == axis.last) return kNever;
-        return static_cast<float>(axis.n) * axis.inverse + axis.base;
+        const auto at = [&](const ConeAxis& axis) {
+            if (scene.address == Address::Clamp && axis.n == axis.last) return kNever;
+            return static_cast<float>(axis.n) * axis.inverse + axis.base;
+        };
+        return {at(x), at(y)};
     }
 
   private:
@@ -106,23 +106,27 @@ struct ConeRay {
             if (inside(ray.start) && left) fit = FloatFit::Gone;
             good = good && inside(ray.start) && (left || inside(place));
         }
-        if (!good) return FloatFit::Unfit;
-        out.first = static_cast<int>(out.back ? line - 1 : line);
-        out.run = static_cast<float>(run);
-        out.base = 1 - static_cast<float>(share);
-        return fit;
+        // Unfit rays get the axis of one that stands still: nobody walks along it.
+        const float ahead = good ? 1 - static_cast<float>(share) : 0;  // of its cell, to the line
+        out.first = good ? static_cast<int>(out.back ? line - 1 : line) : 0;
+        out.run = good ? static_cast<float>(run) : 0;
+        out.inverse = 1 / std::max(out.run, 1e-30F);
+        out.margin = kCrossingMargin * (out.inverse + 1);
+        out.base = ahead * out.inverse + (static_cast<float>(begin) + out.margin);
+        out.place = out.base * out.run + (out.run * kShorterJump + (kShorterJump - 0.5F));
+        return good ? fit : FloatFit::Unfit;
     }
 };
 
-// A corner of cells that float cannot tell apart: nothing is met before `from`; from `until` on float tells again
-// (infinite: hardly before the ray's end).
+// The part of a ray near a corner of cells where float cannot decide which cell comes next: nothing is met before
+// `from`; from `until` on float can decide again (infinite: hardly before the ray's end).
 struct UnclearPart {
     double from, until;
 
     // In that cell.
     UnclearPart(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
         // Walks come to a cell at most so much later, cells, than the ray does; past the corner, by as much, float
-        // tells cells apart.
+        // can decide again.
         constexpr double kLate = 0x1p-16;
         const auto enters = [](const RayAxis& of, const GridAxis& axis, AxisCell c) {
             return of.enter(axis, c.index, c.index + 1, c.base);
@@ -173,9 +177,14 @@ class ConeWalk {
           top_(static_cast<float>(1 - cones.highest)),
           topOfApex_(static_cast<float>(1 - cones.highest - static_cast<double>(kApexMore * unit_))) {}
 
-    // begin: lambda at which the ray parts from the packet that it began with, or scene().start.
     template <class Sink>
-    Hit trace(const ViewRay& viewRay, double begin, Sink& sink) const;
+    Hit trace(const ViewRay& viewRay, Sink& sink) const {
+        return trace(viewRay, scene_.start, sink, sink);
+    }
+    // begin: lambda at which the ray parts from the packet that it began with, or scene().start. inDouble: gets the
+    // steps that float cannot take.
+    template <class Sink, class DoubleSink>
+    Hit trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink& inDouble) const;
     // Within a segment, in double.
     template <class Sink>
     Hit traceSegment(const ViewRay& viewRay, Segment segment, Sink& sink) const {
@@ -205,8 +214,8 @@ class ConeWalk {
         return cones_.quadrant(quadrant)[cones_.index(cx, cy)];
     }
     bool below(const ConeRay& ray, AxisCell cx, AxisCell cy, float out) const;
-    bool clearBeside(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const;
-    std::optional<End> move(ConeRay& ray, std::size_t quadrant, float jump) const;
+    bool neighbourClear(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const;
+    std::optional<End> move(ConeRay& ray, std::size_t quadrant, const ConeRay::Crossings& cross, float jump) const;
     template <class Sink>
     End walk(const ViewRay& viewRay, const GridRay& exact, ConeRay& ray, double& lambda, int& returns, Hit& hit,
              Sink& sink) const;
@@ -236,34 +245,35 @@ inline bool ConeWalk::below(const ConeRay& ray, AxisCell cx, AxisCell cy, float 
 }
 
 // Whether the ray is surely above the neighbouring cell along one axis until it has passed the corner.
-inline bool ConeWalk::clearBeside(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const {
-    ConeRay beside = ray;
-    ConeAxis& axis = alongX ? beside.x : beside.y;
-    if (axis.n == axis.last && scene_.address != Address::Repeat) return scene_.address == Address::Clamp;
-    ++axis.n;
-    const AxisCell cx = beside.x.cell(scene_.grid.x), cy = beside.y.cell(scene_.grid.y);
+inline bool ConeWalk::neighbourClear(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const {
+    ConeAxis next = alongX ? ray.x : ray.y;
+    if (next.n == next.last && scene_.address != Address::Repeat) return scene_.address == Address::Clamp;
+    ++next.n;
+    const AxisCell cx = (alongX ? next : ray.x).cell(scene_.grid.x), cy = (alongX ? ray.y : next).cell(scene_.grid.y);
     return out + (ray.tie + ray.tie) < depthAt(coneOwnDepth(word(quadrant, cx.index, cy.index)));
 }
 
 // To the cell where the jump ends, the next one at least; or an end.
-inline std::optional<ConeWalk::End> ConeWalk::move(ConeRay& ray, std::size_t quadrant, float jump) const {
-    const float crossX = ray.cross(scene_, ray.x), crossY = ray.cross(scene_, ray.y);
-    const float first = std::min(crossX, crossY), out = std::min(first, ray.rim);
+inline std::optional<ConeWalk::End> ConeWalk::move(ConeRay& ray, std::size_t quadrant, const ConeRay::Crossings& cross,
+                                                   float jump) const {
+    const float out = std::min(cross.first(), ray.rim);
     if (ray.rim < 1) {
-        // Beyond the rim for sure; or which comes first, rim or line, cannot be told.
-        if (std::max(first, jump) > ray.rim + ray.tie) return End::Miss;
-        if (first + ray.tie >= ray.rim) return End::Unclear;
+        // Beyond the rim for sure; or float cannot decide which comes first, rim or line.
+        if (std::max(cross.first(), jump) > ray.rim + ray.tie) return End::Miss;
+        if (cross.first() + ray.tie >= ray.rim) return End::Unclear;
     } else if (out >= 1) {
         return End::Unclear;
     }
-    // Too near a corner to tell which neighbour comes first, and the jump does not pass it: both are skipped if they
+    // Too near a corner to decide which neighbour comes first, and the jump does not pass it: both are skipped if they
     // can be, and if the ray passes the corner before it leaves the cell behind it.
-    const bool corner = std::abs(crossX - crossY) < ray.tie && jump < std::max(crossX, crossY) + ray.tie;
-    const bool clear = ray.tie + ray.tie < std::min(ray.x.inverse, ray.y.inverse) &&
-                       clearBeside(ray, quadrant, true, out) && clearBeside(ray, quadrant, false, out);
-    if (corner && !clear) return End::Unclear;
-    const int nextX = ray.x.beyond(corner || crossX <= crossY, jump);
-    const int nextY = ray.y.beyond(corner || crossY <= crossX, jump);
+    const bool corner = std::abs(cross.x - cross.y) < ray.tie && jump < cross.last() + ray.tie;
+    const auto clear = [&] {
+        return ray.tie + ray.tie < std::min(ray.x.inverse, ray.y.inverse) && neighbourClear(ray, quadrant, true, out) &&
+               neighbourClear(ray, quadrant, false, out);
+    };
+    if (corner && !clear()) return End::Unclear;
+    const int nextX = ray.x.beyond(corner || cross.x <= cross.y, jump);
+    const int nextY = ray.y.beyond(corner || cross.y <= cross.x, jump);
     const auto take = [&](ConeAxis& axis, const GridAxis& of, int next) {
         if (scene_.address == Address::Repeat) {
             while (next > axis.last) axis.last += of.cells;
@@ -278,7 +288,7 @@ inline std::optional<ConeWalk::End> ConeWalk::move(ConeRay& ray, std::size_t qua
     return std::nullopt;
 }
 
-// Until it hits, misses, or float cannot tell where it goes on.
+// Until it hits, misses, or float cannot decide where it goes on.
 template <class Sink>
 ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeRay& ray, double& lambda, int& returns,
                              Hit& hit, Sink& sink) const {
@@ -287,7 +297,8 @@ ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeR
     while (true) {
         const AxisCell cx = ray.x.cell(scene_.grid.x), cy = ray.y.cell(scene_.grid.y);
         const std::uint32_t bits = word(quadrant, cx.index, cy.index);
-        const float exit = std::min(ray.cross(scene_, ray.x), ray.cross(scene_, ray.y));
+        const ConeRay::Crossings cross = ray.crossings(scene_);
+        const float exit = cross.first();
         float jump = std::min(exit, ray.rim);
         // What is logged: the cell's way out itself, which float puts a little later.
         double out = lambda;
@@ -309,12 +320,9 @@ ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeR
             const bool inCone = 1 - out > cones_.heightAt(coneApexDepth(bits));
             sink.step([&] { return note(inCone ? Decision::Advance : Decision::Skip); });
         } else {
-            sink.read(scene_.surface == Surface::Bilinear ? 4 : 1);
+            sink.read(leafReads(scene_.surface));
             const bool excluded = below(ray, cx, cy, jump);
-            const auto met = excluded ? std::nullopt
-                             : scene_.surface == Surface::Bilinear
-                                 ? leafHit<Surface::Bilinear>(field_.heights(), scene_.grid, exact, cx, cy)
-                                 : leafHit<Surface::Columns>(field_.heights(), scene_.grid, exact, cx, cy);
+            const auto met = excluded ? std::nullopt : leafHit(field_, scene_.grid, exact, cx, cy);
             if (met) {
                 after = *met;
                 sink.step([&] { return note(Decision::Hit); });
@@ -326,12 +334,12 @@ ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeR
             if (!excluded && ++returns > kMostReturns) return End::Left;
         }
         lambda = after;
-        if (const auto end = move(ray, quadrant, jump)) return *end;
+        if (const auto end = move(ray, quadrant, cross, jump)) return *end;
     }
 }
 
-template <class Sink>
-Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink) const {
+template <class Sink, class DoubleSink>
+Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink& inDouble) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);
     const ConeGround ground{field_, scene_.grid, cones_};
     const GridRay exact(scene_.grid, viewRay);
@@ -372,16 +380,10 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink) const {
             from = part.from;
             until = end == End::Left || ++returns > kMostReturns ? kEnd : part.until;
         }
-        // Tests tell the steps in double from those that lanes take.
-        constexpr bool kTells = requires {
-            sink.inDouble(true);
-        };
-        if constexpr (kTells) sink.inDouble(true);
         PackedWalk part(ground, viewRay, 0, from, until);
-        StepsWithin<Sink> rest{sink, lambda, 1};
+        StepsWithin<DoubleSink> rest{inDouble, lambda, 1};
         while (part.step(ground, rest)) {
         }
-        if constexpr (kTells) sink.inDouble(false);
         if (!part.paused()) {
             const Outcome outcome = part.hit().outcome;
             return outcome == Outcome::Hit ? part.hit() : none(outcome, part.lambda());

@@ -74,54 +74,44 @@ class DistanceLanes {
 
 // A vector of rays on their way.
 template <class Visits>
-class DistanceSteps : public VectorOfRays<DistanceSteps<Visits>> {
+class DistanceSteps : public VectorOfRays<DistanceSteps<Visits>, MarchSearch> {
   public:
     explicit DistanceSteps(RayQueue<MarchSearch>& queue)
-        : queue_(queue), field_(queue.search.field), surface_(field_), distance_(queue.search.map) {}
+        : Rays(queue), field_(queue.search.field), surface_(field_), distance_(queue.search.map) {}
 
-    bool fill(std::size_t lane);
+    bool take(std::size_t lane, const ViewRay& ray, std::size_t number);
     void step();
 
   private:
-    using VectorOfRays<DistanceSteps>::active_;
-    RayQueue<MarchSearch>& queue_;
+    using Rays = VectorOfRays<DistanceSteps, MarchSearch>;
+    using Rays::active_;
+    using Rays::queue_;
+    using Rays::ray_;
     const HeightField& field_;
     SurfaceLanes surface_;
     DistanceLanes distance_;
     Row<double> s0_{}, t0_{}, a_{}, b_{}, perLambda_{}, lambda_{}, left_{}, above_{}, gapAbove_{}, gap_{};
-    std::array<std::size_t, kLanes> ray_{};
 };
 
 template <class Visits>
-bool DistanceSteps<Visits>::fill(std::size_t lane) {
+bool DistanceSteps<Visits>::take(std::size_t lane, const ViewRay& ray, std::size_t number) {
     constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
-    while (queue_.next < queue_.last) {
-        const std::size_t i = queue_.next++;
-        const ViewRay ray = queue_.rays[i];
-        if (!ray.finite()) {
-            queue_.hits.set(i, Hit::none(Outcome::Miss));
-            continue;
-        }
-        const bool served = std::hypot(ray.a, ray.b) <= queue_.search.map.maxRun;
-        if (!served || !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
-            queue_.left.push_back(i);
-            continue;
-        }
-        const SampledSurface surface(field_, ray);
-        if (!surface.inside(0)) {
-            queue_.hits.set(i, Hit::none(Outcome::Miss));
-            continue;
-        }
-        const auto [s0, t0] = surface.placeAt(0);
-        s0_[lane] = s0, t0_[lane] = t0, a_[lane] = ray.a, b_[lane] = ray.b;
-        perLambda_[lane] = std::hypot(std::hypot(ray.a, ray.b), queue_.search.map.slabTexels);
-        lambda_[lane] = 0;
-        left_[lane] = queue_.search.iterations;
-        ray_[lane] = i;
-        active_ |= 1U << lane;
-        return true;
+    const bool served = std::hypot(ray.a, ray.b) <= queue_.search.map.maxRun;
+    if (!served || !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
+        queue_.left.push_back(number);
+        return false;
     }
-    return false;
+    const SampledSurface surface(field_, ray);
+    if (!surface.inside(0)) {
+        queue_.hits.set(number, Hit::none(Outcome::Miss));
+        return false;
+    }
+    const auto [s0, t0] = surface.placeAt(0);
+    s0_[lane] = s0, t0_[lane] = t0, a_[lane] = ray.a, b_[lane] = ray.b;
+    perLambda_[lane] = std::hypot(std::hypot(ray.a, ray.b), queue_.search.map.slabTexels);
+    lambda_[lane] = 0;
+    left_[lane] = queue_.search.iterations;
+    return true;
 }
 
 template <class Visits>

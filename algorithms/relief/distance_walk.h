@@ -62,11 +62,6 @@ class DistanceWalk {
         return rule_ == StepRule::Exit || !ray.inDomain() ? walked : walked + 2 * perLambda(ray) / kShortestClassic;
     }
 
-    std::optional<double> leaf(const GridRay& ray, AxisCell cx, AxisCell cy) const {
-        return field_.surface() == Surface::Bilinear ? leafHit<Surface::Bilinear>(field_.heights(), grid_, ray, cx, cy)
-                                                     : leafHit<Surface::Columns>(field_.heights(), grid_, ray, cx, cy);
-    }
-
   private:
     struct Voxel {
         int bx;
@@ -145,8 +140,8 @@ Hit DistanceWalk::run(const ViewRay& viewRay, Segment segment, Sink& sink) const
         double after = 0;
         if (distance < nearest) {
             after = std::max(cellStay(grid_, ray, cx, cy).out, lambda);
-            sink.read(field_.surface() == Surface::Bilinear ? 4 : 1);
-            if (const auto hit = leaf(ray, cx, cy)) {
+            sink.read(leafReads(field_.surface()));
+            if (const auto hit = leafHit(field_, grid_, ray, cx, cy)) {
                 sink.step(note(Decision::Hit, lambda, after, distance, *hit));
                 return Hit::at(viewRay, *hit);
             }

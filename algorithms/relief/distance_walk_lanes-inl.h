@@ -112,21 +112,24 @@ class WalkAxisLanes {
 
 // A vector of rays on their way.
 template <class Visits>
-class VoxelWalk : public VectorOfRays<VoxelWalk<Visits>> {
+class VoxelWalk : public VectorOfRays<VoxelWalk<Visits>, DistanceWalk> {
   public:
     explicit VoxelWalk(RayQueue<DistanceWalk>& queue)
-        : queue_(queue),
+        : Rays(queue),
           walk_(queue.search),
           field_(walk_.field()),
           grid_(walk_.grid()),
           map_(*walk_.distanceMap()),
           values_(std::get<std::vector<float>>(map_.values.codes()).data()) {}
 
-    bool fill(std::size_t lane);
+    bool take(std::size_t lane, const ViewRay& ray, std::size_t number);
     void step();
 
   private:
-    using VectorOfRays<VoxelWalk>::active_;
+    using Rays = VectorOfRays<VoxelWalk, DistanceWalk>;
+    using Rays::active_;
+    using Rays::queue_;
+    using Rays::ray_;
     using Axis = WalkAxisLanes;
     // Cells of a voxel's along one axis.
     struct Side {
@@ -148,7 +151,6 @@ class VoxelWalk : public VectorOfRays<VoxelWalk<Visits>> {
         active_ &= ~(1U << lane);
     }
 
-    RayQueue<DistanceWalk>& queue_;
     const DistanceWalk& walk_;
     const HeightField& field_;
     const CellGrid& grid_;
@@ -156,41 +158,29 @@ class VoxelWalk : public VectorOfRays<VoxelWalk<Visits>> {
     const float* values_;
     WalkAxisRows x_, y_;
     Row<double> lambda_{}, end_{}, metric_{}, plane_{}, served_{}, left_{};
-    std::array<std::size_t, kLanes> ray_{};
 };
 
 template <class Visits>
-bool VoxelWalk<Visits>::fill(std::size_t lane) {
-    while (queue_.next < queue_.last) {
-        const std::size_t i = queue_.next++;
-        const ViewRay viewRay = queue_.rays[i];
-        if (!viewRay.finite()) {
-            queue_.hits.set(i, Hit::none(Outcome::Miss));
-            continue;
-        }
-        const GridRay ray(grid_, viewRay);
-        // A slab of no thickness looked at from above has no length to share out.
-        if (!ray.inDomain() || !(walk_.perLambda(ray) > 0)) {
-            queue_.left.push_back(i);
-            continue;
-        }
-        if (ray.entersOutside(grid_)) {
-            queue_.hits.set(i, Hit::none(Outcome::Miss));
-            continue;
-        }
-        x_.set(lane, grid_.x, ray.x);
-        y_.set(lane, grid_.y, ray.y);
-        lambda_[lane] = 0;
-        end_[lane] = ray.end(grid_);
-        metric_[lane] = walk_.perLambda(ray);
-        plane_[lane] = azimuthSector(ray.x.run, ray.y.run, map_.parameters.sectors) * map_.layers();
-        served_[lane] = walk_.serves(ray) ? 1 : 0;
-        left_[lane] = walk_.records(ray);
-        ray_[lane] = i;
-        active_ |= 1U << lane;
-        return true;
+bool VoxelWalk<Visits>::take(std::size_t lane, const ViewRay& viewRay, std::size_t number) {
+    const GridRay ray(grid_, viewRay);
+    // A slab of no thickness, seen from above: no length along the ray.
+    if (!ray.inDomain() || !(walk_.perLambda(ray) > 0)) {
+        queue_.left.push_back(number);
+        return false;
     }
-    return false;
+    if (ray.entersOutside(grid_)) {
+        queue_.hits.set(number, Hit::none(Outcome::Miss));
+        return false;
+    }
+    x_.set(lane, grid_.x, ray.x);
+    y_.set(lane, grid_.y, ray.y);
+    lambda_[lane] = 0;
+    end_[lane] = ray.end(grid_);
+    metric_[lane] = walk_.perLambda(ray);
+    plane_[lane] = azimuthSector(ray.x.run, ray.y.run, map_.parameters.sectors) * map_.layers();
+    served_[lane] = walk_.serves(ray) ? 1 : 0;
+    left_[lane] = walk_.records(ray);
+    return true;
 }
 
 // DistanceWalk::voxelAt.

@@ -83,7 +83,7 @@ Hit ExactTracer::walk(const ViewRay& viewRay, Segment segment, Sink& sink) const
         const double outX = ray.x.leave(grid_.x, cx.index, cx.index + 1, cx.base);
         const double outY = ray.y.leave(grid_.y, cy.index, cy.index + 1, cy.base);
         const double out = std::min(outX, outY);
-        sink.read(kSurface == Surface::Bilinear ? 4 : 1);
+        sink.read(leafReads(kSurface));
         if (const auto hit = leafHit<kSurface>(field_.heights(), grid_, ray, cx, cy)) {
             sink.step(record(Decision::Hit, lambda, std::min(out, 1.0), *hit));
             return Hit::at(viewRay, *hit);

@@ -33,49 +33,40 @@ struct LayerQueue : RayQueue<LayerSearch> {
 
 // A vector of rays on their way through the layers.
 template <class Visits>
-class LayerWalk : public VectorOfRays<LayerWalk<Visits>> {
+class LayerWalk : public VectorOfRays<LayerWalk<Visits>, LayerSearch> {
   public:
-    explicit LayerWalk(LayerQueue& queue) : queue_(queue), field_(queue.search.field), surface_(field_) {}
+    explicit LayerWalk(LayerQueue& queue)
+        : Rays(queue), brackets_(queue.brackets), field_(queue.search.field), surface_(field_) {}
 
-    bool fill(std::size_t lane);
+    bool take(std::size_t lane, const ViewRay& ray, std::size_t number);
     void step();
 
   private:
-    using VectorOfRays<LayerWalk>::active_;
+    using Rays = VectorOfRays<LayerWalk, LayerSearch>;
+    using Rays::active_;
+    using Rays::queue_;
+    using Rays::ray_;
     void finish(std::size_t lane, bool inside);
 
-    LayerQueue& queue_;
+    std::vector<Bracket>& brackets_;
     const HeightField& field_;
     SurfaceLanes surface_;
     Row<double> s0_{}, t0_{}, a_{}, b_{}, layer_{}, lambda_{}, gap_{}, above_{}, gapAbove_{};
-    std::array<std::size_t, kLanes> ray_{};
 };
 
 template <class Visits>
-bool LayerWalk<Visits>::fill(std::size_t lane) {
+bool LayerWalk<Visits>::take(std::size_t lane, const ViewRay& ray, std::size_t number) {
     constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
-    while (queue_.next < queue_.last) {
-        const std::size_t i = queue_.next++;
-        ViewRay ray = queue_.rays[i];
-        if (!ray.finite()) {
-            queue_.hits.set(i, Hit::none(Outcome::Miss));
-            continue;
-        }
-        if (field_.address() == Address::Repeat) {
-            ray.s0 = reduceToPeriod(ray.s0, field_.width());
-            ray.t0 = reduceToPeriod(ray.t0, field_.height());
-            if (!(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
-                queue_.left.push_back(i);
-                continue;
-            }
-        }
-        s0_[lane] = ray.s0, t0_[lane] = ray.t0, a_[lane] = ray.a, b_[lane] = ray.b;
-        layer_[lane] = 0;
-        ray_[lane] = i;
-        active_ |= 1U << lane;
-        return true;
+    const bool repeats = field_.address() == Address::Repeat;
+    if (repeats && !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
+        queue_.left.push_back(number);
+        return false;
     }
-    return false;
+    s0_[lane] = repeats ? reduceToPeriod(ray.s0, field_.width()) : ray.s0;
+    t0_[lane] = repeats ? reduceToPeriod(ray.t0, field_.height()) : ray.t0;
+    a_[lane] = ray.a, b_[lane] = ray.b;
+    layer_[lane] = 0;
+    return true;
 }
 
 template <class Visits>
@@ -112,7 +103,7 @@ void LayerWalk<Visits>::finish(std::size_t lane, bool inside) {
     }
     double lambda = lambda_[lane];
     if (layer_[lane] > 0 && queue_.search.refinement == LayerRefinement::Bisection) {
-        queue_.brackets.push_back({i, {s0_[lane], t0_[lane], a_[lane], b_[lane]}, above_[lane], lambda});
+        brackets_.push_back({i, {s0_[lane], t0_[lane], a_[lane], b_[lane]}, above_[lane], lambda});
         return;
     }
     if (layer_[lane] > 0 && queue_.search.refinement == LayerRefinement::Secant) {

@@ -141,4 +141,16 @@ template <Surface kSurface>
     }
 }
 
+// The same for the field's surface.
+[[gnu::always_inline]] inline std::optional<double> leafHit(const HeightField& field, const CellGrid& grid,
+                                                            const GridRay& ray, AxisCell cx, AxisCell cy) {
+    return field.surface() == Surface::Bilinear ? leafHit<Surface::Bilinear>(field.heights(), grid, ray, cx, cy)
+                                                : leafHit<Surface::Columns>(field.heights(), grid, ray, cx, cy);
+}
+
+// Stored heights that it reads.
+constexpr std::uint32_t leafReads(Surface surface) {
+    return surface == Surface::Bilinear ? 4 : 1;
+}
+
 }  // namespace relief

@@ -48,12 +48,6 @@ class PackedConeAnyHit {
     const PackedCones& map() const { return *map_; }
     double stepBound(const AnyRay& ray) const { return 2 * GridRay(grid_, ray.course()).cellBound() + 6; }
 
-    static std::size_t quadrant(const GridRay& course) {
-        return (course.x.side < 0 ? 1U : 0U) + (course.y.side < 0 ? 2U : 0U);
-    }
-    // Rounding of the quotient stays far below this share.
-    static constexpr double kShorter = 1 - 1e-9;
-
   private:
     double freeUpTo(const AnyRay& ray, const GridRay& course, AxisCell cx, AxisCell cy, double mu, double out) const;
 
@@ -66,7 +60,7 @@ class PackedConeAnyHit {
 // must be looked at.
 inline double PackedConeAnyHit::freeUpTo(const AnyRay& ray, const GridRay& course, AxisCell cx, AxisCell cy, double mu,
                                          double out) const {
-    const std::uint32_t word = map_->quadrant(quadrant(course))[map_->index(cx.index, cy.index)];
+    const std::uint32_t word = map_->quadrant(quadrantOf(course))[map_->index(cx.index, cy.index)];
     const double zOut = ray.heightAt(out);
     if (!(std::min(ray.heightAt(mu), zOut) > map_->heightAt(coneOwnDepth(word)))) return mu;
     const double room = zOut - map_->heightAt(coneApexDepth(word));
@@ -74,7 +68,7 @@ inline double PackedConeAnyHit::freeUpTo(const AnyRay& ray, const GridRay& cours
     const double run = std::max(std::abs(course.x.run), std::abs(course.y.run));
     const double closing = static_cast<double>(coneSlope(word)) * run - ray.dz;
     if (closing <= 0) return 2;  // it rises faster than the cone
-    return out + room / closing * kShorter;
+    return out + room / closing * kShorterShare;
 }
 
 template <class Sink>
@@ -110,7 +104,7 @@ Sight PackedConeAnyHit::look(const AnyRay& ray, Sink& sink) const {
             sink.step(note(Decision::Advance, mu, std::min(jump, end)));
             mu = jump;
         } else {
-            sink.read(field_.surface() == Surface::Bilinear ? 4 : 1);
+            sink.read(leafReads(field_.surface()));
             if (cellBlocks(field_, grid_, ray, course, cx, cy, end)) {
                 sink.step(note(Decision::Hit, mu, out));
                 return Sight::Blocked;

@@ -118,7 +118,7 @@ bool Segments::fill(std::size_t lane, SegmentQueue& queue) {
             continue;
         }
         const GridRay course(grid, ray.course());
-        if (PackedConeAnyHit::quadrant(course) != queue.quadrant) continue;
+        if (quadrantOf(course) != queue.quadrant) continue;
         queue.sights[i] = Sight::Clear;
         const double until = std::min(endBelow(ray, queue.query.map().highest), HUGE_VAL);
         if (!(until > 0) || runsOutside(grid, course)) continue;
@@ -231,7 +231,7 @@ void SegmentWalk::step() {
     // Taken off the place after a jump, in cells, above its rounding, so that the cell found is never too far on. The
     // jump itself needs no margin: a cell is tested over its whole interval.
     constexpr double kUnsure = 1e-8;
-    const V share = hn::Mul(hn::Div(room, closing), constant(PackedConeAnyHit::kShorter));
+    const V share = hn::Mul(hn::Div(room, closing), constant(kShorterShare));
     const V target = hn::Add(out, share);
     const M jumps = hn::And(open, hn::Gt(target, out));
     const V after = hn::IfThenElse(jumps, target, out);

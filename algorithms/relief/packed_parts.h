@@ -1,4 +1,4 @@
-// Rays of a block that lanes leave over, by the walk in double (packed_walk.h), many together.
+// Rays of a block that the SIMD walk cannot finish, by the walk in double (packed_walk.h), many together.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
-// The walk by packed cones in double, a step at a time: for what float cannot tell (cone_walk.h), and for rays that
-// lanes leave over, from where they left them. All exact methods give the same bits: the one leaf decides, and cells
-// partition the ray.
+// The walk by packed cones in double, a step at a time: for what float cannot decide (cone_walk.h), and for rays that
+// the SIMD walk cannot finish, from where it stopped. All exact methods give the same bits: the one leaf decides, and
+// cells partition the ray.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 #pragma once
@@ -23,10 +23,6 @@ struct ConeGround {
     const PackedCones& cones;
 };
 
-// Number of the ray's quadrant.
-inline std::size_t quadrantOf(const GridRay& ray) {
-    return (ray.x.side < 0 ? 1U : 0U) + (ray.y.side < 0 ? 2U : 0U);
-}
 // The record of a step: an advance is over the word's cone, which stands under the place where the ray leaves the cell;
 // any other is about the cell's highest point.
 inline Step coneRecord(const ConeGround& ground, const GridRay& ray, AxisCell cx, AxisCell cy, Decision decision,
@@ -92,12 +88,8 @@ class PackedWalk {
         };
         double after = out_;
         if (testing_) {
-            const Surface surface = ground.field.surface();
-            const FloatImage& heights = ground.field.heights();
-            const auto met = surface == Surface::Bilinear
-                                 ? leafHit<Surface::Bilinear>(heights, ground.grid, ray_, x_, y_)
-                                 : leafHit<Surface::Columns>(heights, ground.grid, ray_, x_, y_);
-            sink.read(surface == Surface::Bilinear ? 4 : 1);
+            const auto met = leafHit(ground.field, ground.grid, ray_, x_, y_);
+            sink.read(leafReads(ground.field.surface()));
             sink.step(note(met ? Decision::Hit : Decision::Test, met ? *met : out_));
             if (met) return finish(Hit::at(viewRay_, *met));
             testing_ = false;
@@ -108,10 +100,8 @@ class PackedWalk {
                 fetchHeights(ground);
                 return true;
             }
-            // Rounding of the quotient stays far below this share.
-            constexpr double kShorter = 1 - 1e-9;
             const double room = 1 - out_ - ground.cones.heightAt(coneApexDepth(word));
-            const double free = room / (1 + static_cast<double>(coneSlope(word)) * run_) * kShorter;
+            const double free = room / (1 + static_cast<double>(coneSlope(word)) * run_) * kShorterShare;
             after += std::max(0.0, free - kExclusionMargin);
             // Below the apex it is above the cell alone.
             sink.step(note(room > 0 ? Decision::Advance : Decision::Skip, std::min(after, end_)));

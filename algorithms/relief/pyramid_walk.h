@@ -99,11 +99,9 @@ class PyramidWalk {
     }
 
     std::optional<double> leaf(const GridRay& ray, const PyramidNode& cell) const {
-        return field_.surface() == Surface::Bilinear
-                   ? leafHit<Surface::Bilinear>(field_.heights(), grid_, ray, cell.x, cell.y)
-                   : leafHit<Surface::Columns>(field_.heights(), grid_, ray, cell.x, cell.y);
+        return leafHit(field_, grid_, ray, cell.x, cell.y);
     }
-    std::uint32_t leafReads() const { return field_.surface() == Surface::Bilinear ? 4 : 1; }
+    std::uint32_t leafReads() const { return relief::leafReads(field_.surface()); }
 
     float minimum(const PyramidNode& cell) const {
         return field_.surface() == Surface::Bilinear

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "relief/cell_grid.h"
+#include "relief/leaf.h"
 #include "relief/ray.h"
 #include "relief/step_log.h"
 
@@ -33,7 +34,7 @@ class SampledSurface {
         const double t = ray_.t0 + lambda * ray_.b;
         return s >= 0 && s <= field_.width() && t >= 0 && t <= field_.height();
     }
-    std::uint32_t readsEach() const { return field_.surface() == Surface::Bilinear ? 4 : 1; }
+    std::uint32_t readsEach() const { return leafReads(field_.surface()); }
 
     // A record of the surface's height `value` at `out`, with the texel under the ray there.
     Step record(Phase phase, Decision decision, double in, double out, double value, double after) const {

@@ -89,7 +89,6 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     walk_->setObjectName(QStringLiteral("status-walk"));
     walk_->setAutoRaise(true);
     walk_->setCursor(Qt::PointingHandCursor);
-    walk_->setAccessibleName(tr("Drawn by another method"));
     walk_->hide();
     addPermanentWidget(frame_);
     addPermanentWidget(walk_);
@@ -144,18 +143,16 @@ void StatusLine::refresh() {
     refreshWalk();
 }
 
-// Where another walk drew the picture than the one whose steps are shown: that walk, by name.
+// The walk that drew the picture, by name, where it is another one than that whose steps are shown.
 void StatusLine::refreshWalk() {
     const auto snapshot = workspace_->snapshot();
-    const bool other = snapshot && snapshot->frame->tracedBy != snapshot->request->method.name;
-    walk_->setVisible(other);
-    if (!other) return;
-    const QString by = QString::fromStdString(snapshot->frame->tracedBy);
+    const QString by = snapshot ? QString::fromStdString(snapshot->frame->tracedBy) : QString();
+    const QString shown = snapshot ? QString::fromStdString(snapshot->request->method.name) : QString();
+    walk_->setVisible(by != shown);
     walk_->setText(tr("drawn by %1").arg(by));
     walk_->setToolTip(tr("Drawn by %1, which is faster and has the same hits; the time shown is that of %1. The steps "
                          "shown are those of %2.\nClick to switch the method to %1")
-                          .arg(by, QString::fromStdString(snapshot->request->method.name)));
-    walk_->setAccessibleName(walk_->text());
+                          .arg(by, shown));
     walk_->setAccessibleDescription(walk_->toolTip());
 }
 

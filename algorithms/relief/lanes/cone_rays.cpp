@@ -22,9 +22,9 @@ struct Again {
     HitBlock found = HitBlock(kLaneSlots);
 };
 
-// What lanes leave over of a block. Where float cannot tell where a ray goes on, the reference takes it past that
-// corner; then, as those that the exact leaf has refused, it goes on in lanes. So all wait for memory together, and no
-// ray is walked twice.
+// The rays of a block that the SIMD walk cannot finish. Where float cannot decide where a ray goes on, the walk in
+// double takes it past that corner; then, as those that the exact leaf has refused, it goes on in lanes. So all wait
+// for memory together, and no ray is walked twice.
 class Leftovers {
   public:
     Leftovers(const HeightField& field, const LaneScene& scene, const PackedCones& cones, const RayBlock& block,

@@ -19,7 +19,7 @@ inline constexpr std::size_t kWalkSlots = 256;
 // does not hold that either.
 inline constexpr std::size_t kLargeMap = 1U << 19U, kVeryLargeMap = 1U << 21U;
 inline constexpr auto kWholeBits = std::bit_cast<std::int32_t>(kWhole);
-// Rays are prefetched that long before they are taken.
+// How many rays ahead of its turn a ray is prefetched.
 inline constexpr std::size_t kRaysAhead = 2 * kLaneChunk;
 
 // A column; vectors are stored from any place on.

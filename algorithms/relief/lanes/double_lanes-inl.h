@@ -68,16 +68,18 @@ struct NoVisits {
     static constexpr bool kRecords = false;
 };
 
-// A vector of rays on their way. Walk has fill(lane), which takes the next ray of the queue (false: there is none) and
-// marks the lane as active, and step().
-template <class Walk>
+// A vector of rays on their way, refilled from the queue. Walk has take(lane, ray, number), which sets the lane to that
+// finite ray (false: it needs no walk; its hit is set, or it is left to the reference), and step().
+template <class Walk, class Search>
 class VectorOfRays {
   public:
+    explicit VectorOfRays(RayQueue<Search>& queue) : queue_(queue) {}
+
     // False: nothing left to do.
     bool go() {
         constexpr std::uint32_t kAll = (1U << kLanes) - 1;
         for (std::uint32_t idle = kAll & ~active_; idle != 0; idle &= idle - 1) {
-            if (!walk().fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
+            if (!fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
         }
         if (active_ == 0) return false;
         walk().step();
@@ -85,10 +87,27 @@ class VectorOfRays {
     }
 
   protected:
+    RayQueue<Search>& queue_;
     std::uint32_t active_ = 0;
+    std::array<std::size_t, kLanes> ray_{};  // their numbers
 
   private:
     Walk& walk() { return static_cast<Walk&>(*this); }
+    // False: the queue is empty.
+    bool fill(std::size_t lane) {
+        while (queue_.next < queue_.last) {
+            const std::size_t i = queue_.next++;
+            const ViewRay ray = queue_.rays[i];
+            if (!ray.finite()) {
+                queue_.hits.set(i, Hit::none(Outcome::Miss));
+            } else if (walk().take(lane, ray, i)) {
+                ray_[lane] = i;
+                active_ |= 1U << lane;
+                return true;
+            }
+        }
+        return false;
+    }
 };
 
 // Two vectors in turn: while one waits for memory, the other goes on.

@@ -1,6 +1,6 @@
 // A chunk of rays as the lanes walk it. The lanes only exclude cells, in float with margins that cover its rounding;
 // where a ray meets its cell is decided by the one leaf, in double; whatever the margins cannot decide is left to the
-// scalar text. So hits have the bits of the reference for any instruction set.
+// reference. So hits have the bits of the reference for any instruction set.
 //
 // Frame of the walk: cells of cell_grid.h, mirrored so that every ray runs towards larger indices, n counted in cells
 // from the one in which the walk begins. The ray crosses line n at lambda = n * inverse + base; base holds a margin, so
@@ -137,7 +137,8 @@ void traceOneByOne(const T& tracer, const RayBlock& rays, std::size_t first, std
     for (std::size_t i = first; i < last; ++i) hits.set(i, tracer.trace(rays[i], sink));
 }
 
-// Chunks of the rays [first, last) through kernel(begin, end, scratch); what it leaves over, by rest(begin, scratch).
+// Chunks of the rays [first, last) through kernel(begin, end, scratch); the rays it cannot finish, by rest(begin,
+// scratch).
 template <class Kernel, class Rest>
 void traceChunks(std::size_t first, std::size_t last, HitBlock& hits, const Kernel& kernel, const Rest& rest) {
     static thread_local LaneRays scratch;
@@ -152,7 +153,7 @@ void traceChunks(std::size_t first, std::size_t last, HitBlock& hits, const Kern
         if (left) rest(begin, scratch);
     }
 }
-// The same, what it leaves over by the tracer's reference.
+// The same; the rays it cannot finish, by the tracer's reference.
 template <class T, class Kernel>
 void traceInLanes(const T& tracer, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
                   const Kernel& kernel) {

@@ -36,6 +36,15 @@ inline float coneSlope(std::uint32_t word) {
     return std::bit_cast<float>(word);
 }
 
+// Number of the quadrant that a ray runs to: bit 0 says that its run in x is negative, bit 1 that in y (a run of 0 is
+// not).
+inline std::size_t quadrantOf(const GridRay& ray) {
+    return (ray.x.side < 0 ? 1U : 0U) + (ray.y.side < 0 ? 2U : 0U);
+}
+
+// Share of a jump to a cone's edge that is taken, in double: rounding of the quotient stays far below what is left.
+inline constexpr double kShorterShare = 1 - 1e-9;
+
 // Maps of so many words a quadrant, or more, have rows of a multiple of 2^kRowShift words: so lanes find words in
 // float.
 inline constexpr std::size_t kWideWords = std::size_t{1} << 22U;
@@ -48,8 +57,7 @@ struct PackedCones {
     double highest = 0;  // of the cells' maxima
     double lowest = 0;
     double unit = 0;  // height = highest - depth * unit: at or above the true one; 0 if the relief is flat
-    // Quadrant after quadrant, each row by row: bit 0 of a quadrant's number says that the run in x is negative, bit 1
-    // that in y (a run of 0 is not).
+    // Quadrant after quadrant, each row by row.
     LargeVector<std::uint32_t> words;
     int stride = 0;  // words a row; beyond nx on bilinear surfaces, so that a cell's words and nodes are of one number
     // Bilinear surfaces: the heights of a cell's nodes in one place, (i0, j0), (i0, j1), (i1, j0), (i1, j1) from

@@ -60,36 +60,31 @@ struct PlainArithmetic {
     HWY_INLINE static VF reciprocal(VF a) { return hn::Div(hn::Set(DF(), 1.0F), a); }
 };
 
-template <class Arithmetic>
-void traceNoted(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
-                std::size_t first, LaneRays& rays) {
-    const auto trace = scene.surface == Surface::Bilinear ? traceConesOn<Surface::Bilinear, Noting<Arithmetic>>
-                                                          : traceConesOn<Surface::Columns, Noting<Arithmetic>>;
-    trace(scene, cones, given, hits, first, rays);
+// call() for the scene's surface.
+template <class Arithmetic, class Call>
+void onSurface(const LaneScene& scene, const Call& call) {
+    if (scene.surface == Surface::Bilinear) {
+        call.template operator()<Surface::Bilinear, Noting<Arithmetic>>();
+    } else {
+        call.template operator()<Surface::Columns, Noting<Arithmetic>>();
+    }
 }
-template <class Arithmetic>
-void goOnNoted(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-               HitBlock& hits) {
-    const auto goOn = scene.surface == Surface::Bilinear ? goOnOn<Surface::Bilinear, Noting<Arithmetic>>
-                                                         : goOnOn<Surface::Columns, Noting<Arithmetic>>;
-    goOn(scene, cones, given, rays, hits);
+// plain: as the reference rounds.
+template <class Call>
+void noted(bool plain, const LaneScene& scene, const Call& call) {
+    plain ? onSurface<PlainArithmetic>(scene, call) : onSurface<FastArithmetic>(scene, call);
 }
 
-void tracePlain(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
-                std::size_t first, LaneRays& rays) {
-    traceNoted<PlainArithmetic>(scene, cones, given, hits, first, rays);
+void traceNoted(bool plain, const LaneScene& scene, const PackedCones& cones, const double* const* given,
+                HitBlock& hits, std::size_t first, LaneRays& rays) {
+    noted(plain, scene, [&]<Surface kSurface, class Arithmetic>() {
+        traceConesOn<kSurface, Arithmetic>(scene, cones, given, hits, first, rays);
+    });
 }
-void goOnPlain(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+void goOnNoted(bool plain, const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
                HitBlock& hits) {
-    goOnNoted<PlainArithmetic>(scene, cones, given, rays, hits);
-}
-void traceFast(const LaneScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
-               std::size_t first, LaneRays& rays) {
-    traceNoted<FastArithmetic>(scene, cones, given, hits, first, rays);
-}
-void goOnFast(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-              HitBlock& hits) {
-    goOnNoted<FastArithmetic>(scene, cones, given, rays, hits);
+    noted(plain, scene,
+          [&]<Surface kSurface, class Arithmetic>() { goOnOn<kSurface, Arithmetic>(scene, cones, given, rays, hits); });
 }
 
 }  // namespace relief::HWY_NAMESPACE
@@ -98,10 +93,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace relief {
 
-HWY_EXPORT(tracePlain);
-HWY_EXPORT(goOnPlain);
-HWY_EXPORT(traceFast);
-HWY_EXPORT(goOnFast);
+HWY_EXPORT(traceNoted);
+HWY_EXPORT(goOnNoted);
 
 namespace test {
 
@@ -138,11 +131,7 @@ void trace(const LaneScene& scene, const PackedCones& cones, const RayBlock& ray
     if (scratch.count == 0) return;
     const double* const given[] = {rays.s0.data() + first, rays.t0.data() + first, rays.a.data() + first,
                                    rays.b.data() + first};
-    if (noted().plain) {
-        HWY_DYNAMIC_DISPATCH(tracePlain)(scene, cones, given, hits, first, scratch);
-    } else {
-        HWY_DYNAMIC_DISPATCH(traceFast)(scene, cones, given, hits, first, scratch);
-    }
+    HWY_DYNAMIC_DISPATCH(traceNoted)(noted().plain, scene, cones, given, hits, first, scratch);
     for (std::size_t i = first; i < last; ++i) noted().rays[i].begin = scratch.start[(i - first) / kLaneGroup];
     sortVisits(given, scratch);
     std::fill_n(hits.outcome.data() + first, scratch.count, Outcome::Hit);
@@ -151,11 +140,7 @@ void trace(const LaneScene& scene, const PackedCones& cones, const RayBlock& ray
 void goOn(const LaneScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
           HitBlock& hits) {
     if (rays.count == 0) return;
-    if (noted().plain) {
-        HWY_DYNAMIC_DISPATCH(goOnPlain)(scene, cones, given, rays, hits);
-    } else {
-        HWY_DYNAMIC_DISPATCH(goOnFast)(scene, cones, given, rays, hits);
-    }
+    HWY_DYNAMIC_DISPATCH(goOnNoted)(noted().plain, scene, cones, given, rays, hits);
     sortVisits(given, rays);
 }
 

@@ -14,19 +14,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20261124;
 
-// The steps that lanes take as well; those in double, next to corners, are no business of theirs.
-struct FloatSteps {
-    std::vector<Step> steps;
-    bool off = false;
-
-    template <class Make>
-    void step(const Make& make) {
-        if (!off) steps.push_back(make());
-    }
-    void read(std::uint32_t) {}
-    void inDouble(bool now) { off = now; }
-};
-
 struct Logged {
     Hit hit;
     std::vector<LookedAt> cells;
@@ -35,9 +22,11 @@ struct Logged {
 
 // The word of a step, as far as its record tells: that of its cell in the ray's quadrant.
 Logged logged(const ConeWalk& walk, const PackedCones& cones, const ViewRay& ray, double begin) {
-    FloatSteps sink;
+    // The steps that lanes take as well; those in double, next to corners, they leave to the reference.
+    LogSink sink;
+    NullSink inDouble;
     Logged out;
-    out.hit = walk.trace(ray, begin, sink);
+    out.hit = walk.trace(ray, begin, sink, inDouble);
     const CellGrid& grid = walk.scene().grid;
     const std::uint32_t* const words = cones.quadrant(quadrantOf(GridRay(grid, ray)));
     for (const Step& step : sink.steps) {
