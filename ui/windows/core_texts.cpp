@@ -83,8 +83,8 @@ namespace {
     QT_TRANSLATE_NOOP("core", "the method inside the segments; its own options as inner.NAME"),
     QT_TRANSLATE_NOOP(
         "core",
-        "Steps to the edge of the cone that the map promises to be empty above each cell; where the ray is "
-        "below its apex, the cell itself is tested."),
+        "Steps to the edge of the cone that the map promises to be empty above each cell; below its apex the "
+        "cell is skipped if the ray stays above it, else tested."),
     QT_TRANSLATE_NOOP("core", "azimuth sectors that have slopes of their own"),
     QT_TRANSLATE_NOOP("core", "how cones are stored"),
     QT_TRANSLATE_NOOP("core", "Steps to the edge of the interpolated cone, a fixed number of times."),
