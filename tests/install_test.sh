@@ -19,7 +19,7 @@ if find "$prefix/include" -name '*-inl.h' | grep .; then fail "private headers a
 # A program of somebody else's, with the package found in its new place; and all headers in one source, in two orders.
 project=$folder/project
 cp -r "$sources/tests/example" "$project"
-(cd "$prefix/include/relief" && find . -name '*.h' | sort | sed 's|^\./|#include "|; s|$|"|') >"$project/all_headers.cpp"
+(cd "$prefix/include/relief" && find . -name '*.h' | sort | sed 's|^\./|#include <relief/|; s|$|>|') >"$project/all_headers.cpp"
 tac "$project/all_headers.cpp" >"$project/all_headers_reversed.cpp"
 echo 'target_sources(example PRIVATE all_headers.cpp all_headers_reversed.cpp)' >>"$project/CMakeLists.txt"
 "$cmake" -S "$project" -B "$project/build" -DCMAKE_PREFIX_PATH="$prefix" "$@" >"$folder/log" || { cat "$folder/log"; exit 1; }

@@ -1,4 +1,4 @@
-#include "base/memory.h"
+#include "relief/memory.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief {
 

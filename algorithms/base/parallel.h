@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/thread_team.h"
-#include "work.h"
+#include "relief/thread_team.h"
+#include "relief/work.h"
 
 namespace relief {
 

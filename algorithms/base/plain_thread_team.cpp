@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "base/thread_team.h"
+#include "relief/thread_team.h"
 
 namespace relief {
 

@@ -1,6 +1,6 @@
 #ifndef RELIEF_PLAIN_THREADS
 
-#include "base/thread_team.h"
+#include "relief/thread_team.h"
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 #include <glm/vec2.hpp>
 
 #include "filtering/level_axis.h"
-#include "images/image.h"
-#include "work.h"
+#include "relief/image.h"
+#include "relief/work.h"
 
 namespace relief {
 

@@ -22,8 +22,8 @@
 #include "filtering/elliptical_rays.h"
 #include "filtering/point_lattice.h"
 #include "filtering/point_reader.h"
-#include "relief/lanes/packed_cone_hits.h"
-#include "relief/slope_scene.h"
+#include "relief/methods/slope_scene.h"
+#include "relief/simd/packed_cone_hits.h"
 
 namespace relief {
 

@@ -7,7 +7,7 @@
 #include "filtering/grid_follow.h"
 #include "filtering/grid_tile.h"
 #include "relief/block_work.h"
-#include "relief/look_up_point.h"
+#include "relief/methods/look_up_point.h"
 
 namespace relief {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "relief/block_work.h"
-#include "relief/look_up_point.h"
+#include "relief/methods/look_up_point.h"
 
 namespace relief {
 

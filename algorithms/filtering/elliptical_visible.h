@@ -31,8 +31,8 @@
 
 #include "filtering/elliptical.h"
 #include "filtering/height_bounds.h"
-#include "relief/any_hit.h"
 #include "relief/ray.h"
+#include "relief/visibility/any_hit.h"
 
 namespace relief {
 

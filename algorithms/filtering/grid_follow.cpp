@@ -7,7 +7,7 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-#include "relief/lanes/lane_rays.h"
+#include "relief/simd/lane_rays.h"
 
 #ifndef RELIEF_GRID_FOLLOW_ONCE
 #define RELIEF_GRID_FOLLOW_ONCE

@@ -12,8 +12,8 @@
 #include "filtering/pixel_view.h"
 #include "filtering/point_lattice.h"
 #include "filtering/point_reader.h"
+#include "relief/methods/slope_scene.h"
 #include "relief/ray.h"
-#include "relief/slope_scene.h"
 
 namespace relief {
 

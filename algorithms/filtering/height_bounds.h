@@ -6,7 +6,7 @@
 
 #include "images/pyramid.h"
 #include "relief/height_field.h"
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
 
 namespace relief {
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "images/addressing.h"
+#include "relief/addressing.h"
 
 namespace relief {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief {
 

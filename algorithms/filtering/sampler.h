@@ -1,8 +1,8 @@
 // Colour of the texture at a point of it: nearest and bilinear.
 #pragma once
 
-#include "images/addressing.h"
-#include "images/image.h"
+#include "relief/addressing.h"
+#include "relief/image.h"
 
 namespace relief {
 

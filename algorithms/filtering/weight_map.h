@@ -14,7 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "filtering/elliptical_options.h"
-#include "images/image.h"
+#include "relief/image.h"
 
 namespace relief {
 

@@ -12,9 +12,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/memory.h"
-#include "images/files.h"
 #include "images/system_error.h"
+#include "relief/files.h"
+#include "relief/memory.h"
 
 namespace relief {
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "images/image.h"
+#include "relief/image.h"
 
 namespace relief {
 

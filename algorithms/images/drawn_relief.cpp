@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief {
 

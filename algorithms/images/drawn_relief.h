@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "images/image.h"
+#include "relief/image.h"
 
 namespace relief {
 

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <numeric>
 
-#include "base/memory.h"
 #include "images/picture_input.h"
+#include "relief/memory.h"
 
 namespace relief {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "images/files.h"
-#include "work.h"
+#include "relief/files.h"
+#include "relief/work.h"
 
 namespace relief {
 

@@ -13,10 +13,10 @@
 #include <new>
 #include <optional>
 
-#include "base/memory.h"
 #include "images/picture_bands.h"
 #include "images/picture_bytes.h"
 #include "images/system_error.h"
+#include "relief/memory.h"
 
 namespace relief {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "images/files.h"
-#include "work.h"
+#include "relief/files.h"
+#include "relief/work.h"
 
 namespace relief {
 

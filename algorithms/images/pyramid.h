@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "images/image.h"
-#include "work.h"
+#include "relief/image.h"
+#include "relief/work.h"
 
 namespace relief {
 

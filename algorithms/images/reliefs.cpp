@@ -1,12 +1,12 @@
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "base/memory.h"
-#include "errors.h"
+#include "relief/errors.h"
+#include "relief/memory.h"
 
 // The recipes, for a relief N texels wide on its shorter side; sizes "at 128" are multiplied by N/128 and are at least
 // one texel. Grids are stretched to a whole number of cells, so every relief but paper8x8 tiles.

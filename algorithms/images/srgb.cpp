@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "images/files.h"
+#include "relief/files.h"
 
 namespace relief {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief {
 

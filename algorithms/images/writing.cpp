@@ -11,9 +11,9 @@
 
 #include "base/parallel.h"
 #include "images/described_tiff.h"
-#include "images/files.h"
 #include "images/picture_bands.h"
 #include "images/system_error.h"
+#include "relief/files.h"
 
 namespace relief {
 

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief {
 

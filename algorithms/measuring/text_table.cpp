@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "messages.h"
+#include "relief/messages.h"
 
 namespace relief {
 

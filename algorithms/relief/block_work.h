@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "relief/describe.h"
-#include "work.h"
+#include "relief/work.h"
 
 namespace relief {
 

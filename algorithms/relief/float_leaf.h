@@ -1,12 +1,12 @@
 // The exclusion leaf: whether the surface is surely below a ray all along its stay in a cell, in float. Reference of
-// lanes/lane_leaf-inl.h. Where it is not sure, the one leaf decides (leaf.h).
+// simd/lane_leaf-inl.h. Where it is not sure, the one leaf decides (leaf.h).
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "relief/lanes/lane_rays.h"
+#include "relief/float_margins.h"
 
 namespace relief {
 

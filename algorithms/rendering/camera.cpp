@@ -1,11 +1,12 @@
-#include "rendering/camera.h"
+#include "relief/camera.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 
-#include "errors.h"
+#include "mapping/homography.h"
+#include "relief/errors.h"
 
 namespace relief {
 

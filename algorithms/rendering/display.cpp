@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "images/files.h"
+#include "relief/files.h"
 
 namespace relief {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "images/image.h"
+#include "relief/image.h"
 
 namespace relief {
 

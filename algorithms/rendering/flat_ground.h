@@ -9,7 +9,7 @@
 #include <span>
 
 #include "filtering/height_bounds.h"
-#include "relief/exact.h"
+#include "relief/methods/exact.h"
 #include "relief/ray.h"
 
 namespace relief {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "filtering/sampler.h"
-#include "relief/look_up_point.h"
+#include "relief/methods/look_up_point.h"
 #include "rendering/pixel_query.h"
 #include "rendering/visible_polygons.h"
 
@@ -98,6 +98,14 @@ std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y) {
     const VisiblePolygon* polygon = visible.at(x, y, request.width);
     if (polygon == nullptr) return std::nullopt;
     return polygon->entry(x, y).ray;
+}
+
+std::optional<ViewRay> floorRay(const HeightField& field, const Camera& camera, int width, int height, int x, int y) {
+    FrameRequest request{field};
+    request.camera = camera;
+    request.width = width;
+    request.height = height;
+    return pixelRay(request, x, y);
 }
 
 }  // namespace relief

@@ -14,10 +14,10 @@
 #include <glm/vec2.hpp>
 
 #include "filtering/texture_filter.h"
-#include "images/files.h"
+#include "relief/camera.h"
+#include "relief/files.h"
 #include "relief/maps/baked_normals.h"
 #include "relief/tracers.h"
-#include "rendering/camera.h"
 #include "rendering/lighting.h"
 #include "rendering/scene.h"
 #include "rendering/stages.h"

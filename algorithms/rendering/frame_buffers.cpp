@@ -4,7 +4,7 @@
 #include <atomic>
 #include <utility>
 
-#include "base/memory.h"
+#include "relief/memory.h"
 #include "rendering/frame_tools.h"
 
 namespace relief {

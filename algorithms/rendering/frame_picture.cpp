@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-#include "base/memory.h"
+#include "relief/memory.h"
 #include "rendering/frame_report.h"
 #include "rendering/frame_tools.h"
 #include "rendering/supersample.h"

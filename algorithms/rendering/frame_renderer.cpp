@@ -4,7 +4,8 @@
 #include <chrono>
 #include <utility>
 
-#include "relief/lanes/packed_cone_hits.h"
+#include "relief/maps/max_pyramid_map.h"
+#include "relief/simd/packed_cone_hits.h"
 #include "rendering/flat_ground.h"
 #include "rendering/frame_report.h"
 #include "rendering/frame_tools.h"
@@ -16,7 +17,8 @@ namespace {
 
 // What of a request differs from the last one.
 std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
-    // A field that is added to the request stops the build here: it belongs to an input. Only `counts` changes nothing.
+    // A field that is added to the request stops the build here: it belongs to an input. Only `counts` changes
+    // nothing.
     const auto& [width, height, field, method, color, normals, filter, scene, camera, light, shadows, counts, skip,
                  bounded, sky, sample, margin] = now;
     std::uint32_t changed = 0;

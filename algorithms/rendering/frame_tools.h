@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "relief/lanes/packed_cone_hits.h"
+#include "relief/simd/packed_cone_hits.h"
 #include "rendering/tile_worker.h"
 
 namespace relief {

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <limits>
 
-#include "base/memory.h"
+#include "relief/memory.h"
 #include "rendering/error_layer.h"
 #include "rendering/frame.h"
 

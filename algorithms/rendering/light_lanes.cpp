@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "rendering/light_lanes.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "relief/slope_lanes-inl.h"
+#include "relief/simd/slope_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "relief/slope_scene.h"
+#include "relief/methods/slope_scene.h"
 #include "rendering/lighting.h"
 
 namespace relief {

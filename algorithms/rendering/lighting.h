@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "images/image.h"
+#include "relief/image.h"
 #include "rendering/scene.h"
 
 namespace relief {

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "relief/displacement_mesh.h"
+#include "relief/methods/displacement_mesh.h"
 #include "relief/ray.h"
 #include "rendering/visible_polygons.h"
 

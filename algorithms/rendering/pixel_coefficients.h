@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "mapping/coefficients.h"
+#include "mapping/rows/coefficients.h"
 #include "rendering/frame.h"
 
 namespace relief {

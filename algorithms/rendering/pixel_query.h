@@ -2,7 +2,7 @@
 #pragma once
 
 #include "filtering/filter_block.h"
-#include "relief/look_up_point.h"
+#include "relief/methods/look_up_point.h"
 #include "rendering/visible_polygons.h"
 
 namespace relief {

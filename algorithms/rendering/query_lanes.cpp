@@ -4,14 +4,14 @@
 #include <cassert>
 #include <numeric>
 
-#include "relief/look_up_point.h"
+#include "relief/methods/look_up_point.h"
 
 #include "base/simd_targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rendering/query_lanes.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "relief/slope_lanes-inl.h"
+#include "relief/simd/slope_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief {
 

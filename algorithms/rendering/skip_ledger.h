@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "messages.h"
+#include "relief/messages.h"
 #include "rendering/frame.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "relief/look_up_point.h"
+#include "relief/methods/look_up_point.h"
 
 namespace relief {
 

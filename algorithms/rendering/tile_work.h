@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "borrowed.h"
-#include "relief/any_ray.h"
+#include "base/borrowed.h"
+#include "relief/visibility/any_ray.h"
 #include "rendering/block_order.h"
 #include "rendering/frame.h"
 

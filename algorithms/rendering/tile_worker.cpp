@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "relief/lanes/packed_cone_hits.h"
-#include "relief/look_up_point.h"
+#include "relief/methods/look_up_point.h"
+#include "relief/simd/packed_cone_hits.h"
 #include "rendering/query_lanes.h"
 #include "rendering/tile_work.h"
 

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "relief/any_hit.h"
 #include "relief/block_work.h"
-#include "relief/slope_scene.h"
+#include "relief/methods/slope_scene.h"
+#include "relief/visibility/any_hit.h"
 #include "rendering/flat_ground.h"
 #include "rendering/frame_buffers.h"
 #include "rendering/mesh_raster.h"

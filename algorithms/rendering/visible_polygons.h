@@ -7,7 +7,7 @@
 
 #include "filtering/pixel_view.h"
 #include "mapping/clipping.h"
-#include "rendering/camera.h"
+#include "relief/camera.h"
 #include "rendering/scene.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 #include "scenario/scenario.h"
 
 namespace relief {

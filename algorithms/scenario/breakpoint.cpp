@@ -1,6 +1,6 @@
 #include "scenario/breakpoint.h"
 
-#include "errors.h"
+#include "relief/errors.h"
 #include "scenario/step_sentence.h"
 
 namespace relief {

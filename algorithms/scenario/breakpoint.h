@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "messages.h"
+#include "relief/messages.h"
 #include "relief/ray.h"
 #include "relief/step_log.h"
 

@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "base/memory.h"
 #include "base/parallel.h"
+#include "relief/memory.h"
 #include "scenario/text_lines.h"
 
 namespace relief {

@@ -105,7 +105,7 @@ Scenario withNotesOf(const Scenario& a, const Scenario& b) {
     out.step = b.step;
     out.breakpoints = b.breakpoints;
     out.bookmarks = b.bookmarks;
-    out.panes = b.panes;
+    out.ui = b.ui;
     return out;
 }
 
@@ -160,7 +160,6 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
     }
     checkMethod(scenario.method, subject);
     checkComparison(scenario.comparison, subject);
-    checkPanes(scenario.panes, subject);
     checkFilter(scenario.filter, subject.empty() ? "--filter" : subject);
     if (scenario.filter.samples < 1 || scenario.filter.samples > kMaxSamples) {
         throw InputError(subject, Message(MessageId::OutOfRange, {{"what", "supersample"},

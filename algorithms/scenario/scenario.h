@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "images/drawn_relief.h"
-#include "images/files.h"
 #include "relief/describe.h"
+#include "relief/files.h"
 #include "rendering/frame.h"
 #include "scenario/breakpoint.h"
 #include "scenario/comparison.h"
-#include "scenario/pane_states.h"
 
 namespace relief {
 
@@ -88,7 +87,7 @@ struct Scenario {
     std::vector<Bookmark> bookmarks;
     OtherTracer other;
     Comparison comparison;  // with other methods
-    PaneStates panes;       // what is chosen in the window's panes
+    std::string ui;         // a JSON object: the window's own, not looked into here; empty: nothing
     bool operator==(const Scenario&) const = default;
 };
 
@@ -106,7 +105,7 @@ const ScenarioNumber& scenarioNumber(std::string_view name);
 void setScenarioNumber(Scenario& scenario, std::string_view name, double value, const std::string& subject);
 
 // What a scenario says beside its picture and its ray; nothing is rendered or traced anew when it changes.
-// a with the notes of b: step, breakpoints, bookmarks, panes.
+// a with the notes of b: step, breakpoints, bookmarks, the window's state.
 Scenario withNotesOf(const Scenario& a, const Scenario& b);
 
 // Throws InputError for the first value that is out of its range or unknown; `subject` names the scenario.

@@ -2,7 +2,6 @@
 #include <filesystem>
 
 #include "scenario/json_reader.h"
-#include "scenario/pane_states_json.h"
 #include "scenario/scenario.h"
 
 namespace relief {
@@ -263,7 +262,7 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
     if (scenario.pixel) json["pixel"] = {scenario.pixel->x, scenario.pixel->y};
     json["step"] = scenario.step;
     if (!(scenario.comparison == Comparison{})) json["compare"] = comparisonJson(scenario.comparison);
-    if (scenario.panes != PaneStates{}) json["panes"] = panesJson(scenario.panes);
+    if (!scenario.ui.empty()) json["ui"] = Json::parse(scenario.ui);
     writeNotes(json, scenario, baseFolder);
     // Names of files need not be UTF-8; what is not is replaced rather than refused.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -305,7 +304,12 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     if (reader.readPair("pixel", pixel.x, pixel.y)) scenario.pixel = pixel;
     reader.readWhole("step", scenario.step);
     if (reader.has("compare")) readComparison(reader.child("compare"), scenario.comparison);
-    if (reader.has("panes")) readPanes(reader.child("panes"), scenario.panes);
+    // The second is its name in files of the first edition.
+    for (const char* key : {"ui", "panes"}) {
+        if (!reader.has(key)) continue;
+        Reader ui = reader.child(key);
+        scenario.ui = ui.object().dump();
+    }
     readNotes(reader, scenario, folder);
     reader.finish();
     checkScenario(scenario, fileName);

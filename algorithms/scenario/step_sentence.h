@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "messages.h"
+#include "relief/messages.h"
 #include "relief/ray.h"
 #include "relief/step_log.h"
 

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief {
 

@@ -5,9 +5,9 @@
 #include "bench_filters.h"
 #include "bench_output.h"
 #include "bench_rows.h"
-#include "images/reliefs.h"
-#include "measuring/bench_tracers.h"
+#include "measuring/bench/bench_tracers.h"
 #include "options_common.h"
+#include "relief/reliefs.h"
 
 namespace relief::app {
 

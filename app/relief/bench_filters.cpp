@@ -2,7 +2,7 @@
 #include "bench_filters.h"
 
 #include "bench_output.h"
-#include "measuring/bench_tracers.h"
+#include "measuring/bench/bench_tracers.h"
 
 namespace relief::app {
 

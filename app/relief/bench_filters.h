@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench_output.h"
-#include "measuring/bench_filters.h"
+#include "measuring/bench/bench_filters.h"
 #include "options_common.h"
 
 namespace relief::app {

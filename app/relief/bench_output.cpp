@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "measuring/bench_columns.h"
-#include "measuring/machine.h"
-#include "measuring/measured_method.h"
+#include "measuring/bench/bench_columns.h"
+#include "measuring/bench/machine.h"
+#include "measuring/bench/measured_method.h"
 
 namespace relief::app {
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "images/image.h"
-#include "measuring/bench_columns.h"
+#include "measuring/bench/bench_columns.h"
 #include "options_common.h"
 #include "output.h"
 #include "part.h"
 #include "parts_run.h"
+#include "relief/image.h"
 #include "team.h"
 
 namespace relief::app {

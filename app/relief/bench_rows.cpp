@@ -2,8 +2,8 @@
 #include "bench_rows.h"
 
 #include "bench_output.h"
-#include "measuring/bench_rows.h"
-#include "measuring/bench_tracers.h"
+#include "measuring/bench/bench_rows.h"
+#include "measuring/bench/bench_tracers.h"
 
 namespace relief::app {
 

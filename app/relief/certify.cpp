@@ -1,10 +1,10 @@
 // relief certify --height FILE [--map FILE.tif] [--tracer NAME] [--rays N] [--seed S] [-o FILE.json]
 #include <cmath>
 
-#include "measuring/certificate.h"
+#include "measuring/verify/certificate.h"
 #include "options_common.h"
 #include "output.h"
-#include "relief/maps/map_choice.h"
+#include "relief/tracers/map_choice.h"
 
 namespace relief::app {
 

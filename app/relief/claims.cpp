@@ -1,5 +1,5 @@
 // relief claims [--measure] [-o FILE]
-#include "measuring/claims.h"
+#include "measuring/bench/claims.h"
 
 #include "options_common.h"
 #include "output.h"

@@ -1,10 +1,10 @@
 // relief compare A B [-o ERROR.png]
 #include <cmath>
 
-#include "images/files.h"
-#include "measuring/picture_error.h"
+#include "measuring/compare/picture_error.h"
 #include "options_common.h"
 #include "output.h"
+#include "relief/files.h"
 
 namespace relief::app {
 

@@ -12,8 +12,8 @@
 #include <sstream>
 #include <vector>
 
-#include "errors.h"
-#include "images/files.h"
+#include "relief/errors.h"
+#include "relief/files.h"
 #include "team.h"
 
 namespace relief::app {

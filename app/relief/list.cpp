@@ -3,11 +3,11 @@
 
 #include "filtering/filter_choice.h"
 #include "help_formatter.h"
-#include "images/reliefs.h"
-#include "measuring/row_methods.h"
+#include "measuring/bench/row_methods.h"
 #include "options_common.h"
 #include "output.h"
-#include "relief/any_hit.h"
+#include "relief/reliefs.h"
+#include "relief/visibility/any_hit.h"
 
 namespace relief::app {
 

@@ -1,8 +1,8 @@
 // relief make RELIEF -o FILE [--size N|WxH] [--seed S]
-#include "images/files.h"
-#include "images/reliefs.h"
 #include "options_common.h"
 #include "output.h"
+#include "relief/files.h"
+#include "relief/reliefs.h"
 
 namespace relief::app {
 

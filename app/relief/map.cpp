@@ -4,9 +4,9 @@
 
 #include "options_common.h"
 #include "output.h"
-#include "relief/maps/map_choice.h"
 #include "relief/maps/pyramid_files.h"
-#include "relief/maps/refined.h"
+#include "relief/tracers/map_choice.h"
+#include "relief/tracers/point_distances.h"
 #include "scenario/step_sentence.h"
 
 namespace relief::app {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "measuring/stress_record.h"
+#include "measuring/verify/stress_record.h"
 #include "output.h"
 #include "stress_report.h"
 

@@ -1,13 +1,13 @@
 #include <algorithm>
 
 #include "filtering/filter_choice.h"
-#include "images/files.h"
-#include "images/reliefs.h"
 #include "options_common.h"
 #include "output.h"
 #include "part.h"
-#include "relief/maps/map_choice.h"
+#include "relief/files.h"
+#include "relief/reliefs.h"
 #include "relief/tracers.h"
+#include "relief/tracers/map_choice.h"
 
 namespace relief::app {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "images/files.h"
+#include "relief/files.h"
 
 namespace relief::app {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "measuring/machine.h"
+#include "measuring/bench/machine.h"
 #include "options_common.h"
 
 namespace relief::app {

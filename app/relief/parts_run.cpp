@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "errors.h"
+#include "relief/errors.h"
 #include "team.h"
 
 namespace relief::app {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "messages.h"
-#include "work.h"
+#include "relief/messages.h"
+#include "relief/work.h"
 
 namespace relief::app {
 

@@ -2,12 +2,12 @@
 // [--json] [--check] [-o FILE]
 #include <algorithm>
 
-#include "images/reliefs.h"
+#include "measuring/advise/recommend.h"
 #include "measuring/quantiles.h"
-#include "measuring/recommend.h"
 #include "measuring/text_table.h"
 #include "options_common.h"
 #include "output.h"
+#include "relief/reliefs.h"
 
 namespace relief::app {
 

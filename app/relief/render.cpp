@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "images/picture_bands.h"
-#include "measuring/base_level_measure.h"
+#include "measuring/bench/base_level_measure.h"
 #include "options_common.h"
 #include "output.h"
 #include "part.h"

@@ -9,9 +9,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "base/memory.h"
-#include "images/files.h"
 #include "parts_run.h"
+#include "relief/files.h"
+#include "relief/memory.h"
 #include "scratch_folder.h"
 #include "team.h"
 

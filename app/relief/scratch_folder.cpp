@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "errors.h"
-#include "images/files.h"
+#include "relief/errors.h"
+#include "relief/files.h"
 
 namespace relief::app {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "messages.h"
 #include "progress_bar.h"
-#include "work.h"
+#include "relief/messages.h"
+#include "relief/work.h"
 
 // Only the sources that declare options include CLI11: its headers cost each source over a second.
 namespace CLI {

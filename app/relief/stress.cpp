@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "measuring/stress_record.h"
+#include "measuring/verify/stress_record.h"
 #include "options_common.h"
 #include "output.h"
 #include "part.h"

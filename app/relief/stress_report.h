@@ -1,7 +1,7 @@
 // What relief stress and relief merge say of a finished report.
 #pragma once
 
-#include "measuring/stress.h"
+#include "measuring/verify/stress.h"
 #include "session.h"
 
 namespace relief::app {

@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "../mpi/relief_mpi.h"
-#include "errors.h"
-#include "work.h"
+#include "relief/errors.h"
+#include "relief/work.h"
 
 namespace relief::app {
 

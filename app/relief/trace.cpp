@@ -2,10 +2,10 @@
 // [--steps FILE.csv|json]
 #include <algorithm>
 
-#include "base/memory.h"
-#include "measuring/child_counts.h"
+#include "measuring/bench/child_counts.h"
 #include "options_common.h"
 #include "output.h"
+#include "relief/memory.h"
 #include "rendering/frame.h"
 #include "rendering/pixel_coefficients.h"
 #include "rendering/visible_polygons.h"

@@ -12,8 +12,8 @@
 #include <QFileInfo>
 
 #include "arguments.h"
-#include "errors.h"
-#include "measuring/pareto.h"
+#include "measuring/bench/pareto.h"
+#include "relief/errors.h"
 #include "views/charts_data.h"
 #include "views/compare_data.h"
 #include "views/duel_data.h"
@@ -26,6 +26,7 @@
 #include "windows/restore_offer.h"
 #include "workspace/language.h"
 #include "workspace/last_state.h"
+#include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 #include "workspace/snapshot_maker.h"
 #include "workspace/start_scenario.h"
@@ -54,7 +55,7 @@ Start chosenStart(const std::string& file, const std::string& datasets) {
     const std::string path = std::filesystem::absolute(file).lexically_normal().string();
     try {
         if (endsInJson(path)) {
-            start.scenario = loadScenario(path);
+            start.scenario = reliefui::loadWindowScenario(path);
         } else {
             start.scenario.pictures = {};
             start.scenario.pictures.height = path;
@@ -191,7 +192,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
         return 0;
     }
     Start start = chosenStart(arguments.file, shippedPictures());
-    reliefui::takePanes(request, start.scenario.panes);
+    reliefui::takePanes(request, reliefui::panesOf(start.scenario));
     takeArguments(request, arguments);
     reliefui::prepareFigures();
     QApplication application(count, values);

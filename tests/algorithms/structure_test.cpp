@@ -1,12 +1,16 @@
 // Laws of the sources themselves.
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "images/files.h"
+#include "relief/files.h"
 
 namespace relief::test {
 namespace {
@@ -38,6 +42,81 @@ TEST(Structure, NoTypeIsDefinedTwice) {
     EXPECT_GT(places.size(), 500U) << "the sources were not understood";
     for (const auto& [name, files] : places) {
         EXPECT_EQ(files.size(), 1U) << name << " in " << *files.begin() << " and " << *files.rbegin();
+    }
+}
+
+const std::filesystem::path kAlgorithms = std::filesystem::path(RELIEF_SOURCE) / "algorithms";
+
+// The folders in the order of algorithms/README.md.
+std::vector<std::string> foldersInOrder() {
+    std::vector<std::string> folders;
+    const std::regex row("\\| `([a-z/]+)/` \\|.*");
+    std::istringstream text(readTextFile((kAlgorithms / "README.md").string()));
+    for (std::string line; std::getline(text, line);) {
+        if (std::smatch match; std::regex_match(line, match, row)) folders.push_back(match[1]);
+    }
+    return folders;
+}
+
+// The sources of algorithms/ by their path in it, with what each includes of them.
+std::map<std::string, std::vector<std::string>> includes() {
+    std::map<std::string, std::vector<std::string>> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kAlgorithms)) {
+        const std::string ending = entry.path().extension();
+        if (ending != ".h" && ending != ".cpp" && ending != ".inc" && ending != ".def") continue;
+        files[entry.path().lexically_relative(kAlgorithms).generic_string()];
+    }
+    const std::regex names("\\s*#\\s*include [<\"]([^>\"]+)[>\"].*");
+    for (auto& [file, included] : files) {
+        std::istringstream text(readTextFile((kAlgorithms / file).string()));
+        for (std::string line; std::getline(text, line);) {
+            std::smatch match;
+            if (!std::regex_match(line, match, names)) continue;
+            for (const std::string& path : {match[1].str(), "include/" + match[1].str()}) {
+                if (files.contains(path)) included.push_back(path);
+            }
+        }
+    }
+    return files;
+}
+
+TEST(Structure, NothingIsIncludedFromAFolderFurtherDown) {
+    const std::vector<std::string> order = foldersInOrder();
+    const auto files = includes();
+    const auto folderOf = [](const std::string& file) { return std::filesystem::path(file).parent_path().string(); };
+    // A public header belongs to the folder that implements it.
+    std::map<std::string, std::string> implementedIn;
+    for (const auto& [file, included] : files) {
+        if (file.ends_with(".cpp")) implementedIn[std::filesystem::path(file).stem()] = folderOf(file);
+    }
+    const auto placeOf = [&](const std::string& file) {
+        std::string folder = folderOf(file);
+        const auto implemented = implementedIn.find(std::filesystem::path(file).stem());
+        if (folder == order.front() && implemented != implementedIn.end()) folder = implemented->second;
+        const auto at = std::find(order.begin(), order.end(), folder);
+        EXPECT_NE(at, order.end()) << file << " lies in a folder that algorithms/README.md does not name";
+        return at - order.begin();
+    };
+    std::size_t count = 0;
+    for (const auto& [file, included] : files) {
+        const bool open = folderOf(file) == order.front();
+        for (const std::string& other : included) {
+            ++count;
+            if (open) {
+                EXPECT_EQ(folderOf(other), order.front()) << file << " is public, " << other << " is not";
+            } else {
+                EXPECT_LE(placeOf(other), placeOf(file)) << file << " includes " << other;
+            }
+        }
+    }
+    EXPECT_GT(count, 800U) << "the sources were not understood";
+    EXPECT_EQ(order.size(), 20U);
+}
+
+// Both are found by the same words, `relief/NAME.h`.
+TEST(Structure, NoPrivateHeaderHasTheNameOfAPublicOne) {
+    for (const auto& [file, included] : includes()) {
+        if (file.starts_with("include/")) EXPECT_FALSE(exists(kAlgorithms / file.substr(8))) << file;
     }
 }
 

@@ -9,13 +9,13 @@
 #include <map>
 #include <set>
 
-#include "errors.h"
-#include "images/files.h"
-#include "images/reliefs.h"
-#include "measuring/bench_tracers.h"
-#include "measuring/machine.h"
-#include "measuring/measured_method.h"
+#include "measuring/bench/bench_tracers.h"
+#include "measuring/bench/machine.h"
+#include "measuring/bench/measured_method.h"
 #include "readme_tables.h"
+#include "relief/errors.h"
+#include "relief/files.h"
+#include "relief/reliefs.h"
 
 namespace relief {
 namespace {

@@ -17,12 +17,12 @@
 #include <vtkSmartPointer.h>
 #include <vtkVersion.h>
 
-#include "images/reliefs.h"
-#include "measuring/machine.h"
+#include "measuring/bench/machine.h"
 #include "measuring/quantiles.h"
 #include "measuring/text_table.h"
 #include "peer_table.h"
 #include "relief/maps/distance_map.h"
+#include "relief/reliefs.h"
 
 #ifdef RELIEF_ITK
 #include "itk_peer.h"

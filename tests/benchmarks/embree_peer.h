@@ -8,7 +8,7 @@
 
 #include "relief/height_field.h"
 #include "relief/ray.h"
-#include "work.h"
+#include "relief/work.h"
 
 namespace relief::peers {
 

@@ -23,13 +23,13 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
-#include "errors.h"
 #include "filtering/texture_filter.h"
 #include "mapping/rows/row_lanes.h"
-#include "measuring/bench_filters.h"
-#include "measuring/machine.h"
+#include "measuring/bench/bench_filters.h"
+#include "measuring/bench/machine.h"
 #include "measuring/quantiles.h"
 #include "peer_table.h"
+#include "relief/errors.h"
 #include "rendering/frame.h"
 
 namespace relief {

@@ -16,11 +16,11 @@
 #include <CLI/CLI.hpp>
 
 #include "../resident_memory.h"
-#include "images/files.h"
-#include "measuring/picture_error.h"
+#include "measuring/compare/picture_error.h"
 #include "measuring/quantiles.h"
 #include "peer_table.h"
-#include "relief/lanes/packed_cone_hits.h"
+#include "relief/files.h"
+#include "relief/simd/packed_cone_hits.h"
 #include "rendering/progressive.h"
 
 namespace {

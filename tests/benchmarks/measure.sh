@@ -74,5 +74,5 @@ printed gain "$bin/relief_claims" --rays 100000 gain
 printed cost "$bin/relief_claims" --rays 100000 cost
 printed claims "$bin/relief" claims --measure --json -q
 # The table that the program ships: it is part of the next build.
-{ printf 'R"json('; cat "$folder/claims.md"; printf ')json"\n'; } >algorithms/measuring/claims_shipped.inc
+{ printf 'R"json('; cat "$folder/claims.md"; printf ')json"\n'; } >algorithms/measuring/bench/claims_shipped.inc
 "$bin/relief_claims" readme README.md "$folder"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "measuring/bench_tracers.h"
+#include "measuring/bench/bench_tracers.h"
 #include "rendering/block_order.h"
 #include "rendering/tile_worker.h"
 

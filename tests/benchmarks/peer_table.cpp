@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "images/files.h"
-#include "measuring/bench_columns.h"
-#include "measuring/machine.h"
+#include "measuring/bench/bench_columns.h"
+#include "measuring/bench/machine.h"
 #include "measuring/quantiles.h"
+#include "relief/files.h"
 
 namespace relief::peers {
 

@@ -1,6 +1,6 @@
 #include "readme_file.h"
 
-#include "images/files.h"
+#include "relief/files.h"
 
 namespace relief::claims {
 

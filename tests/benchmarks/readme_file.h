@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "errors.h"
 #include "measuring/text_table.h"
 #include "relief/describe.h"
+#include "relief/errors.h"
 
 namespace relief::claims {
 

@@ -7,11 +7,11 @@
 #include <map>
 #include <vector>
 
-#include "errors.h"
-#include "images/files.h"
 #include "measuring/text_table.h"
 #include "readme_file.h"
 #include "relief/describe.h"
+#include "relief/errors.h"
+#include "relief/files.h"
 
 namespace relief::claims {
 

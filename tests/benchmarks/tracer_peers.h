@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "embree_peer.h"
-#include "measuring/bench_tracers.h"
+#include "measuring/bench/bench_tracers.h"
 #include "peer_rays.h"
 
 namespace relief::peers {

@@ -4,12 +4,12 @@
 #include <ostream>
 
 #include "embree_peer.h"
-#include "errors.h"
-#include "images/files.h"
-#include "images/reliefs.h"
-#include "measuring/machine.h"
+#include "measuring/bench/machine.h"
 #include "measuring/quantiles.h"
 #include "measuring/text_table.h"
+#include "relief/errors.h"
+#include "relief/files.h"
+#include "relief/reliefs.h"
 #include "tracer_peers.h"
 
 namespace relief::peers {

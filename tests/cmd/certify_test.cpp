@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "command_test.h"
-#include "images/files.h"
-#include "relief/maps/map_files.h"
+#include "relief/files.h"
+#include "relief/tracers/map_choice.h"
 #include "scenario/scenario.h"
 
 namespace relief::test {

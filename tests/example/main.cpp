@@ -1,14 +1,13 @@
 // A pixel, its ray, where it meets the relief, and every step on the way.
 #include <iostream>
 
-#include "images/reliefs.h"
-#include "rendering/frame.h"
+#include <relief/relief.h>
 
 int main() {
     using namespace relief;
     const auto heights = std::make_shared<FloatImage>(makeRelief("bricks", 128, 128, 1));
-    FrameRequest request{HeightField(heights, Surface::Bilinear, Address::Repeat, 0.1)};
-    const auto ray = pixelRay(request, 400, 300);
+    const HeightField field(heights, Surface::Bilinear, Address::Repeat, 0.1);
+    const auto ray = floorRay(field, Camera{}, 800, 600, 400, 300);
     if (!ray) return 1;
     MapCache maps;
     Work work;
@@ -16,7 +15,7 @@ int main() {
     rays.push(*ray);
     HitBlock hits;
     StepLog log;
-    makeTracer({"max-pyramid", {}}, request.field, maps, work)->trace(rays, hits, log, work);
+    makeTracer({"max-pyramid", {}}, field, maps, work)->trace(rays, hits, log, work);
     for (const Step& step : log.steps) {
         std::cout << decisionName(step.decision) << " level " << step.level << " texel (" << step.i << "," << step.j
                   << ") lambda " << step.lambdaIn << " to " << step.lambdaOut << ", maximum " << step.value << "\n";

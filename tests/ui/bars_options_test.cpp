@@ -2,12 +2,13 @@
 #include <QComboBox>
 #include <QToolButton>
 
-#include "measuring/view_bench.h"
+#include "measuring/bench/view_bench.h"
 #include "views/charts_view.h"
 #include "views/compare_view.h"
 #include "views/drawing_canvas.h"
 #include "window_fixture.h"
 #include "windows/number_control.h"
+#include "workspace/pane_states.h"
 
 namespace reliefui {
 namespace {
@@ -42,7 +43,9 @@ class BarsAndOptions : public WindowTest {
 TEST_F(BarsAndOptions, AClickOnABarChoosesOneOfItsPixels) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "8"}}};
-    scenario.panes.charts = {"histograms", "mean", false, false};
+    PaneStates panes;
+    panes.charts = {"histograms", "mean", false, false};
+    setPanesOf(scenario, panes);
     openWindow(scenario);
     QTest::keyClick(window_.get(), Qt::Key_0);
     ChartsView* const view = window_->charts();
@@ -84,7 +87,9 @@ TEST_F(BarsAndOptions, AClickOnABarChoosesOneOfItsPixels) {
 
 TEST_F(BarsAndOptions, ABarOfStepsChoosesARayOfSoMany) {
     relief::Scenario scenario = smallScenario();
-    scenario.panes.charts = {"histograms", "mean", false, false};
+    PaneStates panes;
+    panes.charts = {"histograms", "mean", false, false};
+    setPanesOf(scenario, panes);
     openWindow(scenario);
     QTest::keyClick(window_.get(), Qt::Key_0);
     ChartsView* const view = window_->charts();

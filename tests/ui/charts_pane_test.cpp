@@ -3,7 +3,7 @@
 #include <QToolButton>
 
 #include "drawings/charts_drawing.h"
-#include "measuring/measured_method.h"
+#include "measuring/bench/measured_method.h"
 #include "rendering/error_layer.h"
 #include "scenario/scenario.h"
 #include "views/charts_view.h"

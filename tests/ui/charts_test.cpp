@@ -9,7 +9,7 @@
 
 #include "drawings/chart_parts.h"
 #include "drawings/charts_drawing.h"
-#include "errors.h"
+#include "relief/errors.h"
 #include "rendering/error_layer.h"
 #include "scenario/scenario.h"
 #include "window_fixture.h"

@@ -10,7 +10,7 @@
 
 #include "drawings/chart_parts.h"
 #include "drawings/compare_drawing.h"
-#include "measuring/picture_error.h"
+#include "measuring/compare/picture_error.h"
 #include "scenario/scenario.h"
 #include "views/compare_view.h"
 #include "window_fixture.h"

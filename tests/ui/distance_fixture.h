@@ -1,7 +1,7 @@
 // The distance map's pane, open on a relief with walls.
 #pragma once
 
-#include "relief/maps/map_choice.h"
+#include "relief/tracers/map_choice.h"
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
 #include "window_fixture.h"

@@ -8,7 +8,7 @@
 
 #include "distance_fixture.h"
 #include "drawings/ray_geometry.h"
-#include "relief/maps/map_choice.h"
+#include "relief/tracers/map_choice.h"
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
 #include "views/result_painting.h"

@@ -12,9 +12,9 @@
 #include "drawings/pyramid_drawing.h"
 #include "drawings/qpainter_painter.h"
 #include "drawings/ray_geometry.h"
-#include "images/files.h"
-#include "images/reliefs.h"
+#include "relief/files.h"
 #include "relief/maps/max_pyramid_map.h"
+#include "relief/reliefs.h"
 #include "relief/tracers.h"
 
 namespace reliefui {

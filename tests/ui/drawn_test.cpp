@@ -9,7 +9,7 @@
 #include <QTemporaryDir>
 
 #include "drawings/drawn_drawing.h"
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 #include "scenario/scenario.h"
 #include "views/drawing_canvas.h"
 #include "views/drawn_view.h"

@@ -7,8 +7,8 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
-#include "images/files.h"
-#include "measuring/flip.h"
+#include "measuring/compare/flip.h"
+#include "relief/files.h"
 #include "views/figure.h"
 #include "views/pyramid_view.h"
 #include "views/step_table.h"

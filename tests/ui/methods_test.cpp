@@ -10,7 +10,7 @@
 #include <QTableView>
 
 #include "drawings/ray_geometry.h"
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 #include "relief/tracers.h"
 #include "views/step_table.h"
 #include "views/trace3d_samples.h"

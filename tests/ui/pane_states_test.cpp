@@ -17,12 +17,13 @@
 #include "views/rows_view.h"
 #include "views/trace3d_view.h"
 #include "window_fixture.h"
+#include "workspace/pane_states.h"
 #include "workspace/snapshot_maker.h"
 
 namespace reliefui {
 namespace {
 
-class PaneStates : public WindowTest {
+class PaneChoices : public WindowTest {
   protected:
     // Another choice in every pane, as its controls would make it.
     void turnAll() {
@@ -49,7 +50,7 @@ class PaneStates : public WindowTest {
     }
     // What the panes themselves go by.
     void expectPanesAsTheScenarioSays() {
-        const relief::PaneStates& panes = workspace_->scenario().panes;
+        const PaneStates& panes = panesOf(workspace_->scenario());
         EXPECT_EQ(window_->distance()->options(), distanceOptions(panes.distance));
         EXPECT_EQ(window_->rows()->options(), rowsOptions(panes.rows));
         EXPECT_EQ(window_->footprint()->options().neighbours, panes.footprint.neighbours);
@@ -61,19 +62,19 @@ class PaneStates : public WindowTest {
     }
 };
 
-TEST_F(PaneStates, TheyAreUndoneAndRedone) {
+TEST_F(PaneChoices, TheyAreUndoneAndRedone) {
     openWindow(smallScenario());
     const relief::Scenario before = scenario();
     const auto picture = snapshot()->picture;
     turnAll();
     const relief::Scenario after = scenario();
-    EXPECT_NE(after.panes.distance, before.panes.distance);
-    EXPECT_NE(after.panes.rows, before.panes.rows);
-    EXPECT_NE(after.panes.footprint, before.panes.footprint);
-    EXPECT_NE(after.panes.profile, before.panes.profile);
-    EXPECT_NE(after.panes.pyramid, before.panes.pyramid);
-    EXPECT_NE(after.panes.charts, before.panes.charts);
-    EXPECT_NE(after.panes.trace, before.panes.trace);
+    EXPECT_NE(panesOf(after).distance, panesOf(before).distance);
+    EXPECT_NE(panesOf(after).rows, panesOf(before).rows);
+    EXPECT_NE(panesOf(after).footprint, panesOf(before).footprint);
+    EXPECT_NE(panesOf(after).profile, panesOf(before).profile);
+    EXPECT_NE(panesOf(after).pyramid, panesOf(before).pyramid);
+    EXPECT_NE(panesOf(after).charts, panesOf(before).charts);
+    EXPECT_NE(panesOf(after).trace, panesOf(before).trace);
     expectPanesAsTheScenarioSays();
     while (workspace_->canUndo()) workspace_->undo();
     EXPECT_EQ(scenario(), before);
@@ -84,7 +85,7 @@ TEST_F(PaneStates, TheyAreUndoneAndRedone) {
     expectPanesAsTheScenarioSays();
 }
 
-TEST_F(PaneStates, SavedAndOpenedTheyAreTheSame) {
+TEST_F(PaneChoices, SavedAndOpenedTheyAreTheSame) {
     openWindow(smallScenario());
     turnAll();
     const relief::Scenario saved = scenario();
@@ -117,7 +118,7 @@ TEST_F(PaneStates, SavedAndOpenedTheyAreTheSame) {
 }
 
 // A slider that is dragged is one step back.
-TEST_F(PaneStates, ADragIsOneStepOfUndo) {
+TEST_F(PaneChoices, ADragIsOneStepOfUndo) {
     openWindow(smallScenario());
     window_->distance()->window()->findChild<QWidget*>(QStringLiteral("distance-pane"))->raise();
     ASSERT_TRUE(QTest::qWaitFor([&] { return window_->distance()->settled(); }, 10000));
@@ -130,13 +131,13 @@ TEST_F(PaneStates, ADragIsOneStepOfUndo) {
         slider->setValue(slice);
         QTest::qWait(20);
     }
-    EXPECT_EQ(scenario().panes.distance.slice, start + 1);
+    EXPECT_EQ(panesOf(scenario()).distance.slice, start + 1);
     workspace_->undo();
-    EXPECT_EQ(scenario().panes.distance, before.panes.distance);
+    EXPECT_EQ(panesOf(scenario()).distance, panesOf(before).distance);
 }
 
 // The probes of the flat pane, on slabs: texels in the colours of their heights, and the step that is clicked.
-TEST_F(PaneStates, ThePyramidStandsInSpace) {
+TEST_F(PaneChoices, ThePyramidStandsInSpace) {
     relief::Scenario columns = smallScenario();
     columns.surface = relief::Surface::Columns;
     openWindow(columns);
@@ -175,7 +176,7 @@ TEST_F(PaneStates, ThePyramidStandsInSpace) {
     EXPECT_GT(right, probes * 7 / 10) << right << " of " << probes;
 }
 
-TEST_F(PaneStates, AClickOnASlabChoosesTheStep) {
+TEST_F(PaneChoices, AClickOnASlabChoosesTheStep) {
     openWindow(smallScenario());
     PyramidView* const view = window_->pyramid();
     view->setStacked(true);
@@ -205,7 +206,7 @@ TEST_F(PaneStates, AClickOnASlabChoosesTheStep) {
     EXPECT_GT(clicked, 0);
 }
 
-TEST_F(PaneStates, AllThreePyramidsStandBesideEachOther) {
+TEST_F(PaneChoices, AllThreePyramidsStandBesideEachOther) {
     openWindow(smallScenario());
     PyramidView* const view = window_->pyramid();
     view->showAllKinds();

@@ -9,6 +9,7 @@
 #include "views/pane_options.h"
 #include "views/point_asker.h"
 #include "views/profile_view.h"
+#include "workspace/pane_states.h"
 
 namespace reliefui {
 
@@ -18,7 +19,11 @@ constexpr double kRounding = 1e-5;  // of heights in float
 
 relief::Scenario walls(bool asked = true) {
     relief::Scenario scenario = lessonScenario(QStringLiteral("paper_walls"));
-    if (!asked) scenario.panes.query.reset();
+    if (!asked) {
+        PaneStates panes = panesOf(scenario);
+        panes.query.reset();
+        setPanesOf(scenario, panes);
+    }
     return scenario;
 }
 
@@ -83,24 +88,24 @@ TEST_F(DistanceTest, CtrlClickAsksForAPointAndThereAgainForgetsIt) {
     const QPoint at = canvas()->toWidget(frame.at(Place3{4, 4.5, 6})).toPoint();
     QTest::mouseClick(canvas(), Qt::LeftButton, Qt::ControlModifier, at);
     ASSERT_NO_FATAL_FAILURE(settle());
-    ASSERT_TRUE(scenario().panes.query);
+    ASSERT_TRUE(panesOf(scenario()).query);
     ASSERT_NE(view()->point(), nullptr);
     const double pixel = 2 / frame.scale;  // texels, generously
-    EXPECT_NEAR(scenario().panes.query->s, 4, pixel);
-    EXPECT_EQ(scenario().panes.query->t, frame.plane);
-    EXPECT_NEAR(scenario().panes.query->z, 0.6, pixel / 10);
+    EXPECT_NEAR(panesOf(scenario()).query->s, 4, pixel);
+    EXPECT_EQ(panesOf(scenario()).query->t, frame.plane);
+    EXPECT_NEAR(panesOf(scenario()).query->z, 0.6, pixel / 10);
     EXPECT_NEAR(view()->point()->distances.euclidean, 3, pixel);
     EXPECT_NEAR(view()->point()->distances.refined, 4, pixel);
     EXPECT_EQ(scenario().step, step) << "it chooses no step";
     EXPECT_NE(view()->image(500), without) << "it is exported, too";
     QTest::mouseClick(canvas(), Qt::LeftButton, Qt::ControlModifier, at + QPoint(2, 1));
     ASSERT_NO_FATAL_FAILURE(settle());
-    EXPECT_FALSE(scenario().panes.query);
+    EXPECT_FALSE(panesOf(scenario()).query);
     EXPECT_EQ(view()->point(), nullptr);
     EXPECT_EQ(view()->image(500), without);
     workspace_->undo();
     ASSERT_NO_FATAL_FAILURE(settle());
-    EXPECT_TRUE(scenario().panes.query);
+    EXPECT_TRUE(panesOf(scenario()).query);
 }
 
 TEST_F(DistanceTest, ThereAgainForgetsItInAnotherCopyAndAtThePlotsEdgeToo) {
@@ -113,20 +118,20 @@ TEST_F(DistanceTest, ThereAgainForgetsItInAnotherCopyAndAtThePlotsEdgeToo) {
     };
     const Point middle = frame.plot.center();
     click(middle);
-    ASSERT_TRUE(scenario().panes.query);
-    relief::PaneStates panes = scenario().panes;
+    ASSERT_TRUE(panesOf(scenario()).query);
+    PaneStates panes = panesOf(scenario());
     panes.query->s -= 2 * field.width();  // drawn in the copy that is seen
     panes.query->t += field.height();
     workspace_->setPanes(panes, {});
     ASSERT_NO_FATAL_FAILURE(settle());
     ASSERT_NE(view()->point(), nullptr);
     click(middle);
-    EXPECT_FALSE(scenario().panes.query);
+    EXPECT_FALSE(panesOf(scenario()).query);
     const Point corner{frame.plot.x0 + 2, frame.plot.y1 - 2};
     click(corner);
-    ASSERT_TRUE(scenario().panes.query);
+    ASSERT_TRUE(panesOf(scenario()).query);
     click(corner);
-    EXPECT_FALSE(scenario().panes.query);
+    EXPECT_FALSE(panesOf(scenario()).query);
 }
 
 TEST_F(DistanceTest, InEveryCopyOfAPictureAPointHasTheSameDistances) {
@@ -150,7 +155,7 @@ TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
     for (const char* const name : {"distance", "profile"}) {
         FigureRequest request;
         request.view = name;
-        takePanes(request, walls().panes);
+        takePanes(request, panesOf(walls()));
         ASSERT_TRUE(request.query);
         const QImage with = figureImage(*snapshot(), request, 500);
         request.query.reset();
@@ -168,14 +173,14 @@ TEST_F(WindowTest, TheProfileShowsThePointAndAsksForAnother) {
     const double lambda = snapshot()->trace.hit.lambda / 4;
     const QPoint at = view->canvas()->toWidget(view->frame().onRay(lambda)).toPoint() + QPoint(0, -6);
     QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::ControlModifier, at);
-    ASSERT_TRUE(scenario().panes.query);
-    EXPECT_NE(scenario().panes.query, walls().panes.query);
+    ASSERT_TRUE(panesOf(scenario()).query);
+    EXPECT_NE(panesOf(scenario()).query, panesOf(walls()).query);
     ASSERT_TRUE(QTest::qWaitFor([&] { return view->point() != nullptr; }, kDistancePatienceMs));
-    EXPECT_EQ(view->point()->point, *scenario().panes.query);
+    EXPECT_EQ(view->point()->point, *panesOf(scenario()).query);
     EXPECT_GT(view->point()->distances.euclidean, 0);
     EXPECT_GE(view->point()->distances.refined, view->point()->distances.euclidean - kRounding);
     QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::ControlModifier, at);
-    EXPECT_FALSE(scenario().panes.query);
+    EXPECT_FALSE(panesOf(scenario()).query);
     EXPECT_EQ(view->point(), nullptr);
 }
 

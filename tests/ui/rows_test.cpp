@@ -7,8 +7,8 @@
 
 #include "drawings/rows_drawing.h"
 #include "drawings/style.h"
-#include "errors.h"
-#include "measuring/bench_rows.h"
+#include "measuring/bench/bench_rows.h"
+#include "relief/errors.h"
 
 namespace reliefui {
 

@@ -14,6 +14,7 @@
 #include "windows/message_bar.h"
 #include "windows/restore_offer.h"
 #include "workspace/last_state.h"
+#include "workspace/pane_states.h"
 #include "workspace/state_keeper.h"
 #include "x_keys.h"
 
@@ -71,8 +72,7 @@ TEST_F(SessionTest, AChangeIsSavedAndACleanEndLeavesNothing) {
     workspace_->setBookmarks({{"a", {60, 50}, scenario().camera, 0}}, QStringLiteral("bookmark"));
     const auto saved = [&] {
         const QStringList files = unfinished().filter(QStringLiteral(".json"));
-        return files.size() == 1 &&
-               relief::loadScenario((settingsFolder() + '/' + files[0]).toStdString()) == scenario();
+        return files.size() == 1 && loadWindowScenario((settingsFolder() + '/' + files[0]).toStdString()) == scenario();
     };
     EXPECT_TRUE(QTest::qWaitFor(saved, kPatienceMs));
     EXPECT_EQ(unfinished().filter(QStringLiteral(".ini")).size(), 1) << "the panes are part of it";
@@ -148,7 +148,7 @@ TEST_F(SessionTest, AStateThatEndedTheStartIsNotTriedAgain) {
     auto found = SessionFiles::leftBehind();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_TRUE(found[0].failedToStart());
-    EXPECT_EQ(relief::loadScenario(found[0].scenarioFile().toStdString()), smallScenario());
+    EXPECT_EQ(loadWindowScenario(found[0].scenarioFile().toStdString()), smallScenario());
     relief::AssetStore store;
     EXPECT_FALSE(lastState(store));
     found.clear();
@@ -188,7 +188,7 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     const auto saved = [&]() -> std::optional<relief::Scenario> {
         const QStringList files = unfinished().filter(QStringLiteral(".json"));
         if (files.isEmpty()) return std::nullopt;
-        return relief::loadScenario((settingsFolder() + '/' + files[0]).toStdString());
+        return loadWindowScenario((settingsFolder() + '/' + files[0]).toStdString());
     };
     QProcess process;
     ASSERT_TRUE(start(process, {file}));
@@ -220,7 +220,7 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     process.waitForFinished();
     const auto left = SessionFiles::leftBehind();
     ASSERT_EQ(left.size(), 1U) << "nothing of the second";
-    EXPECT_EQ(relief::loadScenario(left[0].scenarioFile().toStdString()), first);
+    EXPECT_EQ(loadWindowScenario(left[0].scenarioFile().toStdString()), first);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "drawings/distance_slice.h"
-#include "relief/maps/map_choice.h"
+#include "relief/tracers/map_choice.h"
 #include "traced_ray.h"
 
 namespace reliefui {

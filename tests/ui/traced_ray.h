@@ -7,7 +7,7 @@
 
 #include "drawings/profile_drawing.h"
 #include "drawings/slice.h"
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 #include "relief/tracers.h"
 
 namespace reliefui {

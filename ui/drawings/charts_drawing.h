@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drawings/pareto_drawing.h"
-#include "measuring/view_bench.h"
+#include "measuring/bench/view_bench.h"
 
 namespace reliefui {
 

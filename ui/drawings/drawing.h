@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "images/image.h"
-#include "messages.h"
+#include "relief/image.h"
+#include "relief/messages.h"
 #include "relief/step_log.h"
 
 namespace reliefui {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drawings/profile_drawing.h"
-#include "measuring/duel.h"
+#include "measuring/compare/duel.h"
 
 namespace reliefui {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drawings/drawing.h"
-#include "measuring/pareto.h"
+#include "measuring/bench/pareto.h"
 
 namespace reliefui {
 

@@ -246,13 +246,13 @@ std::optional<PlaneView> planeView(const PointQuery& query, const ProfileSource&
 
 }  // namespace
 
-bool overPicture(const relief::HeightField& field, const relief::QueryPoint& point) {
+bool overPicture(const relief::HeightField& field, const QueryPoint& point) {
     if (repeats(field)) return true;
     return point.s >= 0 && point.s <= field.width() && point.t >= 0 && point.t <= field.height();
 }
 
-std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, const relief::QueryPoint& point,
-                                             double flattest, relief::MapCache& cache, relief::Work& work) {
+std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, const QueryPoint& point, double flattest,
+                                             relief::MapCache& cache, relief::Work& work) {
     if (!overPicture(field, point)) return nullptr;
     auto query = std::make_shared<PointQuery>();
     query->point = query->within = point;
@@ -260,7 +260,7 @@ std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, c
         query->within.s = wrappedInto(point.s, field.width());
         query->within.t = wrappedInto(point.t, field.height());
     }
-    const relief::QueryPoint& at = query->within;
+    const QueryPoint& at = query->within;
     query->distances = relief::distancesAt(field, at.s, at.t, at.z, flattest, cache, work);
     return query;
 }

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "drawings/legend_rows.h"
-#include "relief/maps/refined.h"
-#include "scenario/pane_states.h"
+#include "relief/tracers/point_distances.h"
+#include "workspace/pane_states.h"
 
 namespace reliefui {
 
@@ -18,17 +18,17 @@ struct ProfileFrame;
 struct ProfileSource;
 
 struct PointQuery {
-    relief::QueryPoint point;   // as it was set; where the picture repeats, in any of its copies
-    relief::QueryPoint within;  // the same in the first copy, which the distances are of
+    QueryPoint point;   // as it was set; where the picture repeats, in any of its copies
+    QueryPoint within;  // the same in the first copy, which the distances are of
     relief::PointDistances distances;
 };
 
 // Whether the point has distances: it lies over the picture, or the picture repeats.
-bool overPicture(const relief::HeightField& field, const relief::QueryPoint& point);
+bool overPicture(const relief::HeightField& field, const QueryPoint& point);
 // Null where the point does not lie over the picture. flattest: degrees below which rays are not served. Traces some
 // ten thousand rays; throws Cancelled.
-std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, const relief::QueryPoint& point,
-                                             double flattest, relief::MapCache& cache, relief::Work& work);
+std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, const QueryPoint& point, double flattest,
+                                             relief::MapCache& cache, relief::Work& work);
 
 // Adds the point, the spheres and the rays where the slice, or the plane of the profile's ray, cuts a sphere. A
 // point beyond what is shown is drawn in the copy of the picture that is nearest to its middle.

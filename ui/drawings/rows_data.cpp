@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "drawings/rows_drawing.h"
-#include "errors.h"
 #include "mapping/rows/row_planner.h"
-#include "measuring/bench_rows.h"
+#include "measuring/bench/bench_rows.h"
+#include "relief/errors.h"
 
 namespace reliefui {
 

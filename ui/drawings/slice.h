@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drawings/drawing.h"
-#include "relief/pyramid_walk.h"
+#include "relief/methods/pyramid_walk.h"
 #include "relief/ray.h"
 #include "relief/step_log.h"
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "drawings/legend_rows.h"
-#include "scenario/pane_states.h"
+#include "workspace/pane_states.h"
 
 namespace reliefui {
 
@@ -68,7 +68,7 @@ void addLevels(LegendRows& rows, const std::vector<relief::Step>& steps, const S
 }  // namespace
 
 StepColors stepColors(const std::string& name) {
-    const std::vector<std::string>& names = relief::tracePaneColors();
+    const std::vector<std::string>& names = tracePaneColors();
     const auto at = std::find(names.begin(), names.end(), name) - names.begin();
     return static_cast<StepColors>(at % 3);
 }

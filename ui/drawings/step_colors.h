@@ -10,7 +10,7 @@
 namespace reliefui {
 
 enum class StepColors : std::uint8_t { Decision, Level, Phase };
-// As of relief::tracePaneColors().
+// As of tracePaneColors().
 StepColors stepColors(const std::string& name);
 
 // levels: of the pyramid over the relief; each has a colour of its own, the same as its plateaus in the profile.

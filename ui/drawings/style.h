@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drawings/drawing.h"
-#include "messages.h"
+#include "relief/messages.h"
 
 namespace reliefui {
 

@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QFile>
 
+#include "workspace/pane_states.h"
+
 // Resources of a static library have to be asked for, outside any namespace.
 static void initLessons() {
     Q_INIT_RESOURCE(lessons);
@@ -85,7 +87,7 @@ relief::Scenario lessonScenario(const QString& name) {
     if (!file.open(QIODevice::ReadOnly)) {
         throw relief::InputError(path.toStdString(), relief::Message(relief::MessageId::FileMissing));
     }
-    return relief::parseScenario(file.readAll().toStdString(), path.toStdString());
+    return parseWindowScenario(file.readAll().toStdString(), path.toStdString());
 }
 
 }  // namespace reliefui

@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "measuring/duel.h"
+#include "measuring/compare/duel.h"
 #include "scenario/scenario.h"
 
 namespace reliefui {

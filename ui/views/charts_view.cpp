@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "views/drawing_canvas.h"
+#include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -114,16 +115,16 @@ void ChartsView::cancel() {
     job_->cancel();
 }
 
-void ChartsView::change(const relief::ChartsPane& pane) {
-    relief::PaneStates panes = workspace_->scenario().panes;
+void ChartsView::change(const ChartsPane& pane) {
+    PaneStates panes = panesOf(workspace_->scenario());
     panes.charts = pane;
     workspace_->setPanes(panes, tr("Charts: other view"));
     adopt();
 }
 
 void ChartsView::adopt() {
-    const relief::ChartsPane before = std::exchange(pane_, workspace_->scenario().panes.charts);
-    const std::vector<std::string>& names = relief::chartsPaneShown();
+    const ChartsPane before = std::exchange(pane_, panesOf(workspace_->scenario()).charts);
+    const std::vector<std::string>& names = chartsPaneShown();
     const auto shown = std::find(names.begin(), names.end(), pane_.shown) - names.begin();
     shown_->setCurrentIndex(static_cast<int>(shown));
     error_->setCurrentIndex(static_cast<int>(relief::parseErrorMeasure(pane_.error, "error")));
@@ -136,25 +137,25 @@ void ChartsView::adopt() {
 }
 
 void ChartsView::setLive(bool on) {
-    relief::ChartsPane pane = pane_;
+    ChartsPane pane = pane_;
     pane.live = on;
     change(pane);
 }
 
 void ChartsView::setWithMaps(bool on) {
-    relief::ChartsPane pane = pane_;
+    ChartsPane pane = pane_;
     pane.maps = on;
     change(pane);
 }
 
 void ChartsView::setShown(ChartsShown shown) {
-    relief::ChartsPane pane = pane_;
-    pane.shown = relief::chartsPaneShown()[static_cast<std::size_t>(shown)];
+    ChartsPane pane = pane_;
+    pane.shown = chartsPaneShown()[static_cast<std::size_t>(shown)];
     change(pane);
 }
 
 void ChartsView::setMeasure(relief::ErrorMeasure measure) {
-    relief::ChartsPane pane = pane_;
+    ChartsPane pane = pane_;
     pane.error = std::string(relief::kErrorMeasureNames[static_cast<std::size_t>(measure)]);
     change(pane);
 }

@@ -56,7 +56,7 @@ class ChartsView : public FigureView {
 
   private:
     void makeBar();
-    void change(const relief::ChartsPane& pane);
+    void change(const ChartsPane& pane);
     void adopt();  // what the scenario says
     QToolButton* addButton(const char* name, const QString& text, const QString& help, bool checkable);
     QComboBox* addChooser(const char* name, const QString& help);
@@ -82,7 +82,7 @@ class ChartsView : public FigureView {
     std::shared_ptr<const relief::Frame> counted_;  // that the histograms are of
     std::shared_ptr<const relief::FrameHistograms> histograms_;
     std::shared_ptr<const MeasuredView> measured_;
-    relief::ChartsPane pane_;
+    ChartsPane pane_;
     ChartsPicture picture_;
     QPointF released_;
     bool measuring_ = false;

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "messages.h"
+#include "relief/messages.h"
 
 namespace reliefui {
 

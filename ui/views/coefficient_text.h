@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-#include "mapping/coefficients.h"
+#include "mapping/rows/coefficients.h"
 
 namespace reliefui {
 

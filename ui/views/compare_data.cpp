@@ -5,8 +5,8 @@
 
 #include <QCoreApplication>
 
-#include "measuring/pareto.h"
-#include "measuring/view_bench.h"
+#include "measuring/bench/pareto.h"
+#include "measuring/bench/view_bench.h"
 #include "rendering/base_level.h"
 #include "scenario/step_sentence.h"
 #include "views/result_painting.h"
@@ -27,7 +27,7 @@ relief::Scenario viewOf(relief::Scenario scenario) {
     scenario.pixel.reset();
     scenario.step = 0;
     scenario.comparison = {};
-    scenario.panes = {};
+    scenario.ui.clear();
     scenario.breakpoints.clear();
     scenario.bookmarks.clear();
     return scenario;

@@ -10,7 +10,7 @@
 #include <QImage>
 
 #include "drawings/compare_drawing.h"
-#include "measuring/picture_error.h"
+#include "measuring/compare/picture_error.h"
 #include "workspace/snapshot.h"
 
 namespace reliefui {

@@ -7,7 +7,7 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "measuring/pareto.h"
+#include "measuring/bench/pareto.h"
 #include "workspace/discard.h"
 #include "workspace/pause_log.h"
 

@@ -12,7 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "relief/maps/map_choice.h"
+#include "relief/tracers/map_choice.h"
 #include "scenario/step_sentence.h"
 #include "views/distance_view.h"
 #include "views/drawing_canvas.h"
@@ -278,14 +278,14 @@ void DistanceView::tell(const QPointF& widget) {
     setReadout(text);
 }
 
-std::optional<relief::QueryPoint> DistanceView::pointAt(const QPointF& widget) const {
+std::optional<QueryPoint> DistanceView::pointAt(const QPointF& widget) const {
     if (!result_) return std::nullopt;
     const DistanceFrame& frame = result_->picture.frame;
     const Point at = canvas_->toDrawing(widget);
     // A cone map has no height under the pointer.
     if (frame.slopes || frame.slab <= 0 || !frame.plot.contains(at)) return std::nullopt;
     const Place3 place = fromSlice(frame.axis, frame.slab, frame.plane, frame.uvAt(at));
-    const relief::QueryPoint point{place[0], place[1], std::clamp(place[2] / frame.slab, 0.0, 1.0)};
+    const QueryPoint point{place[0], place[1], std::clamp(place[2] / frame.slab, 0.0, 1.0)};
     return overPicture(result_->snapshot->request->field, point) ? std::optional(point) : std::nullopt;
 }
 

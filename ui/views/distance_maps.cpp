@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "relief/maps/map_choice.h"
 #include "relief/tracers.h"
+#include "relief/tracers/map_choice.h"
 
 namespace reliefui {
 

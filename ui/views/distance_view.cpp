@@ -10,11 +10,12 @@
 #include <QSlider>
 #include <QToolButton>
 
-#include "relief/maps/map_choice.h"
+#include "relief/tracers/map_choice.h"
 #include "views/drawing_canvas.h"
 #include "views/pane_options.h"
 #include "windows/core_texts.h"
 #include "workspace/discard.h"
+#include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -26,14 +27,14 @@ void DistanceView::setOptions(const DistanceOptions& options) {
 // drag: what is dragged, one step of undo.
 void DistanceView::change(const DistanceOptions& options, const char* drag) {
     if (options == options_) return;
-    relief::PaneStates panes = workspace_->scenario().panes;
+    PaneStates panes = panesOf(workspace_->scenario());
     panes.distance = distancePane(options);
     workspace_->setPanes(panes, tr("Distance map: other view"), QString::fromLatin1(drag));
     showControls();  // where it was refused
 }
 
 void DistanceView::adopt() {
-    const relief::PaneStates& panes = workspace_->scenario().panes;
+    const PaneStates& panes = panesOf(workspace_->scenario());
     const DistanceOptions options = distanceOptions(panes.distance);
     if (options == options_ && panes.query == query_) return;
     query_ = panes.query;

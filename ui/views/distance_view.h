@@ -55,7 +55,7 @@ class DistanceView : public FigureView {
     void resizeEvent(QResizeEvent* event) override;
     void letGo() override;
     bool showsPoints() const override { return true; }
-    std::optional<relief::QueryPoint> pointAt(const QPointF& widget) const override;
+    std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
     std::optional<QPointF> pointPlace() const override;
 
   private:
@@ -124,7 +124,7 @@ class DistanceView : public FigureView {
     std::shared_ptr<const Result> result_;
     std::shared_ptr<const Drawing> drawing_;
     std::shared_ptr<const Drawing> legend_;
-    std::optional<relief::QueryPoint> query_;
+    std::optional<QueryPoint> query_;
     bool stale_ = true;  // changed while it was hidden
     PointAsker point_{this, [this] { refresh(); }};
     std::unique_ptr<LatestJob> job_;  // last: ends before the rest

@@ -14,8 +14,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "images/addressing.h"
-#include "images/reliefs.h"
+#include "relief/addressing.h"
+#include "relief/reliefs.h"
 #include "windows/core_texts.h"
 #include "workspace/pause_log.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "measuring/measured_method.h"
+#include "measuring/bench/measured_method.h"
 #include "rendering/base_level.h"
 #include "views/figure.h"
 

@@ -8,9 +8,9 @@
 #include <QSvgGenerator>
 
 #include "drawings/qpainter_painter.h"
-#include "images/files.h"
-#include "measuring/bench_rows.h"
-#include "relief/maps/map_choice.h"
+#include "measuring/bench/bench_rows.h"
+#include "relief/files.h"
+#include "relief/tracers/map_choice.h"
 #include "views/distance_maps.h"
 #include "views/figure_parts.h"
 #include "views/point_asker.h"

@@ -50,7 +50,7 @@ struct FigureRequest {
     PyramidOptions pyramid;
     ProfileOptions profile;
     DistanceOptions distance;
-    std::optional<relief::QueryPoint> query;  // of "distance" and "profile": whose distances are shown
+    std::optional<QueryPoint> query;  // of "distance" and "profile": whose distances are shown
     RowsOptions rows;
     RowsRange rowsRange;
     FootprintOptions footprint;

@@ -10,6 +10,7 @@
 #include "views/figure_export.h"
 #include "views/gl_release.h"
 #include "workspace/aside.h"
+#include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -49,7 +50,7 @@ FigureRequest FigureView::figure() const {
     FigureRequest request;
     request.view = name_.toStdString();
     request.style = workspace_->style();
-    request.query = workspace_->scenario().panes.query;
+    request.query = panesOf(workspace_->scenario()).query;
     fillFigure(request);
     return request;
 }
@@ -81,16 +82,16 @@ void FigureView::openMenu(const QPoint& at) {
 }
 
 void FigureView::addPointToMenu(QMenu& menu, const QPoint& at) {
-    const std::optional<relief::QueryPoint> point = pointAt(at);
+    const std::optional<QueryPoint> point = pointAt(at);
     QAction* const ask = menu.addAction(tr("Distances at this point"), this, [this, point] { setPoint(point); });
     ask->setEnabled(point.has_value());
     QAction* const forget = menu.addAction(tr("Forget the point"), this, [this] { setPoint(std::nullopt); });
-    forget->setEnabled(workspace_->scenario().panes.query.has_value());
+    forget->setEnabled(panesOf(workspace_->scenario()).query.has_value());
     menu.addSeparator();
 }
 
-void FigureView::setPoint(const std::optional<relief::QueryPoint>& point) {
-    relief::PaneStates panes = workspace_->scenario().panes;
+void FigureView::setPoint(const std::optional<QueryPoint>& point) {
+    PaneStates panes = panesOf(workspace_->scenario());
     panes.query = point;
     workspace_->setPanes(panes, point ? tr("Distances at a point") : tr("Forget the point"));
 }
@@ -99,7 +100,7 @@ void FigureView::askPoint(const QPointF& widget) {
     constexpr double kSame = 5;  // pixels
     const std::optional<QPointF> mark = pointPlace();
     const bool same = mark && std::abs(mark->x() - widget.x()) <= kSame && std::abs(mark->y() - widget.y()) <= kSame;
-    const std::optional<relief::QueryPoint> point = pointAt(widget);
+    const std::optional<QueryPoint> point = pointAt(widget);
     if (same || point) setPoint(same ? std::nullopt : point);
 }
 

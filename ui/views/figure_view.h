@@ -65,7 +65,7 @@ class FigureView : public QWidget {
     // Of a pane that shows a point's distances: the point of the slab under this point of the face; none: there is
     // none.
     virtual bool showsPoints() const { return false; }
-    virtual std::optional<relief::QueryPoint> pointAt(const QPointF&) const { return std::nullopt; }
+    virtual std::optional<QueryPoint> pointAt(const QPointF&) const { return std::nullopt; }
     // Where the point is drawn whose distances are shown; none: it is not seen.
     virtual std::optional<QPointF> pointPlace() const { return std::nullopt; }
     // Makes the point there the one whose distances are shown; if it is that already, shows none.
@@ -79,7 +79,7 @@ class FigureView : public QWidget {
   private:
     FigureRequest figure() const;
     Snapshot figureState() const;
-    void setPoint(const std::optional<relief::QueryPoint>& point);
+    void setPoint(const std::optional<QueryPoint>& point);
     void addPointToMenu(QMenu& menu, const QPoint& at);
     void drawAside(std::function<std::function<void()>()> draw);
 

@@ -11,6 +11,7 @@
 #include "scenario/step_sentence.h"
 #include "views/coefficient_text.h"
 #include "views/drawing_canvas.h"
+#include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -82,13 +83,13 @@ void FootprintView::makeBar(QHBoxLayout* bar) {
 
 void FootprintView::setOptions(const FootprintOptions& options) {
     if (options == options_) return;
-    relief::PaneStates panes = workspace_->scenario().panes;
+    PaneStates panes = panesOf(workspace_->scenario());
     panes.footprint.neighbours = options.neighbours;
     workspace_->setPanes(panes, tr("Footprint: neighbours"));
 }
 
 void FootprintView::adopt() {
-    const FootprintOptions options{workspace_->scenario().panes.footprint.neighbours};
+    const FootprintOptions options{panesOf(workspace_->scenario()).footprint.neighbours};
     if (options == options_) return;
     options_ = options;
     neighbours_->setCurrentIndex(neighbours_->findData(options.neighbours));

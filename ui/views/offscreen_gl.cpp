@@ -9,7 +9,7 @@
 #include <QOpenGLContext>
 
 #include "drawings/drawing.h"
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace reliefui {
 

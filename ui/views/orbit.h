@@ -1,7 +1,7 @@
 // Turning a camera around its target.
 #pragma once
 
-#include "rendering/camera.h"
+#include "relief/camera.h"
 
 namespace reliefui {
 

@@ -2,7 +2,7 @@
 
 namespace reliefui {
 
-PyramidOptions pyramidOptions(const relief::PyramidPane& pane) {
+PyramidOptions pyramidOptions(const PyramidPane& pane) {
     PyramidOptions options;
     if (pane.levels == "mean") options.kind = relief::PyramidKind::Mean;
     if (pane.levels == "min") options.kind = relief::PyramidKind::Min;
@@ -11,7 +11,7 @@ PyramidOptions pyramidOptions(const relief::PyramidPane& pane) {
     return options;
 }
 
-DistanceOptions distanceOptions(const relief::DistancePane& pane) {
+DistanceOptions distanceOptions(const DistancePane& pane) {
     DistanceOptions options;
     options.kind = pane.map;
     options.minus = pane.minus;
@@ -23,8 +23,8 @@ DistanceOptions distanceOptions(const relief::DistancePane& pane) {
     return options;
 }
 
-relief::DistancePane distancePane(const DistanceOptions& options) {
-    relief::DistancePane pane;
+DistancePane distancePane(const DistanceOptions& options) {
+    DistancePane pane;
     pane.map = options.kind;
     pane.minus = options.minus;
     if (options.axis) pane.axis = std::string(1, static_cast<char>('x' + static_cast<int>(*options.axis)));
@@ -35,21 +35,21 @@ relief::DistancePane distancePane(const DistanceOptions& options) {
     return pane;
 }
 
-RowsOptions rowsOptions(const relief::RowsPane& pane) {
+RowsOptions rowsOptions(const RowsPane& pane) {
     return {pane.variants, pane.pixels, pane.inDouble, pane.logarithmic};
 }
 
-relief::RowsPane rowsPane(const RowsOptions& options) {
+RowsPane rowsPane(const RowsOptions& options) {
     return {options.methods, options.pixels, options.inDouble, options.logarithmic};
 }
 
-void takeProfile(ProfileOptions& options, const relief::ProfilePane& pane) {
+void takeProfile(ProfileOptions& options, const ProfilePane& pane) {
     options.levels = pane.allLevels ? LevelsShown::All : LevelsShown::Visited;
     options.nearRay = pane.nearRay;
     options.trueAspect = pane.trueAspect;
 }
 
-void takePanes(FigureRequest& request, const relief::PaneStates& panes) {
+void takePanes(FigureRequest& request, const PaneStates& panes) {
     request.pyramid = pyramidOptions(panes.pyramid);
     takeProfile(request.profile, panes.profile);
     request.distance = distanceOptions(panes.distance);

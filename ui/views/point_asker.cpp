@@ -1,6 +1,6 @@
 #include "views/point_asker.h"
 
-#include "relief/maps/map_choice.h"
+#include "relief/tracers/map_choice.h"
 
 namespace reliefui {
 
@@ -12,7 +12,7 @@ double servedFlattest(const relief::MethodChoice& method) {
                                         : relief::parseNumber(given->second, "flattest");
 }
 
-std::shared_ptr<const PointQuery> pointOf(const Snapshot& snapshot, const std::optional<relief::QueryPoint>& point,
+std::shared_ptr<const PointQuery> pointOf(const Snapshot& snapshot, const std::optional<QueryPoint>& point,
                                           relief::Work& work) {
     if (!point || !snapshot.request || !snapshot.maps) return nullptr;
     return pointQuery(snapshot.request->field, *point, servedFlattest(snapshot.scenario.method), *snapshot.maps, work);
@@ -21,7 +21,7 @@ std::shared_ptr<const PointQuery> pointOf(const Snapshot& snapshot, const std::o
 PointAsker::PointAsker(const QObject* receiver, std::function<void()> found)
     : found_(std::move(found)), job_(receiver, {[](const QString&) {}, [](const QString&, double) {}}) {}
 
-void PointAsker::ask(const std::shared_ptr<const Snapshot>& snapshot, const std::optional<relief::QueryPoint>& point) {
+void PointAsker::ask(const std::shared_ptr<const Snapshot>& snapshot, const std::optional<QueryPoint>& point) {
     if (!point || !snapshot || !snapshot->request || !snapshot->maps) return drop();
     const relief::HeightField& field = snapshot->request->field;
     const Question now{*point,          field.sharedHeights(), field.surface(),

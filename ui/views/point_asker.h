@@ -15,7 +15,7 @@ namespace reliefui {
 // The elevation, degrees, of the flattest ray that the method's map serves; of the maps' default where it walks none.
 double servedFlattest(const relief::MethodChoice& method);
 // At once, for figures; null: no point, or none over the picture.
-std::shared_ptr<const PointQuery> pointOf(const Snapshot& snapshot, const std::optional<relief::QueryPoint>& point,
+std::shared_ptr<const PointQuery> pointOf(const Snapshot& snapshot, const std::optional<QueryPoint>& point,
                                           relief::Work& work);
 
 class PointAsker {
@@ -24,7 +24,7 @@ class PointAsker {
     PointAsker(const QObject* receiver, std::function<void()> found);
 
     // Starts to find the distances unless they are known or on their way; without a point, forgets.
-    void ask(const std::shared_ptr<const Snapshot>& snapshot, const std::optional<relief::QueryPoint>& point);
+    void ask(const std::shared_ptr<const Snapshot>& snapshot, const std::optional<QueryPoint>& point);
     // Null until they are found.
     const std::shared_ptr<const PointQuery>& known() const { return known_; }
     bool busy() const { return job_.busy(); }
@@ -33,7 +33,7 @@ class PointAsker {
   private:
     // What the distances depend on.
     struct Question {
-        relief::QueryPoint point;
+        QueryPoint point;
         std::shared_ptr<const relief::FloatImage> heights;
         relief::Surface surface = relief::Surface::Bilinear;
         relief::Address address = relief::Address::Repeat;

@@ -9,6 +9,7 @@
 #include "scenario/step_sentence.h"
 #include "views/drawing_canvas.h"
 #include "views/pane_options.h"
+#include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -82,19 +83,19 @@ void ProfileView::makeBar() {
     connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
 }
 
-void ProfileView::change(const relief::ProfilePane& pane) {
-    relief::PaneStates panes = workspace_->scenario().panes;
+void ProfileView::change(const ProfilePane& pane) {
+    PaneStates panes = panesOf(workspace_->scenario());
     panes.profile = pane;
     workspace_->setPanes(panes, tr("Profile: other view"));
     adopt();
 }
 
 void ProfileView::adopt() {
-    const relief::ProfilePane& pane = workspace_->scenario().panes.profile;
+    const ProfilePane& pane = panesOf(workspace_->scenario()).profile;
     allLevels_->setChecked(pane.allLevels);
     near_->setChecked(pane.nearRay);
     aspect_->setChecked(pane.trueAspect);
-    const std::optional<relief::QueryPoint>& query = workspace_->scenario().panes.query;
+    const std::optional<QueryPoint>& query = panesOf(workspace_->scenario()).query;
     if (pane == pane_ && query == query_) return;
     pane_ = pane;
     query_ = query;
@@ -103,19 +104,19 @@ void ProfileView::adopt() {
 }
 
 void ProfileView::showAllLevels(bool all) {
-    relief::ProfilePane pane = pane_;
+    ProfilePane pane = pane_;
     pane.allLevels = all;
     change(pane);
 }
 
 void ProfileView::showNearRay(bool on) {
-    relief::ProfilePane pane = pane_;
+    ProfilePane pane = pane_;
     pane.nearRay = on;
     change(pane);
 }
 
 void ProfileView::setTrueAspect(bool on) {
-    relief::ProfilePane pane = pane_;
+    ProfilePane pane = pane_;
     pane.trueAspect = on;
     change(pane);
 }
@@ -261,7 +262,7 @@ void ProfileView::tell(const QPointF& widget) {
     setReadout(text);
 }
 
-std::optional<relief::QueryPoint> ProfileView::pointAt(const QPointF& widget) const {
+std::optional<QueryPoint> ProfileView::pointAt(const QPointF& widget) const {
     if (!ready() || frame_.vertical) return std::nullopt;
     const relief::HeightField& field = shown_->request->field;
     const Point at = canvas_->toDrawing(widget);
@@ -269,7 +270,7 @@ std::optional<relief::QueryPoint> ProfileView::pointAt(const QPointF& widget) co
     // Above the slab there is some room.
     if (!frame_.plot.contains(at) || height > 1 || field.slabTexels() <= 0) return std::nullopt;
     const Point texel = RayPath(field, shown_->trace.ray).at(frame_.lambdaAt(at.x));
-    const relief::QueryPoint point{texel.x, texel.y, std::max(height, 0.0)};
+    const QueryPoint point{texel.x, texel.y, std::max(height, 0.0)};
     return overPicture(field, point) ? std::optional(point) : std::nullopt;
 }
 

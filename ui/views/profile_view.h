@@ -40,12 +40,12 @@ class ProfileView : public FigureView {
     void tell(const QPointF& widget) override;
     void letGo() override;
     bool showsPoints() const override { return true; }
-    std::optional<relief::QueryPoint> pointAt(const QPointF& widget) const override;
+    std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
     std::optional<QPointF> pointPlace() const override;
 
   private:
     void makeBar();
-    void change(const relief::ProfilePane& pane);
+    void change(const ProfilePane& pane);
     void adopt();        // what the scenario says
     void refresh();      // another map, ray, room or option
     void redraw();       // another part is seen
@@ -63,13 +63,13 @@ class ProfileView : public FigureView {
     QToolButton* guess_ = nullptr;
     std::shared_ptr<const Snapshot> shown_;
     ProfileOptions options_;
-    relief::ProfilePane pane_;
+    ProfilePane pane_;
     std::uint64_t guessed_ = 0;  // the version that the guess is about
     ProfileFrame frame_;
     std::shared_ptr<const Drawing> relief_;
     std::shared_ptr<const Drawing> axes_;
     std::shared_ptr<const Drawing> legend_;
-    std::optional<relief::QueryPoint> query_;
+    std::optional<QueryPoint> query_;
     bool stale_ = true;                              // changed while it was hidden
     PointAsker point_{this, [this] { refresh(); }};  // last: ends before the rest
 };

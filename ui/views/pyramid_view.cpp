@@ -11,6 +11,7 @@
 #include "views/drawing_canvas.h"
 #include "views/pane_options.h"
 #include "views/pyramid_stack.h"
+#include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -86,15 +87,15 @@ QHBoxLayout* PyramidView::makeBar() {
     return bar;
 }
 
-void PyramidView::change(const relief::PyramidPane& pane) {
-    relief::PaneStates panes = workspace_->scenario().panes;
+void PyramidView::change(const PyramidPane& pane) {
+    PaneStates panes = panesOf(workspace_->scenario());
     panes.pyramid = pane;
     workspace_->setPanes(panes, tr("Pyramid: other view"));
     adopt();
 }
 
 void PyramidView::adopt() {
-    const relief::PyramidPane before = std::exchange(pane_, workspace_->scenario().panes.pyramid);
+    const PyramidPane before = std::exchange(pane_, panesOf(workspace_->scenario()).pyramid);
     maxima_->setChecked(pane_.levels == "max");
     means_->setChecked(pane_.levels == "mean");
     minima_->setChecked(pane_.levels == "min");
@@ -111,37 +112,37 @@ void PyramidView::adopt() {
 }
 
 void PyramidView::showMeans(bool means) {
-    relief::PyramidPane pane = pane_;
+    PyramidPane pane = pane_;
     pane.levels = means ? "mean" : "max";
     change(pane);
 }
 
 void PyramidView::showMinima() {
-    relief::PyramidPane pane = pane_;
+    PyramidPane pane = pane_;
     pane.levels = "min";
     change(pane);
 }
 
 void PyramidView::showAllKinds() {
-    relief::PyramidPane pane = pane_;
+    PyramidPane pane = pane_;
     pane.levels = "all";
     change(pane);
 }
 
 void PyramidView::setStacked(bool on) {
-    relief::PyramidPane pane = pane_;
+    PyramidPane pane = pane_;
     pane.stacked = on;
     change(pane);
 }
 
 void PyramidView::showNearRay(bool on) {
-    relief::PyramidPane pane = pane_;
+    PyramidPane pane = pane_;
     pane.nearRay = on;
     change(pane);
 }
 
 void PyramidView::setFollowing(bool on) {
-    relief::PyramidPane pane = pane_;
+    PyramidPane pane = pane_;
     pane.follow = on;
     change(pane);
 }

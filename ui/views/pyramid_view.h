@@ -54,7 +54,7 @@ class PyramidView : public FigureView {
   private:
     void refresh();      // another map, ray or room
     void refreshStep();  // another step
-    void change(const relief::PyramidPane& pane);
+    void change(const PyramidPane& pane);
     void adopt();  // what the scenario says
     void chooseAt(Point drawing);
     QHBoxLayout* makeBar();
@@ -74,7 +74,7 @@ class PyramidView : public FigureView {
     QToolButton* follow_;
     PyramidStack* stack_;
     QStackedLayout* faces_;
-    relief::PyramidPane pane_;
+    PyramidPane pane_;
     std::shared_ptr<const Snapshot> shown_;
     PyramidParts parts_;
     bool cramped_ = false;     // no room for all levels

@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <QFontMetrics>
 
-#include "messages.h"
+#include "relief/messages.h"
 
 namespace reliefui {
 

@@ -11,6 +11,7 @@
 #include "views/coefficient_text.h"
 #include "views/drawing_canvas.h"
 #include "views/pane_options.h"
+#include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -32,14 +33,14 @@ void RowsView::setOptions(const RowsOptions& options) {
 
 void RowsView::change(const RowsOptions& options) {
     if (options == options_) return;
-    relief::PaneStates panes = workspace_->scenario().panes;
+    PaneStates panes = panesOf(workspace_->scenario());
     panes.rows = rowsPane(options);
     workspace_->setPanes(panes, tr("Rows: other variants"));
     showControls();  // where it was refused
 }
 
 void RowsView::adopt() {
-    const RowsOptions options = rowsOptions(workspace_->scenario().panes.rows);
+    const RowsOptions options = rowsOptions(panesOf(workspace_->scenario()).rows);
     if (options == options_) return;
     const bool otherRow = options.pixels != options_.pixels;
     const bool sameData = options.methods == options_.methods && !otherRow && options.inDouble == options_.inDouble;

@@ -10,7 +10,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "filtering/sampler.h"
-#include "images/files.h"
+#include "relief/files.h"
 
 namespace reliefui {
 

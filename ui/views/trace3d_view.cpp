@@ -16,6 +16,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -106,7 +107,7 @@ void Trace3dView::makeBar(QHBoxLayout* bar) {
             [this](int row) { setExaggeration(heights_->itemData(row).toDouble()); });
     colors_ = new QComboBox(this);
     colors_->setObjectName(QStringLiteral("trace-colors"));
-    const std::vector<std::string>& names = relief::tracePaneColors();
+    const std::vector<std::string>& names = tracePaneColors();
     for (const QString& text : {tr("steps by decision"), tr("steps by level"), tr("steps by phase")}) {
         colors_->addItem(text, QString::fromStdString(names[static_cast<std::size_t>(colors_->count())]));
     }
@@ -190,15 +191,15 @@ void Trace3dView::fit() {
     render();
 }
 
-void Trace3dView::change(const relief::TracePane& pane) {
-    relief::PaneStates panes = workspace_->scenario().panes;
+void Trace3dView::change(const TracePane& pane) {
+    PaneStates panes = panesOf(workspace_->scenario());
     panes.trace = pane;
     workspace_->setPanes(panes, tr("Trace 3-D: other view"));
     adopt();
 }
 
 void Trace3dView::adopt() {
-    const relief::TracePane before = std::exchange(pane_, workspace_->scenario().panes.trace);
+    const TracePane before = std::exchange(pane_, panesOf(workspace_->scenario()).trace);
     follow_->setChecked(pane_.follow);
     heights_->setCurrentIndex(heights_->findData(pane_.heights));
     colors_->setCurrentIndex(colors_->findData(QString::fromStdString(pane_.colors)));
@@ -213,19 +214,19 @@ void Trace3dView::adopt() {
 }
 
 void Trace3dView::setFollowing(bool on) {
-    relief::TracePane pane = pane_;
+    TracePane pane = pane_;
     pane.follow = on;
     change(pane);
 }
 
 void Trace3dView::setExaggeration(double n) {
-    relief::TracePane pane = pane_;
+    TracePane pane = pane_;
     pane.heights = n;
     change(pane);
 }
 
 void Trace3dView::setColors(const QString& by) {
-    relief::TracePane pane = pane_;
+    TracePane pane = pane_;
     pane.colors = by.toStdString();
     change(pane);
 }

@@ -35,7 +35,7 @@ class Trace3dView : public FigureView {
     void fit();                         // the whole patch, seen from the side of the ray
     void setFollowing(bool on);         // the camera keeps its eye on the end of the current step
     void setExaggeration(double n);     // of heights
-    void setColors(const QString& by);  // of the steps, as of relief::tracePaneColors()
+    void setColors(const QString& by);  // of the steps, as of tracePaneColors()
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -47,7 +47,7 @@ class Trace3dView : public FigureView {
 
   private:
     void makeBar(QHBoxLayout* bar);
-    void change(const relief::TracePane& pane);
+    void change(const TracePane& pane);
     void adopt();  // what the scenario says
     void refresh();
     void showStep(int step);
@@ -70,7 +70,7 @@ class Trace3dView : public FigureView {
     Soon renderSoon_{this, [this] { renderNow(); }};
     bool dragged_ = false;
     bool placed_ = false;  // the camera has been put somewhere
-    relief::TracePane pane_;
+    TracePane pane_;
     bool stale_ = true;  // changed while it was hidden
 };
 

@@ -9,7 +9,7 @@
 #include <QSpinBox>
 #include <QToolButton>
 
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 #include "windows/core_texts.h"
 
 namespace reliefui {

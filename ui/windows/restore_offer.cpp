@@ -5,9 +5,10 @@
 #include <QPushButton>
 #include <QSettings>
 
-#include "errors.h"
+#include "relief/errors.h"
 #include "windows/main_window.h"
 #include "windows/message_bar.h"
+#include "workspace/pane_states.h"
 #include "workspace/state_keeper.h"
 #include "workspace/workspace.h"
 
@@ -30,7 +31,7 @@ void RestoreOffer::offer() {
     window_->question()->hide();
     while (!left_.empty() && window_->question()->isHidden()) {
         try {
-            scenario_ = relief::loadScenario(left_.front().scenarioFile().toStdString());
+            scenario_ = loadWindowScenario(left_.front().scenarioFile().toStdString());
         } catch (const relief::InputError&) {
             // Damaged, or of a newer version, which may still read it.
             left_.erase(left_.begin());

@@ -7,7 +7,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
-#include "messages.h"
+#include "relief/messages.h"
 #include "scenario/step_sentence.h"
 #include "views/result_painting.h"
 #include "windows/core_texts.h"

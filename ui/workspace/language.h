@@ -3,7 +3,7 @@
 
 #include <QLocale>
 
-#include "messages.h"
+#include "relief/messages.h"
 
 namespace reliefui {
 

@@ -4,8 +4,9 @@
 #include <QFileInfo>
 #include <QSettings>
 
-#include "errors.h"
+#include "relief/errors.h"
 #include "workspace/language.h"
+#include "workspace/pane_states.h"
 
 namespace reliefui {
 
@@ -24,7 +25,7 @@ std::optional<relief::Scenario> lastState(relief::AssetStore& store) {
     const QString path = lastStateFile();
     if (!QFileInfo::exists(path)) return std::nullopt;
     try {
-        const relief::Scenario scenario = relief::loadScenario(path.toStdString());
+        const relief::Scenario scenario = loadWindowScenario(path.toStdString());
         relief::AssetStore pictures;
         relief::Work work;
         pictures.load(scenario.pictures, work);

@@ -14,7 +14,7 @@
 #include <QObject>
 #include <QString>
 
-#include "work.h"
+#include "relief/work.h"
 #include "workspace/mailbox.h"
 
 namespace reliefui {

@@ -9,7 +9,7 @@
 
 #include <QImage>
 
-#include "images/files.h"
+#include "relief/files.h"
 #include "rendering/error_layer.h"
 
 namespace reliefui {

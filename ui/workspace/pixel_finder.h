@@ -8,7 +8,7 @@
 #include <QObject>
 #include <QString>
 
-#include "measuring/worth_seeing.h"
+#include "measuring/advise/worth_seeing.h"
 #include "workspace/latest_job.h"
 #include "workspace/workspace.h"
 

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "filtering/filter_block.h"
-#include "images/addressing.h"
+#include "relief/addressing.h"
 #include "rendering/lighting.h"
 #include "rendering/supersample.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "filtering/footprint_log.h"
-#include "mapping/coefficients.h"
+#include "mapping/rows/coefficients.h"
 #include "rendering/frame.h"
 
 namespace reliefui {

@@ -1,6 +1,6 @@
 #include "workspace/pixel_trace.h"
 
-#include "images/files.h"
+#include "relief/files.h"
 #include "scenario/ray_files.h"
 
 namespace reliefui {

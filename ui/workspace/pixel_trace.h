@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "measuring/duel.h"
+#include "measuring/compare/duel.h"
 #include "relief/tracers.h"
 #include "scenario/scenario.h"
 

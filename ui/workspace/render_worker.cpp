@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "workspace/language.h"
+#include "workspace/pane_states.h"
 
 namespace reliefui {
 
@@ -185,7 +186,7 @@ void RenderWorker::runLoad(const LoadJob& job, relief::Work& work) {
     result.scenario = job.scenario;
     guarded(
         [&] {
-            if (!job.path.isEmpty()) result.scenario = relief::loadScenario(job.path.toStdString());
+            if (!job.path.isEmpty()) result.scenario = loadWindowScenario(job.path.toStdString());
             result.notes = notesOf(maker_.load(result.scenario.pictures, work));
         },
         [&](const QString& problem) {

@@ -4,7 +4,7 @@
 
 #include <QSettings>
 
-#include "errors.h"
+#include "relief/errors.h"
 #include "workspace/language.h"
 #include "workspace/last_state.h"
 #include "workspace/workspace.h"

@@ -6,6 +6,7 @@
 
 #include "workspace/discard.h"
 #include "workspace/language.h"
+#include "workspace/pane_states.h"
 #include "workspace/render_worker.h"
 
 namespace reliefui {
@@ -35,6 +36,7 @@ constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
 
 void checkForWindow(const relief::Scenario& scenario) {
     relief::checkScenario(scenario, {});
+    checkPanes(panesOf(scenario), {});
     const std::int64_t pixels = std::int64_t{scenario.width} * scenario.height;
     if (pixels <= kMostPixels) return;
     throw relief::InputError(
@@ -98,7 +100,7 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
     const bool notesOnly = onlyNotesDiffer(scenario, scenario_) && version_ > 0;
     const bool agreed = goodVersion_ == version_;
     const bool step = scenario.step != scenario_.step;
-    const bool panes = scenario.panes != scenario_.panes;
+    const bool panes = scenario.ui != scenario_.ui;
     const bool notes =
         panes || scenario.breakpoints != scenario_.breakpoints || scenario.bookmarks != scenario_.bookmarks;
     scenario_ = scenario;
@@ -159,9 +161,9 @@ void Workspace::setBookmarks(std::vector<relief::Bookmark> bookmarks, const QStr
     change(wanted, what);
 }
 
-void Workspace::setPanes(const relief::PaneStates& panes, const QString& what, const QString& mergeKey) {
+void Workspace::setPanes(const PaneStates& panes, const QString& what, const QString& mergeKey) {
     relief::Scenario wanted = scenario_;
-    wanted.panes = panes;
+    setPanesOf(wanted, panes);
     change(wanted, what, mergeKey);
 }
 

@@ -22,6 +22,8 @@
 
 namespace reliefui {
 
+struct PaneStates;
+
 class RenderWorker;
 struct LoadResult;
 struct RenderFailure;
@@ -54,7 +56,7 @@ class Workspace : public QObject {
     void setBreakpoints(std::vector<relief::Breakpoint> breakpoints, const QString& what);
     void setBookmarks(std::vector<relief::Bookmark> bookmarks, const QString& what);
     // What is chosen in the panes; an entry of the undo history as well, nothing is rendered.
-    void setPanes(const relief::PaneStates& panes, const QString& what, const QString& mergeKey = {});
+    void setPanes(const PaneStates& panes, const QString& what, const QString& mergeKey = {});
     // Its camera, pixel and step.
     void goTo(const relief::Bookmark& bookmark);
 

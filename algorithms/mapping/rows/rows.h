@@ -42,7 +42,7 @@
 #include "mapping/clipping.h"
 #include "mapping/homography.h"
 #include "mapping/rows/row_terms.h"
-#include "work.h"
+#include "relief/work.h"
 
 namespace relief {
 

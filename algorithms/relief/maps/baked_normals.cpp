@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.h"
-#include "images/addressing.h"
-#include "messages.h"
+#include "relief/addressing.h"
 #include "relief/maps/map_memory.h"
+#include "relief/messages.h"
 
 namespace relief {
 

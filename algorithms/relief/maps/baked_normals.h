@@ -11,7 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "relief/height_field.h"
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
 
 namespace relief {
 

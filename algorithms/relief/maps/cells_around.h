@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "images/image.h"
+#include "relief/image.h"
 #include "relief/maps/azimuth_sectors.h"
 
 namespace relief {

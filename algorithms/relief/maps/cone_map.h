@@ -9,7 +9,7 @@
 
 #include "relief/cell_grid.h"
 #include "relief/describe.h"
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
 #include "relief/maps/stored_values.h"
 
 namespace relief {

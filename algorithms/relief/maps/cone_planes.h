@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "images/pyramid.h"
-#include "work.h"
+#include "relief/work.h"
 
 namespace relief {
 

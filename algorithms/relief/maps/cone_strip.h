@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "relief/maps/cone_lanes.h"
 #include "relief/maps/cone_scene.h"
+#include "relief/maps/conservative_cone_lanes.h"
 
 namespace relief {
 

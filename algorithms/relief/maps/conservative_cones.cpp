@@ -10,9 +10,9 @@
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
 #include "relief/maps/cone_builders.h"
-#include "relief/maps/cone_lanes.h"
 #include "relief/maps/cone_scene.h"
 #include "relief/maps/cone_strip.h"
+#include "relief/maps/conservative_cone_lanes.h"
 
 namespace relief {
 

@@ -1,8 +1,8 @@
 // The max pyramid as the lanes read it: one array of depths 1 - maximum in 16 bits, level after level.
 //
 // A depth is rounded down, and SIMD walks compute the lambda at which a ray leaves a node late by more than
-// PyramidWalk's kExclusionMargin (kCrossingMargin, lane_rays.h). So "the ray leaves the node above this depth" excludes
-// no node that PyramidWalk::excluded keeps.
+// PyramidWalk's kExclusionMargin (kCrossingMargin, float_margins.h). So "the ray leaves the node above this depth"
+// excludes no node that PyramidWalk::excluded keeps.
 #pragma once
 
 #include <array>

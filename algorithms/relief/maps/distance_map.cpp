@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -272,7 +273,7 @@ std::uint64_t distanceBuildBytes(DistanceKind kind, const DistanceParameters& pa
 }  // namespace
 
 DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field,
-                             Work& work) {
+                             Work& work, MakeExactHits exactHits) {
     if (kind == DistanceKind::Refined && field.address() == Address::Clamp) {
         throw InputError("--address",
                          Message(MessageId::MapNotUnderClamp, {{"map", std::string(distanceKindName(kind))}}));
@@ -304,7 +305,8 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
                                   field.slabTexels(), values, work);
             break;
         case DistanceKind::RefinedSampled:
-            refinedSampled(map, shape.nx, shape.ny, field, values, work);
+            assert(exactHits != nullptr);
+            refinedSampled(map, shape.nx, shape.ny, field, exactHits(field, work), values, work);
             break;
         case DistanceKind::Refined:
             refinedConservative(map, shape.nx, shape.ny, field, CellHeights(field), values, work);
@@ -330,11 +332,12 @@ MapKey distanceMapKey(DistanceKind kind, const DistanceParameters& parameters, c
 }
 
 std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const DistanceParameters& parameters,
-                                               const HeightField& field, MapCache& cache, Work& work) {
+                                               const HeightField& field, MapCache& cache, Work& work,
+                                               MakeExactHits exactHits) {
     checkMapMemory(std::string(distanceKindName(kind)), distanceMapBytes(kind, parameters, field), cache);
     return cache.get<DistanceMap>(distanceMapKey(kind, parameters, field),
                                   distanceBuildBytes(kind, parameters, field, work), work,
-                                  [&](Work& w) { return buildDistanceMap(kind, parameters, field, w); });
+                                  [&](Work& w) { return buildDistanceMap(kind, parameters, field, w, exactHits); });
 }
 
 }  // namespace relief

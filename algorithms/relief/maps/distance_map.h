@@ -10,14 +10,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
 
 #include "relief/cell_grid.h"
 #include "relief/describe.h"
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
 #include "relief/maps/stored_values.h"
+#include "relief/ray.h"
 
 namespace relief {
 
@@ -84,13 +86,19 @@ class DistanceMap {
 // The azimuth sector of a direction: sector q holds the angles from 2 pi q / n to 2 pi (q + 1) / n, of (x, y).
 int azimuthSector(double x, double y, int sectors);
 
+// The exact hits of rays of one field. A map of sampled rays is handed what traces them: maps know no method.
+using ExactHits = std::function<void(const RayBlock& rays, HitBlock& hits)>;
+using MakeExactHits = ExactHits (*)(const HeightField& field, Work& work);
+
 // From the cache, or built: in parallel, with progress; throws Cancelled, InputError if it would take more memory than
 // the cache may hold, or if the kind is not proven for the field's addressing (refined: not under clamp).
+// exactHits: of refined-sampled alone (methods/distance_options.h has one).
 std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const DistanceParameters& parameters,
-                                               const HeightField& field, MapCache& cache, Work& work);
+                                               const HeightField& field, MapCache& cache, Work& work,
+                                               MakeExactHits exactHits = nullptr);
 // Built without a cache.
 DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field,
-                             Work& work);
+                             Work& work, MakeExactHits exactHits = nullptr);
 // Under which the cache keeps it.
 MapKey distanceMapKey(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field);
 // Of its values: voxels across, and layers times stored sectors.

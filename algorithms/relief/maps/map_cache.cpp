@@ -1,9 +1,9 @@
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
 
 #include <chrono>
 #include <utility>
 
-#include "base/memory.h"
+#include "relief/memory.h"
 
 namespace relief {
 

@@ -9,12 +9,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/memory.h"
 #include "images/described_tiff.h"
 #include "images/picture_input.h"
 #include "images/system_error.h"
 #include "relief/maps/map_atlas.h"
-#include "relief/maps/map_choice.h"
+#include "relief/memory.h"
 
 namespace relief {
 
@@ -222,7 +221,7 @@ std::optional<Kind> kindOf(const std::string& text, int count, const Name& name)
     return std::nullopt;
 }
 
-Shell shellOf(const std::string& path, const Json& header, const HeightField& field) {
+Shell shellOf(const std::string& path, const Json& header, const HeightField& field, MapCheck buildable) {
     Shell shell;
     const std::string kind = header.at("kind").get<std::string>();
     const auto distance = kindOf<DistanceKind>(kind, 4, distanceKindName);
@@ -287,8 +286,8 @@ PictureCodes readCodes(const std::string& path, PictureInput& input, Precision p
 }
 
 StoredMap readMap(const std::string& path, PictureInput& input, const Json& header, const HeightField& field,
-                  Work& work) {
-    const Shell shell = shellOf(path, header, field);
+                  MapCheck buildable, Work& work) {
+    const Shell shell = shellOf(path, header, field, buildable);
     const int tiles = shell.layers.front() + (shell.layers.size() > 1 ? shell.layers.back() : 0);
     const Atlas atlas(shell.nx, shell.ny, tiles);
     const Json& stored = header.at("atlas");
@@ -349,13 +348,14 @@ void saveMap(const std::string& path, const StoredMap& map, const FloatImage& he
     writeDescribedTiff(path, atlas.width(), atlas.height(), codes, header.dump());
 }
 
-StoredMap loadMap(const std::string& path, const HeightField& field, std::size_t maxBytes, Work& work) {
+StoredMap readStoredMap(const std::string& path, const HeightField& field, std::size_t maxBytes, MapCheck buildable,
+                        Work& work) {
     // No code is shorter than a byte.
     PictureInput input(path, static_cast<std::int64_t>(std::max<std::size_t>(maxBytes, 1)));
     const Json header = parsedHeader(path, input.description());
     try {
         checkField(path, header, field);
-        return readMap(path, input, header, field, work);
+        return readMap(path, input, header, field, buildable, work);
     } catch (const nlohmann::json::exception& fault) {
         refuseDamaged(path, fault.what());
     }

@@ -27,7 +27,10 @@ std::string mapSizeText(const StoredMap& map);
 // path: .tif or .tiff; appears only when complete. heights: those that the map was built from. Throws WorkError.
 void saveMap(const std::string& path, const StoredMap& map, const FloatImage& heights);
 
-// The map of that field. Refuses what would take more than maxBytes before allocating it; may be cancelled.
-StoredMap loadMap(const std::string& path, const HeightField& field, std::size_t maxBytes, Work& work);
+// The map of that field. Refuses what would take more than maxBytes before allocating it, and parameters that
+// `buildable` does not know (as a damaged file's are); may be cancelled. loadMap() of tracers/map_choice.h knows all.
+using MapCheck = bool (*)(const StoredMap& map);
+StoredMap readStoredMap(const std::string& path, const HeightField& field, std::size_t maxBytes, MapCheck buildable,
+                        Work& work);
 
 }  // namespace relief

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "base/memory.h"
 #include "relief/height_field.h"
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
+#include "relief/memory.h"
 
 namespace relief {
 

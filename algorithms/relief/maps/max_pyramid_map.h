@@ -5,7 +5,7 @@
 #include "images/pyramid.h"
 #include "relief/cell_grid.h"
 #include "relief/describe.h"
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
 
 namespace relief {
 

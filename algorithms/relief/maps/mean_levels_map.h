@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "images/image.h"
 #include "relief/describe.h"
 #include "relief/height_field.h"
-#include "relief/maps/map_cache.h"
+#include "relief/image.h"
+#include "relief/map_cache.h"
 
 namespace relief {
 

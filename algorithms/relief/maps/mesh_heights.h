@@ -3,7 +3,7 @@
 #pragma once
 
 #include "relief/height_field.h"
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
 
 namespace relief {
 

@@ -16,12 +16,15 @@
 #include <memory>
 #include <vector>
 
-#include "large_memory.h"
+#include "base/large_memory.h"
 #include "relief/cell_grid.h"
 #include "relief/describe.h"
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
 
 namespace relief {
+
+// A word's depth of the apex, bits 10 to 19, under the bits of this number is a float: the depth and this.
+inline constexpr float kApexMore = 0x1p13F;
 
 // The word: bits 0 to 9 depth of the own cell's highest point, 10 to 19 depth of the apex, and the word as a float is
 // kappa, heights a texel (its sign, exponent and first three bits are chosen, never 0 nor below).

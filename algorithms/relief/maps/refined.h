@@ -30,8 +30,10 @@ struct BoxHeights {
 // (steeper than the flattest); those that were blocked before they came there do not count. What is left is the least
 // distance to the surface along them, so nowhere less than the Euclidean one. Not safe: a ray visits points beside the
 // centre, and directions in between meet nearer hits.
-void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& field, std::vector<float>& values,
-                    Work& work);
+void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& field, const ExactHits& exactHits,
+                    std::vector<float>& values, Work& work);
+// A hit this little before a point's own height is the point's own place on the surface.
+inline constexpr double kReached = 1e-9;
 
 // A direction of rays, and the length of a unit of lambda along it in the map's metric.
 struct SampledDirection {
@@ -41,27 +43,6 @@ struct SampledDirection {
 };
 // Evenly over the half sphere below the horizontal of the metric, down from the flattest ray served: a golden spiral.
 std::vector<SampledDirection> sampledDirections(int count, double slabTexels, double maxRun);
-
-// Which distance holds at one point of the slab: the Euclidean one, and the refined one of [DIST17], figs. 5 to 8, by
-// kPointDirections rays and the vertical one.
-struct PointDistances {
-    double euclidean = 0;  // texels, to (s, t, z) of the surface
-    double s = 0, t = 0, z = 0;
-    double refined = 0;    // along `ray`, from the point to its first hit; as in maps where no ray arrives
-    bool reached = false;  // by any ray from above
-    ViewRay ray;
-    Hit hit;
-    int rays = 0;
-    int blocked = 0;  // that hit something before the point
-    // Of those the one that runs closest to the direction of (s, t, z), and where it hits; only if `blocked`.
-    ViewRay blockedRay;
-    Hit blockedHit;
-};
-inline constexpr int kPointDirections = 16384;
-// flattest: degrees below which rays are not served. The point lies in the slab, over the picture; at or below the
-// surface both distances are 0. Throws Cancelled.
-PointDistances distancesAt(const HeightField& field, double s, double t, double z, double flattest, MapCache& cache,
-                           Work& work);
 
 // A bound for every point of a box and every admissible ray through it.
 // Backward, for each of K azimuth sectors: the gates (grid lines behind the box) that a ray from above must have

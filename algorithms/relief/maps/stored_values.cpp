@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief {
 

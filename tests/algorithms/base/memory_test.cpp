@@ -6,9 +6,9 @@
 
 #include <sys/resource.h>
 
-#include "base/memory.h"
-#include "errors.h"
-#include "images/image.h"
+#include "relief/errors.h"
+#include "relief/image.h"
+#include "relief/memory.h"
 
 namespace relief::test {
 namespace {

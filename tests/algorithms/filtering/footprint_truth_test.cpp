@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "footprint_truth.h"
-#include "rendering/camera.h"
+#include "relief/camera.h"
 #include "rendering/scene.h"
 
 namespace relief::test {

@@ -3,7 +3,7 @@
 
 #include "algorithms/every_target.h"
 #include "filter_cases.h"
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 #include "rendering/frame.h"
 
 namespace relief::test {

@@ -5,7 +5,7 @@
 
 #include "filtering/grid_lanes.h"
 #include "grid_cases.h"
-#include "measuring/bench_filters.h"
+#include "measuring/bench/bench_filters.h"
 
 namespace relief::test {
 namespace {

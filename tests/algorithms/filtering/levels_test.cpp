@@ -5,10 +5,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "errors.h"
 #include "filter_cases.h"
 #include "filtering/color_levels.h"
 #include "filtering/weight_map.h"
+#include "relief/errors.h"
 
 using namespace relief;
 using namespace relief::test;

@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "measuring/bench_filters.h"
+#include "measuring/bench/bench_filters.h"
 #include "rendering/supersample.h"
 
 using namespace relief;

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "filter_cases.h"
-#include "images/reliefs.h"
-#include "measuring/bench_filters.h"
+#include "measuring/bench/bench_filters.h"
+#include "relief/reliefs.h"
 #include "rendering/frame.h"
 
 namespace relief::test {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "filter_cases.h"
-#include "images/reliefs.h"
-#include "relief/any_hit.h"
+#include "relief/reliefs.h"
+#include "relief/visibility/any_hit.h"
 
 namespace relief::test {
 namespace {

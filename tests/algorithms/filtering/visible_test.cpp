@@ -4,8 +4,8 @@
 
 #include "filter_cases.h"
 #include "filtering/elliptical_visible.h"
-#include "images/reliefs.h"
-#include "measuring/bench_filters.h"
+#include "measuring/bench/bench_filters.h"
+#include "relief/reliefs.h"
 
 using namespace relief;
 using namespace relief::test;

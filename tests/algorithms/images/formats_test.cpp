@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "file_bytes.h"
-#include "images/files.h"
 #include "images/picture_bytes.h"
 #include "picture_files.h"
+#include "relief/files.h"
 #include "temporary_folder.h"
 
 namespace relief {

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "file_bytes.h"
-#include "images/files.h"
 #include "picture_files.h"
+#include "relief/files.h"
 #include "temporary_folder.h"
 
 namespace relief {

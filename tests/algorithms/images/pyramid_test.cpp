@@ -8,8 +8,8 @@
 #include <random>
 #include <thread>
 
-#include "images/addressing.h"
-#include "images/reliefs.h"
+#include "relief/addressing.h"
+#include "relief/reliefs.h"
 
 namespace relief {
 namespace {

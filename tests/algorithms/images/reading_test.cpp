@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "images/files.h"
 #include "picture_files.h"
+#include "relief/files.h"
 #include "temporary_folder.h"
 
 namespace relief {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief::testing {
 

@@ -11,9 +11,9 @@
 #include <limits>
 #include <thread>
 
-#include "images/files.h"
-#include "images/reliefs.h"
 #include "images/system_error.h"
+#include "relief/files.h"
+#include "relief/reliefs.h"
 #include "temporary_folder.h"
 
 namespace relief {

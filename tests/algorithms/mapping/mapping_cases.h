@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "errors.h"
 #include "mapping/clipping.h"
 #include "mapping/homography.h"
+#include "relief/errors.h"
 
 namespace relief::test {
 

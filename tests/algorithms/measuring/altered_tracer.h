@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "measuring/measured_method.h"
+#include "measuring/bench/measured_method.h"
 
 namespace relief::test {
 

@@ -7,9 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "fields.h"
-#include "images/files.h"
 #include "measuring/random_rays.h"
 #include "reference.h"
+#include "relief/cell_grid.h"
+#include "relief/files.h"
 
 namespace relief::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "images/reliefs.h"
 #include "measuring/random_rays.h"
+#include "relief/reliefs.h"
 #include "relief/tracers.h"
 
 namespace relief::test {

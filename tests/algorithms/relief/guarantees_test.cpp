@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "fields.h"
-#include "images/files.h"
+#include "relief/cell_grid.h"
+#include "relief/files.h"
 
 namespace relief::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
-#include "measuring/base_level_measure.h"
+#include "measuring/bench/base_level_measure.h"
 #include "scenario/scenario.h"
 
 namespace relief::test {

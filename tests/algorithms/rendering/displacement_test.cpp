@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "../relief/fields.h"
-#include "measuring/picture_error.h"
-#include "relief/displacement_mesh.h"
+#include "algorithms/relief/fields.h"
+#include "measuring/compare/picture_error.h"
+#include "relief/methods/displacement_mesh.h"
 #include "rendering/frame.h"
 
 namespace relief::test {

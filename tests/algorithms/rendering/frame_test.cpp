@@ -2,7 +2,7 @@
 // get the frame's own rays.
 #include <gtest/gtest.h>
 
-#include "../relief/fields.h"
+#include "algorithms/relief/fields.h"
 #include "rendering/display.h"
 #include "rendering/error_layer.h"
 #include "rendering/frame.h"

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 #include "rendering/frame.h"
 
 namespace relief::test {

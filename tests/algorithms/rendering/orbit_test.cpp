@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "../../resident_memory.h"
-#include "../relief/fields.h"
+#include "algorithms/relief/fields.h"
 #include "rendering/frame.h"
 
 namespace relief::test {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "../filtering/filter_cases.h"
-#include "../relief/fields.h"
+#include "algorithms/filtering/filter_cases.h"
+#include "algorithms/relief/fields.h"
 #include "rendering/frame_buffers.h"
 #include "rendering/skip_ledger.h"
 

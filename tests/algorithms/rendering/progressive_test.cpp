@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "../relief/fields.h"
+#include "algorithms/relief/fields.h"
 #include "measuring/random_rays.h"
-#include "relief/lanes/packed_cone_hits.h"
+#include "relief/simd/packed_cone_hits.h"
 #include "rendering/progressive.h"
 
 namespace relief::test {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../relief/fields.h"
+#include "algorithms/relief/fields.h"
 #include "rendering/frame.h"
 
 namespace relief::test {

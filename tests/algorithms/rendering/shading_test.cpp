@@ -3,10 +3,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "../relief/fields.h"
 #include "algorithms/every_target.h"
+#include "algorithms/relief/fields.h"
 #include "measuring/random_rays.h"
-#include "relief/look_up_point.h"
+#include "relief/methods/look_up_point.h"
 #include "rendering/frame.h"
 #include "rendering/light_lanes.h"
 

@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "../relief/fields.h"
+#include "algorithms/relief/fields.h"
 #include "rendering/frame.h"
 
 namespace relief::test {

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "../relief/fields.h"
+#include "algorithms/relief/fields.h"
 #include "filtering/surface_pieces.h"
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 #include "rendering/flat_ground.h"
 #include "rendering/skip_ledger.h"
 #include "scenario/scenario.h"

@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "../relief/fields.h"
-#include "relief/look_up_point.h"
+#include "algorithms/relief/fields.h"
+#include "relief/methods/look_up_point.h"
 #include "rendering/supersample.h"
 
 namespace relief::test {

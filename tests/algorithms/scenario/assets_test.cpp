@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "errors.h"
-#include "images/reliefs.h"
+#include "relief/errors.h"
+#include "relief/reliefs.h"
 
 namespace relief::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "errors.h"
+#include "relief/errors.h"
 
 namespace relief::test {
 namespace {

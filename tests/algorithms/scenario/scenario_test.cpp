@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../images/temporary_folder.h"
-#include "images/files.h"
+#include "algorithms/images/temporary_folder.h"
+#include "relief/files.h"
 #include "scenario/scenario.h"
 
 namespace relief::test {

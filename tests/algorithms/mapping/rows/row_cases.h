@@ -7,7 +7,7 @@
 
 #include "algorithms/mapping/mapping_cases.h"
 #include "mapping/rows/rows.h"
-#include "measuring/stress_part_checks.h"
+#include "measuring/verify/stress_part_checks.h"
 
 namespace relief::test {
 

@@ -1,8 +1,8 @@
 // Operation counts of the row variants, by running their texts on a scalar that counts.
 #include <gtest/gtest.h>
 
+#include "mapping/rows/counting_scalar.h"
 #include "mapping/rows/row_kernels.h"
-#include "measuring/counting_scalar.h"
 #include "row_cases.h"
 
 namespace relief {

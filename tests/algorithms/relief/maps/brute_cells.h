@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "../fields.h"
+#include "algorithms/relief/fields.h"
 
 namespace relief::test {
 

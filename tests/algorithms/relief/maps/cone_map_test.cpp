@@ -8,9 +8,9 @@
 
 #include "algorithms/every_target.h"
 #include "brute_cells.h"
-#include "images/reliefs.h"
 #include "relief/maps/cone_builders.h"
 #include "relief/maps/distance_map.h"
+#include "relief/reliefs.h"
 
 namespace relief::test {
 namespace {

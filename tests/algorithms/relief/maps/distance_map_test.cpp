@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "brute_cells.h"
-#include "errors.h"
+#include "relief/errors.h"
+#include "relief/methods/distance_options.h"
 
 namespace relief::test {
 namespace {
@@ -27,7 +28,7 @@ DistanceMap built(DistanceKind kind, int footprint, int layers, const HeightFiel
     parameters.to = to;
     parameters.footprint = footprint;
     parameters.layers = layers;
-    return buildDistanceMap(kind, parameters, field, work);
+    return buildDistanceMap(kind, parameters, field, work, &exactHits);
 }
 
 // Some layers are free everywhere.

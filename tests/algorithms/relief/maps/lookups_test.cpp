@@ -1,7 +1,7 @@
 // What the builders of maps look up in constant time: the least of a stretch, the sectors that a rectangle meets.
 #include <gtest/gtest.h>
 
-#include "../fields.h"
+#include "algorithms/relief/fields.h"
 #include "relief/maps/azimuth_sectors.h"
 #include "relief/maps/distance_map.h"
 #include "relief/maps/range_minimum.h"

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../fields.h"
 #include "algorithms/every_target.h"
+#include "algorithms/relief/fields.h"
 
 namespace relief::test {
 namespace {

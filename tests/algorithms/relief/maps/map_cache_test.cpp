@@ -1,7 +1,7 @@
 // The cache keeps within its budget what it holds: maps, and the heights that they are of.
 #include <gtest/gtest.h>
 
-#include "relief/maps/map_cache.h"
+#include "relief/map_cache.h"
 
 namespace relief::test {
 

@@ -2,9 +2,9 @@
 #include "algorithms/images/temporary_folder.h"
 #include "algorithms/relief/fields.h"
 #include "images/described_tiff.h"
-#include "images/files.h"
 #include "images/picture_input.h"
-#include "relief/maps/map_choice.h"
+#include "relief/files.h"
+#include "relief/tracers/map_choice.h"
 
 #include <gtest/gtest.h>
 

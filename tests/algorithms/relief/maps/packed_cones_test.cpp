@@ -9,7 +9,7 @@
 
 #include "algorithms/every_target.h"
 #include "brute_cells.h"
-#include "images/reliefs.h"
+#include "relief/reliefs.h"
 
 namespace relief::test {
 namespace {

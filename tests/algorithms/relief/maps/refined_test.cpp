@@ -8,6 +8,8 @@
 #include "brute_cells.h"
 #include "relief/maps/distance_map.h"
 #include "relief/maps/refined.h"
+#include "relief/methods/distance_options.h"
+#include "relief/tracers/point_distances.h"
 
 namespace relief::test {
 namespace {
@@ -141,7 +143,7 @@ class Refined : public testing::TestWithParam<Case> {
             parameters.horizons = GetParam().horizons;
             parameters.sectors = GetParam().sectors;
         }
-        return buildDistanceMap(kind, parameters, field_, work);
+        return buildDistanceMap(kind, parameters, field_, work, &exactHits);
     }
     HeightField field_;
 };
@@ -267,7 +269,8 @@ TEST_F(WorkedExample, AsAVoxel) {
     DistanceParameters parameters;
     parameters.layers = 10;
     const auto voxel = [&](DistanceKind kind, int sector) {
-        return static_cast<double>(buildDistanceMap(kind, parameters, field_, work).at(4, kRows / 2, 6, sector));
+        return static_cast<double>(
+            buildDistanceMap(kind, parameters, field_, work, &exactHits).at(4, kRows / 2, 6, sector));
     };
     EXPECT_NEAR(voxel(DistanceKind::EuclideanConservative, 0), 3, kRounding);
     const double right = 3 / std::cos(10 * kDegree);

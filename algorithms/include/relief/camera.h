@@ -1,0 +1,42 @@
+// The camera: a pinhole, placed around the scene (elevation, azimuth, distance) or freely (eye, target).
+//
+// World frame: right-handed, y up, one unit = the width of the picture on its polygon; the scene is centred at the
+// origin. Screen: x to the right, y downwards, pixel (i, j) has its centre at (i + 1/2, j + 1/2).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+#include "relief/height_field.h"
+#include "relief/ray.h"
+
+namespace relief {
+
+struct PinholeCamera;
+
+// Angles in degrees. Orbit: elevation above the horizontal plane through the target, -90 to 90; azimuth turns to the
+// right around the vertical axis, 0 in front (on +z); distance from the target, world units, > 0.
+// Free: eye and target in world units, apart from each other. fov: the vertical field of view, in (0, 180).
+struct Camera {
+    enum class Kind : std::uint8_t { Orbit, Free };
+    Kind kind = Kind::Orbit;
+    double elevation = 35;
+    double azimuth = 20;
+    double distance = 1.5;
+    glm::dvec3 eye{0, 1, 1};
+    glm::dvec3 target{0, 0, 0};
+    double fov = 40;
+    bool operator==(const Camera&) const = default;
+};
+
+// The camera in pixels of a width x height screen, its principal point in the middle.
+// Throws InputError("--camera", ...) where the camera is degenerate (eye at the target, fov out of range, NaN).
+PinholeCamera pinholeCamera(const Camera& camera, int width, int height);
+
+// The view ray of pixel (x, y) of a width x height picture of the relief on the floor; none: no relief is there.
+// Throws InputError where the camera is degenerate or the pixel outside.
+std::optional<ViewRay> floorRay(const HeightField& field, const Camera& camera, int width, int height, int x, int y);
+
+}  // namespace relief

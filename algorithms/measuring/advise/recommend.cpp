@@ -1,0 +1,269 @@
+#include "measuring/advise/recommend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "measuring/advise/recommend_trials.h"
+#include "measuring/quantiles.h"
+
+namespace relief {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Shares of the time given.
+constexpr double kBuilding = 0.55;
+constexpr double kOneMap = 0.2;
+constexpr double kFilters = 0.2;
+constexpr int kRounds = 32;
+constexpr int kFewestRounds = 3;
+// A form measured once that is dearer than the best by this is out; counts do not scatter as times do.
+constexpr double kOutAtOnce = 4;
+constexpr double kOutByCounts = 1.5;
+// A picture of a million rays: what a map's building is held against.
+constexpr double kPictureRays = 1e6;
+
+// After that many rounds, what is dearer than the best by more than this is out.
+double outAfter(int rounds) {
+    return 1 + std::max(1.6 / std::sqrt(static_cast<double>(rounds)) - 0.2, 0.08);
+}
+
+class Elimination {
+  public:
+    Elimination(const AdviceOptions& options, bool keepAll, Work& work)
+        : options_(options), keepAll_(keepAll), work_(work), rays_(options, options.seed, work) {}
+
+    std::vector<AdviceTrial> run(std::size_t& stillClose) {
+        const std::vector<MethodChoice> forms =
+            options_.forms.empty() ? adviceForms(options_.field, lowest(), options_.maxSteps) : options_.forms;
+        work_.progress().begin("recommend", static_cast<std::int64_t>(forms.size()) + kRounds);
+        for (const MethodChoice& form : forms) {
+            trials_.emplace_back();
+            trials_.back().facts.method = form;
+        }
+        screen();
+        if (options_.form == Form::Simd) {
+            rounds(stillClose);
+        } else {
+            byCounts();
+        }
+        verify();
+        return std::move(trials_);
+    }
+
+  private:
+    double lowest() const { return options_.views.front() ? *options_.views.front() : kLowestRandomElevation; }
+    double elapsed() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
+
+    void drop(AdviceTrial& trial, Verdict verdict) const {
+        trial.facts.verdict = verdict;
+        if (!keepAll_) trial.tracer.reset();
+    }
+
+    // Each form built, counted on one block and timed once.
+    void screen() {
+        AdviceMaps maps(options_, work_);
+        double best = std::numeric_limits<double>::infinity();
+        for (AdviceTrial& trial : trials_) {
+            maps.make(trial, std::min(kOneMap * options_.seconds, kBuilding * options_.seconds - elapsed()));
+            work_.progress().advance();
+            if (!trial.tracer) continue;
+            rays_.count(trial, 1, work_);
+            // Those that promise nothing on all rays at once: a bound broken later would have driven better ones out.
+            if (trial.facts.guarantee == Guarantee::Approximate && rays_.keepsBound(trial.facts)) {
+                rays_.count(trial, AdviceRays::kBlocks, work_);
+            }
+            rays_.time(trial, 0, work_);
+            setTime(trial, trial.times.front());
+            if (!rays_.keepsBound(trial.facts)) {
+                drop(trial, Verdict::Error);
+                continue;
+            }
+            if (!rays_.keepsSteps(trial.facts)) {
+                drop(trial, Verdict::Steps);
+                continue;
+            }
+            best = std::min(best, trial.facts.cost);
+            if (trial.facts.cost > kOutAtOnce * best) drop(trial, Verdict::Slow);
+            trial.times.clear();
+        }
+    }
+
+    void setTime(AdviceTrial& trial, double seconds) const {
+        trial.facts.secondsARay = seconds;
+        if (options_.form == Form::Simd) trial.facts.cost = seconds;
+    }
+
+    std::vector<AdviceTrial*> live() {
+        std::vector<AdviceTrial*> all;
+        for (AdviceTrial& trial : trials_) {
+            if (trial.facts.verdict == Verdict::Kept && trial.tracer) all.push_back(&trial);
+        }
+        return all;
+    }
+
+    void rounds(std::size_t& stillClose) {
+        std::vector<double> middles;  // of each round, over the forms in it
+        const double until = (1 - (options_.filters ? kFilters : 0)) * options_.seconds;
+        std::vector<AdviceTrial*> in = live();
+        for (int round = 0; round < kRounds && in.size() > 1; ++round) {
+            if (round >= kFewestRounds && elapsed() > until) {
+                stillClose = static_cast<std::size_t>(std::count_if(in.begin(), in.end(), [&](const AdviceTrial* t) {
+                    return t->facts.cost <= (1 + 0.01 * kClosePercent) * in.front()->facts.cost;
+                }));
+                if (stillClose == 1) stillClose = 0;
+                break;
+            }
+            std::vector<double> times;
+            for (AdviceTrial* trial : in) {
+                rays_.time(*trial, static_cast<std::size_t>(round), work_);
+                times.push_back(trial->times.back());
+            }
+            middles.push_back(quantile(times, 0.5));
+            judge(in, middles);
+            work_.progress().advance();
+        }
+    }
+
+    // Sets the costs: medians over the rounds, each round's scale taken out; drops what is too dear; sorts.
+    void judge(std::vector<AdviceTrial*>& in, const std::vector<double>& middles) {
+        const double scale = quantile(middles, 0.5);
+        for (AdviceTrial* trial : in) {
+            std::vector<double> ratios;
+            for (std::size_t r = 0; r < trial->times.size(); ++r) ratios.push_back(trial->times[r] / middles[r]);
+            setTime(*trial, quantile(ratios, 0.5) * scale);
+            trial->facts.rounds = static_cast<int>(ratios.size());
+        }
+        std::stable_sort(in.begin(), in.end(),
+                         [](const AdviceTrial* a, const AdviceTrial* b) { return a->facts.cost < b->facts.cost; });
+        const auto rounds = static_cast<int>(middles.size());
+        if (rounds < kFewestRounds) return;
+        const double out = outAfter(rounds) * in.front()->facts.cost;
+        std::erase_if(in, [&](AdviceTrial* trial) {
+            if (trial->facts.cost <= out) return false;
+            drop(*trial, Verdict::Slow);
+            return true;
+        });
+    }
+
+    // The dearer ones out, the others counted on all blocks.
+    void byCounts() {
+        double best = std::numeric_limits<double>::infinity();
+        for (const AdviceTrial* trial : live()) best = std::min(best, trial->facts.cost);
+        for (AdviceTrial* trial : live()) {
+            if (trial->facts.cost > kOutByCounts * best) drop(*trial, Verdict::Slow);
+        }
+    }
+
+    // The bound on all rays.
+    void verify() {
+        for (AdviceTrial* trial : live()) {
+            rays_.count(*trial, AdviceRays::kBlocks, work_);
+            if (!rays_.keepsBound(trial->facts)) {
+                drop(*trial, Verdict::Error);
+            } else if (!rays_.keepsSteps(trial->facts)) {
+                drop(*trial, Verdict::Steps);
+            }
+        }
+    }
+
+    const AdviceOptions& options_;
+    bool keepAll_;
+    Work& work_;
+    Clock::time_point begun_ = Clock::now();
+    AdviceRays rays_;
+    std::vector<AdviceTrial> trials_;
+};
+
+// Kept ones, then slower ones, then the rest; each by cost.
+bool before(const AdvisedForm& a, const AdvisedForm& b) {
+    const auto rank = [](const AdvisedForm& form) {
+        return form.verdict == Verdict::Kept ? 0 : form.verdict == Verdict::Slow ? 1 : 2;
+    };
+    if (rank(a) != rank(b)) return rank(a) < rank(b);
+    return rank(a) < 2 && a.cost < b.cost;
+}
+
+bool keepsBounds(const AdvisedForm& form) {
+    return form.verdict == Verdict::Kept || form.verdict == Verdict::Slow;
+}
+
+bool leaner(const AdvisedForm& a, const AdvisedForm& b) {
+    return a.bytes != b.bytes ? a.bytes < b.bytes : a.buildSeconds < b.buildSeconds;
+}
+
+// Of the forms that take no more steps than they may the one with the fewest rays past the error bound.
+std::size_t nearestToBounds(const AdviceOptions& options, const std::vector<AdvisedForm>& forms) {
+    std::size_t best = 0;
+    const auto worse = [&](const AdvisedForm& form) {
+        const bool measured = form.beyond >= 0;  // NaN: it was not
+        const bool fits = measured && (options.maxSteps == 0 || form.overSteps <= options.outliers);
+        return fits ? form.beyond : 2 + (measured ? form.overSteps : 1);
+    };
+    for (std::size_t f = 1; f < forms.size(); ++f) {
+        if (worse(forms[f]) < worse(forms[best])) best = f;
+    }
+    return best;
+}
+
+// Where the heights change after each picture, building counts.
+void weighBuilding(Advice& advice) {
+    const AdvisedForm& best = advice.best();
+    const auto whole = [](const AdvisedForm& form) { return form.buildSeconds + kPictureRays * form.secondsARay; };
+    std::size_t cheapest = advice.chosen;
+    for (std::size_t f = 0; f < advice.forms.size(); ++f) {
+        const AdvisedForm& form = advice.forms[f];
+        if (keepsBounds(form) && whole(form) < whole(advice.forms[cheapest])) cheapest = f;
+    }
+    const AdvisedForm& other = advice.forms[cheapest];
+    // Not for a tie: the map must pay only after several pictures.
+    constexpr double kDominates = 2;
+    if (cheapest == advice.chosen || whole(best) < kDominates * whole(other)) return;
+    advice.rebuilt = cheapest;
+    advice.paysAfterRays = other.secondsARay > best.secondsARay
+                               ? (best.buildSeconds - other.buildSeconds) / (other.secondsARay - best.secondsARay)
+                               : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+std::vector<AdviceTrial> runTrials(const AdviceOptions& options, bool keepAll, std::size_t& stillClose, Work& work) {
+    return Elimination(options, keepAll, work).run(stillClose);
+}
+
+Advice adviceOf(const AdviceOptions& options, const std::vector<AdviceTrial>& trials) {
+    Advice advice;
+    for (const AdviceTrial& trial : trials) advice.forms.push_back(trial.facts);
+    std::stable_sort(advice.forms.begin(), advice.forms.end(), before);
+    std::vector<AdvisedForm>& forms = advice.forms;
+    // Of those that are as good the leanest.
+    for (std::size_t f = 1; f < forms.size() && forms[f].verdict == Verdict::Kept; ++f) {
+        if (forms[f].cost <= (1 + kAdviceTie) * forms[0].cost && leaner(forms[f], forms[advice.chosen])) {
+            advice.chosen = f;
+        }
+    }
+    advice.relief = reliefFigures(options.field);
+    for (std::size_t f = 0; f < forms.size(); ++f) {
+        if (forms[f].method.name == "exact") advice.exact = f;
+        if (!advice.withoutMap && keepsBounds(forms[f]) && forms[f].bytes == 0) advice.withoutMap = f;
+    }
+    // Over a flat map every method is at the hit at once: no map is worth its building.
+    if (advice.relief.flat && advice.withoutMap) advice.chosen = advice.cheapest = *advice.withoutMap;
+    advice.keepsBounds = keepsBounds(forms[advice.chosen]);
+    if (!advice.keepsBounds) advice.chosen = advice.cheapest = nearestToBounds(options, forms);
+    advice.next = advice.chosen;
+    if (advice.chosen == 0 && forms.size() > 1 && keepsBounds(forms[1])) advice.next = 1;
+    if (advice.keepsBounds) weighBuilding(advice);
+    return advice;
+}
+
+Advice recommend(const AdviceOptions& options, Work& work) {
+    std::size_t stillClose = 0;
+    Advice advice = adviceOf(options, runTrials(options, false, stillClose, work));
+    advice.stillClose = stillClose;
+    if (options.filters) advice.filter = recommendFilter(options, kFilters * options.seconds, work);
+    return advice;
+}
+
+}  // namespace relief

@@ -1,0 +1,183 @@
+// What is tried, and what the relief is like.
+#include <algorithm>
+#include <cmath>
+
+#include "measuring/advise/recommend.h"
+
+namespace relief {
+
+namespace {
+
+// Values of an option that are worth a trial beside the default, whichever method has it.
+std::vector<std::string> worthATrial(const MethodDescription& method, const OptionDescription& option, bool buildsMaps,
+                                     double lowest, std::int64_t maxSteps) {
+    const std::string& name = option.name;
+    const bool promises = method.guarantee != Guarantee::Approximate;
+    if (option.kind == OptionKind::Method) {
+        // Inner methods that promise something: the outer one then does, too.
+        std::vector<std::string> names;
+        for (const std::string& inner : option.choices) {
+            if (findTracer(inner).guarantee != Guarantee::Approximate) names.push_back(inner);
+        }
+        return names;
+    }
+    if (name == "base") return {"1", "2"};
+    if (name == "level") return {"2", "4"};
+    const auto allowed = [&](std::vector<std::string> values, std::int64_t others) {
+        if (maxSteps > others) values.push_back(numberText(static_cast<double>(maxSteps - others)));
+        return values;
+    };
+    if (name == "layers" && !buildsMaps) {
+        // Besides the layers: the start, the one at the top, and what refines the last.
+        const auto halvings = method.defaults.find("bisections");
+        const double refining = halvings == method.defaults.end() ? 1 : parseNumber(halvings->second, name);
+        return allowed({"32", "128", "256", "512"}, 3 + static_cast<std::int64_t>(refining));
+    }
+    if (name == "iterations") return allowed({"128"}, 3);
+    if (name == kLayoutOption) return {std::string(kStoredLayout)};
+    if (name == "sectors") return {"4", "8"};
+    if (name == "footprint") return {"4"};
+    if (name == "rule") return option.choices;
+    // Of the coarser numbers the unsafe methods gain nothing but memory.
+    if (name == "precision" && promises) return option.choices;
+    if (name == "flattest" && promises && lowest < parseNumber(method.defaults.at(name), name)) {
+        return {numberText(std::clamp(std::floor(lowest * 2) / 2, option.low, option.high))};
+    }
+    return {};
+}
+
+void addForms(const MeasuredMethod& method, double lowest, std::int64_t maxSteps, std::vector<MethodChoice>& forms) {
+    const MethodDescription& description = findTracer(method.choice.name);
+    std::vector<OptionValues> all{{}};
+    for (const OptionDescription& option : description.options) {
+        const std::size_t before = all.size();
+        for (const std::string& value : worthATrial(description, option, method.buildsMaps, lowest, maxSteps)) {
+            if (value == description.defaults.at(option.name)) continue;
+            if (std::any_of(all.begin(), all.end(), [&](const OptionValues& known) {
+                    return known.contains(option.name) && known.at(option.name) == value && known.size() == 1;
+                })) {
+                continue;
+            }
+            // Each map takes its time: one option turned at a time. A rule needs no map of its own.
+            const bool each = !method.buildsMaps || option.name == "rule";
+            for (std::size_t v = 0; v < (each ? before : 1); ++v) {
+                if (method.buildsMaps && all[v].contains("precision")) continue;
+                all.push_back(all[v]);
+                all.back()[option.name] = value;
+            }
+        }
+    }
+    for (OptionValues& values : all) forms.push_back({method.choice.name, std::move(values)});
+}
+
+}  // namespace
+
+std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, std::int64_t maxSteps) {
+    std::vector<MethodChoice> forms;
+    for (const MeasuredMethod& method : defaultMethods()) addForms(method, lowest, maxSteps, forms);
+    std::erase_if(forms, [&](const MethodChoice& form) { return !supports(form, field.surface(), field.address()); });
+    // What needs the time most surely well spent first: no maps, then maps of methods that promise something.
+    std::stable_sort(forms.begin(), forms.end(), [](const MethodChoice& a, const MethodChoice& b) {
+        const auto rank = [](const MethodChoice& form) {
+            if (!measuredMethod(form).buildsMaps) return 0;
+            if (form.options.contains("inner")) return 2;
+            return findTracer(form.name).guarantee == Guarantee::Approximate ? 3 : 1;
+        };
+        return rank(a) < rank(b);
+    });
+    return forms;
+}
+
+ReliefFigures reliefFigures(const HeightField& field) {
+    const FloatImage& heights = field.heights();
+    const double texels = field.slabTexels();
+    ReliefFigures figures;
+    const auto pixels = heights.pixels();
+    figures.flat = std::all_of(pixels.begin(), pixels.end(), [&](float height) { return height == pixels[0]; });
+    std::int64_t pairs = 0;
+    std::int64_t steep = 0;
+    double sum = 0;
+    const auto pair = [&](float a, float b) {
+        const double slope = std::abs(static_cast<double>(a) - static_cast<double>(b)) * texels;
+        ++pairs;
+        sum += slope;
+        if (slope > 1) ++steep;
+    };
+    for (int y = 0; y < heights.height(); ++y) {
+        for (int x = 0; x < heights.width(); ++x) {
+            if (x + 1 < heights.width()) pair(heights(x, y), heights(x + 1, y));
+            if (y + 1 < heights.height()) pair(heights(x, y), heights(x, y + 1));
+        }
+    }
+    if (pairs > 0) {
+        figures.roughness = sum / static_cast<double>(pairs);
+        figures.steep = static_cast<double>(steep) / static_cast<double>(pairs);
+    }
+    constexpr double kFlat = 0.5;  // texels
+    std::int64_t tiles = 0;
+    std::int64_t flat = 0;
+    for (int y0 = 0; y0 < heights.height(); y0 += ReliefFigures::kTile) {
+        for (int x0 = 0; x0 < heights.width(); x0 += ReliefFigures::kTile) {
+            float low = heights(x0, y0);
+            float high = low;
+            for (int y = y0; y < std::min(y0 + ReliefFigures::kTile, heights.height()); ++y) {
+                for (int x = x0; x < std::min(x0 + ReliefFigures::kTile, heights.width()); ++x) {
+                    low = std::min(low, heights(x, y));
+                    high = std::max(high, heights(x, y));
+                }
+            }
+            ++tiles;
+            if (static_cast<double>(high - low) * texels < kFlat) ++flat;
+        }
+    }
+    figures.flatTiles = static_cast<double>(flat) / static_cast<double>(tiles);
+    return figures;
+}
+
+std::string_view verdictName(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Kept:
+            return "kept";
+        case Verdict::Error:
+            return "error";
+        case Verdict::Steps:
+            return "steps";
+        case Verdict::Memory:
+            return "memory";
+        case Verdict::BuildTime:
+            return "build-time";
+        case Verdict::Refused:
+            return "refused";
+        case Verdict::Slow:
+            return "slow";
+    }
+    return "";
+}
+
+std::vector<Elevation> parseViews(const std::string& text, const std::string& option) {
+    if (text == "random") return {std::nullopt};
+    const InputError fault(option, Message(MessageId::NotAViewRange, {{"text", text}, {"low", kLowestElevation}}));
+    const std::size_t comma = text.find(',');
+    double low = 0;
+    double high = 0;
+    try {
+        low = parseElevation(text.substr(0, comma), option).value_or(-1);
+        high = comma == std::string::npos ? low : parseElevation(text.substr(comma + 1), option).value_or(-1);
+    } catch (const InputError&) {
+        throw fault;
+    }
+    if (low < 0 || high < low) throw fault;
+    if (low == high) return {low};
+    std::vector<Elevation> views;
+    for (int v = 0; v < kAdviceViews; ++v) views.push_back(low + (high - low) * v / (kAdviceViews - 1));
+    return views;
+}
+
+std::string viewsText(const std::vector<Elevation>& views) {
+    if (!views.front()) return "random";
+    std::string text = numberText(*views.front(), 4);
+    if (views.size() > 1) text += "," + numberText(*views.back(), 4);
+    return text;
+}
+
+}  // namespace relief

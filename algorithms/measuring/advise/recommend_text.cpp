@@ -1,0 +1,313 @@
+// Advice in words and as JSON.
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "measuring/advise/recommend.h"
+#include "measuring/bench/machine.h"
+#include "measuring/text_table.h"
+
+namespace relief {
+
+namespace {
+
+constexpr int kDigits = 3;
+constexpr std::size_t kLines = 12;  // of the table
+
+std::string number(double value) {
+    return std::isnan(value) ? "-" : readable(value, kDigits);
+}
+
+std::string bytesText(std::int64_t bytes) {
+    constexpr double kKilo = 1024;
+    const auto kilobytes = static_cast<double>(bytes) / kKilo;
+    return kilobytes < kKilo ? number(kilobytes) + " KB" : number(kilobytes / kKilo) + " MB";
+}
+
+std::string mapNames(const MethodChoice& method) {
+    std::string names;
+    for (const std::string& map : findTracer(method.name).maps) names += (names.empty() ? "" : ", ") + map;
+    const auto inner = method.options.find("inner");
+    if (inner != method.options.end() && !findTracer(inner->second).maps.empty()) {
+        names += ", " + mapNames({inner->second, {}});
+    }
+    return names;
+}
+
+double percentMore(const AdvisedForm& form, const AdvisedForm& than) {
+    return (form.cost / than.cost - 1) * 100;
+}
+
+class AdviceSentences {
+  public:
+    AdviceSentences(const AdviceOptions& options, const Advice& advice, Language language)
+        : options_(options), advice_(advice), language_(language) {}
+
+    std::string text() {
+        const HeightField& field = options_.field;
+        say(MessageId::AdviceAsked, {{"relief", options_.name},
+                                     {"width", field.width()},
+                                     {"height", field.height()},
+                                     {"surface", std::string(surfaceName(field.surface()))},
+                                     {"address", std::string(addressName(field.address()))},
+                                     {"depth", field.reliefDepth()},
+                                     {"views", viewsText(options_.views)},
+                                     {"error", options_.error},
+                                     {"outliers", number(options_.outliers * 100)},
+                                     {"memory", bytesText(options_.memory)}});
+        if (options_.maxSteps > 0) say(MessageId::AdviceMaxSteps, {{"steps", options_.maxSteps}});
+        text_ += '\n';
+        if (advice_.relief.flat) {
+            say(MessageId::AdviceFlat, {{"height", static_cast<double>(field.heights().pixels()[0])}});
+        }
+        if (!advice_.keepsBounds) say(MessageId::AdviceNothingKept, {});
+        method();
+        reasons();
+        if (advice_.filter) filter();
+        table();
+        return text_;
+    }
+
+  private:
+    void say(MessageId id, std::vector<MessageValue> values) {
+        text_ += sentence(Message(id, std::move(values)), language_) + "\n";
+    }
+
+    void method() {
+        const AdvisedForm& best = advice_.best();
+        const AdvisedForm& exact = advice_.forms[advice_.exact];
+        say(MessageId::AdviceMethod, {{"method", methodText(best.method)}});
+        if (best.bytes == 0) {
+            say(MessageId::AdviceNoMap, {});
+        } else {
+            say(MessageId::AdviceMap, {{"map", mapNames(best.method)},
+                                       {"bytes", bytesText(best.bytes)},
+                                       {"seconds", number(best.buildSeconds)}});
+        }
+        if (options_.form == Form::Simd) {
+            say(MessageId::AdviceRate, {{"rate", number(1e-6 / best.secondsARay)},
+                                        {"exact", number(1e-6 / exact.secondsARay)},
+                                        {"times", number(exact.secondsARay / best.secondsARay)}});
+        } else {
+            say(MessageId::AdviceCost, {{"cost", number(best.cost)},
+                                        {"factor", options_.stepCost},
+                                        {"exact", number(exact.cost)},
+                                        {"times", number(exact.cost / best.cost)}});
+        }
+    }
+
+    // How much more than the chosen form: twice and more as a factor.
+    void moreExpensive(MessageId percent, MessageId times, const AdvisedForm& form) {
+        constexpr double kTwice = 100;
+        const double more = percentMore(form, advice_.best());
+        if (more < kTwice) {
+            say(percent, {{"method", methodText(form.method)}, {"percent", number(more)}});
+        } else {
+            say(times, {{"method", methodText(form.method)}, {"times", number(1 + more / 100)}});
+        }
+    }
+
+    void reasons() {
+        const AdvisedForm& best = advice_.best();
+        const AdvisedForm& exact = advice_.forms[advice_.exact];
+        say(MessageId::AdviceCounts, {{"steps", number(best.steps)},
+                                      {"reads", number(best.reads)},
+                                      {"exactSteps", number(exact.steps)},
+                                      {"exactReads", number(exact.reads)}});
+        say(MessageId::AdviceErrors, {{"beyond", number(best.beyond * 100)},
+                                      {"largest", number(best.largest)},
+                                      {"guarantee", std::string(guaranteeName(best.guarantee))}});
+        say(MessageId::AdviceRelief, {{"roughness", number(advice_.relief.roughness)},
+                                      {"flat", number(advice_.relief.flatTiles * 100)},
+                                      {"side", ReliefFigures::kTile},
+                                      {"steep", number(advice_.relief.steep * 100)}});
+        if (advice_.cheapest != advice_.chosen) {
+            const AdvisedForm& cheapest = advice_.forms[advice_.cheapest];
+            say(MessageId::AdviceLean, {{"method", methodText(cheapest.method)},
+                                        {"percent", number((1 - cheapest.cost / best.cost) * 100)},
+                                        {"bytes", bytesText(cheapest.bytes)},
+                                        {"seconds", number(cheapest.buildSeconds)}});
+        } else if (advice_.next != advice_.chosen) {
+            const AdvisedForm& next = advice_.forms[advice_.next];
+            moreExpensive(MessageId::AdviceNext, MessageId::AdviceNextTimes, next);
+        }
+        if (advice_.withoutMap && best.bytes > 0) {
+            const AdvisedForm& plain = advice_.forms[*advice_.withoutMap];
+            moreExpensive(MessageId::AdviceWithoutMap, MessageId::AdviceWithoutMapTimes, plain);
+        }
+        const auto count = [&](Verdict verdict) {
+            return std::count_if(advice_.forms.begin(), advice_.forms.end(),
+                                 [&](const AdvisedForm& form) { return form.verdict == verdict; });
+        };
+        say(MessageId::AdviceDropped, {{"total", advice_.forms.size()},
+                                       {"error", count(Verdict::Error)},
+                                       {"steps", count(Verdict::Steps)},
+                                       {"memory", count(Verdict::Memory)},
+                                       {"time", count(Verdict::BuildTime)},
+                                       {"other", count(Verdict::Refused)},
+                                       {"slow", count(Verdict::Slow)}});
+    }
+
+    void filter() {
+        const FilterAdvice& filter = *advice_.filter;
+        const FilterFigures& live = filter.filters[filter.live];
+        const FilterFigures& still = filter.filters[filter.still];
+        constexpr std::size_t kTrilinear = 2;
+        const FilterFigures& plain = filter.filters[kTrilinear];
+        text_ += '\n';
+        say(MessageId::AdviceFilter, {{"filter", filterText(live.filter)},
+                                      {"error", number(live.rmse * 1000)},
+                                      {"texels", number(live.texels)},
+                                      {"plain", filterText(plain.filter)},
+                                      {"plainError", number(plain.rmse * 1000)},
+                                      {"elevation", number(filter.elevation)},
+                                      {"anisotropy", number(filter.anisotropy)}});
+        if (filter.still == filter.live) return;
+        say(MessageId::AdviceStillFilter, {{"filter", filterText(still.filter)},
+                                           {"error", number(still.rmse * 1000)},
+                                           {"times", number(live.rate / still.rate)}});
+    }
+
+    void table() {
+        const bool simd = options_.form == Form::Simd;
+        const char* cost = simd ? "ns/ray" : "cost";
+        const TableRow heading{"",      cost,   "steps",   "most",    "reads",    "beyond %",
+                               "error", "maps", "build s", "verdict", "guarantee"};
+        constexpr std::size_t kVerdict = 9;
+        const auto line = [&](const AdvisedForm& form) {
+            return TableRow{methodText(form.method),
+                            number(simd ? form.cost * 1e9 : form.cost),
+                            number(form.steps),
+                            form.mostSteps > 0 ? std::to_string(form.mostSteps) : "-",
+                            number(form.reads),
+                            number(form.beyond * 100),
+                            number(form.largest),
+                            bytesText(form.bytes),
+                            number(form.buildSeconds),
+                            std::string(verdictName(form.verdict)),
+                            std::string(guaranteeName(form.guarantee))};
+        };
+        std::vector<TableRow> safe{heading};
+        std::vector<const AdvisedForm*> others;
+        for (const AdvisedForm& form : advice_.forms) {
+            const bool keeps = form.verdict == Verdict::Kept || form.verdict == Verdict::Slow;
+            if (keeps && safe.size() <= kLines) safe.push_back(line(form));
+            if (form.verdict == Verdict::Error || form.verdict == Verdict::Steps) others.push_back(&form);
+        }
+        text_ += "\n" + textTable(safe, 1, kVerdict);
+        if (!others.empty()) {
+            std::stable_sort(others.begin(), others.end(),
+                             [](const AdvisedForm* a, const AdvisedForm* b) { return a->cost < b->cost; });
+            std::vector<TableRow> past{heading};
+            for (const AdvisedForm* form : others) {
+                if (past.size() <= kLines) past.push_back(line(*form));
+            }
+            text_ += '\n';
+            say(MessageId::AdvicePastBounds, {});
+            text_ += textTable(past, 1, kVerdict);
+        }
+        text_ += (simd ? "ns/ray: processor time on one thread. " : "") + cpuText() + ", " + compilerText() + ", " +
+                 commitText() + "\n";
+    }
+
+    const AdviceOptions& options_;
+    const Advice& advice_;
+    Language language_;
+    std::string text_;
+};
+
+using Json = nlohmann::ordered_json;
+
+Json formJson(const AdvisedForm& form) {
+    return {{"method", form.method.name},
+            {"options", optionsText(form.method, true)},
+            {"text", methodText(form.method)},
+            {"verdict", std::string(verdictName(form.verdict))},
+            {"guarantee", std::string(guaranteeName(form.guarantee))},
+            {"cost", form.cost},
+            {"seconds_a_ray", form.secondsARay},
+            {"steps", form.steps},
+            {"reads", form.reads},
+            {"steps_max", form.mostSteps},
+            {"beyond", form.beyond},
+            {"error_max", form.largest},
+            {"memory_bytes", form.bytes},
+            {"build_seconds", form.buildSeconds},
+            {"rounds", form.rounds}};
+}
+
+Json filterJson(const FilterAdvice& advice) {
+    Json all = Json::array();
+    for (const FilterFigures& figures : advice.filters) {
+        all.push_back({{"filter", filterText(figures.filter)},
+                       {"rmse", figures.rmse},
+                       {"texels_read", figures.texels},
+                       {"rate", figures.rate}});
+    }
+    return {{"live", filterText(advice.filters[advice.live].filter)},
+            {"still", filterText(advice.filters[advice.still].filter)},
+            {"elevation", advice.elevation},
+            {"anisotropy", advice.anisotropy},
+            {"filters", all}};
+}
+
+}  // namespace
+
+std::string adviceText(const AdviceOptions& options, const Advice& advice, Language language) {
+    return AdviceSentences(options, advice, language).text();
+}
+
+std::string adviceJson(const AdviceOptions& options, const Advice& advice) {
+    const HeightField& field = options.field;
+    Json json{{"height", options.name},
+              {"size", std::to_string(field.width()) + "x" + std::to_string(field.height())},
+              {"surface", std::string(surfaceName(field.surface()))},
+              {"address", std::string(addressName(field.address()))},
+              {"relief_depth", field.reliefDepth()},
+              {"views", viewsText(options.views)},
+              {"error", options.error},
+              {"outliers", options.outliers},
+              {"memory_limit_bytes", options.memory},
+              {"max_steps", options.maxSteps},
+              {"seconds", options.seconds},
+              {"form", std::string(formName(options.form))},
+              {"step_cost", options.stepCost},
+              {"seed", options.seed},
+              {"chosen", formJson(advice.best())}};
+    json["map"] = mapNames(advice.best().method);
+    json["relief"] = {{"roughness", advice.relief.roughness},
+                      {"flat_tiles", advice.relief.flatTiles},
+                      {"tile", ReliefFigures::kTile},
+                      {"steep", advice.relief.steep},
+                      {"flat", advice.relief.flat}};
+    json["keeps_bounds"] = advice.keepsBounds;
+    if (advice.filter) json["filter"] = filterJson(*advice.filter);
+    if (advice.rebuilt) json["where_heights_change"] = methodText(advice.forms[*advice.rebuilt].method);
+    json["forms"] = Json::array();
+    for (const AdvisedForm& form : advice.forms) json["forms"].push_back(formJson(form));
+    json["cpu"] = cpuText();
+    json["compiler"] = compilerText();
+    json["commit"] = commitText();
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<Message> adviceNotes(const AdviceOptions&, const Advice& advice) {
+    std::vector<Message> notes;
+    if (advice.stillClose > 0) {
+        notes.emplace_back(MessageId::AdviceTimeUp,
+                           std::vector<MessageValue>{{"count", advice.stillClose}, {"percent", kClosePercent}});
+    }
+    if (advice.rebuilt && std::isinf(advice.paysAfterRays)) {
+        notes.emplace_back(MessageId::AdviceBuildNeverPays,
+                           std::vector<MessageValue>{{"seconds", numberText(advice.best().buildSeconds, kDigits)},
+                                                     {"method", methodText(advice.forms[*advice.rebuilt].method)}});
+    } else if (advice.rebuilt) {
+        notes.emplace_back(MessageId::AdviceBuildDominates,
+                           std::vector<MessageValue>{{"rays", numberText(advice.paysAfterRays / 1e6, kDigits)},
+                                                     {"method", methodText(advice.forms[*advice.rebuilt].method)}});
+    }
+    return notes;
+}
+
+}  // namespace relief

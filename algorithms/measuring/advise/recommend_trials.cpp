@@ -1,0 +1,272 @@
+#include "measuring/advise/recommend_trials.h"
+
+#include <ctime>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <thread>
+
+#include "measuring/random_rays.h"
+
+namespace relief {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Traced at once on the calling thread: small enough for any lane width, too small to be shared out.
+constexpr std::size_t kBlockRays = 1024;
+constexpr std::size_t kFewestRays = 64;
+// Cells that `exact` may visit for all truths.
+constexpr double kTruthCells = 3e8;
+constexpr std::size_t kSampleEvery = 64;
+
+// Of this thread: other work on the machine counts only by the caches it shares.
+double processorSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Options that change the walk, not the map.
+bool ofTheWalk(const std::string& name) {
+    return name == "iterations" || name == "rule" || name == "bisections" || name == "base" || name == "level";
+}
+
+std::string mapKey(const MethodChoice& method) {
+    const auto inner = method.options.find("inner");
+    if (inner != method.options.end()) return mapKey({inner->second, {}});
+    const MethodDescription& description = findTracer(method.name);
+    if (description.maps.empty()) return {};
+    std::string key = description.maps.front();
+    for (const auto& [name, value] : method.options) {
+        if (!ofTheWalk(name)) key += ":" + name + "=" + value;
+    }
+    return key;
+}
+
+// Asks for a stop at the deadline, or when the outer work is stopped.
+class Watch {
+  public:
+    Watch(const Work& outer, double seconds)
+        : until_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
+          thread_([this, &outer](const std::stop_token& over) { watch(outer, over); }) {}
+
+    std::stop_token token() const { return source_.get_token(); }
+
+  private:
+    void watch(const Work& outer, const std::stop_token& over) {
+        constexpr auto kLook = std::chrono::milliseconds(20);
+        std::unique_lock lock(mutex_);
+        while (!over.stop_requested()) {
+            if (outer.stopped() || Clock::now() > until_) {
+                source_.request_stop();
+                return;
+            }
+            wake_.wait_for(lock, over, kLook, [] { return false; });
+        }
+    }
+
+    Clock::time_point until_;
+    std::stop_source source_;
+    std::mutex mutex_;
+    std::condition_variable_any wake_;
+    std::jthread thread_;
+};
+
+// A piece out of the middle, the slab as thick in texels.
+constexpr int kPieceSide = 64;
+HeightField piece(const HeightField& field) {
+    auto heights = std::make_shared<FloatImage>(kPieceSide, kPieceSide);
+    const int x0 = (field.width() - kPieceSide) / 2;
+    const int y0 = (field.height() - kPieceSide) / 2;
+    for (int y = 0; y < kPieceSide; ++y) {
+        for (int x = 0; x < kPieceSide; ++x) (*heights)(x, y) = field.texel(x0 + x, y0 + y);
+    }
+    return {heights, field.surface(), field.address(), field.slabTexels() / kPieceSide};
+}
+
+// Every so many-th run of neighbouring pixels of a picture: all of the map is seen, and packets find neighbours.
+RayBlock blockRays(const AdviceOptions& options, Elevation view, std::size_t count, std::uint64_t seed) {
+    constexpr std::size_t kRun = 32;
+    constexpr std::size_t kEvery = 64;
+    const RayBlock picture = benchRays(options.field, view, count * kEvery, seed);
+    RayBlock rays;
+    for (std::size_t i = 0; i < picture.size() && rays.size() < count; ++i) {
+        if (i / kRun % kEvery == kEvery / 2) rays.push(picture[i]);
+    }
+    return rays;
+}
+
+// How many of a block's rays `exact` can be given, there being blocks of so many views.
+std::size_t affordableRays(const Tracer& exact, const RayBlock& rays, std::size_t views, Work& work) {
+    RayBlock sample;
+    for (std::size_t i = 0; i < rays.size(); i += kSampleEvery) sample.push(rays[i]);
+    HitBlock hits;
+    BlockCounts counts;
+    exact.trace(sample, hits, counts, work);
+    const double each = std::max(1.0, static_cast<double>(counts.steps) / static_cast<double>(sample.size()));
+    const double affordable = kTruthCells / static_cast<double>(views * AdviceRays::kBlocks) / each;
+    return static_cast<std::size_t>(
+        std::clamp(affordable, static_cast<double>(kFewestRays), static_cast<double>(rays.size())));
+}
+
+}  // namespace
+
+AdviceRays::AdviceRays(const AdviceOptions& options, std::uint64_t seed, Work& work) : options_(options) {
+    MapCache none;
+    const auto exact = makeTracer({"exact", {}}, options.field, none, work);
+    NullSink null;
+    for (std::size_t v = 0; v < options.views.size(); ++v) {
+        views_.emplace_back(kBlocks);
+        for (std::size_t b = 0; b < kBlocks; ++b) {
+            const std::uint64_t blockSeed = seedFor(seed, v * kBlocks + b + 1);
+            RayBlock rays = blockRays(options, options.views[v], kBlockRays, blockSeed);
+            const std::size_t affordable = affordableRays(*exact, rays, options.views.size(), work);
+            if (affordable < rays.size()) {
+                rays = blockRays(options, options.views[v], affordable, blockSeed);
+            }
+            Block& block = views_.back()[b];
+            block.rays = std::move(rays);
+            exact->trace(block.rays, block.truth, null, work);
+        }
+    }
+}
+
+void AdviceRays::count(AdviceTrial& trial, std::size_t blocks, Work& work) const {
+    AdvisedForm& facts = trial.facts;
+    std::size_t rays = 0;
+    std::size_t beyond = 0;
+    std::size_t over = 0;
+    BlockCounts counts;
+    facts.largest = 0;
+    facts.mostSteps = 0;
+    for (const auto& view : views_) {
+        for (std::size_t b = 0; b < blocks; ++b) {
+            const Block& block = view[b];
+            HitBlock hits;
+            trial.tracer->trace(block.rays, hits, counts, work);
+            rays += block.rays.size();
+            for (std::size_t i = 0; i < block.rays.size(); ++i) {
+                const auto steps = static_cast<std::int64_t>(hits.steps[i]);
+                facts.mostSteps = std::max(facts.mostSteps, steps);
+                if (options_.maxSteps > 0 && steps > options_.maxSteps) ++over;
+                if (hits.outcome[i] != block.truth.outcome[i]) {
+                    ++beyond;
+                    continue;
+                }
+                if (hits.outcome[i] != Outcome::Hit) continue;
+                const double error = std::abs(hits.lambda[i] - block.truth.lambda[i]) *
+                                     std::max(1.0, std::hypot(block.rays.a[i], block.rays.b[i]));
+                facts.largest = std::max(facts.largest, error);
+                if (error > options_.error) ++beyond;
+            }
+        }
+    }
+    const auto each = 1 / static_cast<double>(rays);
+    facts.steps = static_cast<double>(counts.steps) * each;
+    facts.reads = static_cast<double>(counts.reads) * each;
+    facts.overSteps = static_cast<double>(over) * each;
+    facts.beyond = static_cast<double>(beyond) * each;
+    if (options_.form == Form::Scalar) facts.cost = facts.reads + options_.stepCost * facts.steps;
+}
+
+void AdviceRays::time(AdviceTrial& trial, std::size_t block, Work& work) const {
+    double seconds = 0;
+    NullSink null;
+    HitBlock hits;
+    for (const auto& view : views_) {
+        const RayBlock& rays = view[block % kBlocks].rays;
+        hits.resize(rays.size());
+        const double begun = processorSeconds();
+        trial.tracer->trace(rays, hits, null, work);
+        seconds += (processorSeconds() - begun) / static_cast<double>(rays.size());
+    }
+    trial.times.push_back(std::max(seconds / static_cast<double>(views_.size()), 1e-12));
+}
+
+bool AdviceRays::keepsSteps(const AdvisedForm& facts) const {
+    return options_.maxSteps == 0 || facts.overSteps <= options_.outliers;
+}
+
+bool AdviceRays::keepsBound(const AdvisedForm& facts) const {
+    return facts.beyond <= options_.outliers;
+}
+
+AdviceMaps::AdviceMaps(const AdviceOptions& options, Work& work)
+    : options_(options),
+      work_(work),
+      maps_(static_cast<std::size_t>(std::max<std::int64_t>(options.memory, std::int64_t{1} << 20)) * 4) {}
+
+// Built on a small piece first: whether the whole one can fit.
+bool AdviceMaps::fits(AdviceTrial& trial, double limit) {
+    const HeightField& field = options_.field;
+    if (std::min(field.width(), field.height()) <= 2 * kPieceSide || !measuredMethod(trial.facts.method).buildsMaps) {
+        return true;
+    }
+    constexpr double kWorthLooking = 0.05;  // seconds; below them are what any map takes
+    MapCache maps;
+    const auto begun = Clock::now();
+    const auto tracer = makeTracer(trial.facts.method, piece(field), maps, work_, options_.form);
+    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    const double times = static_cast<double>(field.width()) * field.height() / (kPieceSide * kPieceSide);
+    // Half as much again may be the piece's own, as are the rims of maps.
+    if (static_cast<double>(tracer->bytes()) * times > 1.5 * static_cast<double>(options_.memory)) {
+        trial.facts.verdict = Verdict::Memory;
+        trial.facts.bytes = static_cast<std::int64_t>(static_cast<double>(tracer->bytes()) * times);
+    } else if (seconds > kWorthLooking && seconds * times > 4 * limit) {
+        trial.facts.verdict = Verdict::BuildTime;
+    }
+    return trial.facts.verdict == Verdict::Kept;
+}
+
+std::unique_ptr<Tracer> AdviceMaps::built(const MethodChoice& method, double limit, double& seconds) {
+    const Watch watch(work_, limit);
+    Work work(work_.threads().size(), watch.token());
+    const auto begun = Clock::now();
+    auto tracer = makeTracer(method, options_.field, maps_, work, options_.form);
+    seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    return tracer;
+}
+
+void AdviceMaps::make(AdviceTrial& trial, double limit) {
+    AdvisedForm& facts = trial.facts;
+    const std::string key = mapKey(facts.method);
+    facts.guarantee = findTracer(facts.method.name).guarantee;
+    try {
+        const bool known = key.empty() || seconds_.contains(key);
+        if (!known && limit <= 0) {
+            facts.verdict = Verdict::BuildTime;
+            return;
+        }
+        if (!known && !fits(trial, limit)) return;
+        trial.tracer = built(facts.method, known ? options_.seconds : limit, facts.buildSeconds);
+    } catch (const Cancelled&) {
+        work_.throwIfStopped();
+        facts.verdict = Verdict::BuildTime;
+        return;
+    } catch (const MemoryError&) {
+        facts.verdict = Verdict::Memory;
+        return;
+    } catch (const InputError&) {
+        facts.verdict = Verdict::Refused;
+        return;
+    } catch (const std::bad_alloc&) {
+        facts.verdict = Verdict::Memory;
+        return;
+    }
+    if (!key.empty()) facts.buildSeconds = std::max(facts.buildSeconds, seconds_[key]);
+    if (!key.empty()) seconds_[key] = facts.buildSeconds;
+    facts.guarantee = trial.tracer->guarantee();
+    facts.bytes = static_cast<std::int64_t>(trial.tracer->bytes());
+    if (facts.bytes > options_.memory) {
+        facts.verdict = Verdict::Memory;
+        trial.tracer.reset();
+    }
+}
+
+}  // namespace relief

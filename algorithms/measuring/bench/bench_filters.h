@@ -1,0 +1,73 @@
+// Run time against error of the texture filters: filters x pixel models x scenes x elevations, each against the
+// supersampled picture of the same view, traced exactly.
+//
+// Measured is the colour alone, in linear light, without the light's shading: the error of the filter and nothing else.
+// Pixels near the polygon's edge, whose reference would see past it, do not count.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "measuring/bench/bench_columns.h"
+#include "rendering/frame.h"
+
+namespace relief {
+
+// What is looked at: a relief with its colours.
+struct FilterScene {
+    std::string name;
+    HeightField field;
+    std::shared_ptr<const ColorImage> color;
+};
+// checker (flat: a plane), bricks, city, hills: size x size texels, seeded.
+std::vector<std::string> filterSceneNames();
+FilterScene filterScene(const std::string& name, int size, std::uint64_t seed);
+// Coloured patches of a few texels, dark where the heights are low: for height maps that come without a picture.
+std::shared_ptr<const ColorImage> patchPicture(const FloatImage& heights, std::uint64_t seed);
+
+struct FilterBenchRow {
+    FilterChoice filter;
+    PixelModel pixelModel = PixelModel::Box;
+    std::string scene;
+    double elevation = 0;
+    int threads = 0;
+    double rate = 0;    // pixels a second, median of the rounds
+    double spread = 0;  // (p75 - p25) / median
+    double rmse = 0;    // linear light
+    double psnr = 0;    // decibel, of the same
+    double flip = 0;
+    double texelsRead = 0, tested = 0, hidden = 0, skipped = 0;  // a pixel
+};
+
+// filter,weights,levels,pixel_model,implementation,map_size,scene,elevation,threads,rate,spread,rmse,psnr,flip,
+// texels_read,tested,hidden,skipped. filter: the name, and the options given that have no column of their own.
+std::string filterBenchCsvHeader();
+std::string filterBenchCsvLine(const FilterBenchRow& row);
+std::string filterBenchJson(std::span<const FilterBenchRow> rows);
+std::string filterBenchText(std::span<const FilterBenchRow> rows);
+
+struct FilterBenchOptions {
+    std::vector<FilterScene> scenes;
+    std::vector<FilterChoice> filters;
+    std::vector<PixelModel> pixelModels{PixelModel::Box, PixelModel::Gaussian};
+    std::vector<double> elevations{60, 25, 8};
+    int width = 320;
+    int height = 240;
+    int samples = 16;  // of the reference, along each side of a pixel
+    int rounds = 5;
+    BenchPass pass = BenchPass::Both;
+    double distance = 1.4;  // of the camera, texture widths
+    std::function<void(const FilterBenchRow&)> onRow;
+};
+// What the papers compare.
+std::vector<FilterChoice> defaultFilters();
+
+// A row for each pixel model; the rate is the same in all of them. Throws InputError, Cancelled.
+std::vector<FilterBenchRow> benchFilters(const FilterBenchOptions& options, Work& work);
+
+}  // namespace relief

@@ -1,0 +1,125 @@
+#include "measuring/bench/measured_method.h"
+
+#include <algorithm>
+
+namespace relief {
+
+namespace {
+
+// The ends of a number's range, or every choice; without the default. Where a map is built from the number, its upper
+// end would take hours: twice the default.
+std::vector<std::string> telling(const OptionDescription& option, const std::string& defaultValue, bool buildsMaps) {
+    std::vector<std::string> values = option.choices;
+    if (option.kind == OptionKind::Integer || option.kind == OptionKind::Real) {
+        const double twice = 2 * parseNumber(defaultValue, option.name);
+        values = {numberText(option.low), numberText(buildsMaps ? std::min(option.high, twice) : option.high)};
+    }
+    std::erase(values, defaultValue);
+    return values;
+}
+
+bool buildsMaps(const MethodChoice& choice) {
+    const MethodDescription& method = findTracer(choice.name);
+    if (!method.maps.empty() && method.maps.front() != "max-pyramid") return true;
+    const auto standard = method.defaults.find("inner");
+    if (standard == method.defaults.end()) return false;
+    const auto given = choice.options.find("inner");
+    return buildsMaps({given == choice.options.end() ? standard->second : given->second, {}});
+}
+
+}  // namespace
+
+bool MeasuredMethod::knows(Surface surface, Address address) const {
+    const auto has = [](const auto& all, auto wanted) {
+        return std::find(all.begin(), all.end(), wanted) != all.end();
+    };
+    return has(surfaces, surface) && has(addresses, address);
+}
+
+MeasuredMethod measuredMethod(const MethodChoice& choice, Form form) {
+    MeasuredMethod method;
+    method.choice = choice;
+    method.form = form;
+    method.surfaces.clear();
+    method.addresses.clear();
+    for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+        if (supports(choice, surface, Address::Repeat)) method.surfaces.push_back(surface);
+    }
+    for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+        if (supports(choice, method.surfaces.front(), address)) method.addresses.push_back(address);
+    }
+    method.buildsMaps = buildsMaps(choice);
+    method.make = [choice, form](const HeightField& field, MapCache& cache, Work& work) {
+        return makeTracer(choice, field, cache, work, form);
+    };
+    return method;
+}
+
+MethodChoice splitMethodChoice(const std::string& text, const std::string& option) {
+    std::size_t at = std::min(text.find(':'), text.size());
+    MethodChoice choice{text.substr(0, at), {}};
+    if (choice.name.empty()) throw InputError(option, Message(MessageId::MethodSpelling, {{"text", text}}));
+    while (at < text.size()) {
+        const std::size_t end = std::min(text.find(':', at + 1), text.size());
+        const std::string part = text.substr(at + 1, end - at - 1);
+        at = end;
+        const std::size_t equals = part.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            throw InputError(option, Message(MessageId::MethodSpelling, {{"text", text}}));
+        }
+        choice.options[part.substr(0, equals)] = part.substr(equals + 1);
+    }
+    return choice;
+}
+
+MethodChoice parseMethodChoice(const std::string& text, const std::string& option) {
+    MethodChoice choice = splitMethodChoice(text, option);
+    checkMethod(choice, option);
+    return choice;
+}
+
+std::string optionsText(const MethodChoice& choice, bool all) {
+    OptionValues values = choice.options;
+    if (all) {
+        for (const ChoiceOption& option : choiceOptions(choice)) {
+            values.emplace(option.description.name, option.defaultValue);
+        }
+    }
+    std::string text;
+    for (const auto& [name, value] : values) text += (text.empty() ? "" : ":") + name + "=" + value;
+    return text;
+}
+
+std::string methodText(const MethodChoice& choice) {
+    return choice.options.empty() ? choice.name : choice.name + ":" + optionsText(choice, false);
+}
+
+std::vector<MeasuredMethod> defaultMethods(Form form) {
+    std::vector<MeasuredMethod> methods;
+    for (const MethodDescription& method : tracerList()) {
+        if (method.kind == MethodKind::Tracer) methods.push_back(measuredMethod({method.name, {}}, form));
+    }
+    return methods;
+}
+
+std::vector<MeasuredMethod> methodVariants() {
+    std::vector<MeasuredMethod> all;
+    for (const MeasuredMethod& method : defaultMethods()) {
+        const MethodDescription& description = findTracer(method.choice.name);
+        std::vector<OptionValues> variants{{}};
+        for (const OptionDescription& option : description.options) {
+            const std::size_t before = variants.size();
+            for (const std::string& value : telling(option, description.defaults.at(option.name), method.buildsMaps)) {
+                // Methods with many options: each by itself.
+                for (std::size_t v = 0; v < (method.buildsMaps ? 1 : before); ++v) {
+                    variants.push_back(variants[v]);
+                    variants.back()[option.name] = value;
+                }
+            }
+        }
+        for (OptionValues& values : variants) all.push_back(measuredMethod({method.choice.name, std::move(values)}));
+    }
+    return all;
+}
+
+}  // namespace relief

@@ -1,0 +1,173 @@
+// Reads the tables of `relief bench tracers` back.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "measuring/bench/pareto.h"
+#include "relief/files.h"
+
+namespace relief {
+
+namespace {
+
+using Json = nlohmann::json;
+
+// One object of the array; whatever is not as its column says is refused with the row's number, from 1.
+class RowReader {
+  public:
+    RowReader(const Json& object, std::size_t row, const std::string& fileName)
+        : object_(object), row_(row), fileName_(fileName) {}
+
+    std::string text(const char* column) const {
+        const Json& value = at(column);
+        if (!value.is_string()) fail(column);
+        return value.get<std::string>();
+    }
+    // null: NaN, where that is allowed.
+    double number(const char* column, double low, bool orNone = false) const {
+        const Json& value = at(column);
+        if (orNone && value.is_null()) return std::numeric_limits<double>::quiet_NaN();
+        if (!value.is_number()) fail(column);
+        const auto found = value.get<double>();
+        if (!(found >= low) || !std::isfinite(found)) fail(column);
+        return found;
+    }
+    double positive(const char* column) const {
+        const double found = number(column, 0);
+        if (!(found > 0)) fail(column);
+        return found;
+    }
+    std::int64_t whole(const char* column) const {
+        const Json& value = at(column);
+        if (!value.is_number_integer() || value.get<double>() < 0 || value.get<double>() > 9e18) fail(column);
+        return value.get<std::int64_t>();
+    }
+    // What `parse` throws for a word that is none.
+    template <class Parse>
+    auto parsed(const char* column, const Parse& parse) const {
+        const std::string word = text(column);
+        try {
+            return parse(word);
+        } catch (const InputError&) {
+            fail(column);
+        }
+    }
+    bool has(const char* column) const { return object_.contains(column); }
+    const Json& at(const char* column) const {
+        const auto found = object_.find(column);
+        if (found == object_.end()) fail(column);
+        return *found;
+    }
+    [[noreturn]] void fail(const char* column) const {
+        throw InputError(fileName_, Message(MessageId::BenchRowColumn, {{"row", row_}, {"column", column}}));
+    }
+
+  private:
+    const Json& object_;
+    std::size_t row_;
+    const std::string& fileName_;
+};
+
+void readSize(const RowReader& from, BenchRow& row) {
+    from.parsed("size", [&](const std::string& text) {
+        const std::size_t x = text.find('x');
+        if (x == std::string::npos) from.fail("size");
+        constexpr double kMostTexels = 1e9;
+        const auto side = [&](const std::string& part) {
+            const double texels = parseNumber(part, "size");
+            if (!(texels >= 1 && texels <= kMostTexels)) from.fail("size");
+            return static_cast<int>(texels);
+        };
+        row.width = side(text.substr(0, x));
+        row.heightTexels = side(text.substr(x + 1));
+        return 0;
+    });
+}
+
+Elevation elevationAt(const RowReader& from) {
+    if (!from.at("elevation").is_string()) return from.number("elevation", 0);
+    if (from.text("elevation") != elevationText(std::nullopt)) from.fail("elevation");
+    return std::nullopt;
+}
+
+// Tables of the first version have no such column: their rates are of what ran unless it was told otherwise.
+Form formAt(const RowReader& from, const MethodChoice& method) {
+    if (from.has("form")) {
+        return from.parsed("form", [](const std::string& text) { return parseForm(text, "form"); });
+    }
+    try {
+        return methodForm(method);
+    } catch (const InputError&) {
+        return Form::Scalar;  // of another library
+    }
+}
+
+BenchRow readRow(const RowReader& from) {
+    BenchRow row;
+    row.height = from.text("height");
+    readSize(from, row);
+    row.surface = from.parsed("surface", [](const std::string& text) { return parseSurface(text); });
+    row.address = from.parsed("address", [](const std::string& text) { return parseAddress(text); });
+    row.reliefDepth = from.number("relief_depth", 0);
+    const std::string options = from.text("options");
+    row.method = from.parsed("method", [&](const std::string& name) {
+        return splitMethodChoice(options.empty() ? name : name + ":" + options, "method");
+    });
+    row.form = formAt(from, row.method);
+    row.elevation = elevationAt(from);
+    if (!from.at("seed").is_number_integer()) from.fail("seed");
+    row.seed = from.at("seed").get<std::uint64_t>();
+    row.threads = static_cast<int>(std::min<std::int64_t>(from.whole("threads"), std::numeric_limits<int>::max()));
+    row.rate = from.positive("rate");
+    row.spread = from.number("spread", 0);
+    row.errors.mean = from.number("error_mean", 0, true);
+    row.errors.p95 = from.number("error_p95", 0, true);
+    row.errors.p9999 = from.number("error_p9999", 0, true);
+    row.errors.max = from.number("error_max", 0, true);
+    row.errors.wrongOutcome = from.whole("wrong_outcome");
+    row.errors.overshoots = from.whole("overshoots");
+    row.stepsMean = from.number("steps_mean", 0, true);
+    row.stepsP95 = from.whole("steps_p95");
+    row.stepsMax = from.whole("steps_max");
+    row.readsMean = from.number("reads_mean", 0, true);
+    row.memoryBytes = from.whole("memory_bytes");
+    row.buildSeconds = from.number("build_seconds", 0, true);
+    row.compiler = from.text("compiler");
+    row.cpu = from.text("cpu");
+    row.commit = from.text("commit");
+    return row;
+}
+
+}  // namespace
+
+std::vector<BenchRow> parseBenchJson(const std::string& text, const std::string& fileName) {
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+        throw InputError(fileName,
+                         Message(MessageId::ScenarioNotJson, {{"line", 1 + std::count(text.begin(), end, '\n')}}));
+    } catch (const Json::exception&) {
+        throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", 1}}));  // a number beyond double
+    }
+    if (!json.is_array()) throw InputError(fileName, Message(MessageId::BenchNotTable));
+    if (json.empty()) throw InputError(fileName, Message(MessageId::BenchNoRows));
+    std::vector<BenchRow> rows;
+    for (const Json& object : json) {
+        // Tables of rows and of filters are arrays, too.
+        if (!object.is_object() || (rows.empty() && !object.contains("error_mean"))) {
+            throw InputError(fileName, Message(MessageId::BenchNotTable));
+        }
+        rows.push_back(readRow(RowReader(object, rows.size() + 1, fileName)));
+    }
+    return rows;
+}
+
+std::vector<BenchRow> readBenchJson(const std::string& path) {
+    return parseBenchJson(readTextFile(path), path);
+}
+
+}  // namespace relief

@@ -1,0 +1,263 @@
+#include "measuring/verify/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "measuring/verify/certificate_rays.h"
+#include "relief/tracers/map_choice.h"
+
+namespace relief {
+
+namespace {
+
+// Rays that are held at a time.
+constexpr std::uint64_t kBlock = std::uint64_t{1} << 16;
+// Rays through a value that breaks its bound.
+constexpr std::size_t kWitnesses = 4096;
+
+// The method, or the one inside it, that walks a map which can be stored: the map, as that tracer gets it. Other
+// layouts are tried with rays alone.
+std::optional<StoredMap> mapOf(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work) {
+    const MethodDescription& method = findTracer(choice.name);
+    const auto layout = choice.options.find(std::string(kLayoutOption));
+    if (layout != choice.options.end() && layout->second != kStoredLayout) return std::nullopt;
+    for (const std::string& kind : mapKinds()) {
+        if (std::find(method.maps.begin(), method.maps.end(), kind) == method.maps.end()) continue;
+        return buildMap(kind, choice.options, field, cache, work);
+    }
+    for (const OptionDescription& option : method.options) {
+        if (option.kind != OptionKind::Method) continue;
+        const auto given = choice.options.find(option.name);
+        MethodChoice inner{given == choice.options.end() ? method.defaults.at(option.name) : given->second, {}};
+        for (const auto& [name, text] : choice.options) {
+            if (name.starts_with(kInnerPrefix)) inner.options[name.substr(kInnerPrefix.size())] = text;
+        }
+        if (auto map = mapOf(inner, field, cache, work)) return map;
+    }
+    return std::nullopt;
+}
+
+class Certifier {
+  public:
+    Certifier(const MethodChoice& choice, const HeightField& field, const CertificateOptions& options, MapCache& cache,
+              Work& work)
+        : field_(field),
+          options_(options),
+          work_(work),
+          exact_(makeTracer({"exact", {}}, field, cache, work)),
+          tracer_(makeTracer(choice, field, cache, work)),
+          map_(mapOf(choice, field, cache, work)),
+          rays_(field, longest()) {
+        result_.method = choice.name;
+        result_.seed = options.seed;
+        result_.longest = rays_.longest();
+        if (map_) result_.map = mapKindName(*map_);
+        const Guarantee promise = tracer_->guarantee();
+        result_.allowed = promise == Guarantee::Exact          ? 0
+                          : promise == Guarantee::Conservative ? kRoundingTexels
+                                                               : kCoarseTexels;
+    }
+
+    Certificate run() {
+        if (const DistanceMap* map = distances(); map != nullptr && ofBoxes(map->kind)) {
+            result_.bounds = checkDistanceBounds(*map, field_, work_);
+        }
+        if (const ConeMap* map = cones(); map != nullptr && map->kind == ConeKind::Conservative) {
+            result_.bounds = checkConeBounds(*map, field_, work_);
+        }
+        overRays();
+        if (result_.bounds && result_.bounds->broken > 0 && !result_.first) witness();
+        return std::move(result_);
+    }
+
+  private:
+    const DistanceMap* distances() const {
+        const auto* map = map_ ? std::get_if<0>(&*map_) : nullptr;
+        return map == nullptr ? nullptr : map->get();
+    }
+    const ConeMap* cones() const {
+        const auto* map = map_ ? std::get_if<1>(&*map_) : nullptr;
+        return map == nullptr ? nullptr : map->get();
+    }
+    double longest() const {
+        const DistanceMap* map = distances();
+        if (map != nullptr && std::isfinite(map->maxRun)) return map->maxRun * (1 - 1e-12);
+        return field_.slabTexels() / std::tan(kFlattestCertified * std::numbers::pi / 180);
+    }
+    double lengthOf(const ViewRay& ray) const { return std::hypot(ray.a, ray.b, field_.slabTexels()); }
+
+    HitBlock traced(const Tracer& tracer, const RayBlock& rays) const {
+        HitBlock hits;
+        NullSink sink;
+        tracer.trace(rays, hits, sink, work_);
+        return hits;
+    }
+
+    // Texels past the first hit; 0 or less: not past. Who gives up has answered nothing wrong.
+    double past(const ViewRay& ray, const Hit& truth, const Hit& found) const {
+        if (truth.outcome != Outcome::Hit || found.outcome == Outcome::Limit) return 0;
+        if (found.outcome != Outcome::Hit) return std::numeric_limits<double>::infinity();
+        return (found.lambda - truth.lambda) * lengthOf(ray);
+    }
+
+    void overRays() {
+        work_.progress().begin("rays against exact", static_cast<std::int64_t>(options_.rays));
+        for (std::uint64_t done = 0; done < options_.rays; done += kBlock) {
+            work_.throwIfStopped();
+            const auto count = static_cast<std::size_t>(std::min(kBlock, options_.rays - done));
+            const RayBlock rays = rays_.block(seedFor(options_.seed, done), count);
+            const HitBlock truth = traced(*exact_, rays);
+            const HitBlock found = traced(*tracer_, rays);
+            for (std::size_t r = 0; r < count; ++r) {
+                const double texels = past(rays[r], truth[r], found[r]);
+                if (!(texels > result_.allowed)) continue;
+                ++result_.overshoots;
+                result_.worst = std::max(result_.worst, texels);
+                if (!result_.first) result_.first = example(rays[r], truth[r], found[r]);
+            }
+            result_.rays += count;
+            work_.progress().advance(static_cast<std::int64_t>(count));
+        }
+    }
+
+    CounterExample example(const ViewRay& ray, const Hit& truth, const Hit& found) const {
+        const double answered = found.outcome == Outcome::Hit ? found.lambda : std::numeric_limits<double>::infinity();
+        return {ray, truth.lambda, answered, past(ray, truth, found), stepPast(ray, truth.lambda)};
+    }
+
+    // The decision that led past the first hit.
+    std::string stepPast(const ViewRay& ray, double truth) const {
+        RayBlock rays(1);
+        rays.set(0, ray);
+        HitBlock hits;
+        StepLog log;
+        tracer_->trace(rays, hits, log, work_);
+        for (std::size_t n = 0; n < log.steps.size(); ++n) {
+            const Step& step = log.steps[n];
+            if (!(step.lambdaAfter > truth) && step.decision != Decision::Miss) continue;
+            constexpr int kDigits = 6;
+            std::string place = std::to_string(step.i) + ", " + std::to_string(step.j);
+            if (distances() != nullptr) place += ", " + std::to_string(step.k);
+            return std::string(distances() != nullptr ? "voxel" : "texel") + " (" + place + "), value " +
+                   numberText(step.value, kDigits) + ": step " + std::to_string(n + 1) + " goes from lambda " +
+                   numberText(step.lambdaIn, kDigits) + " to " + numberText(step.lambdaAfter, kDigits);
+        }
+        return "no single step";
+    }
+
+    // Rays through a point of the value's place towards the cell that sets its bound; the lambda of that point, and the
+    // one that the value by itself lets each go to from there.
+    struct Tried {
+        RayBlock rays;
+        std::vector<double> from;
+        std::vector<double> to;
+    };
+    Tried raysThrough(const BrokenBound& broken) const;
+    double allowedBy(const BrokenBound& broken, const ViewRay& ray, double from) const;
+    void witness();
+
+    HeightField field_;
+    CertificateOptions options_;
+    Work& work_;
+    std::unique_ptr<Tracer> exact_;
+    std::unique_ptr<Tracer> tracer_;
+    std::optional<StoredMap> map_;
+    CertificateRays rays_;
+    Certificate result_;
+};
+
+// A point of [low, high): corners and sides as often as the inside.
+double inside(Random& random, double low, double high) {
+    const int which = random.below(4);
+    const double share = which == 0 ? 1e-9 : which == 1 ? 1 - 1e-9 : random.unit();
+    return low + share * (high - low);
+}
+
+// Cells [first, last) of an axis, texels; the outermost ones reach a texel outwards.
+std::pair<double, double> texelsOf(const GridAxis& axis, int first, int last) {
+    return {first - axis.shift, last - axis.shift};
+}
+
+double Certifier::allowedBy(const BrokenBound& broken, const ViewRay& ray, double from) const {
+    if (distances() != nullptr) {
+        return from + static_cast<double>(distances()->at(broken.i, broken.j, broken.k, broken.sector)) / lengthOf(ray);
+    }
+    const auto apex = static_cast<double>(cones()->apex(broken.i, broken.j, 0));
+    const auto kappa = static_cast<double>(cones()->slopes(broken.i, broken.j, broken.sector));
+    return from + (1 - from - apex) / (1 + kappa * std::hypot(ray.a, ray.b));
+}
+
+Certifier::Tried Certifier::raysThrough(const BrokenBound& broken) const {
+    const CellGrid grid(field_);
+    const DistanceMap* map = distances();
+    const int f = map == nullptr ? 1 : map->parameters.footprint;
+    const auto [s0, s1] = texelsOf(grid.x, broken.i * f, std::min((broken.i + 1) * f, grid.x.cells));
+    const auto [t0, t1] = texelsOf(grid.y, broken.j * f, std::min((broken.j + 1) * f, grid.y.cells));
+    double z0 = 0;
+    double z1 = 1;
+    if (map != nullptr) {
+        z0 = static_cast<double>(broken.k) / map->layers();
+        z1 = static_cast<double>(broken.k + 1) / map->layers();
+    } else {
+        const auto apex = static_cast<double>(cones()->apex(broken.i, broken.j, 0));
+        if (apex > 0 && apex < 1) z0 = apex;
+    }
+    const auto [u0, u1] = texelsOf(grid.x, broken.cellX, broken.cellX + 1);
+    const auto [v0, v1] = texelsOf(grid.y, broken.cellY, broken.cellY + 1);
+    const int sectors = map != nullptr ? map->parameters.sectors : cones()->parameters.sectors;
+    Random random(seedFor(options_.seed, ~std::uint64_t{0}));
+    Tried tried;
+    for (std::size_t n = 0; n < kWitnesses; ++n) {
+        const double s = inside(random, s0, s1);
+        const double t = inside(random, t0, t1);
+        const double z = inside(random, z0, z1);
+        const double x = inside(random, u0, u1) - s;
+        const double y = inside(random, v0, v1) - t;
+        if (azimuthSector(x, y, sectors) != broken.sector) continue;
+        const double drop = z - field_.at(s + x, t + y);
+        const double away = std::hypot(x, y);
+        // Towards that point of the surface, or as flat as may be.
+        const double perDrop = drop * rays_.longest() > away ? 1 / drop : (away > 0 ? rays_.longest() / away : 0);
+        const auto ray = rays_.through(s, t, z, x * perDrop, y * perDrop);
+        if (!ray) continue;
+        tried.rays.push(*ray);
+        tried.from.push_back(1 - z);
+        tried.to.push_back(allowedBy(broken, *ray, 1 - z));
+    }
+    return tried;
+}
+
+void Certifier::witness() {
+    work_.progress().begin("rays through broken values", static_cast<std::int64_t>(result_.bounds->first.size()));
+    for (std::size_t n = 0; n < result_.bounds->first.size(); ++n) {
+        work_.throwIfStopped();
+        const BrokenBound& broken = result_.bounds->first[n];
+        const Tried tried = raysThrough(broken);
+        const HitBlock truth = traced(*exact_, tried.rays);
+        const HitBlock found = traced(*tracer_, tried.rays);
+        for (std::size_t r = 0; r < tried.rays.size(); ++r) {
+            const ViewRay ray = tried.rays[r];
+            if (past(ray, truth[r], found[r]) > result_.allowed) {
+                result_.first = example(ray, truth[r], found[r]);
+                return;
+            }
+            // By the value alone; what hid the ray before it came there does not count.
+            if (truth[r].outcome != Outcome::Hit || truth[r].lambda < tried.from[r]) continue;
+            const double texels = (tried.to[r] - truth[r].lambda) * lengthOf(ray);
+            if (!(texels > 0) || (result_.byValue && texels <= result_.byValue->texels)) continue;
+            result_.byValue = {ray, truth[r].lambda, tried.to[r], texels, brokenBoundText(broken, field_)};
+        }
+        work_.progress().advance();
+    }
+}
+
+}  // namespace
+
+Certificate certify(const MethodChoice& choice, const HeightField& field, const CertificateOptions& options,
+                    MapCache& cache, Work& work) {
+    return Certifier(withStoredMap(choice), field, options, cache, work).run();
+}
+
+}  // namespace relief

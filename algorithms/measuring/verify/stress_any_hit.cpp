@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "measuring/verify/stress_part_checks.h"
+#include "measuring/verify/stress_parts.h"
+#include "relief/cell_grid.h"
+
+namespace relief {
+
+namespace {
+
+// Rounding of lambda when a segment's height is turned back into it.
+constexpr double kLambdaRounding = 1e-9;
+// Samples of a ray behind its hit.
+constexpr int kSamples = 16;
+// Places are known to this, texels, up to kSurePlace texels from the origin.
+constexpr double kPlaceError = 1e-6;
+constexpr double kSurePlace = 1e8;
+
+// Whether the surface at (s, t) is the same piece for all places within kPlaceError.
+bool surePlace(const HeightField& field, double s, double t) {
+    if (std::abs(s) > kSurePlace || std::abs(t) > kSurePlace) return false;
+    const auto inside = [](double x, int size) { return x > kPlaceError && x < size - kPlaceError; };
+    if (field.address() == Address::Border && !(inside(s, field.width()) && inside(t, field.height()))) return false;
+    const auto whole = [](double x) { return std::floor(x - kPlaceError) == std::floor(x + kPlaceError); };
+    return field.surface() == Surface::Bilinear || (whole(s) && whole(t));
+}
+
+// The lambda of a sampled place at which the surface surely rises above the ray.
+std::optional<double> risesAbove(const HeightField& field, const ViewRay& ray, double from) {
+    for (int n = 1; n <= kSamples; ++n) {
+        const double lambda = from + (1 - from) * n / kSamples;
+        const Hit place = Hit::at(ray, lambda);
+        if (!surePlace(field, place.s, place.t)) continue;
+        if (field.at(place.s, place.t) - (1 - lambda) > kSureHeight) return lambda;
+    }
+    return std::nullopt;
+}
+
+// Such a ray may come under the surface through the border's side, which is no hit, yet in the way.
+bool startsOutside(const HeightField& field, const ViewRay& ray) {
+    return field.address() == Address::Border &&
+           !(ray.s0 >= 0 && ray.s0 <= field.width() && ray.t0 >= 0 && ray.t0 <= field.height());
+}
+
+std::string rayNumbers(const ViewRay& ray) {
+    return "ray " + numberText(ray.s0) + "," + numberText(ray.t0) + "," + numberText(ray.a) + "," + numberText(ray.b);
+}
+
+}  // namespace
+
+AnyRay wholeSegment(const ViewRay& ray) {
+    return {ray.s0, ray.t0, 1, ray.a, ray.b, -1};
+}
+
+std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& ray, const CountedSight& answer,
+                                       const Hit& reference) {
+    const double bound = query.stepBound(wholeSegment(ray));
+    if (!(answer.steps <= bound)) {
+        return StressFault{
+            "steps", std::to_string(answer.steps) + " steps, at most " + numberText(bound) + "; " + rayNumbers(ray)};
+    }
+    const bool inDomain = GridRay(CellGrid(query.field()), ray).inDomain();
+    if (!inDomain || reference.outcome == Outcome::Limit) return std::nullopt;
+    if (answer.sight == Sight::Limit) return StressFault{"limit", rayNumbers(ray)};
+    const bool hit = reference.outcome == Outcome::Hit;
+    if (answer.sight == Sight::Blocked) {
+        if (!hit && startsOutside(query.field(), ray)) return std::nullopt;
+        if (!hit) return StressFault{"any-hit", "blocked, exact: a miss; " + rayNumbers(ray)};
+        if (answer.log.steps.empty() || answer.log.steps.back().lambdaOut >= reference.lambda - kLambdaRounding) {
+            return std::nullopt;
+        }
+        return StressFault{"any-hit", "blocked before lambda " + numberText(answer.log.steps.back().lambdaOut) +
+                                          ", exact: first at " + numberText(reference.lambda) + "; " + rayNumbers(ray)};
+    }
+    if (!hit) return std::nullopt;
+    if (const auto lambda = risesAbove(query.field(), ray, reference.lambda)) {
+        return StressFault{"any-hit", "clear, but the surface is above the ray at lambda " + numberText(*lambda) +
+                                          "; " + rayNumbers(ray)};
+    }
+    return std::nullopt;
+}
+
+namespace stress_detail {
+
+namespace {
+
+// Segments of one query over one family in a case, with a log of each: long ones end the family early.
+constexpr std::uint64_t kStepsAFamily = 50'000;
+
+class QueryTurn {
+  public:
+    QueryTurn(const CaseRun& run, const AnyHitQuery& query)
+        : run_(run), query_(query), choice_{query.description().name, {}}, coverage_(run.result.methods[choice_.name]) {
+        coverage_.forms.insert("");
+    }
+
+    void over(const Asked& asked) {
+        std::uint64_t steps = 0;
+        for (std::size_t r = 0; r < asked.rays.size() && steps < kStepsAFamily; ++r) {
+            steps += one(asked.family, asked.rays[r], asked.truth[r]);
+            ++coverage_.rays[std::string(asked.family)];
+        }
+    }
+
+  private:
+    // Returns the steps.
+    std::uint64_t one(std::string_view family, const ViewRay& ray, const Hit& truth) {
+        CountedSight answer;
+        const SightBlock plain = looked<NullSink>(family, ray);
+        BlockCounts counts;
+        const SightBlock counted = looked(family, ray, counts);
+        answer.sight = counted.sight[0];
+        answer.steps = counted.steps[0];
+        // A log of a ray that takes long would not fit.
+        if (answer.steps <= kStepsAFamily) {
+            looked(family, ray, answer.log);
+            ++coverage_.logs;
+        }
+        const auto report = [&](const StressFault& fault) {
+            run_.result.report({fault, StressPart::AnyHit, choice_, family, ray, nullptr});
+        };
+        if (plain.sight[0] != answer.sight) report({"sinks", "counting changes the answer; " + rayNumbers(ray)});
+        if (const auto fault = anyHitFault(query_, ray, answer, truth)) report(*fault);
+        const double share = answer.steps / query_.stepBound(wholeSegment(ray));
+        if (share > coverage_.worstBound) {
+            coverage_.worstBound = share;
+            coverage_.worstWhere = std::string(family) + " over " + run_.of.map;
+        }
+        return answer.steps;
+    }
+
+    template <class Sink>
+    SightBlock looked(std::string_view family, const ViewRay& ray) {
+        Sink sink;
+        return looked(family, ray, sink);
+    }
+    template <class Sink>
+    SightBlock looked(std::string_view family, const ViewRay& ray, Sink& sink) {
+        AnyRayBlock rays;
+        rays.push(wholeSegment(ray));
+        SightBlock sights;
+        run_.watched.begin({&run_.of, StressPart::AnyHit, &choice_, family, ray});
+        query_.look(rays, sights, sink, run_.work);
+        run_.watched.end();
+        return sights;
+    }
+
+    const CaseRun& run_;
+    const AnyHitQuery& query_;
+    MethodChoice choice_;
+    StressMethodCoverage& coverage_;
+};
+
+}  // namespace
+
+void stressAnyHit(const CaseRun& run, const std::vector<Asked>& asked) {
+    const HeightField& field = run.of.field;
+    for (const MethodDescription& method : anyHitList()) {
+        // Pyramids and packed cones are made in no time.
+        const std::string& map = method.maps.front();
+        if (map != "max-pyramid" && map != "packed-cones" && field.heights().size() > kStressBuildTexels) continue;
+        const auto query = run.subjects.query({method.name, {}}, field, *run.maps, run.work);
+        QueryTurn turn(run, *query);
+        for (const Asked& family : asked) {
+            run.work.throwIfStopped();
+            turn.over(family);
+        }
+    }
+}
+
+}  // namespace stress_detail
+
+}  // namespace relief

@@ -1,0 +1,218 @@
+#include "measuring/verify/stress_case.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "measuring/verify/stress_parts.h"
+
+namespace relief::stress_detail {
+
+namespace {
+
+// Steps of one method over one family in a case, after which its rays are enough (one at least).
+constexpr std::uint64_t kStepsAFamily = 100'000;
+// Logs are compared up to so many steps; the long ones twice a method and case.
+constexpr std::uint32_t kLoggedSteps = 4096;
+constexpr std::uint32_t kLongLoggedSteps = 131'072;
+constexpr int kLongLogs = 2;
+
+constexpr std::array<double, 5> kDepths{0.1, 0.5, 0.02, 4, 0};
+
+// Purposes of seeds; case numbers lie below.
+constexpr std::uint64_t kOrder = std::uint64_t{1} << 62;
+constexpr std::uint64_t kRays = std::uint64_t{1} << 61;
+constexpr std::uint64_t kParts = std::uint64_t{1} << 60;
+
+// The map family at a place of a round: each once a round, in an order of its own.
+std::size_t mapAt(std::uint64_t seed, std::uint64_t round, std::size_t place) {
+    std::vector<std::size_t> order(stressMapFamilies().size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    Random random(seedFor(seed, kOrder + round));
+    for (std::size_t i = order.size() - 1; i > 0; --i) {
+        std::swap(order[i], order[static_cast<std::size_t>(random.below(static_cast<int>(i + 1)))]);
+    }
+    return order[place];
+}
+
+// Rays of a method's turn over one case.
+class Turn {
+  public:
+    Turn(const Case& of, const MeasuredMethod& method, const Tracer& tracer, Watched& watched, CaseResult& result,
+         Work& work)
+        : of_(of),
+          method_(method),
+          tracer_(tracer),
+          watched_(watched),
+          result_(result),
+          coverage_(result.methods[method.choice.name]),
+          work_(work) {
+        coverage_.forms.insert(optionsText(method.choice, false));
+    }
+
+    void run(const Asked& asked) {
+        asked_ = &asked;
+        std::uint64_t steps = 0;
+        for (std::size_t r = 0; r < asked.rays.size() && steps < kStepsAFamily; ++r) {
+            const CountedHit answer = counted(asked.rays[r]);
+            steps += answer.steps;
+            ++coverage_.rays[std::string(asked.family)];
+            note(answer, asked.rays[r]);
+            if (auto fault = answerFault(tracer_, asked.rays[r], answer, asked.truth[r])) report(*fault, r);
+            compareSinks(answer, r);
+        }
+    }
+
+  private:
+    template <class Sink>
+    HitBlock traced(const ViewRay& ray, Sink& sink) {
+        RayBlock rays(1);
+        rays.set(0, ray);
+        HitBlock hits;
+        watched_.begin({&of_, StressPart::Tracers, &method_.choice, asked_->family, ray});
+        tracer_.trace(rays, hits, sink, work_);
+        watched_.end();
+        return hits;
+    }
+
+    CountedHit counted(const ViewRay& ray) {
+        BlockCounts counts;
+        const HitBlock hits = traced(ray, counts);
+        return {hits[0], hits.steps[0], hits.reads[0]};
+    }
+
+    void compareSinks(const CountedHit& answer, std::size_t r) {
+        NullSink null;
+        const Hit plain = traced(asked_->rays[r], null)[0];
+        if (!sameHit(answer.hit, plain)) {
+            report({"sinks", "counting changes the answer: lambda " + numberText(plain.lambda) + " without, " +
+                                 numberText(answer.hit.lambda) + " with"},
+                   r);
+        }
+        if (answer.steps > kLoggedSteps) {
+            if (answer.steps > kLongLoggedSteps || longLogs_ == kLongLogs) return;
+            ++longLogs_;
+        }
+        StepLog log;
+        const Hit logged = traced(asked_->rays[r], log)[0];
+        ++coverage_.logs;
+        if (auto fault = logFault(answer, logged, log)) report(*fault, r);
+    }
+
+    void note(const CountedHit& answer, const ViewRay& ray) {
+        const double share = answer.steps / tracer_.stepBound(ray);
+        if (!(share > coverage_.worstBound)) return;
+        coverage_.worstBound = share;
+        coverage_.worstWhere = std::string(asked_->family) + " over " + of_.map;
+    }
+
+    void report(const StressFault& fault, std::size_t r) {
+        result_.report({fault, StressPart::Tracers, method_.choice, asked_->family, asked_->rays[r], nullptr});
+    }
+
+    const Case& of_;
+    const MeasuredMethod& method_;
+    const Tracer& tracer_;
+    Watched& watched_;
+    CaseResult& result_;
+    StressMethodCoverage& coverage_;
+    Work& work_;
+    const Asked* asked_ = nullptr;
+    int longLogs_ = 0;
+};
+
+std::vector<Asked> askedRays(const Case& of, std::uint64_t seed, const Tracer& exact, Watched& watched, Work& work) {
+    const MethodChoice truth{exact.description().name, {}};
+    std::vector<Asked> all;
+    const auto& families = stressRayFamilies();
+    for (std::size_t f = 0; f < families.size(); ++f) {
+        const StressRayFamily& family = families[f];
+        if ((of.number + f) % static_cast<std::uint64_t>(family.every) != 0) continue;
+        Random random(seedFor(seed, kRays + of.number * families.size() + f));
+        Asked asked{family.name, {}, {}};
+        for (int r = 0; r < family.rays; ++r) {
+            asked.rays.push_back(family.make(of.field, random));
+            RayBlock rays(1);
+            rays.set(0, asked.rays.back());
+            HitBlock hits;
+            NullSink null;
+            watched.begin({&of, StressPart::Tracers, &truth, family.name, asked.rays.back()});
+            exact.trace(rays, hits, null, work);
+            watched.end();
+            asked.truth.push_back(hits[0]);
+        }
+        all.push_back(std::move(asked));
+    }
+    return all;
+}
+
+void traceRays(const CaseRun& run, const std::vector<Asked>& asked) {
+    const Case& tried = run.of;
+    const std::uint64_t turn = tried.number + tried.number / stressMapFamilies().size();
+    for (std::size_t g = 0; g < run.groups.size(); ++g) {
+        const MeasuredMethod& method = run.groups[g].forms[(turn + g) % run.groups[g].forms.size()];
+        if (method.buildsMaps && tried.field.heights().size() > kStressBuildTexels) continue;
+        if (!method.knows(tried.field.surface(), tried.field.address())) continue;
+        const auto tracer = method.make(tried.field, *run.maps, run.work);
+        Turn methodTurn(tried, method, *tracer, run.watched, run.result, run.work);
+        for (const Asked& family : asked) {
+            run.work.throwIfStopped();
+            methodTurn.run(family);
+        }
+    }
+}
+
+}  // namespace
+
+Case makeCase(std::uint64_t seed, std::uint64_t number) {
+    const auto& families = stressMapFamilies();
+    const std::uint64_t round = number / families.size();
+    const std::size_t place = number % families.size();
+    const std::size_t map = mapAt(seed, round, place);
+    // Each map meets every pair of surface and addressing within six rounds.
+    const std::uint64_t pair = (round + map) % 6;
+    Random random(seedFor(seed, number));
+    const auto& sizes = stressSizes();
+    const StressSize size = sizes[static_cast<std::size_t>(random.below(static_cast<int>(sizes.size())))];
+    const double depth = kDepths[static_cast<std::size_t>(random.below(int{kDepths.size()}))];
+    StressMap made = families[map].make(size.width, size.height, random);
+    HeightField field(made.heights, pair % 2 == 0 ? Surface::Bilinear : Surface::Columns,
+                      static_cast<Address>(pair / 2), depth);
+    return {number, std::string(families[map].name), std::move(made), std::move(field)};
+}
+
+Random partRandom(const CaseRun& run, StressPart part, std::uint64_t n) {
+    return Random(seedFor(run.options.seed, kParts + n * kStressParts + static_cast<std::uint64_t>(part)));
+}
+
+void CaseResult::report(Found violation) {
+    ++violationCount;
+    const bool known = std::any_of(found.begin(), found.end(), [&](const Found& f) {
+        return f.part == violation.part && f.method == violation.method && f.fault.check == violation.fault.check;
+    });
+    if (!known) found.push_back(std::move(violation));
+}
+
+CaseResult runCase(const Case& tried, const StressOptions& options, const std::vector<MethodGroup>& groups,
+                   Watched& watched, Work& work) {
+    CaseResult result;
+    result.number = tried.number;
+    result.map = tried.map;
+    result.size = std::to_string(tried.field.width()) + "x" + std::to_string(tried.field.height());
+    static const StressSubjects own;
+    const StressSubjects& subjects = options.subjects ? *options.subjects : own;
+    const CaseRun run{tried, options, groups, subjects, std::make_shared<MapCache>(), watched, result, work};
+    const auto wanted = [&](StressPart part) { return options.parts.empty() || options.parts.contains(part); };
+    if (wanted(StressPart::Tracers) || wanted(StressPart::AnyHit)) {
+        const auto exact = makeTracer({"exact", {}}, tried.field, *run.maps, work);
+        const std::vector<Asked> asked = askedRays(tried, options.seed, *exact, watched, work);
+        if (wanted(StressPart::Tracers)) traceRays(run, asked);
+        if (wanted(StressPart::AnyHit)) stressAnyHit(run, asked);
+    }
+    if (wanted(StressPart::Frames)) stressFrames(run);
+    if (wanted(StressPart::Homographies)) stressHomographies(run);
+    if (wanted(StressPart::Rows)) stressRows(run);
+    return result;
+}
+
+}  // namespace relief::stress_detail

@@ -1,0 +1,27 @@
+// bump: bump mapping; the picture stays where it is, the light sees the slope of the heights. Blinn 1978.
+//
+// Frame, units, surfaces, failure mode, cost: top_plane.h.
+// Model: the normal is n - D (dh/ds) e_s - D (dh/dt) e_t, D = relief_depth * W texels, from the heights' derivatives
+// (HeightField::slope) where the ray enters.
+#pragma once
+
+#include "relief/methods/top_plane.h"
+
+namespace relief {
+
+class BumpTracer : public TopPlaneTracer {
+  public:
+    static MethodDescription describe() {
+        MethodDescription method = shading(ShadingNormal::Heights);
+        method.name = "bump";
+        method.title = "bump mapping";
+        method.help = "The picture stays flat; the light sees the slopes of the heights.";
+        method.source = "Blinn 1978";
+        return method;
+    }
+    static BumpTracer make(const HeightField& field, const Options&, MapCache&, Work&) { return BumpTracer(field); }
+
+    using TopPlaneTracer::TopPlaneTracer;
+};
+
+}  // namespace relief

@@ -1,0 +1,198 @@
+// cone: steps along a conservative cone map. Dummer 2006, made safe for the interpolated surface (Ban et al. 2024).
+//
+// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
+// Model: if the ray leaves its cell above the cell's apex A, nothing can be hit before it meets the cone of slope kappa
+// that stands on A: t = t_exit + (z_exit - A) / (|dz| + kappa |dxy|). Below the apex the cell is skipped if the ray
+// stays above it (packed), else the one leaf tests it.
+// Layouts: packed, four square cones a cell, one a quadrant of directions, |dxy| the larger of |dx| and |dy|
+// (maps/packed_cones.h; cone_walk.h, SIMD: simd/cone_walk-inl.h); texel, one round cone a cell or one a sector, as
+// engines store them (maps/cone_map.h).
+// Guarantee: exact, the same bits as `exact`. Failure mode: needle forests at grazing angles.
+// Cost: one or two stored values a step, one leaf a cell near the surface; memory 16 bytes a cell (packed; bilinear
+// surfaces 24), or 4 (1 + sectors).
+#pragma once
+
+#include <optional>
+
+#include "relief/maps/cone_map.h"
+#include "relief/maps/distance_map.h"
+#include "relief/methods/cone_rays.h"
+#include "relief/methods/cone_walk.h"
+
+namespace relief {
+
+class ConeTracer {
+  public:
+    static MethodDescription describe() {
+        MethodDescription method;
+        method.name = "cone";
+        method.title = "cone steps, conservative";
+        method.guarantee = Guarantee::Exact;
+        method.rayClass = RayClass::AnyRays;
+        method.help =
+            "Steps to the edge of the cone that the map promises to be empty above each cell; below its apex the "
+            "cell is skipped if the ray stays above it, else tested.";
+        method.source = "Dummer 2006; Ban et al. 2024";
+        method.maps = {"cone"};
+        return method;
+    }
+    struct Options {
+        std::string layout = "packed";
+        int sectors = 1;
+        std::string precision = "float";
+
+        // Sectors and precisions exist in that layout only.
+        bool ofTexels() const {
+            return layout == kStoredLayout || sectors != 1 || parsePrecision(precision) != Precision::Float;
+        }
+
+        static std::vector<OptionField<Options>> fields() {
+            return {
+                {{std::string(kLayoutOption),
+                  OptionKind::Choice,
+                  "",
+                  0,
+                  0,
+                  0,
+                  {"packed", std::string(kStoredLayout)},
+                  "packed: four square cones per cell, compact and fast; texel: one round cone per cell, as engines "
+                  "store them. Sectors, a precision or a map file select texel"},
+                 &Options::layout},
+                {{"sectors",
+                  OptionKind::Integer,
+                  "sectors",
+                  1,
+                  8,
+                  1,
+                  {},
+                  "azimuth sectors that have slopes of their own"},
+                 &Options::sectors},
+                {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how cones are stored"},
+                 &Options::precision}};
+        }
+    };
+    // The map of texels alone: what files hold.
+    static std::shared_ptr<const ConeMap> makeMap(const HeightField& field, const Options& options, MapCache& cache,
+                                                  Work& work) {
+        ConeParameters parameters;
+        parameters.sectors = options.sectors;
+        parameters.precision = parsePrecision(options.precision);
+        return relief::coneMap(ConeKind::Conservative, parameters, field, cache, work);
+    }
+    static bool simdWith(const Options& options) { return !options.ofTexels(); }
+    static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+        if (options.ofTexels()) return {field, makeMap(field, options, cache, work)};
+        return {field, packedCones(field, cache, work)};
+    }
+    ConeTracer(HeightField field, std::shared_ptr<const ConeMap> map)
+        : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
+    ConeTracer(HeightField field, std::shared_ptr<const PackedCones> map)
+        : field_(std::move(field)), grid_(field_), packed_(std::move(map)) {
+        walk_.emplace(field_, *packed_);
+    }
+
+    template <class Sink>
+    Hit trace(const ViewRay& ray, Sink& sink) const {
+        return walk_ ? walk_->trace(ray, sink) : run<true>(ray, {}, sink);
+    }
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return walk_ ? walk_->traceSegment(ray, segment, sink) : run<false>(ray, segment, sink);
+    }
+    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+        std::vector<std::size_t> flat;
+        traceByCones(field_, walk_->scene(), *packed_, rays, first, last, hits, flat);
+        NullSink sink;
+        for (const std::size_t i : flat) hits.set(i, trace(rays[i], sink));
+    }
+
+    const HeightField& field() const { return field_; }
+    // Null: the layout is packed.
+    const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }
+    bool hasSimdMap() const { return packed_ != nullptr; }
+    std::size_t bytes() const { return packed_ ? packed_->bytes() : map_->bytes(); }
+    double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 6; }
+    double segmentRecords() const { return 3; }
+
+  private:
+    template <bool kWhole, class Sink>
+    Hit run(const ViewRay& viewRay, Segment segment, Sink& sink) const;
+
+    HeightField field_;
+    std::shared_ptr<const ConeMap> map_;
+    CellGrid grid_;
+    std::shared_ptr<const PackedCones> packed_;
+    std::optional<ConeWalk> walk_;
+};
+
+// The layout of texels.
+template <bool kWhole, class Sink>
+Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
+    if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+    const GridRay ray(grid_, viewRay);
+    const double runLength = std::hypot(ray.x.run, ray.y.run);
+    const int sector = azimuthSector(ray.x.run, ray.y.run, map_->parameters.sectors);
+    const double end = std::min(segment.out, ray.end(grid_));
+    AxisCell cx = ray.x.cellAt(grid_.x, segment.in);
+    AxisCell cy = ray.y.cellAt(grid_.y, segment.in);
+    // Where the cell's cone stands: under the point at which the ray leaves the cell.
+    const auto cone = [&](double out, double apex, double slope) {
+        const double s = ray.x.start + out * ray.x.run - grid_.x.shift;
+        const double t = ray.y.start + out * ray.y.run - grid_.y.shift;
+        return subject::Cone{s, t, apex, slope, sector, map_->parameters.sectors, true};
+    };
+    const auto note = [&](Decision decision, double in, double out, double value, double after) {
+        return [&, decision, in, out, value, after] {
+            return cellRecord(field_, grid_, cx, cy, decision, in, out, value, after);
+        };
+    };
+    const auto noteCone = [&](Decision decision, double in, double out, double apex, double slope, double after) {
+        return [&, decision, in, out, apex, slope, after] {
+            const double value = decision == Decision::Advance ? slope : apex;
+            Step step = cellRecord(field_, grid_, cx, cy, decision, in, out, value, after);
+            step.subject = cone(out, apex, slope);
+            return step;
+        };
+    };
+    if constexpr (kWhole) {
+        sink.step(note(Decision::Start, 0, 0, 1, 0));
+        if (ray.entersOutside(grid_)) {
+            sink.step(note(Decision::Miss, 0, 0, 0, 0));
+            return Hit::none(Outcome::Miss);
+        }
+    }
+    double lambda = segment.in;
+    for (double left = ray.cellBound() + 2; left > 0; --left) {
+        cx = ray.x.cellAt(grid_.x, lambda);
+        cy = ray.y.cellAt(grid_.y, lambda);
+        const double out = std::max(cellStay(grid_, ray, cx, cy).out, lambda);
+        const double apex = static_cast<double>(map_->apex(cx.index, cy.index, 0));
+        double after = out;
+        sink.read(1);
+        if (1 - out > apex) {
+            const double kappa = static_cast<double>(map_->slopes(cx.index, cy.index, sector));
+            sink.read(1);
+            const double free = (1 - out - apex) / (1 + kappa * runLength) * kShorterShare;
+            after = out + std::max(0.0, free - kExclusionMargin);
+            sink.step(noteCone(Decision::Advance, lambda, out, apex, kappa, std::min(after, segment.out)));
+        } else {
+            sink.read(leafReads(field_.surface()));
+            const auto hit = leafHit(field_, grid_, ray, cx, cy);
+            if (hit) {
+                sink.step(noteCone(Decision::Hit, lambda, out, apex, 0, *hit));
+                return Hit::at(viewRay, *hit);
+            }
+            sink.step(noteCone(Decision::Test, lambda, out, apex, 0, out));
+        }
+        lambda = after;
+        if (!(lambda < end)) {
+            lambda = std::min(lambda, 1.0);
+            if constexpr (kWhole) sink.step(note(Decision::Miss, lambda, lambda, 0, lambda));
+            return Hit::none(Outcome::Miss);
+        }
+    }
+    sink.step(note(Decision::Limit, lambda, lambda, 0, lambda));
+    return Hit::none(Outcome::Limit);
+}
+
+}  // namespace relief

@@ -1,0 +1,398 @@
+// The walk by packed cones, one ray: the reference of simd/cone_walk-inl.h, in the same precision and with the same
+// margins (margins.md), so that both visit the same cells. Cells are only excluded in float; where a ray meets one is
+// decided by the one leaf, and what float cannot decide, next to corners and ends of the map, by the walk in double.
+//
+// Frame: float_scene.h. n: cells from the one in which the ray begins, the way it runs; the line behind cell n is
+// crossed at lambda = n * inverse + base, at or after the true crossing, and by no more than `tie` on both axes
+// together.
+#pragma once
+
+#include <optional>
+#include <type_traits>
+
+#include "relief/float_leaf.h"
+#include "relief/methods/float_scene.h"
+#include "relief/methods/packed_walk.h"
+
+namespace relief {
+
+// One axis of a ray.
+struct ConeAxis {
+    bool back = false;  // it runs towards lower indices
+    int first = 0;      // cell of its start, before any addressing
+    int n = 0;
+    int last = 0;  // n of the map's last cell (of this period, where it repeats)
+    float run = 0, inverse = 0, base = 0;
+    float place = 0;   // n at lambda is lambda * run - place, rounded; a little early
+    float margin = 0;  // of a crossing
+
+    AxisCell cell(const GridAxis& axis) const { return cellOf(axis, back ? first - n : first + n); }
+    static AxisCell cellOf(const GridAxis& axis, int at) {
+        if (!axis.wraps) return {std::clamp(at, 0, axis.cells - 1), 0};
+        const int base = at >= 0 ? at / axis.cells * axis.cells : -((axis.cells - 1 - at) / axis.cells) * axis.cells;
+        return {at - base, base};
+    }
+    // The cell in which the jump to lambda ends, or the next one.
+    int beyond(bool moves, float lambda) const {
+        const float whole = (lambda * run - place + kWhole) - kWhole;
+        return std::max(moves ? n + 1 : n, static_cast<int>(whole));
+    }
+};
+
+// Whether float can follow a ray. Gone: under border it has left the map before its walk begins.
+enum class FloatFit : std::uint8_t { Fit, Gone, Unfit };
+
+// A ray in float, from lambda `begin` on: nothing is met before.
+struct ConeRay {
+    ConeAxis x, y;
+    float rim = 1;  // lambda at which it has left the map or is at the bottom
+    float tie = 0;
+    float steep = 0;  // the larger run, times kSteeper
+    FloatFit fit = FloatFit::Fit;
+
+    ConeRay(const FloatScene& scene, const GridRay& ray, double begin) {
+        const FloatFit fitX = setUp(scene, scene.grid.x, ray.x, begin, x);
+        const FloatFit fitY = setUp(scene, scene.grid.y, ray.y, begin, y);
+        fit = fitX == FloatFit::Unfit || fitY == FloatFit::Unfit ? FloatFit::Unfit : std::max(fitX, fitY);
+        tie = (x.margin + y.margin) + (x.margin + y.margin);
+        steep = std::max(x.run, y.run) * kSteeper;
+        goTo(scene, x.cell(scene.grid.x), y.cell(scene.grid.y));
+    }
+    // In that cell.
+    void goTo(const FloatScene& scene, AxisCell cx, AxisCell cy) {
+        rim = 1;
+        for (ConeAxis* axis : {&x, &y}) {
+            const GridAxis& of = axis == &x ? scene.grid.x : scene.grid.y;
+            const AxisCell& cell = axis == &x ? cx : cy;
+            const int at = cell.index + static_cast<int>(cell.base);
+            axis->n = axis->back ? axis->first - at : at - axis->first;
+            axis->last = axis->n + (axis->back ? cell.index : of.cells - 1 - cell.index);
+            if (scene.address != Address::Border) continue;
+            // The rim is a line like others, so far beyond that behind the last cell.
+            const float lines = static_cast<float>(axis->last) + static_cast<float>(of.high - of.cells);
+            rim = std::min(rim, lines * axis->inverse + axis->base);
+        }
+    }
+    // lambda at which it leaves the cell along each axis.
+    struct Crossings {
+        float x, y;
+        float first() const { return std::min(x, y); }
+        float last() const { return std::max(x, y); }
+    };
+    Crossings crossings(const FloatScene& scene) const {
+        constexpr float kNever = 1e30F;
+        const auto at = [&](const ConeAxis& axis) {
+            if (scene.address == Address::Clamp && axis.n == axis.last) return kNever;
+            return static_cast<float>(axis.n) * axis.inverse + axis.base;
+        };
+        return {at(x), at(y)};
+    }
+
+  private:
+    static FloatFit setUp(const FloatScene& scene, const GridAxis& axis, const RayAxis& ray, double begin,
+                          ConeAxis& out) {
+        const double place = ray.start + begin * ray.run;
+        out.back = ray.run < 0;
+        const double line = out.back ? std::ceil(place) : std::floor(place);
+        const double share = out.back ? line - place : place - line;  // of its cell that is behind it
+        const double run = std::abs(ray.run);
+        const double alongLine = out.back ? scene.mirror - line : line;
+        bool good = std::abs(alongLine) < kLanePlaces && run <= kLaneRun && (run >= 1e-30 || run == 0);
+        // Hardly moving and next to a line: the walk could begin on the wrong side of it.
+        good = good && !(begin > 0 && run < kLeastRun && share < kLeastRun);
+        FloatFit fit = FloatFit::Fit;
+        if (scene.address == Address::Border) {
+            const auto inside = [&](double at) { return at > axis.low && at < axis.high; };
+            const bool left = place < axis.low || place > axis.high;
+            if (inside(ray.start) && left) fit = FloatFit::Gone;
+            good = good && inside(ray.start) && (left || inside(place));
+        }
+        // Unfit rays get the axis of one that stands still: nobody walks along it.
+        const float ahead = good ? 1 - static_cast<float>(share) : 0;  // of its cell, to the line
+        out.first = good ? static_cast<int>(out.back ? line - 1 : line) : 0;
+        out.run = good ? static_cast<float>(run) : 0;
+        out.inverse = 1 / std::max(out.run, 1e-30F);
+        out.margin = kCrossingMargin * (out.inverse + 1);
+        out.base = ahead * out.inverse + (static_cast<float>(begin) + out.margin);
+        out.place = out.base * out.run + (out.run * kShorterJump + (kShorterJump - 0.5F));
+        return good ? fit : FloatFit::Unfit;
+    }
+};
+
+// The part of a ray near a corner of cells where float cannot decide which cell comes next: nothing is met before
+// `from`; from `until` on float can decide again (infinite: hardly before the ray's end).
+struct UnclearPart {
+    double from, until;
+
+    // In that cell.
+    UnclearPart(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
+        // Walks come to a cell at most so much later, cells, than the ray does; past the corner, by as much, float
+        // can decide again.
+        constexpr double kLate = 0x1p-16;
+        const auto enters = [](const RayAxis& of, const GridAxis& axis, AxisCell c) {
+            return of.enter(axis, c.index, c.index + 1, c.base);
+        };
+        const auto leaves = [](const RayAxis& of, const GridAxis& axis, AxisCell c) {
+            return of.leave(axis, c.index, c.index + 1, c.base);
+        };
+        const double outX = leaves(ray.x, grid.x, cx), outY = leaves(ray.y, grid.y, cy);
+        const double in = std::max(enters(ray.x, grid.x, cx), enters(ray.y, grid.y, cy));
+        const double first = std::min(outX, outY), last = std::max(outX, outY);
+        const double late = (std::abs(ray.x.inverse) + std::abs(ray.y.inverse)) * kLate + kLate;
+        from = std::max(std::min(in, first) - late, 0.0);
+        until = last - first < late ? last + late : std::numeric_limits<double>::infinity();
+    }
+};
+
+// Steps that begin a little before lambda `from` and lead beyond `to`, cut to [from, to]; a hit keeps its lambda.
+template <class Sink>
+struct StepsWithin {
+    Sink& sink;
+    double from, to;
+
+    template <class Make>
+    void step(const Make& make) {
+        sink.step([&] {
+            Step step = make();
+            for (double* lambda : {&step.lambdaIn, &step.lambdaOut, &step.lambdaAfter}) {
+                *lambda = std::max(*lambda, from);
+            }
+            if (step.decision != Decision::Hit) {
+                step.lambdaOut = std::min(step.lambdaOut, to);
+                step.lambdaAfter = std::min(step.lambdaAfter, to);
+            }
+            return step;
+        });
+    }
+    void read(std::uint32_t values) { sink.read(values); }
+};
+
+class ConeWalk {
+  public:
+    // cones: of this field; kept by the caller.
+    ConeWalk(const HeightField& field, const PackedCones& cones)
+        : field_(field),
+          cones_(cones),
+          scene_(field, cones),
+          unit_(static_cast<float>(cones.unit)),
+          top_(static_cast<float>(1 - cones.highest)),
+          topOfApex_(static_cast<float>(1 - cones.highest - static_cast<double>(kApexMore * unit_))) {}
+
+    template <class Sink>
+    Hit trace(const ViewRay& viewRay, Sink& sink) const {
+        return trace(viewRay, scene_.start, sink, sink);
+    }
+    // begin: lambda at which the ray parts from the packet that it began with, or scene().start. inDouble: gets the
+    // steps that float cannot take.
+    template <class Sink, class DoubleSink>
+    Hit trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink& inDouble) const;
+    // Within a segment, in double.
+    template <class Sink>
+    Hit traceSegment(const ViewRay& viewRay, Segment segment, Sink& sink) const {
+        if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+        const ConeGround ground{field_, scene_.grid, cones_};
+        PackedWalk part(ground, viewRay, 0, segment.in, segment.out);
+        StepsWithin<Sink> within{sink, segment.in, segment.out};
+        while (part.step(ground, within)) {
+        }
+        if (part.paused()) return Hit::none(Outcome::Miss);
+        if (part.hit().outcome == Outcome::Limit) {
+            within.step([&] {
+                const double at = part.lambda();
+                return cellRecord(field_, scene_.grid, part.x(), part.y(), Decision::Limit, at, at, 0, at);
+            });
+        }
+        return part.hit();
+    }
+    const FloatScene& scene() const { return scene_; }
+
+  private:
+    // Left: it has come back too often.
+    enum class End : std::uint8_t { Hit, Miss, Unclear, Left };
+
+    float depthAt(std::uint32_t depth) const { return static_cast<float>(depth) * unit_ + top_; }
+    std::uint32_t word(std::size_t quadrant, int cx, int cy) const {
+        return cones_.quadrant(quadrant)[cones_.index(cx, cy)];
+    }
+    bool below(const ConeRay& ray, AxisCell cx, AxisCell cy, float out) const;
+    bool neighbourClear(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const;
+    std::optional<End> move(ConeRay& ray, std::size_t quadrant, const ConeRay::Crossings& cross, float jump) const;
+    template <class Sink>
+    End walk(const ViewRay& viewRay, const GridRay& exact, ConeRay& ray, double& lambda, int& returns, Hit& hit,
+             Sink& sink) const;
+
+    HeightField field_;
+    const PackedCones& cones_;
+    FloatScene scene_;
+    float unit_, top_, topOfApex_;  // depth d is at lambda top + d unit
+};
+
+// Whether the surface is surely below the ray in the cell.
+inline bool ConeWalk::below(const ConeRay& ray, AxisCell cx, AxisCell cy, float out) const {
+    const FloatImage& heights = field_.heights();
+    if (scene_.surface == Surface::Columns) return columnBelow(heights(cx.index, cy.index), out);
+    const auto entered = [](const ConeAxis& axis) {
+        return static_cast<float>(axis.n) * axis.inverse + (axis.base - axis.inverse);
+    };
+    const float latest = std::max(entered(ray.x), entered(ray.y));
+    const float in = std::min(std::max(latest - ray.tie, 0.0F), out);
+    const auto stay = [](const ConeAxis& axis) {
+        return FloatStayAxis{static_cast<float>(axis.n), axis.base - axis.inverse, axis.run, axis.back};
+    };
+    std::array<float, 4> corners;
+    std::ranges::transform(cellCorners(heights, scene_.grid, cx.index, cy.index), corners.begin(),
+                           [](double height) { return static_cast<float>(height); });
+    return patchBelow(corners, stay(ray.x), stay(ray.y), in, out, ray.tie);
+}
+
+// Whether the ray is surely above the neighbouring cell along one axis until it has passed the corner.
+inline bool ConeWalk::neighbourClear(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const {
+    ConeAxis next = alongX ? ray.x : ray.y;
+    if (next.n == next.last && scene_.address != Address::Repeat) return scene_.address == Address::Clamp;
+    ++next.n;
+    const AxisCell cx = (alongX ? next : ray.x).cell(scene_.grid.x), cy = (alongX ? ray.y : next).cell(scene_.grid.y);
+    return out + (ray.tie + ray.tie) < depthAt(coneOwnDepth(word(quadrant, cx.index, cy.index)));
+}
+
+// To the cell where the jump ends, the next one at least; or an end.
+inline std::optional<ConeWalk::End> ConeWalk::move(ConeRay& ray, std::size_t quadrant, const ConeRay::Crossings& cross,
+                                                   float jump) const {
+    const float out = std::min(cross.first(), ray.rim);
+    if (ray.rim < 1) {
+        // Beyond the rim for sure; or float cannot decide which comes first, rim or line.
+        if (std::max(cross.first(), jump) > ray.rim + ray.tie) return End::Miss;
+        if (cross.first() + ray.tie >= ray.rim) return End::Unclear;
+    } else if (out >= 1) {
+        return End::Unclear;
+    }
+    // Too near a corner to decide which neighbour comes first, and the jump does not pass it: both are skipped if they
+    // can be, and if the ray passes the corner before it leaves the cell behind it.
+    const bool corner = std::abs(cross.x - cross.y) < ray.tie && jump < cross.last() + ray.tie;
+    const auto clear = [&] {
+        return ray.tie + ray.tie < std::min(ray.x.inverse, ray.y.inverse) && neighbourClear(ray, quadrant, true, out) &&
+               neighbourClear(ray, quadrant, false, out);
+    };
+    if (corner && !clear()) return End::Unclear;
+    const int nextX = ray.x.beyond(corner || cross.x <= cross.y, jump);
+    const int nextY = ray.y.beyond(corner || cross.y <= cross.x, jump);
+    const auto take = [&](ConeAxis& axis, const GridAxis& of, int next) {
+        if (scene_.address == Address::Repeat) {
+            while (next > axis.last) axis.last += of.cells;
+        } else if (next > axis.last) {
+            if (scene_.address == Address::Border) return false;
+            next = axis.last;
+        }
+        axis.n = next;
+        return true;
+    };
+    if (!take(ray.x, scene_.grid.x, nextX) || !take(ray.y, scene_.grid.y, nextY)) return End::Miss;
+    return std::nullopt;
+}
+
+// Until it hits, misses, or float cannot decide where it goes on.
+template <class Sink>
+ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeRay& ray, double& lambda, int& returns,
+                             Hit& hit, Sink& sink) const {
+    const ConeGround ground{field_, scene_.grid, cones_};
+    const std::size_t quadrant = quadrantOf(exact);
+    while (true) {
+        const AxisCell cx = ray.x.cell(scene_.grid.x), cy = ray.y.cell(scene_.grid.y);
+        const std::uint32_t bits = word(quadrant, cx.index, cy.index);
+        const ConeRay::Crossings cross = ray.crossings(scene_);
+        const float exit = cross.first();
+        float jump = std::min(exit, ray.rim);
+        // What is logged: the cell's way out itself, which float puts a little later.
+        double out = lambda;
+        if constexpr (!std::is_same_v<Sink, NullSink>) {
+            out = std::clamp(cellStay(scene_.grid, exact, cx, cy).out, lambda, 1.0);
+        }
+        double after = out;
+        const auto note = [&](Decision decision) {
+            return coneRecord(ground, exact, cx, cy, decision, {lambda, out}, bits, after);
+        };
+        sink.read(1);
+        if (exit < depthAt(coneOwnDepth(bits))) {
+            // To where it meets the cone.
+            const float apexDepth = (kApexMore + static_cast<float>(coneApexDepth(bits))) * unit_ + topOfApex_;
+            const float steepness = coneSlope(bits) * ray.steep + kSteeper;
+            jump = std::max(apexDepth - exit, 0.0F) * (1 / steepness) + exit;
+            after = std::min(out + static_cast<double>(jump - exit), 1.0);
+            // Below the apex it is above the cell alone.
+            const bool inCone = 1 - out > cones_.heightAt(coneApexDepth(bits));
+            sink.step([&] { return note(inCone ? Decision::Advance : Decision::Skip); });
+        } else {
+            sink.read(leafReads(scene_.surface));
+            const bool excluded = below(ray, cx, cy, jump);
+            const auto met = excluded ? std::nullopt : leafHit(field_, scene_.grid, exact, cx, cy);
+            if (met) {
+                after = *met;
+                sink.step([&] { return note(Decision::Hit); });
+                hit = Hit::at(viewRay, *met);
+                return End::Hit;
+            }
+            sink.step([&] { return note(Decision::Test); });
+            // In lanes a ray that the one leaf has refused comes back.
+            if (!excluded && ++returns > kMostReturns) return End::Left;
+        }
+        lambda = after;
+        if (const auto end = move(ray, quadrant, cross, jump)) return *end;
+    }
+}
+
+template <class Sink, class DoubleSink>
+Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink& inDouble) const {
+    if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+    const ConeGround ground{field_, scene_.grid, cones_};
+    const GridRay exact(scene_.grid, viewRay);
+    const auto record = [&](Decision decision, double at, double value) {
+        const AxisCell cx = exact.x.cellAt(scene_.grid.x, at), cy = exact.y.cellAt(scene_.grid.y, at);
+        return cellRecord(field_, scene_.grid, cx, cy, decision, at, at, value, at);
+    };
+    const auto none = [&](Outcome outcome, double at) {
+        const Decision end = outcome == Outcome::Limit ? Decision::Limit : Decision::Miss;
+        sink.step([&] { return record(end, std::min(at, 1.0), 0); });
+        return Hit::none(outcome);
+    };
+    const auto miss = [&](double at) { return none(Outcome::Miss, at); };
+    sink.step([&] { return record(Decision::Start, 0, 1); });
+    if (exact.entersOutside(scene_.grid)) return miss(0);
+    ConeRay ray(scene_, exact, begin);
+    // Down to where anything is as high; or, in a packet, to where the ray parts from it.
+    if (begin > 0) {
+        sink.step([&] {
+            Step step = record(Decision::Advance, begin, cones_.highest);
+            if (begin <= scene_.start) step.phase = Phase::Start;
+            step.lambdaIn = 0;
+            return step;
+        });
+    }
+    if (ray.fit == FloatFit::Gone) return miss(begin);
+    double lambda = begin;
+    constexpr double kEnd = std::numeric_limits<double>::infinity();
+    double from = 0, until = kEnd;
+    int returns = 0;
+    while (true) {
+        if (ray.fit == FloatFit::Fit) {
+            Hit hit;
+            const End end = walk(viewRay, exact, ray, lambda, returns, hit, sink);
+            if (end == End::Hit) return hit;
+            if (end == End::Miss) return miss(lambda);
+            const UnclearPart part(scene_.grid, exact, ray.x.cell(scene_.grid.x), ray.y.cell(scene_.grid.y));
+            from = part.from;
+            until = end == End::Left || ++returns > kMostReturns ? kEnd : part.until;
+        }
+        PackedWalk part(ground, viewRay, 0, from, until);
+        StepsWithin<DoubleSink> rest{inDouble, lambda, 1};
+        while (part.step(ground, rest)) {
+        }
+        if (!part.paused()) {
+            const Outcome outcome = part.hit().outcome;
+            return outcome == Outcome::Hit ? part.hit() : none(outcome, part.lambda());
+        }
+        if (begin != scene_.start) ray = ConeRay(scene_, exact, begin = scene_.start);
+        ray.goTo(scene_, part.x(), part.y());
+        lambda = std::max(lambda, part.lambda());
+    }
+}
+
+}  // namespace relief

@@ -1,0 +1,162 @@
+// Options that the distance methods share: how their map is built.
+#pragma once
+
+#include <vector>
+
+#include "relief/describe.h"
+#include "relief/maps/distance_map.h"
+#include "relief/methods/distance_march.h"
+#include "relief/methods/distance_walk.h"
+#include "relief/methods/max_pyramid.h"
+
+namespace relief {
+
+// A struct of options that has these members gets the described fields for them.
+template <class Options>
+std::vector<OptionField<Options>> distanceFields() {
+    std::vector<OptionField<Options>> fields{
+        {{"footprint", OptionKind::Integer, "texels", 1, 64, 1, {}, "side of a voxel's footprint"},
+         &Options::footprint},
+        {{"layers", OptionKind::Integer, "layers", 1, 1024, 1, {}, "how many voxels the slab is high"},
+         &Options::layers},
+        {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how distances are stored"},
+         &Options::precision}};
+    if constexpr (requires(Options o) { o.flattest; }) {
+        fields.push_back({{"flattest",
+                           OptionKind::Real,
+                           "degrees",
+                           0.5,
+                           89,
+                           0.5,
+                           {},
+                           "elevation of the flattest ray that it serves"},
+                          &Options::flattest});
+    }
+    if constexpr (requires(Options o) { o.horizons; }) {
+        fields.push_back({{"horizons",
+                           OptionKind::Integer,
+                           "sectors",
+                           4,
+                           32,
+                           4,
+                           {},
+                           "azimuth sectors in which what hides a voxel is looked for"},
+                          &Options::horizons});
+        fields.push_back({{"sectors",
+                           OptionKind::Integer,
+                           "sectors",
+                           1,
+                           32,
+                           1,
+                           {},
+                           "azimuth sectors that have distances of their own (a divisor of horizons)"},
+                          &Options::sectors});
+    }
+    if constexpr (requires(Options o) { o.directions; }) {
+        fields.push_back({{"directions", OptionKind::Integer, "rays", 1, 16384, 1, {}, "sampled from each voxel"},
+                          &Options::directions});
+    }
+    if constexpr (requires(Options o) { o.rule; }) {
+        fields.push_back({{"rule",
+                           OptionKind::Choice,
+                           "",
+                           0,
+                           0,
+                           0,
+                           {"exit", "classic"},
+                           "a step by the distance: from where the ray leaves the voxel, or from where it is"},
+                          &Options::rule});
+    }
+    if constexpr (requires(Options o) { o.stop; }) {
+        fields.push_back({{"stop",
+                           OptionKind::Choice,
+                           "",
+                           0,
+                           0,
+                           0,
+                           {"surface", "distance", "never"},
+                           "where the march ends: at the surface, where the distance is below `within`, or nowhere"},
+                          &Options::stop});
+        fields.push_back(
+            {{"within", OptionKind::Real, "texels", 0, 4, 0.01, {}, "of stop=distance"}, &Options::within});
+        fields.push_back({{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "at most; with stop=never all"},
+                          &Options::iterations});
+    }
+    if constexpr (requires(Options o) { o.to; }) {
+        fields.push_back(
+            {{"to",
+              OptionKind::Choice,
+              "",
+              0,
+              0,
+              0,
+              {"surface", "voxel"},
+              "what Euclidean distances are measured to: the surface, or the nearest solid voxel's centre"},
+             &Options::to});
+    }
+    if constexpr (requires(Options o) { o.map; }) {
+        fields.push_back(
+            {{"map", OptionKind::Choice, "", 0, 0, 0, Options::maps(), "the map that it traces with"}, &Options::map});
+    }
+    return fields;
+}
+
+template <class Options>
+StepRule stepRule(const Options& options) {
+    return options.rule == "classic" ? StepRule::Classic : StepRule::Exit;
+}
+
+// Of a map of that kind: options that it does not use stay out.
+template <class Options>
+DistanceParameters distanceParameters(DistanceKind kind, const Options& options) {
+    const bool refined = kind == DistanceKind::Refined;
+    const bool sampled = kind == DistanceKind::RefinedSampled;
+    DistanceParameters parameters;
+    parameters.footprint = options.footprint;
+    parameters.layers = options.layers;
+    parameters.precision = parsePrecision(options.precision);
+    if constexpr (requires { options.flattest; }) {
+        if (refined || sampled) parameters.flattest = options.flattest;
+    }
+    if constexpr (requires { options.horizons; }) {
+        if (refined && options.horizons % options.sectors != 0) {
+            throw InputError(
+                "--set", Message(MessageId::OutOfRange,
+                                 {{"what", "sectors"}, {"value", options.sectors}, {"range", "divisors of horizons"}}));
+        }
+        if (refined) parameters.horizons = options.horizons, parameters.sectors = options.sectors;
+    }
+    if constexpr (requires { options.directions; }) {
+        if (sampled) parameters.directions = options.directions;
+    }
+    if constexpr (requires { options.to; }) {
+        if (kind == DistanceKind::Euclidean) parameters.to = parseDistanceTo(options.to);
+    }
+    return parameters;
+}
+
+// What sampled maps trace their rays by: the max pyramid, with maps of its own. The work outlives it.
+inline ExactHits exactHits(const HeightField& field, Work& work) {
+    MapCache own;
+    return [tracer = std::make_shared<const MaxPyramidTracer>(MaxPyramidTracer::make(field, {}, own, work))](
+               const RayBlock& rays, HitBlock& hits) {
+        hits.resize(rays.size());
+        tracer->traceLanes(rays, 0, rays.size(), hits);
+    };
+}
+
+// The map that the options describe.
+template <class Options>
+std::shared_ptr<const DistanceMap> distanceMapOf(DistanceKind kind, const Options& options, const HeightField& field,
+                                                 MapCache& cache, Work& work) {
+    return distanceMap(kind, distanceParameters(kind, options), field, cache, work, &exactHits);
+}
+
+template <class Options>
+MarchEnd marchEnd(const Options& options) {
+    if (options.stop == "never") return {MarchStop::Never, 0};
+    if (options.stop == "distance") return {MarchStop::Distance, options.within};
+    return {MarchStop::Surface, 0};
+}
+
+}  // namespace relief

@@ -1,0 +1,25 @@
+// flat: the picture on its polygon, as if there were no relief: what all other methods are better than.
+//
+// Frame, units, surfaces, failure mode, cost: top_plane.h.
+// Model: the colour where the ray enters, lit by the polygon's own normal.
+#pragma once
+
+#include "relief/methods/top_plane.h"
+
+namespace relief {
+
+class FlatTracer : public TopPlaneTracer {
+  public:
+    static MethodDescription describe() {
+        MethodDescription method = shading(ShadingNormal::Plane);
+        method.name = "flat";
+        method.title = "flat";
+        method.help = "Plain texturing: no relief, lit as the polygon is.";
+        return method;
+    }
+    static FlatTracer make(const HeightField& field, const Options&, MapCache&, Work&) { return FlatTracer(field); }
+
+    using TopPlaneTracer::TopPlaneTracer;
+};
+
+}  // namespace relief

@@ -1,0 +1,172 @@
+// layers, layers-secant, layers-bisection: the slab cut into N equal layers; the first layer at which the ray is at or
+// below the surface, then nothing, a secant or a bisection between it and the layer above.
+// McGuire 2005 and [DIST17] fig. 2 (layers), Tatarchuk 2006 (secant), Policarpo 2005 (bisection).
+//
+// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
+// Model: lambda_n = n / N, n = 0 .. N; looked at only there.
+// Guarantee: none; the answer lies on the surface's far side at most one layer behind a crossing, but a feature thinner
+// than the ray's run in one layer, (|a| + |b|) / N texels, can be missed altogether. Failure mode: thin features.
+// Cost: one height a layer, and one a bisection.
+#pragma once
+
+#include "relief/describe.h"
+#include "relief/map_cache.h"
+#include "relief/methods/layer_lanes.h"
+#include "relief/sampled_surface.h"
+
+namespace relief {
+
+template <LayerRefinement kRefinement>
+class LayersTracerOf {
+  public:
+    struct Options {
+        int layers = 64;
+        int bisections = 8;
+
+        static std::vector<OptionField<Options>> fields() {
+            std::vector<OptionField<Options>> all{
+                {{"layers", OptionKind::Integer, "layers", 1, 65536, 1, {}, "how many the slab is cut into"},
+                 &Options::layers}};
+            if (kRefinement == LayerRefinement::Bisection) {
+                all.push_back({{"bisections", OptionKind::Integer, "halvings", 1, 60, 1, {}, "of the last layer"},
+                               &Options::bisections});
+            }
+            return all;
+        }
+    };
+
+    static MethodDescription describe() {
+        MethodDescription method;
+        method.guarantee = Guarantee::Approximate;
+        switch (kRefinement) {
+            case LayerRefinement::None:
+                method.name = "layers";
+                method.title = "layers";
+                method.help = "Equal layers of depth; the first one below the surface.";
+                method.source = "McGuire 2005; [DIST17] fig. 2";
+                break;
+            case LayerRefinement::Secant:
+                method.name = "layers-secant";
+                method.title = "layers, secant";
+                method.help = "Equal layers, then a straight line between the last two.";
+                method.source = "Tatarchuk 2006";
+                break;
+            case LayerRefinement::Bisection:
+                method.name = "layers-bisection";
+                method.title = "layers, bisection";
+                method.help = "Equal layers, then halving the last one.";
+                method.source = "Policarpo 2005";
+                break;
+        }
+        return method;
+    }
+    static LayersTracerOf make(const HeightField& field, const Options& options, MapCache&, Work&) {
+        return {field, options};
+    }
+
+    LayersTracerOf(HeightField field, Options options) : field_(std::move(field)), options_(options) {}
+
+    template <class Sink>
+    Hit trace(const ViewRay& ray, Sink& sink) const {
+        if (!ray.finite()) return Hit::none(Outcome::Miss);
+        const SampledSurface surface(field_, ray);
+        sink.step([&] { return surface.record(Phase::Start, Decision::Start, 0, 0, 1, 0); });
+        return search(ray, surface, {}, true, sink);
+    }
+    // The same bits in lanes: rays first to last - 1.
+    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+        NullSink sink;
+        const LayerSearch inLanes{field_, options_.layers, kRefinement, options_.bisections};
+        for (const std::size_t i : layersInLanes(inLanes, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
+    }
+    // The same distance between layers, counted from the segment's begin; its end is looked at, too.
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return search(ray, SampledSurface(field_, ray), segment, false, sink);
+    }
+    double segmentRecords() const { return 3.0 + options_.bisections; }
+
+    const HeightField& field() const { return field_; }
+    std::size_t bytes() const { return 0; }
+    double stepBound(const ViewRay&) const { return options_.layers + options_.bisections + 4.0; }
+
+  private:
+    struct Bracket {
+        double above, gapAbove;  // the last layer above the surface, and how far (negative)
+        double below, gapBelow;  // the first one not above
+    };
+    template <class Sink>
+    Hit search(const ViewRay& ray, const SampledSurface& surface, Segment segment, bool whole, Sink& sink) const;
+    template <class Sink>
+    double refined(const SampledSurface& surface, Bracket bracket, Sink& sink) const;
+
+    HeightField field_;
+    Options options_;
+};
+
+using LayersTracer = LayersTracerOf<LayerRefinement::None>;
+using LayersSecantTracer = LayersTracerOf<LayerRefinement::Secant>;
+using LayersBisectionTracer = LayersTracerOf<LayerRefinement::Bisection>;
+
+template <LayerRefinement kRefinement>
+template <class Sink>
+double LayersTracerOf<kRefinement>::refined(const SampledSurface& surface, Bracket bracket, Sink& sink) const {
+    if constexpr (kRefinement == LayerRefinement::Secant) {
+        const double share = bracket.gapAbove / (bracket.gapAbove - bracket.gapBelow);
+        const double lambda = bracket.above + share * (bracket.below - bracket.above);
+        sink.step([&] {
+            return surface.record(Phase::Refine, Decision::Refine, bracket.above, bracket.below,
+                                  bracket.gapBelow + 1 - bracket.below, lambda);
+        });
+        return lambda;
+    }
+    if constexpr (kRefinement == LayerRefinement::Bisection) {
+        for (int n = 0; n < options_.bisections; ++n) {
+            const double middle = 0.5 * (bracket.above + bracket.below);
+            const double gap = surface.gapAt(middle);
+            sink.read(surface.readsEach());
+            (gap < 0 ? bracket.above : bracket.below) = middle;
+            sink.step([&] {
+                return surface.record(Phase::Refine, Decision::Refine, bracket.above, bracket.below, gap + 1 - middle,
+                                      middle);
+            });
+        }
+    }
+    return bracket.below;
+}
+
+template <LayerRefinement kRefinement>
+template <class Sink>
+Hit LayersTracerOf<kRefinement>::search(const ViewRay& ray, const SampledSurface& surface, Segment segment, bool whole,
+                                        Sink& sink) const {
+    double above = segment.in;
+    double gapAbove = 0;
+    for (int n = 0; n <= options_.layers; ++n) {
+        const double lambda = std::min(segment.in + static_cast<double>(n) / options_.layers, segment.out);
+        const auto record = [&](Decision decision, double height, double after) {
+            Step step = surface.record(Phase::Search, decision, above, lambda, height, after);
+            // Within a segment layers are counted from its begin: they are none of the slab's.
+            if (whole && decision != Decision::Miss) step.subject = subject::Layer{n, options_.layers, height};
+            return step;
+        };
+        if (!surface.inside(lambda)) {
+            if (whole) sink.step([&] { return record(Decision::Miss, 0, lambda); });
+            return Hit::none(Outcome::Miss);
+        }
+        const double gap = surface.gapAt(lambda);
+        sink.read(surface.readsEach());
+        // At the bottom of the slab nothing is left below the ray, whatever rounding says.
+        if (gap >= 0 || lambda >= 1) {
+            const double hit = n == 0 ? lambda : refined(surface, {above, gapAbove, lambda, std::max(gap, 0.0)}, sink);
+            sink.step([&] { return record(Decision::Hit, gap + 1 - lambda, hit); });
+            return Hit::at(ray, hit);
+        }
+        sink.step([&] { return record(Decision::Advance, gap + 1 - lambda, lambda); });
+        above = lambda;
+        gapAbove = gap;
+        if (lambda >= segment.out) break;
+    }
+    return Hit::none(Outcome::Miss);
+}
+
+}  // namespace relief

@@ -1,0 +1,86 @@
+// offset: one sample, the ray taken to the height found where it enters. Kaneko et al. 2001; [DIST17]'s printed formula
+// (its plane is the bottom of the slab, ours the top).
+//
+// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
+// Model: the surface is flat, as high as where the ray enters: T = T0 + (1 - h(T0)) (a, b).
+// Guarantee: none. Failure mode: anything steep; grazing rays slide far over the picture ("swimming").
+// Cost: one height.
+#pragma once
+
+#include "relief/describe.h"
+#include "relief/map_cache.h"
+#include "relief/sampled_surface.h"
+
+namespace relief {
+
+class OffsetTracer {
+  public:
+    struct Options {
+        static std::vector<OptionField<Options>> fields() { return {}; }
+    };
+    static MethodDescription describe() {
+        MethodDescription method;
+        method.name = "offset";
+        method.title = "parallax offset";
+        method.guarantee = Guarantee::Approximate;
+        method.help = "One sample: the ray is taken to the height found where it enters.";
+        method.source = "Kaneko et al. 2001; [DIST17]";
+        return method;
+    }
+    static OffsetTracer make(const HeightField& field, const Options&, MapCache&, Work&) { return OffsetTracer(field); }
+
+    explicit OffsetTracer(HeightField field) : field_(std::move(field)) {}
+
+    template <class Sink>
+    Hit trace(const ViewRay& ray, Sink& sink) const {
+        return shifted(field_, ray, 1.0, sink);
+    }
+    template <class Sink>
+    Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return shiftedWithin(field_, ray, segment, 1.0, sink);
+    }
+    double segmentRecords() const { return 3; }
+
+    // The answer of both offset methods: lambda = (1 - h(T0)) * share.
+    template <class Sink>
+    static Hit shifted(const HeightField& field, const ViewRay& ray, double share, Sink& sink) {
+        if (!ray.finite()) return Hit::none(Outcome::Miss);
+        const SampledSurface surface(field, ray);
+        const auto miss = [&](double at) {
+            sink.step([&] { return surface.record(Phase::Search, Decision::Miss, at, at, 0, at); });
+            return Hit::none(Outcome::Miss);
+        };
+        sink.step([&] { return surface.record(Phase::Start, Decision::Start, 0, 0, 1, 0); });
+        if (!surface.inside(0)) return miss(0);
+        const double height = surface.heightAt(0);
+        sink.read(surface.readsEach());
+        const double lambda = (1 - height) * share;
+        if (!surface.inside(lambda)) return miss(lambda);
+        sink.step([&] { return surface.record(Phase::Search, Decision::Hit, 0, lambda, height, lambda); });
+        return Hit::at(ray, lambda);
+    }
+
+    // The same from where a segment begins; nothing if the height found there is reached beyond its end.
+    template <class Sink>
+    static Hit shiftedWithin(const HeightField& field, const ViewRay& ray, Segment segment, double share, Sink& sink) {
+        const SampledSurface surface(field, ray);
+        if (!surface.inside(segment.in)) return Hit::none(Outcome::Miss);
+        const double height = surface.heightAt(segment.in);
+        sink.read(surface.readsEach());
+        const double reached = std::max(1 - height, segment.in);
+        const bool hit = reached <= segment.out;
+        const double lambda = hit ? segment.in + (reached - segment.in) * share : segment.out;
+        const Decision decision = hit ? Decision::Hit : Decision::Advance;
+        sink.step([&] { return surface.record(Phase::Search, decision, segment.in, lambda, height, lambda); });
+        return hit ? Hit::at(ray, lambda) : Hit::none(Outcome::Miss);
+    }
+
+    const HeightField& field() const { return field_; }
+    std::size_t bytes() const { return 0; }
+    double stepBound(const ViewRay&) const { return 2; }
+
+  private:
+    HeightField field_;
+};
+
+}  // namespace relief

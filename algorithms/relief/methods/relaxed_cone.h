@@ -1,0 +1,58 @@
+// relaxed-cone: wider cones, within which a ray crosses the surface at most once, then bisection. Policarpo & Oliveira
+// 2007 (GPU Gems 3, ch. 18).
+//
+// Frame and units: ray.h. Surfaces: bilinear, columns; any addressing. View rays from above only.
+// Guarantee: none. Failure mode: as cone-dummer; also, cones are measured along sampled azimuths and rays that come
+// from above the apex, so that other rays may cross twice and take the far crossing.
+// Cost: one height and one slope a step, one height a halving; memory 2 W H values.
+#pragma once
+
+#include "relief/methods/cone_march.h"
+
+namespace relief {
+
+class RelaxedConeTracer : public ConeMarch {
+  public:
+    static MethodDescription describe() {
+        MethodDescription method;
+        method.name = "relaxed-cone";
+        method.title = "relaxed cone steps";
+        method.guarantee = Guarantee::Approximate;
+        method.rayClass = RayClass::ViewRays;
+        method.help = "Wider cones that the ray may leave below the surface, once; then halving of the last step.";
+        method.source = "Policarpo & Oliveira 2007";
+        method.maps = {"relaxed-cone"};
+        return method;
+    }
+    struct Options {
+        int iterations = 15;
+        int bisections = 8;
+        int radius = 64;
+        int directions = 16;
+        std::string precision = "float";
+
+        static std::vector<OptionField<Options>> fields() {
+            return {{{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "at most"}, &Options::iterations},
+                    {{"bisections", OptionKind::Integer, "halvings", 0, 60, 1, {}, "of the last step"},
+                     &Options::bisections},
+                    {{"radius", OptionKind::Integer, "texels", 1, 1024, 1, {}, "how far cones are looked for"},
+                     &Options::radius},
+                    {{"directions", OptionKind::Integer, "azimuths", 4, 256, 1, {}, "along which cones are measured"},
+                     &Options::directions},
+                    {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how cones are stored"},
+                     &Options::precision}};
+        }
+    };
+    static RelaxedConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
+        ConeParameters parameters;
+        parameters.radius = options.radius;
+        parameters.directions = options.directions;
+        parameters.precision = parsePrecision(options.precision);
+        return {field, relief::coneMap(ConeKind::Relaxed, parameters, field, cache, work), options.iterations,
+                options.bisections};
+    }
+
+    using ConeMarch::ConeMarch;
+};
+
+}  // namespace relief

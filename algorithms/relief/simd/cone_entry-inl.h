@@ -1,0 +1,90 @@
+// What cone_lanes_bilinear.cpp and cone_lanes_columns.cpp instantiate for their surface. One source a surface: both
+// together take a minute to compile. Compiled for each target.
+
+#if defined(RELIEF_CONE_ENTRY_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RELIEF_CONE_ENTRY_INL_H
+#undef RELIEF_CONE_ENTRY_INL_H
+#else
+#define RELIEF_CONE_ENTRY_INL_H
+#endif
+
+#include <memory>
+
+#include "relief/simd/cone_beams-inl.h"
+#include "relief/simd/cone_walk-inl.h"
+#include "relief/simd/lane_settle-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+// Of this thread. Not in its own storage: that is set aside for every thread from the start.
+inline WalkColumns& columnsOfThread() {
+    static thread_local const auto columns = std::make_unique<WalkColumns>();
+    return *columns;
+}
+
+template <Address kAddress, Surface kSurface, class Arithmetic>
+void goOnIn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+            HitBlock& hits) {
+    rays.othersCount = 0;
+    rays.start.fill(scene.start);
+    for (LaneAxisRays* axis : {&rays.x, &rays.y}) {
+        hn::StoreU(hn::Zero(DI()), DI(), axis->hitCell.data() + rays.count);
+        hn::StoreU(hn::Zero(DI()), DI(), axis->hitPeriod.data() + rays.count);
+    }
+    hn::StoreU(hn::Zero(DI()), DI(), rays.within.data() + rays.count);
+    ConeKernel<kAddress, kSurface, Arithmetic>(scene, WalkMap(cones, true), given, rays, true, columnsOfThread()).run();
+    settleLanes<kAddress, kSurface>(scene, given, rays, hits, 0);
+}
+
+template <Address kAddress, Surface kSurface, class Arithmetic>
+void traceConesIn(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
+                  std::size_t firstHit, LaneRays& scratch) {
+    WalkColumns& walk = columnsOfThread();
+    scratch.start.fill(scene.start);
+    scratch.othersCount = 0;
+    bool scattered = true;
+    if (Arithmetic::kBeams && scratch.count >= kBeamRays) {
+        // A beam's rays are of one quadrant, and those of a view mostly come in order.
+        const std::size_t common = commonQuadrant(given[2], given[3], scratch.count);
+        if (common < kQuadrants) {
+            leadBeams<kAddress>(scene, cones, static_cast<std::uint32_t>(common), given, scratch);
+            scattered = false;
+        }
+    }
+    ConeKernel<kAddress, kSurface, Arithmetic>(scene, WalkMap(cones, scattered), given, scratch, false, walk).run();
+    settleLanes<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
+}
+
+// body<address>() of the scene's.
+template <class Body>
+void forAddress(const FloatScene& scene, const Body& body) {
+    switch (scene.address) {
+        case Address::Repeat:
+            return body.template operator()<Address::Repeat>();
+        case Address::Clamp:
+            return body.template operator()<Address::Clamp>();
+        case Address::Border:
+            return body.template operator()<Address::Border>();
+    }
+}
+
+template <Surface kSurface, class Arithmetic = FastArithmetic>
+void traceConesOn(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
+                  std::size_t firstHit, LaneRays& scratch) {
+    forAddress(scene, [&]<Address kAddress>() {
+        traceConesIn<kAddress, kSurface, Arithmetic>(scene, cones, given, hits, firstHit, scratch);
+    });
+}
+
+template <Surface kSurface, class Arithmetic = FastArithmetic>
+void goOnOn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+            HitBlock& hits) {
+    forAddress(scene,
+               [&]<Address kAddress>() { goOnIn<kAddress, kSurface, Arithmetic>(scene, cones, given, rays, hits); });
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

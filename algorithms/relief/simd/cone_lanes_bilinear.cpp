@@ -1,0 +1,43 @@
+#include "relief/simd/cone_surfaces.h"
+
+#include "base/simd_targets.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "relief/simd/cone_lanes_bilinear.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include "relief/simd/cone_entry-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+void traceBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
+                   std::size_t firstHit, LaneRays& scratch) {
+    traceConesOn<Surface::Bilinear>(scene, cones, given, hits, firstHit, scratch);
+}
+
+void goOnBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                  HitBlock& hits) {
+    goOnOn<Surface::Bilinear>(scene, cones, given, rays, hits);
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace relief {
+
+HWY_EXPORT(traceBilinear);
+HWY_EXPORT(goOnBilinear);
+
+void traceConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
+                        std::size_t firstHit, LaneRays& scratch) {
+    HWY_DYNAMIC_DISPATCH(traceBilinear)(scene, cones, given, hits, firstHit, scratch);
+}
+
+void goOnConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                       HitBlock& hits) {
+    HWY_DYNAMIC_DISPATCH(goOnBilinear)(scene, cones, given, rays, hits);
+}
+
+}  // namespace relief
+#endif

@@ -1,0 +1,175 @@
+#include "relief/methods/cone_rays.h"
+
+#include <cmath>
+#include <memory>
+
+#include "relief/methods/cone_walk.h"
+#include "relief/simd/cone_lanes.h"
+#include "relief/simd/packed_parts.h"
+
+namespace relief {
+
+namespace {
+
+// As many wait for each other at most: vectors are full, and what the cache holds of their ways is not all lost.
+constexpr std::size_t kTogether = 256;
+
+// Rays that go on in lanes, by themselves.
+struct Again {
+    LaneRays rays;
+    alignas(64) std::array<std::array<double, kLaneSlots>, 4> columns;  // s0, t0, a, b
+    std::array<std::size_t, kLaneSlots> of;                             // their numbers in the block
+    std::array<double, kLaneSlots> from;                                // lambda before which nothing is met
+    HitBlock found = HitBlock(kLaneSlots);
+};
+
+// The rays of a block that the SIMD walk cannot finish. Where float cannot decide where a ray goes on, the walk in
+// double takes it past that corner; then, as those that the exact leaf has refused, it goes on in lanes. So all wait
+// for memory together, and no ray is walked twice.
+class Leftovers {
+  public:
+    Leftovers(const HeightField& field, const FloatScene& scene, const PackedCones& cones, const RayBlock& block,
+              HitBlock& hits, std::vector<std::size_t>& flat, const ConeLanes& lanes)
+        : lanes_(lanes), field_(field), scene_(scene), cones_(cones), block_(block), hits_(hits), flat_(flat) {
+        again().rays.count = 0;
+    }
+
+    // Of the chunk that begins at ray `begin`.
+    void take(std::size_t begin, const LaneRays& chunk) {
+        for (std::size_t n = 0; n < chunk.othersCount; ++n) {
+            const LaneRays::Other& other = chunk.others[n];
+            if (other.end == LaneEnd::Miss) continue;
+            if (waiting() == kTogether) goOn();
+            sort(other, begin + other.ray, chunk);
+        }
+    }
+    void finish() {
+        goOn();
+        packedHits({field_, scene_.grid, cones_}, block_, starts_, hits_);
+    }
+
+  private:
+    static Again& again() {
+        static thread_local const auto rays = std::make_unique<Again>();
+        return *rays;
+    }
+    std::size_t waiting() const { return again().rays.count + parts_.size(); }
+
+    // number: the ray's in the block.
+    void sort(const LaneRays::Other& other, std::size_t number, const LaneRays& of) {
+        if (!packedWalks(scene_.grid, block_[number])) {
+            flat_.push_back(number);
+        } else if (other.end == LaneEnd::Scalar) {
+            starts_.push_back({number, 0});
+        } else {
+            const auto cell = [&](const LaneAxisRays& axis) {
+                return AxisCell{axis.hitCell[other.ray], axis.hitPeriod[other.ray]};
+            };
+            const UnclearPart part(scene_.grid, GridRay(scene_.grid, block_[number]), cell(of.x), cell(of.y));
+            if (other.end == LaneEnd::Refused) {
+                add(number, cell(of.x), cell(of.y), part.from, false);
+            } else if (std::isfinite(part.until)) {
+                parts_.push_back({number, part.from, part.until});
+            } else {
+                starts_.push_back({number, part.from});
+            }
+        }
+    }
+    void add(std::size_t number, const AxisCell& x, const AxisCell& y, double from, bool within) {
+        Again& to = again();
+        const std::size_t at = to.rays.count++;
+        to.columns[0][at] = block_.s0[number], to.columns[1][at] = block_.t0[number];
+        to.columns[2][at] = block_.a[number], to.columns[3][at] = block_.b[number];
+        to.rays.x.hitCell[at] = x.index, to.rays.x.hitPeriod[at] = static_cast<std::int32_t>(x.base);
+        to.rays.y.hitCell[at] = y.index, to.rays.y.hitPeriod[at] = static_cast<std::int32_t>(y.base);
+        to.rays.within[at] = within ? 1 : 0;
+        to.of[at] = number;
+        to.from[at] = from;
+    }
+
+    void goOn() {
+        for (int times = 0; waiting() > 0; ++times) {
+            passCorners();
+            if (again().rays.count == 0) break;
+            if (times < kMostReturns) {
+                goOnInLanes();
+            } else {
+                leave();
+            }
+        }
+    }
+    void passCorners() {
+        packedParts({field_, scene_.grid, cones_}, block_, parts_);
+        for (const PackedPart& part : parts_) {
+            if (part.ended) {
+                hits_.set(part.ray, part.hit);
+            } else {
+                add(part.ray, part.x, part.y, part.until, true);
+            }
+        }
+        parts_.clear();
+    }
+    void goOnInLanes() {
+        Again& all = again();
+        const double* const columns[] = {all.columns[0].data(), all.columns[1].data(), all.columns[2].data(),
+                                         all.columns[3].data()};
+        lanes_.goOn(scene_, cones_, columns, all.rays, all.found);
+        for (std::size_t n = 0; n < all.rays.count; ++n) {
+            const std::size_t i = all.of[n];
+            hits_.lambda[i] = all.found.lambda[n];
+            hits_.s[i] = all.found.s[n];
+            hits_.t[i] = all.found.t[n];
+        }
+        // In place: others are in the order of their rays.
+        all.rays.count = 0;
+        for (std::size_t n = 0; n < all.rays.othersCount; ++n) {
+            const LaneRays::Other other = all.rays.others[n];
+            const std::size_t number = all.of[other.ray];
+            if (other.end == LaneEnd::Miss) {
+                hits_.set(number, Hit::none(Outcome::Miss));
+            } else {
+                sort(other, number, all.rays);
+            }
+        }
+    }
+    void leave() {
+        Again& all = again();
+        for (std::size_t n = 0; n < all.rays.count; ++n) {
+            packedWalks(scene_.grid, block_[all.of[n]]) ? starts_.push_back({all.of[n], all.from[n]})
+                                                        : flat_.push_back(all.of[n]);
+        }
+        all.rays.count = 0;
+    }
+
+    const ConeLanes& lanes_;
+    const HeightField& field_;
+    const FloatScene& scene_;
+    const PackedCones& cones_;
+    const RayBlock& block_;
+    HitBlock& hits_;
+    std::vector<std::size_t>& flat_;
+    std::vector<PackedPart> parts_;
+    std::vector<PackedStart> starts_;
+};
+
+}  // namespace
+
+void traceByCones(const ConeLanes& lanes, const HeightField& field, const FloatScene& scene, const PackedCones& cones,
+                  const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
+                  std::vector<std::size_t>& flat) {
+    Leftovers leftovers(field, scene, cones, rays, hits, flat, lanes);
+    traceChunks(
+        first, last, hits,
+        [&](std::size_t begin, std::size_t end, LaneRays& scratch) {
+            lanes.trace(scene, cones, rays, begin, end, hits, scratch);
+        },
+        [&](std::size_t begin, const LaneRays& scratch) { leftovers.take(begin, scratch); });
+    leftovers.finish();
+}
+
+void traceByCones(const HeightField& field, const FloatScene& scene, const PackedCones& cones, const RayBlock& rays,
+                  std::size_t first, std::size_t last, HitBlock& hits, std::vector<std::size_t>& flat) {
+    traceByCones({&traceConeLanes, &goOnConeLanes}, field, scene, cones, rays, first, last, hits, flat);
+}
+
+}  // namespace relief

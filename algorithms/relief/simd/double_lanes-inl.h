@@ -1,0 +1,128 @@
+// What walks in lanes of double have in common, a ray a lane: vectors in rows of memory, the queue that finished lanes
+// are refilled from, and two vectors in turn. Compiled for each target.
+
+#if defined(RELIEF_DOUBLE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RELIEF_DOUBLE_LANES_INL_H
+#undef RELIEF_DOUBLE_LANES_INL_H
+#else
+#define RELIEF_DOUBLE_LANES_INL_H
+#endif
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "relief/ray.h"
+#include "relief/simd/double_vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+using D = DD;
+using V = VD;
+using M = MD;
+constexpr std::size_t kLanes = kHalfLanes;
+template <class T>
+using Row = std::array<T, kLanes>;
+// Whole numbers of 31 bits (numbers of cells, texels, values), and stored values.
+using DI = DHI;
+using VI = VHI;
+using DF = DHF;
+
+HWY_INLINE V constant(double value) {
+    return hn::Set(D(), value);
+}
+HWY_INLINE VI whole(std::int32_t value) {
+    return hn::Set(DI(), value);
+}
+HWY_INLINE V load(const Row<double>& from) {
+    return hn::LoadU(D(), from.data());
+}
+HWY_INLINE void store(V from, Row<double>& to) {
+    hn::StoreU(from, D(), to.data());
+}
+HWY_INLINE std::uint32_t bitsOf(M mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(D(), mask, bits);
+    return bits[0];
+}
+// body(lane) for each of a set of lanes.
+template <class Body>
+HWY_INLINE void overLanes(std::uint32_t lanes, const Body& body) {
+    for (; lanes != 0; lanes &= lanes - 1) body(static_cast<std::size_t>(__builtin_ctz(lanes)));
+}
+
+// The rays that come next, for all vectors of a Search; left: those that are left to the reference.
+template <class Search>
+struct RayQueue {
+    const Search& search;
+    const RayBlock& rays;
+    HitBlock& hits;
+    std::size_t next;
+    std::size_t last;
+    std::vector<std::size_t>& left;
+};
+
+// What walks look at, a row of numbers a step: only tests note it, to hold it to what the reference logs.
+struct NoVisits {
+    static constexpr bool kRecords = false;
+};
+
+// A vector of rays on their way, refilled from the queue. Walk has take(lane, ray, number), which sets the lane to that
+// finite ray (false: it needs no walk; its hit is set, or it is left to the reference), and step().
+template <class Walk, class Search>
+class VectorOfRays {
+  public:
+    explicit VectorOfRays(RayQueue<Search>& queue) : queue_(queue) {}
+
+    // False: nothing left to do.
+    bool go() {
+        constexpr std::uint32_t kAll = (1U << kLanes) - 1;
+        for (std::uint32_t idle = kAll & ~active_; idle != 0; idle &= idle - 1) {
+            if (!fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
+        }
+        if (active_ == 0) return false;
+        walk().step();
+        return true;
+    }
+
+  protected:
+    RayQueue<Search>& queue_;
+    std::uint32_t active_ = 0;
+    std::array<std::size_t, kLanes> ray_{};  // their numbers
+
+  private:
+    Walk& walk() { return static_cast<Walk&>(*this); }
+    // False: the queue is empty.
+    bool fill(std::size_t lane) {
+        while (queue_.next < queue_.last) {
+            const std::size_t i = queue_.next++;
+            const ViewRay ray = queue_.rays[i];
+            if (!ray.finite()) {
+                queue_.hits.set(i, Hit::none(Outcome::Miss));
+            } else if (walk().take(lane, ray, i)) {
+                ray_[lane] = i;
+                active_ |= 1U << lane;
+                return true;
+            }
+        }
+        return false;
+    }
+};
+
+// Two vectors in turn: while one waits for memory, the other goes on.
+template <class Walk, class Queue>
+void goInTurn(Queue& queue) {
+    Walk one(queue);
+    Walk two(queue);
+    bool more = true;
+    while (more) {
+        more = one.go();
+        more = two.go() || more;
+    }
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

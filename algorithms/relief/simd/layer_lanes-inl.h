@@ -1,0 +1,148 @@
+// The search through layers, a ray a lane of double: the steps of LayersTracerOf::trace, with the same bits. Compiled
+// for each target.
+
+#if defined(RELIEF_LAYER_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RELIEF_LAYER_LANES_INL_H
+#undef RELIEF_LAYER_LANES_INL_H
+#else
+#define RELIEF_LAYER_LANES_INL_H
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "relief/cell_grid.h"
+#include "relief/methods/layer_lanes.h"
+#include "relief/simd/surface_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+// A layer that brackets the surface: to be halved.
+struct Bracket {
+    std::size_t ray;
+    ViewRay reduced;
+    double above;
+    double below;
+};
+
+struct LayerQueue : RayQueue<LayerSearch> {
+    std::vector<Bracket> brackets;
+};
+
+// A vector of rays on their way through the layers.
+template <class Visits>
+class LayerWalk : public VectorOfRays<LayerWalk<Visits>, LayerSearch> {
+  public:
+    explicit LayerWalk(LayerQueue& queue)
+        : Rays(queue), brackets_(queue.brackets), field_(queue.search.field), surface_(field_) {}
+
+    bool take(std::size_t lane, const ViewRay& ray, std::size_t number);
+    void step();
+
+  private:
+    using Rays = VectorOfRays<LayerWalk, LayerSearch>;
+    using Rays::active_;
+    using Rays::queue_;
+    using Rays::ray_;
+    void finish(std::size_t lane, bool inside);
+
+    std::vector<Bracket>& brackets_;
+    const HeightField& field_;
+    SurfaceLanes surface_;
+    Row<double> s0_{}, t0_{}, a_{}, b_{}, layer_{}, lambda_{}, gap_{}, above_{}, gapAbove_{};
+};
+
+template <class Visits>
+bool LayerWalk<Visits>::take(std::size_t lane, const ViewRay& ray, std::size_t number) {
+    constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
+    const bool repeats = field_.address() == Address::Repeat;
+    if (repeats && !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
+        queue_.left.push_back(number);
+        return false;
+    }
+    s0_[lane] = repeats ? reduceToPeriod(ray.s0, field_.width()) : ray.s0;
+    t0_[lane] = repeats ? reduceToPeriod(ray.t0, field_.height()) : ray.t0;
+    a_[lane] = ray.a, b_[lane] = ray.b;
+    layer_[lane] = 0;
+    return true;
+}
+
+template <class Visits>
+void LayerWalk<Visits>::step() {
+    const V one = constant(1), zero = hn::Zero(D());
+    const V layer = load(layer_);
+    const V lambda = hn::Min(hn::Div(layer, constant(queue_.search.layers)), one);
+    const V s = hn::Add(load(s0_), hn::Mul(lambda, load(a_)));
+    const V t = hn::Add(load(t0_), hn::Mul(lambda, load(b_)));
+    const V gap = hn::Sub(surface_.at(s, t), hn::Sub(one, lambda));
+    M inside = hn::Eq(zero, zero);
+    if (field_.address() == Address::Border) {
+        inside = hn::And(hn::And(hn::Ge(s, zero), hn::Le(s, constant(field_.width()))),
+                         hn::And(hn::Ge(t, zero), hn::Le(t, constant(field_.height()))));
+    }
+    const M ends = hn::Or(hn::Not(inside), hn::Or(hn::Ge(gap, zero), hn::Ge(lambda, one)));
+    if constexpr (Visits::kRecords) Visits::visit(ray_, active_ & bitsOf(inside), layer, lambda, gap);
+    const std::uint32_t done = bitsOf(ends) & active_;
+    if (done != 0) {
+        store(lambda, lambda_), store(gap, gap_);
+        const std::uint32_t in = bitsOf(inside);
+        overLanes(done, [&](std::size_t lane) { finish(lane, (in >> lane & 1) != 0); });
+        active_ &= ~done;
+    }
+    store(hn::Add(layer, one), layer_), store(lambda, above_), store(gap, gapAbove_);
+}
+
+template <class Visits>
+void LayerWalk<Visits>::finish(std::size_t lane, bool inside) {
+    const std::size_t i = ray_[lane];
+    if (!inside) {
+        queue_.hits.set(i, Hit::none(Outcome::Miss));
+        return;
+    }
+    double lambda = lambda_[lane];
+    if (layer_[lane] > 0 && queue_.search.refinement == LayerRefinement::Bisection) {
+        brackets_.push_back({i, {s0_[lane], t0_[lane], a_[lane], b_[lane]}, above_[lane], lambda});
+        return;
+    }
+    if (layer_[lane] > 0 && queue_.search.refinement == LayerRefinement::Secant) {
+        const double share = gapAbove_[lane] / (gapAbove_[lane] - std::max(gap_[lane], 0.0));
+        lambda = above_[lane] + share * (lambda - above_[lane]);
+    }
+    queue_.hits.set(i, Hit::at(queue_.rays[i], lambda));
+}
+
+// All brackets take as many halvings.
+inline void bisect(LayerQueue& queue) {
+    const SurfaceLanes surface(queue.search.field);
+    Row<double> s0{}, t0{}, a{}, b{}, from{}, to{};
+    for (std::size_t begin = 0; begin < queue.brackets.size(); begin += kLanes) {
+        const std::size_t count = std::min(kLanes, queue.brackets.size() - begin);
+        for (std::size_t n = 0; n < count; ++n) {
+            const Bracket& bracket = queue.brackets[begin + n];
+            s0[n] = bracket.reduced.s0, t0[n] = bracket.reduced.t0;
+            a[n] = bracket.reduced.a, b[n] = bracket.reduced.b;
+            from[n] = bracket.above, to[n] = bracket.below;
+        }
+        V above = load(from), below = load(to);
+        const V startS = load(s0), startT = load(t0), runS = load(a), runT = load(b);
+        for (int k = 0; k < queue.search.bisections; ++k) {
+            const V middle = hn::Mul(constant(0.5), hn::Add(above, below));
+            const V height = surface.at(hn::Add(startS, hn::Mul(middle, runS)), hn::Add(startT, hn::Mul(middle, runT)));
+            const M over = hn::Lt(hn::Sub(height, hn::Sub(constant(1), middle)), hn::Zero(D()));
+            above = hn::IfThenElse(over, middle, above);
+            below = hn::IfThenElse(over, below, middle);
+        }
+        store(below, to);
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::size_t ray = queue.brackets[begin + n].ray;
+            queue.hits.set(ray, Hit::at(queue.rays[ray], to[n]));
+        }
+    }
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

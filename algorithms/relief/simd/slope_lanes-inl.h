@@ -1,0 +1,130 @@
+// HeightField::slope of bilinear surfaces in lanes of double, the same bits. Compiled for each target.
+
+#if defined(RELIEF_SLOPE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RELIEF_SLOPE_LANES_INL_H
+#undef RELIEF_SLOPE_LANES_INL_H
+#else
+#define RELIEF_SLOPE_LANES_INL_H
+#endif
+
+#include <algorithm>
+#include <cmath>
+
+#include <hwy/highway.h>
+
+#include "relief/methods/slope_scene.h"
+#include "relief/simd/lane_leaf-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+namespace slopes {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<double, 8>;
+using DI = hn::Rebind<std::int32_t, D>;
+using V = hn::Vec<D>;
+using VI = hn::Vec<DI>;
+constexpr std::size_t kLanes = hn::MaxLanes(D());
+
+HWY_INLINE V set(double x) {
+    return hn::Set(D(), x);
+}
+
+// As many columns as lanes, or the `count` there are: beyond them zeros, which go nowhere.
+HWY_INLINE V load(const double* from, std::size_t count) {
+    if (HWY_LIKELY(count >= kLanes)) return hn::LoadU(D(), from);
+    HWY_ALIGN double some[kLanes] = {};
+    std::copy_n(from, count, some);
+    return hn::Load(D(), some);
+}
+HWY_INLINE void store(V value, double* to, std::size_t count) {
+    if (HWY_LIKELY(count >= kLanes)) return hn::StoreU(value, D(), to);
+    HWY_ALIGN double some[kLanes];
+    hn::Store(value, D(), some);
+    std::copy_n(some, count, to);
+}
+
+// The two nodes around a place along an axis, and the second one's share.
+struct Nodes {
+    VI first, second;
+    VI cell;  // as PackedCones has them
+    V share;
+};
+HWY_INLINE Nodes nodesAt(V place, std::int32_t size, bool repeat) {
+    const D d;
+    const DI di;
+    const V whole = set(static_cast<double>(size));
+    V at = hn::Sub(place, set(0.5));
+    if (!repeat) {
+        at = hn::Min(hn::Max(at, set(-1)), hn::Add(whole, set(1)));
+    } else if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Lt(hn::Abs(at), whole)))) {
+        // Other periods: the remainder itself, which is exact.
+        HWY_ALIGN double some[kLanes];
+        hn::Store(at, d, some);
+        for (double& x : some) x = std::fmod(x, size);
+        at = hn::Load(d, some);
+    }
+    const V low = hn::Floor(at);
+    Nodes nodes;
+    nodes.share = hn::Sub(at, low);
+    // What is no number goes to some node.
+    VI i = hn::DemoteTo(di, hn::Min(hn::Max(low, hn::Neg(whole)), whole));
+    const VI last = hn::Set(di, size - 1), sizes = hn::Set(di, size), none = hn::Zero(di);
+    if (repeat) i = hn::IfThenElse(hn::Lt(i, none), hn::Add(i, sizes), i);
+    const VI next = hn::Add(i, hn::Set(di, 1));
+    nodes.first = hn::Min(hn::Max(i, none), last);
+    nodes.cell = repeat ? nodes.first : hn::Min(hn::Max(next, none), sizes);
+    nodes.second = repeat ? hn::IfThenElseZero(hn::Lt(next, sizes), next) : hn::Min(hn::Max(next, none), last);
+    return nodes;
+}
+
+struct Slope {
+    V s, t;
+};
+// From the heights of a cell's nodes.
+HWY_INLINE Slope slopeOf(V h00, V h10, V h01, V h11, const Nodes& x, const Nodes& y) {
+    const auto mixed = [&](V first, V second, V share)
+                           HWY_ATTR { return hn::Add(hn::Mul(hn::Sub(set(1), share), first), hn::Mul(share, second)); };
+    return {mixed(hn::Sub(h10, h00), hn::Sub(h11, h01), y.share), mixed(hn::Sub(h01, h00), hn::Sub(h11, h10), x.share)};
+}
+HWY_INLINE Slope slopeByHeights(const SlopeScene& scene, V s, V t) {
+    const D d;
+    const hn::Rebind<float, D> df;
+    const DI di;
+    const Nodes x = nodesAt(s, scene.width, scene.repeat), y = nodesAt(t, scene.height, scene.repeat);
+    const auto height = [&](VI i, VI j) HWY_ATTR {
+        const VI at = hn::Add(hn::Mul(j, hn::Set(di, scene.width)), i);
+        return hn::PromoteTo(d, hn::GatherIndex(df, scene.heights, at));
+    };
+    const V h00 = height(x.first, y.first), h10 = height(x.second, y.first);
+    const V h01 = height(x.first, y.second), h11 = height(x.second, y.second);
+    return slopeOf(h00, h10, h01, h11, x, y);
+}
+// The same heights, a cell's in one place: one load a lane instead of four.
+HWY_INLINE Slope slopeByNodes(const SlopeScene& scene, V s, V t) {
+    const D d;
+    const hn::Rebind<float, D> df;
+    const DI di;
+    const Nodes x = nodesAt(s, scene.width, scene.repeat), y = nodesAt(t, scene.height, scene.repeat);
+    HWY_ALIGN std::int32_t pair[kLanes];
+    hn::Store(hn::Add(hn::Mul(y.cell, hn::Set(di, scene.nodeStride)), x.cell), di, pair);
+    const auto h = HWY_NAMESPACE::nodesAt(df, scene.nodes, pair);
+    const auto wide = [&](hn::Vec<decltype(df)> v) HWY_ATTR { return hn::PromoteTo(d, v); };
+    return slopeOf(wide(h[0]), wide(h[2]), wide(h[1]), wide(h[3]), x, y);
+}
+// body(slopeAt), one loop for each kind of scene: a branch in the loop costs more than what is behind it.
+template <class Body>
+HWY_INLINE void withSlopes(const SlopeScene& scene, const Body& body) {
+    if (scene.nodes != nullptr) {
+        body([&](V s, V t) HWY_ATTR { return slopeByNodes(scene, s, t); });
+    } else {
+        body([&](V s, V t) HWY_ATTR { return slopeByHeights(scene, s, t); });
+    }
+}
+
+}  // namespace slopes
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,309 @@
+#include "relief/tracers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <tuple>
+
+#include "relief/block_work.h"
+#include "relief/methods/bump.h"
+#include "relief/methods/cone.h"
+#include "relief/methods/cone_dummer.h"
+#include "relief/methods/displacement.h"
+#include "relief/methods/distance.h"
+#include "relief/methods/distance_conservative.h"
+#include "relief/methods/distance_refined.h"
+#include "relief/methods/distance_refined_sampled.h"
+#include "relief/methods/exact.h"
+#include "relief/methods/flat.h"
+#include "relief/methods/layers.h"
+#include "relief/methods/max_pyramid.h"
+#include "relief/methods/max_pyramid_paper.h"
+#include "relief/methods/normal_map.h"
+#include "relief/methods/offset.h"
+#include "relief/methods/offset_limited.h"
+#include "relief/methods/relaxed_cone.h"
+#include "relief/tracers/hybrid.h"
+
+namespace relief {
+
+namespace {
+
+// The explicit list: one line a method.
+using TracerTypes = std::tuple<    //
+    ExactTracer,                   //
+    MaxPyramidTracer,              //
+    MaxPyramidPaperTracer,         //
+    OffsetTracer,                  //
+    OffsetLimitedTracer,           //
+    LayersTracer,                  //
+    LayersSecantTracer,            //
+    LayersBisectionTracer,         //
+    ConeTracer,                    //
+    ConeDummerTracer,              //
+    RelaxedConeTracer,             //
+    DistanceTracer,                //
+    DistanceConservativeTracer,    //
+    DistanceRefinedSampledTracer,  //
+    DistanceRefinedTracer,         //
+    HybridTracer,                  //
+    FlatTracer,                    //
+    BumpTracer,                    //
+    NormalMapTracer,               //
+    DisplacementTracer>;
+
+// Methods that work inside segments have traceSegment.
+template <class T>
+concept SegmentTracer = requires(const T& tracer, NullSink& sink) {
+    tracer.traceSegment(ViewRay{}, Segment{}, sink);
+};
+template <class T>
+concept PyramidTracer = requires(const T& tracer) {
+    tracer.pyramidWalk();
+};
+
+template <class T>
+concept SimdTracer = requires(const T& tracer, const RayBlock& rays, HitBlock& hits) {
+    tracer.traceLanes(rays, std::size_t{}, std::size_t{}, hits);
+};
+
+// The form with these options, if the caller leaves the choice to the method.
+template <class T>
+Form formWith(const typename T::Options& options) {
+    if constexpr (!SimdTracer<T>) return Form::Scalar;
+    if constexpr (requires { T::simdWith(options); }) return T::simdWith(options) ? Form::Simd : Form::Scalar;
+    return SimdTracer<T> ? Form::Simd : Form::Scalar;
+}
+
+template <class T>
+class TracerOf final : public Tracer {
+  public:
+    TracerOf(T tracer, Form form) : tracer_(std::move(tracer)), form_(form) {
+        // Maps of the SIMD version may be missing: a map from a file, or a picture too large for them.
+        if constexpr (requires { tracer_.hasSimdMap(); }) {
+            if (!tracer_.hasSimdMap()) form_ = Form::Scalar;
+        }
+    }
+
+    Form form() const override { return form_; }
+
+    const MethodDescription& description() const override { return descriptionOf<T>(); }
+    const HeightField& field() const override { return tracer_.field(); }
+    std::size_t bytes() const override { return tracer_.bytes(); }
+    const DisplacementMesh* mesh() const override {
+        if constexpr (requires { tracer_.mesh(); }) return tracer_.mesh();
+        return nullptr;
+    }
+    double stepBound(const ViewRay& ray) const override { return tracer_.stepBound(ray); }
+    Guarantee guarantee() const override {
+        if constexpr (requires { tracer_.guarantee(); }) return tracer_.guarantee();
+        return description().guarantee;
+    }
+    std::shared_ptr<const MaxPyramidMap> pyramid() const override {
+        if constexpr (PyramidTracer<T>) return tracer_.pyramidWalk().map();
+        return nullptr;
+    }
+    int baseLevel() const override {
+        if constexpr (PyramidTracer<T>) return tracer_.pyramidWalk().baseLevel();
+        return 0;
+    }
+
+    Hit traceSegment(const ViewRay& ray, Segment segment, NullSink& sink) const override {
+        return within(ray, segment, sink);
+    }
+    Hit traceSegment(const ViewRay& ray, Segment segment, CountSink& sink) const override {
+        return within(ray, segment, sink);
+    }
+    Hit traceSegment(const ViewRay& ray, Segment segment, LogSink& sink) const override {
+        return within(ray, segment, sink);
+    }
+    double segmentRecords() const override {
+        if constexpr (SegmentTracer<T>) return tracer_.segmentRecords();
+        return 0;
+    }
+
+    void trace(const RayBlock& rays, HitBlock& hits, NullSink&, Work& work) const override {
+        hits.resize(rays.size());
+        overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
+            if constexpr (SimdTracer<T>) {
+                if (form_ == Form::Simd) return tracer_.traceLanes(rays, first, last, hits);
+            }
+            NullSink sink;
+            for (std::size_t i = first; i < last; ++i) hits.set(i, tracer_.trace(rays[i], sink));
+        });
+    }
+
+    void trace(const RayBlock& rays, HitBlock& hits, BlockCounts& counts, Work& work) const override {
+        hits.resize(rays.size());
+        std::atomic<std::uint64_t> highest{0};
+        overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
+            std::uint64_t here = 0;
+            for (std::size_t i = first; i < last; ++i) {
+                CountSink sink;
+                hits.set(i, tracer_.trace(rays[i], sink));
+                hits.steps[i] = sink.steps;
+                hits.reads[i] = sink.reads;
+                here += sink.highest ? 1 : 0;
+            }
+            highest += here;
+        });
+        counts.startHighest += highest;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            counts.steps += hits.steps[i];
+            counts.reads += hits.reads[i];
+        }
+    }
+
+    void trace(const RayBlock& rays, HitBlock& hits, StepLog& log, Work& work) const override {
+        hits.resize(rays.size());
+        LogSink sink;
+        sink.steps = std::move(log.steps);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (i % kRayGrain == 0) work.throwIfStopped();
+            sink.reads = 0;
+            const std::size_t before = sink.steps.size();
+            hits.set(i, tracer_.trace(rays[i], sink));
+            hits.steps[i] = static_cast<std::uint32_t>(sink.steps.size() - before);
+            hits.reads[i] = sink.reads;
+            log.begin.push_back(sink.steps.size());
+            log.reads.push_back(sink.reads);
+        }
+        log.steps = std::move(sink.steps);
+    }
+
+  private:
+    template <class Sink>
+    Hit within(const ViewRay& ray, Segment segment, Sink& sink) const {
+        if constexpr (SegmentTracer<T>) return tracer_.traceSegment(ray, segment, sink);
+        assert(false && "this method does not work inside segments");
+        return Hit::none(Outcome::Limit);
+    }
+
+    T tracer_;
+    Form form_;
+};
+
+// Calls visit<T>() for each type of the list.
+template <class Visit>
+void forEachTracer(const Visit& visit) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (visit.template operator()<std::tuple_element_t<I, TracerTypes>>(), ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<TracerTypes>>());
+}
+
+}  // namespace
+
+std::vector<std::string> innerTracerNames() {
+    std::vector<std::string> names;
+    forEachTracer([&]<class T>() {
+        if constexpr (SegmentTracer<T>) names.push_back(T::describe().name);
+    });
+    return names;
+}
+
+const std::vector<MethodDescription>& tracerList() {
+    static const std::vector<MethodDescription> list = [] {
+        std::vector<MethodDescription> all;
+        forEachTracer([&]<class T>() { all.push_back(descriptionOf<T>()); });
+        return all;
+    }();
+    return list;
+}
+
+const MethodDescription& findTracer(const std::string& name) {
+    std::string known;
+    for (const MethodDescription& method : tracerList()) {
+        if (method.name == name) return method;
+        known += (known.empty() ? "" : ", ") + method.name;
+    }
+    throw InputError("--tracer",
+                     Message(MessageId::UnknownName, {{"what", "tracer"}, {"name", name}, {"known", known}}));
+}
+
+std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice) {
+    const MethodDescription& method = findTracer(choice.name);
+    std::vector<ChoiceOption> all;
+    for (const OptionDescription& option : method.options) {
+        all.push_back({option, method.defaults.at(option.name)});
+        if (option.kind != OptionKind::Method) continue;
+        const auto given = choice.options.find(option.name);
+        const std::string name = given == choice.options.end() ? method.defaults.at(option.name) : given->second;
+        const std::vector<std::string> names = option.choices;
+        if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+        for (ChoiceOption inner : choiceOptions({name, {}})) {
+            inner.description.name = std::string(kInnerPrefix) + inner.description.name;
+            all.push_back(std::move(inner));
+        }
+    }
+    return all;
+}
+
+bool supports(const MethodChoice& choice, Surface surface, Address address) {
+    const MethodDescription& method = findTracer(choice.name);
+    const auto has = [](const auto& all, auto wanted) {
+        return std::find(all.begin(), all.end(), wanted) != all.end();
+    };
+    if (!has(method.surfaces, surface) || !has(method.addresses, address)) return false;
+    // Another map serves where the tracer that it is made for does.
+    const auto map = choice.options.find(std::string(kMapOption));
+    if (map != choice.options.end() && has(method.otherMaps, map->second)) {
+        for (const MethodDescription& other : tracerList()) {
+            if (has(other.maps, map->second) && !has(other.addresses, address)) return false;
+        }
+    }
+    for (const OptionDescription& option : method.options) {
+        if (option.kind != OptionKind::Method) continue;
+        const auto given = choice.options.find(option.name);
+        const std::string inner = given == choice.options.end() ? method.defaults.at(option.name) : given->second;
+        if (has(option.choices, inner) && !supports({inner, {}}, surface, address)) return false;
+    }
+    return true;
+}
+
+void checkMethod(const MethodChoice& choice, const std::string& subject) {
+    const std::vector<ChoiceOption> options = choiceOptions(choice);
+    for (const auto& [name, text] : choice.options) {
+        std::string known;
+        const OptionDescription* found = nullptr;
+        for (const ChoiceOption& option : options) {
+            known += (known.empty() ? "" : ", ") + option.description.name;
+            if (option.description.name == name) found = &option.description;
+        }
+        if (found == nullptr) {
+            throw InputError(subject, Message(MessageId::UnknownName, {{"what", "option of " + choice.name},
+                                                                       {"name", name},
+                                                                       {"known", known.empty() ? "-" : known}}));
+        }
+        checkOption(*found, text);
+    }
+}
+
+Form methodForm(const MethodChoice& choice) {
+    checkMethod(choice, "--set");
+    Form form = Form::Scalar;
+    forEachTracer([&]<class T>() {
+        if (descriptionOf<T>().name != choice.name) return;
+        form = formWith<T>(parseOptions<typename T::Options>(choice.name, choice.options));
+    });
+    return form;
+}
+
+std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work,
+                                   Form form) {
+    checkMethod(choice, "--set");
+    std::unique_ptr<Tracer> made;
+    forEachTracer([&]<class T>() {
+        if (made || descriptionOf<T>().name != choice.name) return;
+        const auto options = parseOptions<typename T::Options>(choice.name, choice.options);
+        const Form chosen = form == Form::Simd ? formWith<T>(options) : Form::Scalar;
+        if constexpr (requires { T::make(field, options, cache, work, chosen); }) {
+            made = std::make_unique<TracerOf<T>>(T::make(field, options, cache, work, chosen), chosen);
+        } else {
+            made = std::make_unique<TracerOf<T>>(T::make(field, options, cache, work), chosen);
+        }
+    });
+    return made;
+}
+
+}  // namespace relief

@@ -1,0 +1,119 @@
+#include "relief/visibility/any_hit.h"
+
+#include <tuple>
+
+#include "relief/block_work.h"
+#include "relief/visibility/max_pyramid_any.h"
+#include "relief/visibility/packed_cone_any.h"
+
+namespace relief {
+
+namespace {
+
+// The explicit list: one line a query.
+using QueryTypes = std::tuple<MaxPyramidAnyHit, PackedConeAnyHit>;
+
+template <class T>
+class QueryOf final : public AnyHitQuery {
+    static_assert(T::kRays == RayClass::AnyRays, "shadows and back-tracing need a map that is valid for any ray");
+
+  public:
+    explicit QueryOf(T query) : query_(std::move(query)) {}
+
+    const MethodDescription& description() const override { return descriptionOf<T>(); }
+    const HeightField& field() const override { return query_.field(); }
+    double stepBound(const AnyRay& ray) const override { return query_.stepBound(ray); }
+
+    void look(const AnyRayBlock& rays, SightBlock& sights, NullSink&, Work& work) const override {
+        sights.resize(rays.size());
+        overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
+            if constexpr (requires { query_.lookLanes(rays, first, last, sights); }) {
+                query_.lookLanes(rays, first, last, sights);
+            } else {
+                NullSink sink;
+                for (std::size_t i = first; i < last; ++i) sights.sight[i] = query_.look(rays[i], sink);
+            }
+        });
+    }
+
+    void look(const AnyRayBlock& rays, SightBlock& sights, BlockCounts& counts, Work& work) const override {
+        sights.resize(rays.size());
+        overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                CountSink sink;
+                sights.sight[i] = query_.look(rays[i], sink);
+                sights.steps[i] = sink.steps;
+                sights.reads[i] = sink.reads;
+            }
+        });
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            counts.steps += sights.steps[i];
+            counts.reads += sights.reads[i];
+        }
+    }
+
+    void look(const AnyRayBlock& rays, SightBlock& sights, StepLog& log, Work& work) const override {
+        sights.resize(rays.size());
+        LogSink sink;
+        sink.steps = std::move(log.steps);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (i % kRayGrain == 0) work.throwIfStopped();
+            sink.reads = 0;
+            const std::size_t before = sink.steps.size();
+            sights.sight[i] = query_.look(rays[i], sink);
+            sights.steps[i] = static_cast<std::uint32_t>(sink.steps.size() - before);
+            sights.reads[i] = sink.reads;
+            log.begin.push_back(sink.steps.size());
+            log.reads.push_back(sink.reads);
+        }
+        log.steps = std::move(sink.steps);
+    }
+
+  private:
+    T query_;
+};
+
+template <class Visit>
+void forEachQuery(const Visit& visit) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (visit.template operator()<std::tuple_element_t<I, QueryTypes>>(), ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<QueryTypes>>());
+}
+
+}  // namespace
+
+const std::vector<MethodDescription>& anyHitList() {
+    static const std::vector<MethodDescription> list = [] {
+        std::vector<MethodDescription> all;
+        forEachQuery([&]<class T>() { all.push_back(descriptionOf<T>()); });
+        return all;
+    }();
+    return list;
+}
+
+MethodChoice sightChoice(const HeightField& field) {
+    const bool packed = field.heights().size() <= kPackedSight;
+    return {packed ? descriptionOf<PackedConeAnyHit>().name : descriptionOf<MaxPyramidAnyHit>().name, {}};
+}
+
+std::unique_ptr<AnyHitQuery> makeAnyHit(const MethodChoice& choice, const HeightField& field, MapCache& cache,
+                                        Work& work) {
+    std::unique_ptr<AnyHitQuery> made;
+    std::string known;
+    forEachQuery([&]<class T>() {
+        const std::string& name = descriptionOf<T>().name;
+        known += (known.empty() ? "" : ", ") + name;
+        if (made || name != choice.name) return;
+        const auto options = parseOptions<typename T::Options>(choice.name, choice.options);
+        made = std::make_unique<QueryOf<T>>(T::make(field, options, cache, work));
+    });
+    if (!made) {
+        throw InputError(
+            "any-hit query",
+            Message(MessageId::UnknownName, {{"what", "any-hit query"}, {"name", choice.name}, {"known", known}}));
+    }
+    return made;
+}
+
+}  // namespace relief

@@ -1,0 +1,143 @@
+// What is advised of figures made by hand: by the definitions in recommend.h, computed here once more.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "algorithms/relief/fields.h"
+#include "measuring/advise/recommend_trials.h"
+
+namespace relief::test {
+namespace {
+
+AdviceTrial trial(const std::string& name, double cost, std::int64_t bytes, Verdict verdict = Verdict::Kept,
+                  double beyond = 0) {
+    AdviceTrial one;
+    one.facts.method.name = name;
+    one.facts.cost = one.facts.secondsARay = cost;
+    one.facts.bytes = bytes;
+    one.facts.verdict = verdict;
+    one.facts.beyond = beyond;
+    return one;
+}
+
+AdviceOptions options(Heights heights = randomHeights(8, 8, 1)) {
+    return AdviceOptions(HeightField(std::move(heights)));
+}
+
+// The names of what was chosen, of the cheapest, and of the next.
+struct Names {
+    std::string chosen, cheapest, next, withoutMap;
+    bool operator==(const Names&) const = default;
+};
+Names names(const Advice& advice) {
+    const auto name = [&](std::size_t f) { return advice.forms.at(f).method.name; };
+    return {name(advice.chosen), name(advice.cheapest), name(advice.next),
+            advice.withoutMap ? name(*advice.withoutMap) : ""};
+}
+void PrintTo(const Names& n, std::ostream* out) {
+    *out << "chosen " << n.chosen << ", cheapest " << n.cheapest << ", next " << n.next << ", without a map "
+         << n.withoutMap;
+}
+
+// A tie is measured from the best form, so a chain of ties leads no further.
+TEST(Advice, TiesDoNotAddUp) {
+    const double tie = 1 + kAdviceTie;
+    const std::vector<AdviceTrial> chain{trial("large", 1, 300), trial("middle", tie, 200),
+                                         trial("small", tie * tie, 100)};
+    EXPECT_EQ(names(adviceOf(options(), chain)), (Names{"middle", "large", "middle", ""}));
+}
+
+TEST(Advice, IsTheLeanestOfThoseThatAreAsGood) {
+    EXPECT_EQ(names(adviceOf(options(),
+                             {trial("slow", 1.1, 0), trial("fast", 1, 100), trial("out", 0.1, 10, Verdict::Error)})),
+              (Names{"fast", "fast", "slow", "slow"}));
+    // As many bytes: the one that is built sooner; as soon: the cheapest.
+    auto late = trial("late", 1, 100), soon = trial("soon", 1.01, 100);
+    late.facts.buildSeconds = 2;
+    soon.facts.buildSeconds = 1;
+    EXPECT_EQ(names(adviceOf(options(), {late, soon})).chosen, "soon");
+    soon.facts.buildSeconds = 2;
+    EXPECT_EQ(names(adviceOf(options(), {soon, late})), (Names{"late", "late", "soon", ""}));
+    // Slower ones keep the bounds but are not as good; what breaks them is none.
+    EXPECT_EQ(names(adviceOf(options(), {trial("out", 1, 0, Verdict::Memory), trial("slower", 1, 0, Verdict::Slow),
+                                         trial("kept", 1, 50)})),
+              (Names{"kept", "kept", "slower", "slower"}));
+}
+
+TEST(Advice, OfNoneThatKeepsTheBoundsIsTheNearest) {
+    auto within = options();
+    const std::vector<AdviceTrial> all{trial("worse", 1, 0, Verdict::Error, 0.5),
+                                       trial("near", 2, 0, Verdict::Error, 0.01),
+                                       trial("unknown", 0.1, 0, Verdict::Memory, AdvisedForm::kUnknown)};
+    const Advice advice = adviceOf(within, all);
+    EXPECT_FALSE(advice.keepsBounds);
+    EXPECT_EQ(names(advice), (Names{"near", "near", "near", ""}));
+    // Within a budget of steps: first those that keep it.
+    within.maxSteps = 10;
+    auto long_ = all;
+    long_[0].facts.overSteps = 0;
+    long_[1].facts.overSteps = 0.9;
+    EXPECT_EQ(names(adviceOf(within, long_)).chosen, "worse");
+}
+
+TEST(Advice, OfAFlatMapNeedsNoMap) {
+    const std::vector<AdviceTrial> all{trial("map", 1, 100), trial("plain", 1.5, 0), trial("exact", 3, 0)};
+    const Advice flat = adviceOf(options(constantHeights(8, 8, 0.5F)), all);
+    EXPECT_TRUE(flat.relief.flat);
+    EXPECT_EQ(names(flat), (Names{"plain", "plain", "plain", "plain"}));
+    EXPECT_EQ(flat.forms[flat.exact].method.name, "exact");
+    const Advice rough = adviceOf(options(), all);
+    EXPECT_FALSE(rough.relief.flat);
+    EXPECT_EQ(names(rough), (Names{"map", "map", "plain", "plain"}));
+}
+
+// Where heights change after each picture: a map that takes long must pay within several pictures.
+TEST(Advice, WeighsBuildingAgainstRays) {
+    auto map = trial("map", 1e-6, 100), plain = trial("plain", 2e-6, 0);
+    map.facts.buildSeconds = 5;
+    const Advice advice = adviceOf(options(), {map, plain});
+    EXPECT_EQ(names(advice).chosen, "map");
+    ASSERT_TRUE(advice.rebuilt);
+    EXPECT_EQ(advice.forms[*advice.rebuilt].method.name, "plain");
+    EXPECT_DOUBLE_EQ(advice.paysAfterRays, 5 / 1e-6);
+    plain.facts.buildSeconds = 0.25;  // its map takes time as well
+    EXPECT_DOUBLE_EQ(adviceOf(options(), {map, plain}).paysAfterRays, 4.75 / 1e-6);
+    plain.facts.buildSeconds = 0;
+    map.facts.buildSeconds = 1e-3;
+    EXPECT_FALSE(adviceOf(options(), {map, plain}).rebuilt);
+}
+
+// The definitions on drawn tables, with costs that lie close.
+TEST(Advice, KeepsItsDefinitionsOnDrawnTables) {
+    Random random(31);
+    for (int table = 0; table < 2000; ++table) {
+        std::vector<AdviceTrial> all;
+        const int count = 1 + random.below(7);
+        for (int n = 0; n < count; ++n) {
+            const auto verdict = static_cast<Verdict>(random.below(3) == 0 ? random.below(7) : 0);
+            all.push_back(trial(std::to_string(n), 1 + 0.01 * random.below(8), 100 * random.below(4), verdict,
+                                0.1 * random.below(5)));
+        }
+        const Advice advice = adviceOf(options(), all);
+        double best = std::numeric_limits<double>::infinity();
+        for (const AdviceTrial& one : all) {
+            if (one.facts.verdict == Verdict::Kept) best = std::min(best, one.facts.cost);
+        }
+        if (std::isinf(best)) continue;
+        const AdvisedForm& chosen = advice.best();
+        EXPECT_EQ(chosen.verdict, Verdict::Kept);
+        EXPECT_LE(chosen.cost, best * (1 + kAdviceTie));
+        EXPECT_EQ(advice.forms[advice.cheapest].cost, best);
+        EXPECT_EQ(advice.forms[advice.cheapest].verdict, Verdict::Kept);
+        std::int64_t fewest = chosen.bytes;
+        for (const AdviceTrial& one : all) {
+            const bool asGood = one.facts.verdict == Verdict::Kept && one.facts.cost <= best * (1 + kAdviceTie);
+            if (asGood) fewest = std::min(fewest, one.facts.bytes);
+        }
+        EXPECT_EQ(chosen.bytes, fewest);
+        EXPECT_EQ(advice.forms.size(), all.size());
+    }
+}
+
+}  // namespace
+}  // namespace relief::test

@@ -1,0 +1,334 @@
+// Advice for a height map: what it is drawn from, that it keeps what was asked, and what it says. Times are not
+// asserted; the scalar form hangs on counts alone, so its regret is.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "measuring/advise/recommend.h"
+#include "relief/reliefs.h"
+
+namespace relief {
+namespace {
+
+// Time for every map at these sizes, however busy the machine.
+constexpr double kAmpleSeconds = 3600;
+constexpr int kSide = 64;
+
+AdviceOptions asked(const std::string& relief, Form form = Form::Scalar, int side = kSide) {
+    AdviceOptions options(HeightField(std::make_shared<FloatImage>(makeRelief(relief, side, side, 1))));
+    options.name = relief;
+    options.form = form;
+    options.seconds = kAmpleSeconds;
+    options.filters = false;
+    return options;
+}
+
+std::vector<MethodChoice> choices(const std::vector<std::string>& texts) {
+    std::vector<MethodChoice> all;
+    for (const std::string& text : texts) all.push_back(parseMethodChoice(text, "--tracers"));
+    return all;
+}
+
+// The figures of a form, measured anew with the benchmark's own tools on other rays.
+double shareBeyond(const AdviceOptions& options, const MethodChoice& method) {
+    Work work;
+    MapCache maps;
+    const auto exact = makeTracer({"exact", {}}, options.field, maps, work);
+    const auto tracer = makeTracer(method, options.field, maps, work);
+    std::size_t beyond = 0;
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < options.views.size(); ++v) {
+        const RayBlock rays = benchRays(options.field, options.views[v], 20000, 1000 + v);
+        HitBlock truth;
+        HitBlock hits;
+        NullSink null;
+        exact->trace(rays, truth, null, work);
+        tracer->trace(rays, hits, null, work);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const double error =
+                std::abs(hits.lambda[i] - truth.lambda[i]) * std::max(1.0, std::hypot(rays.a[i], rays.b[i]));
+            const bool hit = truth.outcome[i] == Outcome::Hit;
+            if (hits.outcome[i] != truth.outcome[i] || (hit && error > options.error)) ++beyond;
+        }
+        count += rays.size();
+    }
+    return static_cast<double>(beyond) / static_cast<double>(count);
+}
+
+TEST(Recommend, TriesEveryTracerOfTheListInMoreFormsThanOne) {
+    const AdviceOptions options = asked("bricks");
+    const std::vector<MethodChoice> forms = adviceForms(options.field, 10);
+    for (const MeasuredMethod& method : defaultMethods()) {
+        EXPECT_NE(std::find(forms.begin(), forms.end(), method.choice), forms.end()) << method.choice.name;
+    }
+    for (const std::string text : {"max-pyramid:base=2", "layers:layers=256", "cone:sectors=8", "hybrid:inner=cone",
+                                   "distance-refined:rule=classic:sectors=8"}) {
+        EXPECT_NE(std::find(forms.begin(), forms.end(), choices({text})[0]), forms.end()) << text;
+    }
+    for (const MethodChoice& form : forms) EXPECT_NO_THROW(checkMethod(form, "")) << methodText(form);
+    // Flatter views than the map's flattest ray: a map for those.
+    const std::vector<MethodChoice> flat = adviceForms(options.field, 4);
+    EXPECT_NE(std::find(flat.begin(), flat.end(), choices({"distance-refined:flattest=4"})[0]), flat.end());
+}
+
+TEST(Recommend, ScalarRegretIsSmallOnEveryProceduralRelief) {
+    // As promised: median 10%, worst 30%, against the full table on other rays.
+    constexpr double kMedian = 0.10;
+    constexpr double kWorst = 0.30;
+    std::vector<double> regrets;
+    for (const ReliefRecipe& recipe : reliefRecipes()) {
+        AdviceOptions options =
+            asked(std::string(recipe.name), Form::Scalar, recipe.anySize ? kSide : recipe.defaultSize);
+        options.views = parseViews("random", "--views");
+        // The unsafe maps are out by their errors wherever they are tried; here they would only take time.
+        options.forms = adviceForms(options.field, 10);
+        std::erase_if(options.forms, [](const MethodChoice& form) {
+            return form.name == "relaxed-cone" || form.name == "distance-refined-sampled" || form.name == "distance" ||
+                   form.name == "cone-dummer";
+        });
+        Work work;
+        const AdviceRegret result = adviceRegret(options, work);
+        EXPECT_TRUE(result.keepsBound) << recipe.name << ": " << methodText(result.chosen);
+        EXPECT_EQ(result.measured, options.forms.size()) << recipe.name;
+        EXPECT_GE(result.regret(), 0) << recipe.name;
+        EXPECT_LE(result.regret(), kWorst)
+            << recipe.name << ": " << methodText(result.chosen) << ", best " << methodText(result.best);
+        regrets.push_back(result.regret());
+    }
+    std::sort(regrets.begin(), regrets.end());
+    EXPECT_LE(regrets[regrets.size() / 2], kMedian);
+}
+
+// The full table, too, holds only forms within the budget of steps; where there is none, nothing is regretted.
+TEST(Recommend, IsCheckedWithinTheBudgetOfSteps) {
+    AdviceOptions options = asked("bricks", Form::Scalar, kSide);
+    options.forms = choices({"exact", "cone", "layers:layers=16"});
+    options.error = 1e5;
+    Work work;
+    const AdviceRegret free = adviceRegret(options, work);
+    options.maxSteps = 20;
+    const AdviceRegret bounded = adviceRegret(options, work);
+    EXPECT_NE(free.best.name, "layers");
+    EXPECT_EQ(bounded.best.name, "layers");
+    EXPECT_EQ(bounded.regret(), 0);
+    options.maxSteps = 2;
+    const AdviceRegret none = adviceRegret(options, work);
+    EXPECT_FALSE(none.anyIsValid());
+    EXPECT_TRUE(none.keepsBound) << "the advice says so itself";
+}
+
+TEST(Recommend, KeepsTheErrorBoundAndFindsWhatItAllows) {
+    AdviceOptions options = asked("hills");
+    options.views = parseViews("40,80", "--views");
+    options.forms = choices({"exact", "offset", "layers:layers=16", "layers-secant:layers=128", "max-pyramid"});
+    Work work;
+    const Advice strict = recommend(options, work);
+    EXPECT_LE(shareBeyond(options, strict.best().method), options.outliers) << methodText(strict.best().method);
+    for (const AdvisedForm& form : strict.forms) {
+        if (form.method.name == "offset") {
+            EXPECT_EQ(form.verdict, Verdict::Error);
+            EXPECT_GT(form.beyond, options.outliers);
+        }
+    }
+    // Whatever the error, the cheapest is best: one look.
+    options.error = 1e5;
+    options.outliers = 1;
+    const Advice loose = recommend(options, work);
+    EXPECT_EQ(loose.best().method.name, "offset");
+    EXPECT_LT(loose.best().cost, strict.best().cost);
+}
+
+TEST(Recommend, CostsAreTheStatedOnesAndHangOnTheSeedAlone) {
+    AdviceOptions options = asked("city");
+    options.forms = choices({"exact", "max-pyramid", "cone", "distance-refined"});
+    options.stepCost = 5;
+    Work one(1);
+    Work all;
+    const Advice a = recommend(options, one);
+    const Advice b = recommend(options, all);
+    ASSERT_EQ(a.forms.size(), b.forms.size());
+    for (std::size_t f = 0; f < a.forms.size(); ++f) {
+        EXPECT_EQ(a.forms[f].method, b.forms[f].method);
+        EXPECT_EQ(a.forms[f].cost, b.forms[f].cost);
+        EXPECT_DOUBLE_EQ(a.forms[f].cost, a.forms[f].reads + 5 * a.forms[f].steps);
+    }
+    EXPECT_EQ(a.best().method, b.best().method);
+    options.seed = 2;
+    EXPECT_NE(recommend(options, all).best().cost, a.best().cost);
+}
+
+TEST(Recommend, KeepsTheMemory) {
+    AdviceOptions options = asked("fractal", Form::Scalar, 256);
+    options.forms = choices({"exact", "cone:precision=u8", "distance-conservative", "cone"});
+    Work work;
+    for (const std::int64_t memory : {std::int64_t{0}, std::int64_t{140000}, std::int64_t{64} << 20}) {
+        options.memory = memory;
+        const Advice advice = recommend(options, work);
+        EXPECT_LE(advice.best().bytes, memory);
+        if (memory == 0) {
+            EXPECT_EQ(advice.best().method.name, "exact");
+        }
+        if (memory == 140000) {
+            EXPECT_EQ(methodText(advice.best().method), "cone:precision=u8");
+        }
+        for (const AdvisedForm& form : advice.forms) {
+            EXPECT_EQ(form.verdict == Verdict::Memory, form.bytes > memory) << methodText(form.method);
+        }
+    }
+}
+
+TEST(Recommend, LanesAreTimedInRoundsAndTheSlowerDropped) {
+    AdviceOptions options = asked("hills", Form::Simd);
+    options.forms = choices({"exact", "max-pyramid", "layers:layers=8192", "cone"});
+    Work work;
+    const Advice advice = recommend(options, work);
+    EXPECT_EQ(advice.best().verdict, Verdict::Kept);
+    EXPECT_GT(advice.best().secondsARay, 0);
+    EXPECT_EQ(advice.best().cost, advice.best().secondsARay);
+    for (const AdvisedForm& form : advice.forms) {
+        // Thousands of look-ups a ray: slower at any load, and not looked at twice.
+        if (form.method.name == "layers") {
+            EXPECT_EQ(form.rounds, 0);
+            EXPECT_NE(form.verdict, Verdict::Kept);
+        }
+    }
+}
+
+TEST(Recommend, FlatMapsAreNamedAndNeedNoMap) {
+    for (const Form form : {Form::Simd, Form::Scalar}) {
+        AdviceOptions options(HeightField(std::make_shared<FloatImage>(32, 32, 0.25F)));
+        options.form = form;
+        options.seconds = kAmpleSeconds;
+        options.filters = false;
+        options.forms = choices({"cone", "exact", "max-pyramid", "layers"});
+        Work work;
+        const Advice advice = recommend(options, work);
+        EXPECT_TRUE(advice.relief.flat);
+        EXPECT_EQ(advice.best().bytes, 0) << methodText(advice.best().method);
+        EXPECT_NE(adviceText(options, advice).find("This map is flat: every height is 0.25."), std::string::npos);
+        for (const Message& note : adviceNotes(options, advice)) {
+            EXPECT_EQ(sentence(note).find("inf"), std::string::npos) << sentence(note);
+        }
+    }
+    EXPECT_FALSE(reliefFigures(asked("hills").field).flat);
+}
+
+TEST(Recommend, KeepsTheStepBudget) {
+    AdviceOptions options = asked("hills");
+    options.maxSteps = 20;
+    options.outliers = 0.01;
+    options.error = 4;
+    options.forms = choices({"exact", "max-pyramid", "layers:layers=8", "layers-secant:layers=14", "layers:layers=64"});
+    Work work;
+    const Advice advice = recommend(options, work);
+    EXPECT_LE(advice.best().mostSteps, 20) << methodText(advice.best().method);
+    EXPECT_EQ(advice.best().verdict, advice.keepsBounds ? Verdict::Kept : advice.best().verdict);
+    for (const AdvisedForm& form : advice.forms) {
+        if (form.method.name == "exact") {
+            EXPECT_EQ(form.verdict, Verdict::Steps);
+        }
+    }
+    EXPECT_NE(adviceText(options, advice).find("At most 20 steps per ray"), std::string::npos);
+    // Numbers of layers that just fit are tried.
+    const auto forms = adviceForms(options.field, 10, 32);
+    EXPECT_NE(std::find(forms.begin(), forms.end(), choices({"layers-secant:layers=28"})[0]), forms.end());
+    // Nothing keeps all: the nearest is named, and the text says so.
+    options.maxSteps = 2;
+    options.error = 0;
+    options.outliers = 0;
+    const Advice none = recommend(options, work);
+    EXPECT_FALSE(none.keepsBounds);
+    EXPECT_NE(adviceText(options, none).find("No method keeps all bounds"), std::string::npos);
+}
+
+// Those past the bound stand in the table, with their errors, and no factor is told as thousands of percent.
+TEST(Recommend, ApproximateMethodsStandBesideTheSafeOnes) {
+    AdviceOptions options = asked("columns");
+    options.forms = choices({"exact", "max-pyramid", "cone", "offset", "layers", "relaxed-cone"});
+    Work work;
+    const Advice advice = recommend(options, work);
+    const std::string text = adviceText(options, advice);
+    const std::size_t past = text.find("Past the bounds");
+    ASSERT_NE(past, std::string::npos) << text;
+    EXPECT_NE(text.find("offset", past), std::string::npos) << text;
+    EXPECT_NE(text.find("approximate", past), std::string::npos) << text;
+    EXPECT_EQ(text.find("inf"), std::string::npos) << text;
+}
+
+TEST(Recommend, FiguresOfTheRelief) {
+    FloatImage ramp(64, 64);
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) ramp(x, y) = static_cast<float>(x) / 64;
+    }
+    // 12.8 texels deep, so 0.2 a texel along x and none along y.
+    const ReliefFigures slope =
+        reliefFigures(HeightField(std::make_shared<FloatImage>(ramp), Surface::Bilinear, Address::Repeat, 0.2));
+    EXPECT_NEAR(slope.roughness, 0.1, 1e-6);
+    EXPECT_EQ(slope.steep, 0);
+    EXPECT_EQ(slope.flatTiles, 0);
+    const ReliefFigures steep =
+        reliefFigures(HeightField(std::make_shared<FloatImage>(ramp), Surface::Bilinear, Address::Repeat, 2));
+    EXPECT_DOUBLE_EQ(steep.steep, 0.5);
+    FloatImage half(64, 64);
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) half(x, y) = y < 32 ? 0.5F : ramp(x, y);
+    }
+    EXPECT_DOUBLE_EQ(
+        reliefFigures(HeightField(std::make_shared<FloatImage>(half), Surface::Bilinear, Address::Repeat, 0.2))
+            .flatTiles,
+        0.5);
+}
+
+TEST(Recommend, FilterOfLeastErrorAndTheFootprintsShape) {
+    AdviceOptions options = asked("hills");
+    options.views = parseViews("30", "--views");
+    Work work;
+    const FilterAdvice advice = recommendFilter(options, 1, work);
+    ASSERT_GT(advice.filters.size(), 3U);
+    for (const FilterFigures& figures : advice.filters) {
+        EXPECT_GE(figures.rmse, advice.filters[advice.still].rmse) << figures.filter.name;
+        EXPECT_GT(figures.texels, 0) << figures.filter.name;
+    }
+    EXPECT_NE(advice.filters[advice.still].filter.name, "nearest");
+    EXPECT_NEAR(advice.anisotropy, 2, 1e-9);
+    EXPECT_EQ(advice.elevation, 30);
+}
+
+TEST(Recommend, SaysWhyInBothLanguagesAndAsJson) {
+    AdviceOptions options = asked("bricks");
+    options.forms = choices({"exact", "max-pyramid", "cone", "offset"});
+    Work work;
+    const Advice advice = recommend(options, work);
+    const std::string text = adviceText(options, advice);
+    const std::string method = methodText(advice.best().method);
+    for (const std::string& part :
+         {"Method: " + method, std::string("steps and"), std::string("reads a ray"), std::string("mean slope"),
+          std::string("flat"), std::string("KB"), std::string("Of 4 forms: 1 past the error bound")}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    }
+    const std::string ukrainian = adviceText(options, advice, Language::Ukrainian);
+    EXPECT_NE(ukrainian.find("Метод: " + method), std::string::npos) << ukrainian;
+    for (const std::string& said : {text, ukrainian}) EXPECT_EQ(said.find('{'), std::string::npos) << said;
+    const auto json = nlohmann::json::parse(adviceJson(options, advice));
+    EXPECT_EQ(json["chosen"]["text"], method);
+    EXPECT_EQ(json["forms"].size(), 4U);
+    EXPECT_EQ(json["form"], "scalar");
+    EXPECT_EQ(json["chosen"]["memory_bytes"], advice.best().bytes);
+    EXPECT_EQ(json["relief"]["roughness"], advice.relief.roughness);
+}
+
+TEST(Recommend, ViewRanges) {
+    EXPECT_EQ(parseViews("25", "--views"), (std::vector<Elevation>{25.0}));
+    EXPECT_EQ(parseViews("random", "--views"), (std::vector<Elevation>{std::nullopt}));
+    const auto range = parseViews("10,70", "--views");
+    EXPECT_EQ(range, (std::vector<Elevation>{10.0, 30.0, 50.0, 70.0}));
+    EXPECT_EQ(viewsText(range), "10,70");
+    for (const std::string wrong : {"", "70,10", "10,", "0,10", "10,91", "10,20,30", "10,random", "x", "nan,nan"}) {
+        EXPECT_THROW(parseViews(wrong, "--views"), InputError) << wrong;
+    }
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,165 @@
+#include "cone_cells.h"
+
+#include <map>
+
+#include "base/simd_targets.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "algorithms/relief/simd/cone_cells.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include "relief/simd/cone_entry-inl.h"
+
+#ifndef RELIEF_CONE_CELLS_VISITS
+#define RELIEF_CONE_CELLS_VISITS
+namespace relief::test {
+
+// By the ray's place in the chunk; cells from its first.
+struct Visit {
+    std::int32_t slot, x, y;
+    std::uint32_t word;
+};
+inline std::vector<Visit>& visits() {
+    static std::vector<Visit> all;
+    return all;
+}
+
+}  // namespace relief::test
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+template <class Base>
+struct Noting : Base {
+    static constexpr bool kRecords = true;
+    static void visit(const WalkColumns& columns, std::size_t i, VF nx, VF ny, VI word, MF who) {
+        HWY_ALIGN std::int32_t slots[kLanes], words[kLanes], chosen[kLanes];
+        HWY_ALIGN float x[kLanes], y[kLanes];
+        const DF df;
+        const DI di;
+        hn::Store(hn::Load(di, columns.slot.data() + i), di, slots);
+        hn::Store(word, di, words);
+        hn::Store(hn::IfThenElseZero(asInt(who), hn::Set(di, 1)), di, chosen);
+        hn::Store(nx, df, x);
+        hn::Store(ny, df, y);
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            if (chosen[k] == 0) continue;
+            const auto forth = [&](float n, const WalkAxis& axis) {
+                return static_cast<std::int32_t>(std::signbit(axis.stride[i + k]) ? -n : n);
+            };
+            test::visits().push_back(
+                {slots[k], forth(x[k], columns.x), forth(y[k], columns.y), static_cast<std::uint32_t>(words[k])});
+        }
+    }
+};
+struct PlainArithmetic {
+    static constexpr bool kBeams = false;
+    HWY_INLINE static VF mulAdd(VF a, VF b, VF c) { return hn::Add(hn::Mul(a, b), c); }
+    HWY_INLINE static VF mulSub(VF a, VF b, VF c) { return hn::Sub(hn::Mul(a, b), c); }
+    HWY_INLINE static VF negMulAdd(VF a, VF b, VF c) { return hn::Sub(c, hn::Mul(a, b)); }
+    HWY_INLINE static VF reciprocal(VF a) { return hn::Div(hn::Set(DF(), 1.0F), a); }
+};
+
+// call() for the scene's surface.
+template <class Arithmetic, class Call>
+void onSurface(const FloatScene& scene, const Call& call) {
+    if (scene.surface == Surface::Bilinear) {
+        call.template operator()<Surface::Bilinear, Noting<Arithmetic>>();
+    } else {
+        call.template operator()<Surface::Columns, Noting<Arithmetic>>();
+    }
+}
+// plain: as the reference rounds.
+template <class Call>
+void noted(bool plain, const FloatScene& scene, const Call& call) {
+    plain ? onSurface<PlainArithmetic>(scene, call) : onSurface<FastArithmetic>(scene, call);
+}
+
+void traceNoted(bool plain, const FloatScene& scene, const PackedCones& cones, const double* const* given,
+                HitBlock& hits, std::size_t first, LaneRays& rays) {
+    noted(plain, scene, [&]<Surface kSurface, class Arithmetic>() {
+        traceConesOn<kSurface, Arithmetic>(scene, cones, given, hits, first, rays);
+    });
+}
+void goOnNoted(bool plain, const FloatScene& scene, const PackedCones& cones, const double* const* given,
+               LaneRays& rays, HitBlock& hits) {
+    noted(plain, scene,
+          [&]<Surface kSurface, class Arithmetic>() { goOnOn<kSurface, Arithmetic>(scene, cones, given, rays, hits); });
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace relief {
+
+HWY_EXPORT(traceNoted);
+HWY_EXPORT(goOnNoted);
+
+namespace test {
+
+namespace {
+
+using RayKey = std::array<double, 4>;
+
+// Of the rays that are being traced.
+struct Noted {
+    std::map<RayKey, std::size_t> numbers;
+    std::vector<LookedAtRay> rays;
+    bool plain = true;
+};
+Noted& noted() {
+    static Noted all;
+    return all;
+}
+
+// To the rays whose columns are given.
+void sortVisits(const double* const* given, const LaneRays& rays) {
+    for (const Visit& visit : visits()) {
+        const auto slot = static_cast<std::size_t>(visit.slot);
+        const std::size_t number = noted().numbers.at({given[0][slot], given[1][slot], given[2][slot], given[3][slot]});
+        noted().rays[number].cells.push_back(
+            {std::int64_t{rays.x.cell[slot]} + visit.x, std::int64_t{rays.y.cell[slot]} + visit.y, visit.word});
+    }
+    visits().clear();
+}
+
+void trace(const FloatScene& scene, const PackedCones& cones, const RayBlock& rays, std::size_t first, std::size_t last,
+           HitBlock& hits, LaneRays& scratch) {
+    scratch.count = last - first;
+    scratch.behind = rays.size() - last;
+    if (scratch.count == 0) return;
+    const double* const given[] = {rays.s0.data() + first, rays.t0.data() + first, rays.a.data() + first,
+                                   rays.b.data() + first};
+    HWY_DYNAMIC_DISPATCH(traceNoted)(noted().plain, scene, cones, given, hits, first, scratch);
+    for (std::size_t i = first; i < last; ++i) noted().rays[i].begin = scratch.start[(i - first) / kLaneGroup];
+    sortVisits(given, scratch);
+    std::fill_n(hits.outcome.data() + first, scratch.count, Outcome::Hit);
+}
+
+void goOn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+          HitBlock& hits) {
+    if (rays.count == 0) return;
+    HWY_DYNAMIC_DISPATCH(goOnNoted)(noted().plain, scene, cones, given, rays, hits);
+    sortVisits(given, rays);
+}
+
+}  // namespace
+
+std::vector<LookedAtRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
+                                      HitBlock& hits, bool asTheReference) {
+    noted() = {};
+    noted().plain = asTheReference;
+    noted().rays.resize(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        noted().numbers[{rays.s0[i], rays.t0[i], rays.a[i], rays.b[i]}] = i;
+    }
+    hits.resize(rays.size());
+    std::vector<std::size_t> flat;
+    traceByCones({&trace, &goOn}, field, FloatScene(field, cones), cones, rays, 0, rays.size(), hits, flat);
+    return std::move(noted().rays);
+}
+
+}  // namespace test
+}  // namespace relief
+#endif

@@ -1,0 +1,92 @@
+#include "lane_steps.h"
+
+#include "base/simd_targets.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "algorithms/relief/simd/lane_steps.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include "relief/simd/distance_march_lanes-inl.h"
+#include "relief/simd/distance_walk_lanes-inl.h"
+#include "relief/simd/layer_lanes-inl.h"
+
+#ifndef RELIEF_LANE_STEPS_NOTED
+#define RELIEF_LANE_STEPS_NOTED
+namespace relief::test {
+
+inline std::vector<LaneSteps>& noted() {
+    static std::vector<LaneSteps> all;
+    return all;
+}
+
+}  // namespace relief::test
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+struct NotedVisits {
+    static constexpr bool kRecords = true;
+    template <class... Vectors>
+    static void visit(const std::array<std::size_t, kLanes>& rays, std::uint32_t lanes, Vectors... numbers) {
+        std::array<Row<double>, sizeof...(numbers)> rows;
+        std::size_t next = 0;
+        (store(numbers, rows[next++]), ...);
+        overLanes(lanes, [&](std::size_t k) {
+            std::vector<double>& step = test::noted()[rays[k]].emplace_back();
+            for (const Row<double>& row : rows) step.push_back(row[k]);
+        });
+    }
+};
+
+void noteWalk(const DistanceWalk& walk, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
+    RayQueue<DistanceWalk> queue{walk, rays, hits, 0, rays.size(), left};
+    goInTurn<VoxelWalk<NotedVisits>>(queue);
+}
+void noteMarch(const MarchSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
+    RayQueue<MarchSearch> queue{search, rays, hits, 0, rays.size(), left};
+    goInTurn<DistanceSteps<NotedVisits>>(queue);
+}
+void noteLayers(const LayerSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
+    LayerQueue queue{{search, rays, hits, 0, rays.size(), left}, {}};
+    goInTurn<LayerWalk<NotedVisits>>(queue);
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace relief {
+
+HWY_EXPORT(noteWalk);
+HWY_EXPORT(noteMarch);
+HWY_EXPORT(noteLayers);
+
+namespace test {
+
+namespace {
+
+template <class Kernel>
+std::vector<LaneSteps> notedBy(const RayBlock& rays, const Kernel& kernel) {
+    noted().assign(rays.size(), {});
+    HitBlock hits;
+    hits.resize(rays.size());
+    std::vector<std::size_t> left;
+    kernel(hits, left);
+    return std::move(noted());
+}
+
+}  // namespace
+
+std::vector<LaneSteps> stepsInLanes(const DistanceWalk& walk, const RayBlock& rays) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteWalk)(walk, rays, rest...); });
+}
+std::vector<LaneSteps> stepsInLanes(const MarchSearch& search, const RayBlock& rays) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteMarch)(search, rays, rest...); });
+}
+std::vector<LaneSteps> stepsInLanes(const LayerSearch& search, const RayBlock& rays) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteLayers)(search, rays, rest...); });
+}
+
+}  // namespace test
+}  // namespace relief
+#endif

@@ -1,0 +1,174 @@
+// What is shown is what drew the pixel: lanes of double take the steps that the reference logs, one by one.
+#include "lane_steps.h"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "lanes.h"
+#include "relief/methods/distance_march.h"
+#include "relief/methods/layers.h"
+
+namespace relief::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 20261125;
+constexpr std::size_t kRays = 150;
+
+// A step's numbers as lanes note them; none: they note no such step.
+using Numbers = std::function<std::vector<double>(const Step&)>;
+
+template <class Tracer>
+LaneSteps logged(const Tracer& tracer, const ViewRay& ray, const Numbers& numbersOf) {
+    LogSink log;
+    tracer.trace(ray, log);
+    LaneSteps all;
+    for (const Step& step : log.steps) {
+        if (std::vector<double> numbers = numbersOf(step); !numbers.empty()) all.push_back(std::move(numbers));
+    }
+    return all;
+}
+
+std::string textOf(const std::vector<double>& numbers) {
+    std::string text;
+    for (const double number : numbers) text += ' ' + numberText(number);
+    return text;
+}
+
+// apt: whether lanes take the ray at all.
+template <class Tracer>
+std::size_t expectSameSteps(const Tracer& tracer, const RayBlock& rays, const Numbers& numbersOf,
+                            const std::function<bool(const ViewRay&)>& apt,
+                            const std::function<std::vector<LaneSteps>()>& inLanes) {
+    std::vector<LaneSteps> reference;
+    std::size_t steps = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const bool taken = rays[i].finite() && apt(rays[i]);
+        reference.push_back(taken ? logged(tracer, rays[i], numbersOf) : LaneSteps{});
+        steps += reference.back().size();
+    }
+    onEveryTarget([&] {
+        const std::vector<LaneSteps> lanes = inLanes();
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const std::string where = describe(tracer.field()) + ": " + describe(rays[i]);
+            for (std::size_t n = 0; n < std::min(lanes[i].size(), reference[i].size()); ++n) {
+                ASSERT_TRUE(lanes[i][n] == reference[i][n])
+                    << where << ": step " << n << ":" << textOf(reference[i][n]) << ", in lanes" << textOf(lanes[i][n]);
+            }
+            ASSERT_EQ(lanes[i].size(), reference[i].size()) << where;
+        }
+    });
+    return steps;
+}
+
+// On maps of awkward sizes, whatever their surface and addressing.
+void onAwkwardFields(const std::function<void(const HeightField&, const RayBlock&)>& body) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {33, 18}}) {
+        for (const Surface surface : allSurfaces()) {
+            for (const Address address : allAddresses()) {
+                const HeightField field(randomHeights(width, height, kSeed), surface, address, 0.3);
+                body(field, awkwardRays(field, kSeed, kRays));
+            }
+        }
+    }
+}
+
+TEST(LaneSteps, walksOverDistances) {
+    std::size_t steps = 0;
+    Work work(1);
+    const Numbers numbers = [](const Step& step) -> std::vector<double> {
+        const auto* const voxel = step.as<subject::Voxel>();
+        if (voxel == nullptr) return {};
+        // A hit stands in the record where the cell's end would; lanes go on beyond the end.
+        const double after = step.decision == Decision::Hit ? step.lambdaOut : step.lambdaAfter;
+        return {static_cast<double>(voxel->i),
+                static_cast<double>(voxel->j),
+                static_cast<double>(voxel->k),
+                step.value,
+                step.lambdaIn,
+                after};
+    };
+    onAwkwardFields([&](const HeightField& field, const RayBlock& rays) {
+        MapCache cache;
+        for (const DistanceKind kind : {DistanceKind::EuclideanConservative, DistanceKind::Refined}) {
+            if (kind == DistanceKind::Refined && field.address() == Address::Clamp) continue;  // there is no such map
+            for (const int footprint : {1, 4}) {
+                for (const StepRule rule : {StepRule::Exit, StepRule::Classic}) {
+                    DistanceParameters parameters;
+                    parameters.footprint = footprint;
+                    const DistanceWalk walk(field, distanceMap(kind, parameters, field, cache, work), rule);
+                    const auto apt = [&](const ViewRay& ray) {
+                        const GridRay on(walk.grid(), ray);
+                        return on.inDomain() && walk.perLambda(on) > 0;
+                    };
+                    steps += expectSameSteps(walk, rays, numbers, apt, [&] {
+                        std::vector<LaneSteps> all = stepsInLanes(walk, rays);
+                        for (LaneSteps& ray : all) {
+                            for (std::vector<double>& step : ray) step.back() = std::min(step.back(), 1.0);
+                        }
+                        return all;
+                    });
+                }
+            }
+        }
+    });
+    std::printf("%zu steps\n", steps);
+    EXPECT_GT(steps, 50000U);
+}
+
+TEST(LaneSteps, marchesByDistances) {
+    std::size_t steps = 0;
+    Work work(1);
+    const Numbers numbers = [](const Step& step) -> std::vector<double> {
+        if (step.decision != Decision::Advance || step.as<subject::Sphere>() == nullptr) return {};
+        return {step.lambdaIn, step.value, step.lambdaAfter};
+    };
+    onAwkwardFields([&](const HeightField& field, const RayBlock& rays) {
+        MapCache cache;
+        const auto map = distanceMap(DistanceKind::Euclidean, {}, field, cache, work);
+        for (const MarchEnd end :
+             {MarchEnd{MarchStop::Surface, 0}, MarchEnd{MarchStop::Distance, 0.01}, MarchEnd{MarchStop::Never, 0}}) {
+            const DistanceMarch march(field, map, 24, end);
+            // Others are the exact walk's, or beyond what periods can be counted of.
+            const auto apt = [&](const ViewRay& ray) {
+                return std::hypot(ray.a, ray.b) <= map->maxRun && std::max(std::abs(ray.a), std::abs(ray.b)) < 0x1p40;
+            };
+            const MarchSearch search{field, *map, 24, end};
+            steps += expectSameSteps(march, rays, numbers, apt, [&] { return stepsInLanes(search, rays); });
+        }
+    });
+    std::printf("%zu steps\n", steps);
+    EXPECT_GT(steps, 20000U);
+}
+
+TEST(LaneSteps, searchesThroughLayers) {
+    std::size_t steps = 0;
+    const Numbers numbers = [](const Step& step) -> std::vector<double> {
+        const auto* const layer = step.as<subject::Layer>();
+        if (layer == nullptr) return {};
+        return {static_cast<double>(layer->n), step.lambdaOut, step.value};
+    };
+    onAwkwardFields([&](const HeightField& field, const RayBlock& rays) {
+        LayersTracer::Options options;
+        options.layers = 17;
+        const LayersTracer layers(field, options);
+        const LayerSearch search{field, 17, LayerRefinement::None, 0};
+        const auto apt = [&](const ViewRay& ray) {
+            return field.address() != Address::Repeat || std::max(std::abs(ray.a), std::abs(ray.b)) < 0x1p40;
+        };
+        steps += expectSameSteps(layers, rays, numbers, apt, [&] {
+            std::vector<LaneSteps> all = stepsInLanes(search, rays);
+            // As the log has it: the surface's height.
+            for (LaneSteps& ray : all) {
+                for (std::vector<double>& step : ray) step[2] = step[2] + 1 - step[1];
+            }
+            return all;
+        });
+    });
+    std::printf("%zu steps\n", steps);
+    EXPECT_GT(steps, 20000U);
+}
+
+}  // namespace
+}  // namespace relief::test

@@ -1,0 +1,98 @@
+// Layers and interpolated distances in lanes against their scalar text: the same bits, for any target.
+#include <bit>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "algorithms/every_target.h"
+#include "algorithms/relief/fields.h"
+
+namespace relief::test {
+namespace {
+
+void expectSameBits(const HitBlock& lanes, const HitBlock& scalar, const RayBlock& rays) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        ASSERT_EQ(lanes.outcome[i], scalar.outcome[i]) << describe(rays[i]);
+        const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+        ASSERT_EQ(bits(lanes.lambda[i]), bits(scalar.lambda[i])) << describe(rays[i]);
+        ASSERT_EQ(bits(lanes.s[i]), bits(scalar.s[i])) << describe(rays[i]);
+        ASSERT_EQ(bits(lanes.t[i]), bits(scalar.t[i])) << describe(rays[i]);
+    }
+}
+
+// Random ones, and what is hard to take into a period or not to be traced.
+RayBlock hardRays(const HeightField& field, std::size_t count) {
+    RayBlock rays = randomRays(141, field, count, 3);
+    Random random(142);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        ViewRay ray = rays[i];
+        switch (random.below(12)) {
+            case 0:
+                ray.a = ray.b = 0;
+                break;
+            case 1:
+                ray.s0 = std::floor(ray.s0);
+                ray.t0 = std::floor(ray.t0) + 0.5;
+                break;
+            case 2:
+                ray.a *= 1e5;
+                break;
+            case 3:
+                ray.b *= -1e14;
+                break;
+            case 4:
+                ray.s0 -= 12345678.0 * field.width();
+                break;
+            case 5:
+                // Whole periods, for which the quotient may come out too small.
+                ray.s0 = 0.5 * random.below(2);
+                ray.a = random.below(1000) * field.width();
+                break;
+            case 6:
+                if (random.below(10) == 0) ray.a = std::numeric_limits<double>::quiet_NaN();
+                break;
+            default:
+                break;
+        }
+        rays.set(i, ray);
+    }
+    return rays;
+}
+
+TEST(SampledLanes, HaveTheBitsOfTheScalarText) {
+    MapCache cache;
+    Work work(2);
+    for (const auto& [width, height] : std::vector<std::pair<int, int>>{{49, 19}, {1, 1}, {1, 8}, {64, 32}}) {
+        for (const Surface surface : allSurfaces()) {
+            for (const Address address : allAddresses()) {
+                const HeightField field(randomHeights(width, height, 12), surface, address, 0.3);
+                for (const MethodChoice& choice :
+                     {MethodChoice{"layers", {}}, MethodChoice{"layers", {{"layers", "1"}}},
+                      MethodChoice{"layers-secant", {{"layers", "13"}}},
+                      MethodChoice{"layers-bisection", {{"layers", "7"}, {"bisections", "11"}}},
+                      MethodChoice{"distance", {{"layers", "9"}}},
+                      MethodChoice{"distance", {{"layers", "1"}, {"footprint", "3"}, {"iterations", "5"}}},
+                      MethodChoice{"distance", {{"precision", "u8"}}},
+                      MethodChoice{"distance-refined-sampled", {{"footprint", "2"}, {"layers", "5"}}}}) {
+                    SCOPED_TRACE(describe(field) + " " + describe(choice));
+                    const auto tracer = makeTracer(choice, field, cache, work);
+                    for (const std::size_t count : {3U, 4001U}) {
+                        const RayBlock rays = hardRays(field, count);
+                        HitBlock scalar;
+                        BlockCounts counts;
+                        tracer->trace(rays, scalar, counts, work);
+                        onEveryTarget([&] {
+                            HitBlock lanes;
+                            NullSink null;
+                            tracer->trace(rays, lanes, null, work);
+                            expectSameBits(lanes, scalar, rays);
+                        });
+                    }
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief::test

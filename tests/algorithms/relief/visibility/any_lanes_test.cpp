@@ -1,0 +1,111 @@
+// Any-hit queries in lanes against their scalar twin: the same answers, for any target.
+#include <iostream>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "algorithms/every_target.h"
+#include "algorithms/relief/fields.h"
+#include "relief/visibility/any_hit.h"
+
+namespace relief::test {
+namespace {
+
+// From anywhere, or from the surface itself (shadows, footprints); with zero runs, starts on lines, and what is not to
+// be followed.
+AnyRay segmentFor(Random& random, const HeightField& field) {
+    const double reach = random.between(0, 2) * field.width();
+    const double azimuth = random.between(0, 7);
+    AnyRay ray{random.between(-1, field.width() + 1.0),
+               random.between(-1, field.height() + 1.0),
+               random.between(-0.1, 1.1),
+               reach * std::cos(azimuth),
+               reach * std::sin(azimuth),
+               random.between(-1, 1)};
+    if (random.below(7) == 0) ray.s = std::floor(ray.s);
+    if (random.below(7) == 0) ray.t = std::floor(ray.t) + 0.5;
+    if (random.below(2) == 0) {
+        ray.z = field.at(ray.s, ray.t);
+        ray.dz = 1 - ray.z;
+    }
+    if (random.below(8) == 0) ray.ds = 0;
+    if (random.below(8) == 0) ray.dt = 0;
+    if (random.below(8) == 0) ray.dz = 0;
+    if (random.below(9) == 0) ray.dt = ray.ds;
+    if (random.below(400) == 0) ray.dz = std::numeric_limits<double>::quiet_NaN();
+    if (random.below(50) == 0) ray.ds = -1e-301;
+    // So flat that the scalar text gives up: a few, they are long.
+    if (random.below(20000) == 0) ray.ds = 3e6, ray.z = ray.dz = 0.5;
+    return ray;
+}
+
+TEST(AnyHitLanes, AnswerAsTheScalarText) {
+    constexpr std::uint64_t kSeed = 131;
+    constexpr std::size_t kSegments = 19000;
+    std::size_t rays = 0;
+    std::array<std::size_t, 3> answers{};
+    MapCache cache;
+    Work work(2);
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) {
+            Random random(kSeed);
+            for (const ReliefRecipe& recipe : reliefRecipes()) {
+                const std::string relief(recipe.name);
+                const HeightField field(
+                    share(relief == "paper8x8" ? makeRelief(relief, 8, 8, 3) : makeRelief(relief, 75, 52, 3)), surface,
+                    address, 0.3);
+                SCOPED_TRACE(describe(field) + " " + relief + " seed " + std::to_string(kSeed));
+                const auto query = makeAnyHit({"packed-cone-any", {}}, field, cache, work);
+                AnyRayBlock block(kSegments);
+                for (std::size_t i = 0; i < block.size(); ++i) block.set(i, segmentFor(random, field));
+                SightBlock scalar;
+                BlockCounts counts;
+                query->look(block, scalar, counts, work);
+                for (const Sight sight : scalar.sight) ++answers[static_cast<std::size_t>(sight)];
+                rays += block.size();
+                onEveryTarget([&] {
+                    SightBlock lanes;
+                    NullSink null;
+                    query->look(block, lanes, null, work);
+                    ASSERT_EQ(lanes.sight, scalar.sight);
+                });
+            }
+        }
+    }
+    std::cout << rays << " segments: clear " << answers[0] << ", blocked " << answers[1] << ", limit " << answers[2]
+              << "\n";
+    EXPECT_GE(rays, 1000000U);
+    EXPECT_GT(answers[0], rays / 10);
+    EXPECT_GT(answers[1], rays / 10);
+    EXPECT_GT(answers[2], 0U);
+}
+
+// Blocks shorter than a vector, single cells and rows.
+TEST(AnyHitLanes, AnswerOnAwkwardSizes) {
+    MapCache cache;
+    Work work(1);
+    for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1, 1}, {1, 9}, {7, 1}, {3, 3}, {17, 2}}) {
+        for (const Surface surface : allSurfaces()) {
+            for (const Address address : allAddresses()) {
+                const HeightField field(randomHeights(width, height, 7), surface, address, 0.3);
+                SCOPED_TRACE(describe(field));
+                const auto query = makeAnyHit({"packed-cone-any", {}}, field, cache, work);
+                Random random(132);
+                for (const std::size_t count : {0U, 1U, 2U, 3U, 7U, 8U, 9U, 500U}) {
+                    AnyRayBlock block(count);
+                    for (std::size_t i = 0; i < count; ++i) block.set(i, segmentFor(random, field));
+                    SightBlock scalar;
+                    SightBlock lanes;
+                    BlockCounts counts;
+                    NullSink null;
+                    query->look(block, scalar, counts, work);
+                    query->look(block, lanes, null, work);
+                    ASSERT_EQ(lanes.sight, scalar.sight) << count;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief::test
