@@ -116,8 +116,12 @@ def fitting(source, suites, mutated):
     """Two lists of suites: whose file fits the mutated one by name or includes it; the others of the same folder."""
     file = Path(mutated)
     stem = re.sub(r"(_lanes|-inl)$", "", file.stem)
-    include = '"' + str(Path(*file.parts[1:])).removesuffix(".cpp").removesuffix(".h") + '.h"'
-    folder = source / "tests" / file.parent
+    header = str(Path(*file.parts[1:]).with_suffix(".h")).removeprefix("include/")
+    # Of a source whose header is public.
+    if not any((source / "algorithms" / top / header).exists() for top in ("", "include")):
+        header = "relief/" + file.with_suffix(".h").name
+    include = '"' + header + '"'
+    folder = source / "tests" / str(file.parent).replace("algorithms/include/", "algorithms/")
     near, beside = [], []
     for suite, path in suites.items():
         if path.stem.startswith(stem) or include in path.read_text():

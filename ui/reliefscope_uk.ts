@@ -3282,6 +3282,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Поза краєм</translation>
     </message>
     <message>
+        <source>Coordinates</source>
+        <translation>Координати</translation>
+    </message>
+    <message>
+        <source>How texture coordinates are made along a row of pixels: direct is exact; affine bends walls, subspan bends them between its divisions</source>
+        <translation>Як обчислюються текстурні координати вздовж рядка пікселів: direct точний; affine вигинає стіни, subspan вигинає їх між діленнями</translation>
+    </message>
+    <message>
         <source>What lies beyond the picture&apos;s rim: the picture again, its rim, or nothing</source>
         <translation>Що лежить за краєм картинки: знову картинка, її край або нічого</translation>
     </message>
@@ -3467,6 +3475,10 @@ Click to switch the method to %1</source>
     <message>
         <source> (%1 × %2)</source>
         <translation> (%1 × %2)</translation>
+    </message>
+    <message>
+        <source>%1 coordinates, off by up to %2 texels</source>
+        <translation>координати %1, похибка до %2 текселів</translation>
     </message>
     <message>
         <source>skipped: %1 %</source>

@@ -28,6 +28,13 @@ struct FootprintLog {
     bool skipped = false;                // no texel needed a test: nothing near is high enough to hide any
     bool allHidden = false;              // nothing was visible: the colour is that at the hit
     Color color{0};
+
+    // Of filters that read the texture at a point; place: texels of level 0.
+    void takePoint(glm::dvec2 place, const Color& read) {
+        footprint.kind = FootprintKind::Bilinear;
+        footprint.centre = place;
+        color = read;
+    }
 };
 
 // What was read and what was not needed, of many pixels.

@@ -1,13 +1,14 @@
-// Every filter behind one face, made ready for one picture (and, where it asks what is hidden, one height field).
+// A filter made ready for one picture (and, where it asks what is hidden, one height field).
 #pragma once
 
 #include <memory>
 #include <span>
 
-#include "filtering/elliptical_visible.h"
+#include "filtering/color_levels.h"
 #include "filtering/filter_block.h"
-#include "filtering/filter_choice.h"
+#include "filtering/filter_description.h"
 #include "filtering/footprint_log.h"
+#include "relief/map_cache.h"
 
 namespace relief {
 
@@ -34,15 +35,15 @@ class TextureFilter {
 // What filters are made of.
 struct FilterTools {
     std::shared_ptr<const ColorImage> picture;  // not null
-    std::shared_ptr<const ColorLevels> levels;  // of the picture; null: built here, if the filter needs it
+    std::shared_ptr<const ColorLevels> levels;  // of the picture; null: built by makeFilter(), if the filter needs it
     HeightField field;
     bool skip = true;  // tests that cannot matter are skipped
-};
 
-// `supersample` reads each of its samples bilinearly. Throws InputError (names, options), Cancelled.
-std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, const FilterTools& tools, MapCache& maps,
-                                                Work& work);
-// Whether the filter reads the mean pyramid.
-bool needsLevels(const FilterChoice& choice);
+    // From texels of the height map to texels of the picture.
+    glm::dvec2 pictureScale() const {
+        return {static_cast<double>(picture->width()) / field.width(),
+                static_cast<double>(picture->height()) / field.height()};
+    }
+};
 
 }  // namespace relief

@@ -89,4 +89,21 @@ void checkOption(const OptionDescription& option, const std::string& text) {
     }
 }
 
+MethodChoice splitMethodChoice(const std::string& text, const std::string& option) {
+    std::size_t at = std::min(text.find(':'), text.size());
+    MethodChoice choice{text.substr(0, at), {}};
+    if (choice.name.empty()) throw InputError(option, Message(MessageId::MethodSpelling, {{"text", text}}));
+    while (at < text.size()) {
+        const std::size_t end = std::min(text.find(':', at + 1), text.size());
+        const std::string part = text.substr(at + 1, end - at - 1);
+        at = end;
+        const std::size_t equals = part.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            throw InputError(option, Message(MessageId::MethodSpelling, {{"text", text}}));
+        }
+        choice.options[part.substr(0, equals)] = part.substr(equals + 1);
+    }
+    return choice;
+}
+
 }  // namespace relief

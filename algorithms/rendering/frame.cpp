@@ -64,7 +64,7 @@ bool Frame::shadedByRelief(const FrameRequest& request) const {
 }
 
 VisiblePolygons Frame::visible(const FrameRequest& request) const {
-    return visiblePolygons(polygons, camera, width, height, request.field.reliefDepth());
+    return visiblePolygons(polygons, camera, width, height, request.field.reliefDepth(), request.mapping);
 }
 
 std::optional<FilterQuery> filterQuery(const Frame& frame, const FrameRequest& request, const VisiblePolygons& visible,
@@ -94,7 +94,7 @@ std::optional<ViewRay> pixelRay(const FrameRequest& request, int x, int y) {
     }
     const VisiblePolygons visible =
         visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
-                        request.width, request.height, request.field.reliefDepth());
+                        request.width, request.height, request.field.reliefDepth(), request.mapping);
     const VisiblePolygon* polygon = visible.at(x, y, request.width);
     if (polygon == nullptr) return std::nullopt;
     return polygon->entry(x, y).ray;

@@ -13,7 +13,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "filtering/texture_filter.h"
+#include "filtering/filters/filters.h"
+#include "mapping/rows/rows.h"
 #include "relief/camera.h"
 #include "relief/files.h"
 #include "relief/maps/baked_normals.h"
@@ -49,6 +50,8 @@ struct FrameRequest {
     bool shadows = false;
     // Steps and reads of every ray, too: the rays are traced once more for them, with the same hits.
     bool counts = false;
+    // How texture coordinates are made along the rows (visiblePolygons()).
+    RowOptions mapping = kDirectRows;
     // Whether work is left out that cannot change a bit. False: all of it is done, to show that it cannot.
     bool skip = true;
     // Texels, [0, kMaxBounded]: work is left out that changes hits by at most so much, and tiny footprints. 0: none.
@@ -123,6 +126,7 @@ struct Frame {
     // Name of the method whose walk has found the hits: `cone` where that is faster than the request's own, which gives
     // the same hits. Steps and reads are always the request's method's.
     std::string tracedBy;
+    double mappingOff = 0;  // texels: how far the request's mapping is off direct, at the most
     ShadingNormal shading = ShadingNormal::Relief;
     std::shared_ptr<const BakedNormals> bakedNormals;  // where the method shades by a normal map and none is given
     PinholeCamera camera;

@@ -19,8 +19,8 @@ namespace {
 std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
     // A field that is added to the request stops the build here: it belongs to an input. Only `counts` changes
     // nothing.
-    const auto& [width, height, field, method, color, normals, filter, scene, camera, light, shadows, counts, skip,
-                 bounded, sky, sample, margin] = now;
+    const auto& [width, height, field, method, color, normals, filter, scene, camera, light, shadows, counts, mapping,
+                 skip, bounded, sky, sample, margin] = now;
     std::uint32_t changed = 0;
     const auto compare = [&](Input input, bool same) { changed |= same ? 0U : bit(input); };
     compare(Input::Size, width == last.width && height == last.height);
@@ -39,6 +39,7 @@ std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
     compare(Input::Light, light == last.light);
     compare(Input::Shadows, shadows == last.shadows);
     compare(Input::Sky, sky == last.sky);
+    compare(Input::Mapping, mapping == last.mapping);
     compare(Input::Skip, skip == last.skip);
     compare(Input::Bounded, bounded == last.bounded);
     return changed;
@@ -186,9 +187,10 @@ std::uint32_t FrameRenderer::changedSince(const FrameRequest& request) const {
 std::unique_ptr<FrameSetup> FrameRenderer::madeSetup(const FrameRequest& request, std::uint32_t changed,
                                                      std::uint32_t stale, Work& work) {
     auto frame = describedFrame(request);
-    auto setup =
-        std::make_unique<FrameSetup>(FrameSetup{frame, visiblePolygons(frame->polygons, frame->camera, request.width,
-                                                                       request.height, request.field.reliefDepth())});
+    auto setup = std::make_unique<FrameSetup>(
+        FrameSetup{frame, visiblePolygons(frame->polygons, frame->camera, request.width, request.height,
+                                          request.field.reliefDepth(), request.mapping)});
+    if (!has(stale, Stage::Rays)) frame->mappingOff = frame_->mappingOff;
     setup->tracer = tracer_;
     if (has(stale, Stage::Hits) || !tracer_) setup->tracer = makeTracer(request.method, request.field, *maps_, work);
     const Tracer& tracer = *setup->tracer;

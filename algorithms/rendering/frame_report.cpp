@@ -11,7 +11,7 @@ void reportFilter(Frame& frame, const FrameTotals& totals) {
     const auto count = [&](const char* name, double value) { frame.counters[name] = value; };
     if (frame.plainFilter) count("footprints not filtered: tiny", static_cast<double>(totals.tinyFootprints));
     count("texels read", static_cast<double>(totals.texels));
-    if (filter.options.empty()) return;
+    if (!filter.ellipse) return;
     count("footprints", static_cast<double>(totals.footprints));
     count("footprints not needed: smaller than a texel", static_cast<double>(totals.smallFootprints));
     if (!filter.visible) return;
@@ -48,6 +48,7 @@ void report(Frame& frame, const FrameRequest& request, const VisiblePolygons& vi
     count("polygons culled: off screen", visible.offScreen);
     const double pixels = static_cast<double>(frame.width) * frame.height;
     count("pixels", pixels);
+    if (has(stale, Stage::Rays)) frame.mappingOff = totals.mappingOff;
     if (has(stale, Stage::Rays)) count("pixels without a polygon", pixels - static_cast<double>(totals.covered));
     count("rays traced", static_cast<double>(totals.traced));
     if (has(stale, Stage::Hits)) {

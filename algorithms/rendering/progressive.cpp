@@ -36,8 +36,8 @@ bool sameHits(const FrameRequest& a, const FrameRequest& b) {
     return a.width == b.width && a.height == b.height && a.field.sharedHeights() == b.field.sharedHeights() &&
            a.field.surface() == b.field.surface() && a.field.address() == b.field.address() &&
            a.field.reliefDepth() == b.field.reliefDepth() && a.method == b.method && a.scene == b.scene &&
-           a.camera == b.camera && a.skip == b.skip && a.bounded == b.bounded && a.sample == b.sample &&
-           a.margin == b.margin;
+           a.camera == b.camera && a.skip == b.skip && a.mapping == b.mapping && a.bounded == b.bounded &&
+           a.sample == b.sample && a.margin == b.margin;
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ enum class Input : std::uint8_t {
     Light,           // its strength
     Shadows,         // whether they are wanted
     Sky,             //
+    Mapping,         // how coordinates are made along rows
     Skip,            // whether lossless skipping is on
     Bounded,         // how much may be wrong by skipping
     Count
@@ -34,7 +35,7 @@ inline constexpr std::size_t kInputs = static_cast<std::size_t>(Input::Count);
 inline constexpr std::array<std::string_view, kInputs> kInputNames{
     "size",    "camera", "scene",         "height size", "heights",        "surface",         "address",
     "depth",   "method", "color picture", "filter",      "normal picture", "light direction", "light",
-    "shadows", "sky",    "skip",          "bounded"};
+    "shadows", "sky",    "mapping",       "skip",        "bounded"};
 
 // Rays: which polygon covers the pixel, where the view ray enters its slab. Hits: where it meets the relief. Color:
 // filtered colour at the hit, of what the pixel's footprint on the texture holds. Shadows: whether the light reaches
@@ -57,7 +58,7 @@ constexpr std::uint32_t bit(Stage stage) {
 
 inline constexpr std::array<StageRow, kStages> kStageTable{{
     {bit(Input::Size) | bit(Input::Camera) | bit(Input::Scene) | bit(Input::HeightSize) | bit(Input::Depth) |
-         bit(Input::Skip),
+         bit(Input::Mapping) | bit(Input::Skip),
      0},
     {bit(Input::Heights) | bit(Input::Surface) | bit(Input::Address) | bit(Input::Method) | bit(Input::Bounded),
      bit(Stage::Rays)},

@@ -135,8 +135,8 @@ std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer&
     glm::dvec3 total(0);
     for (const glm::ivec2 part : sampleOrder(request.filter.samples)) {
         pass.sample = samplePlace(part, request.filter.samples);
-        const VisiblePolygons visible =
-            visiblePolygons(scene, requestCamera(pass), pass.width, pass.height, request.field.reliefDepth());
+        const VisiblePolygons visible = visiblePolygons(scene, requestCamera(pass), pass.width, pass.height,
+                                                        request.field.reliefDepth(), request.mapping);
         const ChannelWeights across = channelWeights(request.filter.pixelModel, PixelAxis::Across, pass.sample.x);
         const ChannelWeights down = channelWeights(request.filter.pixelModel, PixelAxis::Down, pass.sample.y);
         for (int m = -ring; m <= ring; ++m) {

@@ -118,14 +118,19 @@ void TileWorker::markBlank(const PixelArea& tile) const {
 void TileWorker::makeRays(const PixelArea& tile) const {
     RayStage& out = *buffers_.rays;
     std::int64_t covered = 0;
+    double off = 0;
+    thread_local std::vector<VisiblePolygon::Entry> row;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (const VisiblePolygon& polygon : tools_.visible.polygons) {
             const PixelSpan span = polygon.span(y, frame_.width);
             const int first = static_cast<int>(std::max<std::int64_t>(span.begin, tile.x0));
             const int last = static_cast<int>(std::min<std::int64_t>(span.end, tile.x1));
+            if (first >= last) continue;
+            row.resize(static_cast<std::size_t>(last - first));
+            off = std::max(off, polygon.entries(y, span, first, last, row.data()));
             for (int x = first; x < last; ++x) {
                 const std::size_t i = frame_.index(x, y);
-                const VisiblePolygon::Entry entry = polygon.entry(x, y);
+                const VisiblePolygon::Entry& entry = row[static_cast<std::size_t>(x - first)];
                 if (entry.inverseDepth <= out.inverseDepth[i]) continue;
                 covered += out.polygon[i] == kNoPolygon ? 1 : 0;
                 out.inverseDepth[i] = entry.inverseDepth;
@@ -135,6 +140,8 @@ void TileWorker::makeRays(const PixelArea& tile) const {
         }
     }
     totals_.covered += covered;
+    for (double most = totals_.mappingOff; most < off && !totals_.mappingOff.compare_exchange_weak(most, off);) {
+    }
 }
 
 void TileWorker::traceRays(const PixelArea& tile, Work& work) const {

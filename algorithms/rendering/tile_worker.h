@@ -30,6 +30,7 @@ struct FrameTotals {
     Count clearFootprints{0}, hiddenFootprints{0};
     Count shadowRays{0}, shadowBlocked{0}, shadowAway{0}, shadowTop{0}, shadowSteps{0}, shadowLimits{0};
     Count shadowHits{0}, flatRays{0}, parallaxRays{0}, tinyFootprints{0};
+    std::atomic<double> mappingOff{0};  // texels, the most
 };
 
 // What a frame is made with. mesh: null where rays are traced; query: null where no shadows are wanted or stale.

@@ -40,8 +40,42 @@ double inverseDepthPerQ(const VisiblePolygon& polygon, const ClipPolygon& clippe
 }  // namespace
 
 VisiblePolygon::Entry VisiblePolygon::entry(int x, int y) const {
-    const TexelPoint texel = texelFromScreen.at(x + 0.5, y + 0.5);
-    return {ray(texel), static_cast<float>(texel.q * inverseDepthPerQ)};
+    Entry entry;
+    entries(y, span(y, screenWidth), x, x + 1, &entry);
+    return entry;
+}
+
+double VisiblePolygon::entries(int y, PixelSpan span, int first, int last, Entry* out) const {
+    const auto depth = [&](const TexelPoint& texel) { return static_cast<float>(texel.q * inverseDepthPerQ); };
+    if (mapping == kDirectRows) {
+        for (int x = first; x < last; ++x) {
+            const TexelPoint texel = texelFromScreen.at(x + 0.5, y + 0.5);
+            out[x - first] = {ray(texel), depth(texel)};
+        }
+        return 0;
+    }
+    // The whole row: where it begins and ends decides what affine and opposed rows are and how far others drift.
+    thread_local std::vector<float> u, v;
+    const auto count = static_cast<std::size_t>(span.end - span.begin);
+    u.resize(count), v.resize(count);
+    const PixelSpan made = evaluateRow<float>(texelFromScreen, y + 0.5, span, mapping, u.data(), v.data());
+    double off = 0;
+    for (int x = first; x < last; ++x) {
+        TexelPoint texel = texelFromScreen.at(x + 0.5, y + 0.5);
+        const float seen = depth(texel);
+        // Next to the horizon rows in float are cut short: direct goes on.
+        if (x >= made.begin && x < made.end) {
+            const auto n = static_cast<std::size_t>(x - span.begin);
+            off = std::max(off, std::hypot(u[n] - texel.s, v[n] - texel.t));
+            texel.s = u[n], texel.t = v[n];
+        }
+        out[x - first] = {ray(texel), seen};
+    }
+    return off;
+}
+
+float VisiblePolygon::inverseDepth(int x, int y) const {
+    return static_cast<float>(texelFromScreen.denominator(x + 0.5, y + 0.5) * inverseDepthPerQ);
 }
 
 PixelSpan VisiblePolygon::span(int y, int width) const {
@@ -54,7 +88,7 @@ const VisiblePolygon* VisiblePolygons::at(int x, int y, int width) const {
     for (const VisiblePolygon& polygon : polygons) {
         const PixelSpan span = polygon.span(y, width);
         if (x < span.begin || x >= span.end) continue;
-        const float inverseDepth = polygon.entry(x, y).inverseDepth;
+        const float inverseDepth = polygon.inverseDepth(x, y);
         if (inverseDepth <= best) continue;
         best = inverseDepth;
         nearest = &polygon;
@@ -63,12 +97,14 @@ const VisiblePolygon* VisiblePolygons::at(int x, int y, int width) const {
 }
 
 VisiblePolygons visiblePolygons(const std::vector<TexturedQuad>& scene, const PinholeCamera& camera, int width,
-                                int height, double reliefDepth) {
+                                int height, double reliefDepth, const RowOptions& mapping) {
     VisiblePolygons visible;
     visible.total = static_cast<int>(scene.size());
     for (std::size_t n = 0; n < scene.size(); ++n) {
         VisiblePolygon polygon;
         polygon.quad = scene[n];
+        polygon.mapping = mapping;
+        polygon.screenWidth = width;
         polygon.width = scene[n].width;
         polygon.height = scene[n].height;
         polygon.number = static_cast<std::uint8_t>(n);

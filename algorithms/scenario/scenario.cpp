@@ -1,5 +1,7 @@
 #include "scenario/scenario.h"
 
+#include "scenario/row_methods.h"
+
 #include <cmath>
 
 #include "rendering/base_level.h"
@@ -160,6 +162,7 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
     }
     checkMethod(scenario.method, subject);
     checkComparison(scenario.comparison, subject);
+    parseMapping(scenario.mapping, subject.empty() ? "--mapping" : subject);
     checkFilter(scenario.filter, subject.empty() ? "--filter" : subject);
     if (scenario.filter.samples < 1 || scenario.filter.samples > kMaxSamples) {
         throw InputError(subject, Message(MessageId::OutOfRange, {{"what", "supersample"},
@@ -184,6 +187,7 @@ FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {
     request.shadows = scenario.shadows;
     request.skip = scenario.skip;
     request.bounded = scenario.bounded;
+    request.mapping = parseMapping(scenario.mapping, "--mapping");
     request.sky = Color(scenario.sky[0], scenario.sky[1], scenario.sky[2]);
     request.method = methodOfView(request, scenario.method);
     return request;

@@ -76,6 +76,7 @@ struct Scenario {
     Camera camera;
     Light light;
     bool shadows = false;
+    std::string mapping = "direct";              // coordinates along a row, as parseRowMethod() has it
     bool skip = true;                            // work that cannot change a bit is left out
     double bounded = 0;                          // texels: what hits may be wrong by where that spares work; 0: nothing
     std::array<double, 3> sky{0.55, 0.65, 0.8};  // linear
@@ -87,7 +88,7 @@ struct Scenario {
     std::vector<Bookmark> bookmarks;
     OtherTracer other;
     Comparison comparison;  // with other methods
-    std::string ui;         // a JSON object: the window's own, not looked into here; empty: nothing
+    std::string ui;         // JSON of the window's state, which only ui/ reads; may be empty
     bool operator==(const Scenario&) const = default;
 };
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "scenario/json_reader.h"
+#include "scenario/row_methods.h"
 #include "scenario/scenario.h"
 
 namespace relief {
@@ -22,6 +23,14 @@ std::string relativeTo(const std::string& path, const std::string& folder) {
 std::string resolved(const std::string& path, const std::filesystem::path& folder) {
     const bool relative = !path.empty() && !folder.empty() && std::filesystem::path(path).is_relative();
     return relative ? (folder / path).lexically_normal().string() : path;
+}
+
+// The window's own state is written again as it was read, by a library that recurses.
+constexpr int kWindowDepth = 32;
+
+bool withinDepth(const Json& json, int depth) {
+    if (!json.is_structured()) return true;
+    return depth > 0 && std::all_of(json.begin(), json.end(), [&](const Json& j) { return withinDepth(j, depth - 1); });
 }
 
 // Each row a text, so that a person finds it; one row: a profile.
@@ -256,6 +265,7 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
                      {"intensity", scenario.light.intensity}};
     json["shadows"] = scenario.shadows;
     if (!scenario.skip) json["skip"] = false;
+    if (scenario.mapping != Scenario().mapping) json["mapping"] = scenario.mapping;
     if (scenario.bounded > 0) json["bounded"] = scenario.bounded;
     json["sky"] = scenario.sky;
     json["size"] = {scenario.width, scenario.height};
@@ -297,6 +307,10 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     if (reader.has("light")) readLight(reader.child("light"), scenario.light);
     reader.read("shadows", scenario.shadows);
     reader.read("skip", scenario.skip);
+    reader.named("mapping", [&](const std::string& name) {
+        parseMapping(name, "mapping");
+        scenario.mapping = name;
+    });
     reader.read("bounded", scenario.bounded);
     reader.read("sky", scenario.sky);
     reader.readPair("size", scenario.width, scenario.height);
@@ -306,8 +320,9 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     if (reader.has("compare")) readComparison(reader.child("compare"), scenario.comparison);
     // The second is its name in files of the first edition.
     for (const char* key : {"ui", "panes"}) {
-        if (!reader.has(key)) continue;
-        Reader ui = reader.child(key);
+        if (!reader.has(key) || !scenario.ui.empty()) continue;
+        const Reader ui = reader.child(key);
+        if (!withinDepth(ui.object(), kWindowDepth)) reader.fail(key, "an object of no more levels than 32");
         scenario.ui = ui.object().dump();
     }
     readNotes(reader, scenario, folder);

@@ -50,6 +50,7 @@ std::string commandBegin(const Scenario& scenario, const std::string& command = 
 void addView(std::string& line, const Scenario& scenario) {
     const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
     add("--scene", std::string(sceneName(scenario.scene)));
+    if (scenario.mapping != Scenario().mapping) add("--mapping", scenario.mapping);
     const Camera& camera = scenario.camera;
     if (camera.kind == Camera::Kind::Orbit && camera.target == glm::dvec3(0)) {
         add("--camera", "elevation=" + numberText(camera.elevation) + ",azimuth=" + numberText(camera.azimuth) +

@@ -1,13 +1,13 @@
 // relief list [--json]
 #include <nlohmann/json.hpp>
 
-#include "filtering/filter_choice.h"
+#include "filtering/filters/filter_choice.h"
 #include "help_formatter.h"
-#include "measuring/bench/row_methods.h"
 #include "options_common.h"
 #include "output.h"
 #include "relief/reliefs.h"
 #include "relief/visibility/any_hit.h"
+#include "scenario/row_methods.h"
 
 namespace relief::app {
 

@@ -139,7 +139,7 @@ class ScenarioOptions {
     bool shadows_ = false;
     bool noSkip_ = false;
     std::vector<std::string> settings_, filterSettings_;
-    OptionText scene_, camera_, eye_, target_, fov_, size_, light_, bounded_;
+    OptionText scene_, camera_, eye_, target_, fov_, size_, light_, bounded_, mapping_;
 };
 
 // "elevation=20,azimuth=30": the camera becomes an orbit unless only the field of view is given. option: for messages.

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "filtering/filter_choice.h"
+#include "filtering/filters/filter_choice.h"
 #include "options_common.h"
 #include "output.h"
 #include "part.h"
@@ -8,6 +8,7 @@
 #include "relief/reliefs.h"
 #include "relief/tracers.h"
 #include "relief/tracers/map_choice.h"
+#include "scenario/row_methods.h"
 
 namespace relief::app {
 
@@ -56,6 +57,12 @@ std::string tracerNames() {
     std::string names;
     for (const MethodDescription& method : tracerList()) names += (names.empty() ? "" : ", ") + method.name;
     return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    return all;
 }
 
 std::string filterNames() {
@@ -204,6 +211,11 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
     addText(parser, "--eye", eye_, "X,Y,Z", "a free camera: where it is, texture widths, y up; with --target", group);
     addText(parser, "--target", target_, "X,Y,Z", "what the free camera looks at", group);
     addText(parser, "--fov", fov_, "DEGREES", numberHelp("fov"), group);
+    addText(
+        parser, "--mapping", mapping_, "NAME",
+        "how texture coordinates are made along a row of pixels, as bench rows spells it: " + listed(mappingNames()) +
+            "; direct: in double; the others in float, such as incremental:anchor=0; default direct",
+        group);
     if (look == Look::No) return;
     addFlag(parser, "--no-skip", noSkip_,
             "do all the work that cannot change a bit as well: the same picture, slower (the report says what is "
@@ -317,6 +329,10 @@ void ScenarioOptions::applyView(Scenario& scenario) const {
         }
     }
     if (scene_) scenario.scene = parseScene(*scene_);
+    if (mapping_) {
+        parseMapping(*mapping_, "--mapping");
+        scenario.mapping = *mapping_;
+    }
     if (shadows_) scenario.shadows = true;
     if (noSkip_) scenario.skip = false;
     if (bounded_) setScenarioNumber(scenario, "bounded", parseNumber(*bounded_, "--bounded"), "--bounded");

@@ -145,6 +145,11 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
     // Whose walk found the hits in these seconds, and whose steps are counted: two names where a frame takes another
     // exact walk because it is faster. The hits are the same.
     report["walks"] = {{"hits", frame.tracedBy}, {"steps", scenario.method.name}};
+    // off_direct_texels: by how much its texture coordinates are off those of `direct`, at the most. Triangles have
+    // none.
+    if (findTracer(scenario.method.name).kind != MethodKind::Mesh) {
+        report["mapping"] = {{"name", scenario.mapping}, {"off_direct_texels", frame.mappingOff}};
+    }
     report["maps"] = {{"builds", countJson(taken("map builds"))},
                       {"bytes", countJson(taken("map bytes"))},
                       {"build_seconds", taken("map build seconds")}};

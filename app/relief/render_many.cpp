@@ -174,7 +174,10 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
         }
         addPictures(scenarios.size(), scenario.camera, end.camera, count, stem, layers.empty() ? ".png" : ".exr",
                     pictures);
-        what["scenarios"].push_back(scenarioText(scenario));
+        // The window's state changes no picture.
+        Scenario begin = scenario;
+        begin.ui.clear(), end.ui.clear();
+        what["scenarios"].push_back(scenarioText(begin));
         what["ends"].push_back(scenarioText(end));
         scenarios.push_back(std::move(scenario));
     }

@@ -144,7 +144,7 @@ std::string coefficientLines(const std::vector<PixelChoice>& pixels, const Frame
 Asked raysOfView(const FrameRequest& request) {
     const VisiblePolygons visible =
         visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
-                        request.width, request.height, request.field.reliefDepth());
+                        request.width, request.height, request.field.reliefDepth(), request.mapping);
     Asked asked;
     for (int y = 0; y < request.height; ++y) {
         for (int x = 0; x < request.width; ++x) {

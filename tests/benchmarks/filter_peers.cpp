@@ -23,7 +23,7 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
-#include "filtering/texture_filter.h"
+#include "filtering/filters/filters.h"
 #include "mapping/rows/row_lanes.h"
 #include "measuring/bench/bench_filters.h"
 #include "measuring/bench/machine.h"

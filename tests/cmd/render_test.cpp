@@ -80,6 +80,16 @@ TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
     const Json lit = Json::parse(
         runFine({"render", "--height", height, "--size", "40x30", "--shadows", "-o", path("p.png"), "--report", "-"}));
     EXPECT_EQ(lit["walks"], (Json{{"hits", "cone"}, {"steps", "max-pyramid"}}));
+    EXPECT_EQ(lit["mapping"], (Json{{"name", "direct"}, {"off_direct_texels", 0.0}}));
+    const auto wall = [&](const std::string& tracer) {
+        return Json::parse(
+            runFine({"render", "--height", height, "--size", "40x30", "--scene", "wall", "--camera", "azimuth=55",
+                     "--mapping", "affine", "--tracer", tracer, "-o", path("p.png"), "--report", "-"}));
+    };
+    const Json bent = wall("max-pyramid");
+    EXPECT_EQ(bent["mapping"]["name"], "affine");
+    EXPECT_GT(bent["mapping"]["off_direct_texels"], 1);
+    EXPECT_FALSE(wall("displacement").contains("mapping")) << "triangles take no rows";
 }
 
 // What is skipped at the price of an error says which, measured.

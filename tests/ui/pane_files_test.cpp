@@ -36,7 +36,7 @@ TEST(PaneFiles, writtenAndReadTheyAreTheSame) {
     EXPECT_EQ(relief::scenarioText(parseWindowScenario(text, "s.json")), text);
 }
 
-// Files of before open, and nothing is written of panes that nobody touched.
+// Nothing is written of panes that nobody touched.
 TEST(PaneFiles, untouchedPanesAreNotInTheFile) {
     EXPECT_EQ(relief::scenarioText(Scenario{}).find("\"ui\""), std::string::npos);
     EXPECT_EQ(panesOf(parseWindowScenario("{\"reliefscope\": 1}", "s.json")), PaneStates{});
@@ -129,6 +129,14 @@ TEST(PaneFiles, aCommandCarriesWhatItDoesNotKnow) {
     const std::string text = R"({"reliefscope": 1, "ui": {"telescope": {"zoom": 3}}})";
     EXPECT_NE(relief::scenarioText(relief::parseScenario(text, "s.json")).find("telescope"), std::string::npos);
     EXPECT_THROW(parseWindowScenario(text, "s.json"), InputError);
+    const std::string deep =
+        R"({"reliefscope": 1, "ui": {"a": )" + std::string(100000, '[') + std::string(100000, ']') + "}}";
+    EXPECT_THROW(relief::parseScenario(deep, "s.json"), InputError);
+    const std::string both =
+        R"({"reliefscope": 1, "panes": {"charts": {"maps": true}}, "ui": {"charts": {"live": false}}})";
+    const PaneStates panes = panesOf(parseWindowScenario(both, "s.json"));
+    EXPECT_EQ(panes, panesOf(relief::parseScenario(both, "s.json"))) << "commands and the window take the same one";
+    EXPECT_FALSE(panes.charts.maps);
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ class Rows {
         if (f_.filter.name == relief::kSupersample) {
             entry(Message(MessageId::DrawFootprintSamples, {{"samples", f_.filter.samples}}));
         }
-        const bool options = !relief::findFilter(f_.filter.name).options.empty();
-        if (options && f_.listed && f.kind == FootprintKind::Bilinear) entry(Message(MessageId::DrawFootprintSmall));
+        const bool ellipse = relief::findFilter(f_.filter.name).ellipse;
+        if (ellipse && f_.listed && f.kind == FootprintKind::Bilinear) entry(Message(MessageId::DrawFootprintSmall));
         if (f.kind == FootprintKind::Shape) entry(Message(MessageId::DrawFootprintShape));
         if (f.kind == FootprintKind::Top) entry(Message(MessageId::DrawFootprintTop));
         visibility();

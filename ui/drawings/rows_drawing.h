@@ -10,7 +10,7 @@
 
 #include "drawings/drawing.h"
 #include "mapping/rows/row_errors.h"
-#include "measuring/bench/row_methods.h"
+#include "scenario/row_methods.h"
 
 namespace reliefui {
 

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "rendering/scene.h"
+#include "scenario/row_methods.h"
 #include "views/orbit.h"
 #include "windows/core_texts.h"
 #include "windows/filter_box.h"
@@ -39,6 +40,12 @@ const std::vector<std::string>& scenes() {
                                                 std::string(relief::sceneName(relief::SceneKind::Wall)),
                                                 std::string(relief::sceneName(relief::SceneKind::Cube))};
     return names;
+}
+
+// As commands and files spell it. One from a file may have options that are offered to nobody else.
+void offerMapping(QComboBox* box, const std::string& mapping) {
+    const QString text = QString::fromStdString(mapping);
+    if (box->findData(text) < 0) box->addItem(text, text);
 }
 
 }  // namespace
@@ -102,7 +109,9 @@ ScenePanel::ScenePanel(Workspace* workspace, QWidget* parent) : QWidget(parent),
     addShadows(light);
     addMethod(addGroup(column, tr("Method")));
     addGroup(column, tr("Filter"))->addRow(new FilterBox(workspace, this));
-    addNumbers(addGroup(column, tr("Picture drawn")), {"width", "height", "bounded"});
+    QFormLayout* const drawn = addGroup(column, tr("Picture drawn"));
+    addNumbers(drawn, {"width", "height", "bounded"});
+    addMapping(drawn);
     column->addStretch(1);
     connect(workspace_, &Workspace::scenarioChanged, this, &ScenePanel::refresh);
     connect(workspace_, &Workspace::snapshotChanged, this, &ScenePanel::refreshMethod);
@@ -206,6 +215,21 @@ void ScenePanel::addShadows(QFormLayout* form) {
     });
 }
 
+void ScenePanel::addMapping(QFormLayout* form) {
+    mapping_ = addChoice(form, tr("Coordinates"), QStringLiteral("mapping"),
+                         tr("How texture coordinates are made along a row of pixels: direct is exact; affine bends "
+                            "walls, subspan bends them between its divisions"),
+                         {});
+    for (const std::string& name : relief::mappingNames()) offerMapping(mapping_, name);
+    offerMapping(mapping_, "incremental:anchor=0");
+    offerMapping(mapping_, "streams:anchor=0");
+    connect(mapping_, qOverload<int>(&QComboBox::activated), this, [this](int) {
+        relief::Scenario scenario = workspace_->scenario();
+        scenario.mapping = mapping_->currentData().toString().toStdString();
+        workspace_->change(scenario, tr("Coordinates"));
+    });
+}
+
 void ScenePanel::addMethod(QFormLayout* form) {
     for (QLabel** const label : {&help_, &guarantee_}) {
         *label = new QLabel(this);
@@ -237,6 +261,8 @@ void ScenePanel::refresh() {
     choose(surface_, relief::surfaceName(scenario.surface));
     choose(address_, relief::addressName(scenario.address));
     choose(scene_, relief::sceneName(scenario.scene));
+    offerMapping(mapping_, scenario.mapping);
+    choose(mapping_, scenario.mapping);
     shadows_->setChecked(scenario.shadows);
     const relief::MethodDescription& method = relief::findTracer(scenario.method.name);
     help_->setText(tr("<b>%1</b>. %2").arg(QString::fromStdString(method.name), coreText(method.help)));

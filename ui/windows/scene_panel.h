@@ -49,6 +49,7 @@ class ScenePanel : public QWidget {
     void addViews(QFormLayout* form);
     void addDefaults(QFormLayout* form);
     void addShadows(QFormLayout* form);
+    void addMapping(QFormLayout* form);
     void addMethod(QFormLayout* form);
     void refresh();
     void refreshMethod();
@@ -57,6 +58,7 @@ class ScenePanel : public QWidget {
     QComboBox* surface_ = nullptr;
     QComboBox* address_ = nullptr;
     QComboBox* scene_ = nullptr;
+    QComboBox* mapping_ = nullptr;
     QCheckBox* shadows_ = nullptr;
     QToolButton* defaults_ = nullptr;
     OptionsForm* options_ = nullptr;

@@ -217,6 +217,11 @@ QString StatusLine::frameText() const {
     const double pixels = counter(frame, "pixels");
     const double spared = counter(frame, "pixels without a polygon") + counter(frame, "rays not needed: flat ground") +
                           counter(frame, "rays not traced: little parallax");
+    if (frame.mappingOff > 0) {
+        text += QStringLiteral("     ") +
+                tr("%1 coordinates, off by up to %2 texels")
+                    .arg(QString::fromStdString(snapshot->scenario.mapping), rounded(frame.mappingOff, 2));
+    }
     return text + QStringLiteral("     ") +
            tr("skipped: %1 %").arg(std::lround(pixels > 0 ? 100 * spared / pixels : 0));
 }

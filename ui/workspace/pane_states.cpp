@@ -4,10 +4,10 @@
 
 #include "measuring/bench/bench_rows.h"
 #include "measuring/bench/pareto.h"
-#include "measuring/bench/row_methods.h"
 #include "relief/files.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/json_reader.h"
+#include "scenario/row_methods.h"
 
 namespace reliefui {
 
@@ -251,8 +251,11 @@ relief::Scenario parseWindowScenario(const std::string& text, const std::string&
     const Json json = relief::parseJson(text, fileName);
     JsonReader reader({text, fileName}, json, {});
     PaneStates panes;
+    // As parseScenario() chooses.
     for (const char* key : {"ui", "panes"}) {
-        if (reader.has(key)) readPanes(reader.child(key), panes);
+        if (!reader.has(key)) continue;
+        readPanes(reader.child(key), panes);
+        break;
     }
     checkPanes(panes, fileName);
     setPanesOf(scenario, panes);

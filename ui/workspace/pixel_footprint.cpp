@@ -135,7 +135,7 @@ void addNeighbours(PixelFootprint& out, const relief::Frame& frame, const relief
             circle.jacobian = scaled(query->jacobian, perField);
             circle.centre = query->place * perField;
             circle.beside = dx == 0 || dy == 0;
-            if (frame.filter && !frame.filter->description().options.empty() && out.listed) {
+            if (frame.filter && frame.filter->description().ellipse && out.listed) {
                 relief::FootprintLog log;
                 relief::FootprintCounts counts;
                 frame.filter->color(*query, counts, work, &log);

@@ -35,7 +35,7 @@ struct Camera {
 // Throws InputError("--camera", ...) where the camera is degenerate (eye at the target, fov out of range, NaN).
 PinholeCamera pinholeCamera(const Camera& camera, int width, int height);
 
-// The view ray of pixel (x, y) of a width x height picture of the relief on the floor; none: no relief is there.
+// The view ray of pixel (x, y) of a width x height picture of the relief on the floor; nullopt where no relief is.
 // Throws InputError where the camera is degenerate or the pixel outside.
 std::optional<ViewRay> floorRay(const HeightField& field, const Camera& camera, int width, int height, int x, int y);
 

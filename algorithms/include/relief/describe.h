@@ -77,6 +77,9 @@ struct MethodChoice {
     bool operator==(const MethodChoice&) const = default;
 };
 
+// "NAME:OPTION=VALUE:OPTION=VALUE" taken apart, not checked. Throws InputError naming `option`.
+MethodChoice splitMethodChoice(const std::string& text, const std::string& option);
+
 std::string_view surfaceName(Surface surface);
 std::string_view addressName(Address address);
 std::string_view guaranteeName(Guarantee guarantee);

@@ -81,6 +81,8 @@ struct RowOptions {
     bool operator==(const RowOptions&) const = default;
 };
 
+inline constexpr RowOptions kDirectRows{RowVariant::Direct};
+
 // Whether a variant goes by forward differences (and so takes an anchor), and how many pixels one of its steps is.
 bool drifts(RowVariant variant);
 int pixelsPerStep(const RowOptions& options);

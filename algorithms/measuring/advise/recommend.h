@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "filtering/filter_choice.h"
+#include "filtering/filters/filter_choice.h"
 #include "measuring/bench/bench_tracers.h"
 #include "relief/image.h"
 

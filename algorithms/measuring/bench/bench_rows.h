@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "measuring/bench/bench_columns.h"
-#include "measuring/bench/row_methods.h"
 #include "relief/work.h"
+#include "scenario/row_methods.h"
 
 namespace relief {
 

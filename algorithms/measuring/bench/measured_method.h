@@ -26,8 +26,6 @@ struct MeasuredMethod {
 // A method of the list with these options. Throws InputError for unknown names.
 MeasuredMethod measuredMethod(const MethodChoice& choice, Form form = Form::Simd);
 
-// "NAME:OPTION=VALUE:OPTION=VALUE" taken apart, not checked. Throws InputError naming `option`.
-MethodChoice splitMethodChoice(const std::string& text, const std::string& option);
 // "layers", "layers-bisection:layers=128:bisections=4": name and checked options. Throws InputError naming `option`.
 MethodChoice parseMethodChoice(const std::string& text, const std::string& option);
 // The options alone, "layers=64:bisections=8"; with the defaults of those that were not given if `all`.

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
@@ -305,7 +305,7 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
                                   field.slabTexels(), values, work);
             break;
         case DistanceKind::RefinedSampled:
-            assert(exactHits != nullptr);
+            if (exactHits == nullptr) throw std::logic_error("refined-sampled: nothing traces its rays");
             refinedSampled(map, shape.nx, shape.ny, field, exactHits(field, work), values, work);
             break;
         case DistanceKind::Refined:

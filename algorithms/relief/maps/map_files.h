@@ -28,7 +28,8 @@ std::string mapSizeText(const StoredMap& map);
 void saveMap(const std::string& path, const StoredMap& map, const FloatImage& heights);
 
 // The map of that field. Refuses what would take more than maxBytes before allocating it, and parameters that
-// `buildable` does not know (as a damaged file's are); may be cancelled. loadMap() of tracers/map_choice.h knows all.
+// `buildable` rejects (as a damaged file's are); may be cancelled. loadMap() of tracers/map_choice.h checks by the
+// list.
 using MapCheck = bool (*)(const StoredMap& map);
 StoredMap readStoredMap(const std::string& path, const HeightField& field, std::size_t maxBytes, MapCheck buildable,
                         Work& work);

@@ -135,7 +135,7 @@ DistanceParameters distanceParameters(DistanceKind kind, const Options& options)
     return parameters;
 }
 
-// What sampled maps trace their rays by: the max pyramid, with maps of its own. The work outlives it.
+// Traces the rays of sampled maps: by the max pyramid, whose maps it keeps.
 inline ExactHits exactHits(const HeightField& field, Work& work) {
     MapCache own;
     return [tracer = std::make_shared<const MaxPyramidTracer>(MaxPyramidTracer::make(field, {}, own, work))](

@@ -167,6 +167,9 @@ StoredMap buildMap(const std::string& kind, const OptionValues& options, const H
     return map;
 }
 
+namespace {
+
+// Whether the parameters are ones that the map's tracer can ask for.
 bool buildable(const StoredMap& map) {
     const MethodDescription& method = findTracer(methodOfMap(mapKindName(map)));
     for (const ParameterText& parameter : parameterTexts(map)) {
@@ -184,6 +187,8 @@ bool buildable(const StoredMap& map) {
     }
     return true;
 }
+
+}  // namespace
 
 StoredMap loadMap(const std::string& path, const HeightField& field, std::size_t maxBytes, Work& work) {
     return readStoredMap(path, field, maxBytes, &buildable, work);

@@ -29,9 +29,7 @@ const std::string& methodOfMap(const std::string& kind);
 StoredMap buildMap(const std::string& kind, const OptionValues& options, const HeightField& field, MapCache& cache,
                    Work& work);
 
-// Whether the map's parameters are ones that its tracer can ask for (as a damaged file's are not).
-bool buildable(const StoredMap& map);
-// readStoredMap() with that check.
+// readStoredMap(); parameters that no tracer can ask for are rejected.
 StoredMap loadMap(const std::string& path, const HeightField& field, std::size_t maxBytes, Work& work);
 
 // Puts the map where the tracer will look for it. Gives the choice with the options that the map was built with; throws

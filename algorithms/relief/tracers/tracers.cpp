@@ -3,54 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
-#include <tuple>
 
 #include "relief/block_work.h"
-#include "relief/methods/bump.h"
-#include "relief/methods/cone.h"
-#include "relief/methods/cone_dummer.h"
-#include "relief/methods/displacement.h"
-#include "relief/methods/distance.h"
-#include "relief/methods/distance_conservative.h"
-#include "relief/methods/distance_refined.h"
-#include "relief/methods/distance_refined_sampled.h"
-#include "relief/methods/exact.h"
-#include "relief/methods/flat.h"
-#include "relief/methods/layers.h"
-#include "relief/methods/max_pyramid.h"
-#include "relief/methods/max_pyramid_paper.h"
-#include "relief/methods/normal_map.h"
-#include "relief/methods/offset.h"
-#include "relief/methods/offset_limited.h"
-#include "relief/methods/relaxed_cone.h"
-#include "relief/tracers/hybrid.h"
+#include "relief/tracers/tracer_types.h"
 
 namespace relief {
 
 namespace {
-
-// The explicit list: one line a method.
-using TracerTypes = std::tuple<    //
-    ExactTracer,                   //
-    MaxPyramidTracer,              //
-    MaxPyramidPaperTracer,         //
-    OffsetTracer,                  //
-    OffsetLimitedTracer,           //
-    LayersTracer,                  //
-    LayersSecantTracer,            //
-    LayersBisectionTracer,         //
-    ConeTracer,                    //
-    ConeDummerTracer,              //
-    RelaxedConeTracer,             //
-    DistanceTracer,                //
-    DistanceConservativeTracer,    //
-    DistanceRefinedSampledTracer,  //
-    DistanceRefinedTracer,         //
-    HybridTracer,                  //
-    FlatTracer,                    //
-    BumpTracer,                    //
-    NormalMapTracer,               //
-    DisplacementTracer>;
 
 // Methods that work inside segments have traceSegment.
 template <class T>

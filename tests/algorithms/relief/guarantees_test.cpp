@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "fields.h"
+#include "images/pyramid.h"
 #include "relief/cell_grid.h"
 #include "relief/files.h"
 

@@ -50,10 +50,10 @@ Change heightsOf(const Heights& heights) {
 std::multimap<std::string, Change> changes() {
     // A field that is added to the request stops the build here: give it other values below.
     [[maybe_unused]] const auto& [width, height, field, method, color, normals, filter, scene, camera, light, shadows,
-                                  counts, skip, bounded, sky, sample, margin] = request();
-    const std::set<std::string> names{"width",  "height",  "field",  "method", "color",   "normals",
-                                      "filter", "scene",   "camera", "light",  "shadows", "counts",
-                                      "skip",   "bounded", "sky",    "sample", "margin"};
+                                  counts, mapping, skip, bounded, sky, sample, margin] = request();
+    const std::set<std::string> names{"width",   "height", "field",   "method", "color",   "normals",
+                                      "filter",  "scene",  "camera",  "light",  "shadows", "counts",
+                                      "mapping", "skip",   "bounded", "sky",    "sample",  "margin"};
     std::multimap<std::string, Change> all{
         {"width", [](FrameRequest& r) { r.width = 29; }},
         {"height", [](FrameRequest& r) { r.height = 27; }},
@@ -95,6 +95,11 @@ std::multimap<std::string, Change> changes() {
         {"light", [](FrameRequest& r) { r.light.intensity = 0.5; }},
         {"shadows", [](FrameRequest& r) { r.shadows = false; }},
         {"counts", [](FrameRequest& r) { r.counts = true; }},
+        {"mapping", [](FrameRequest& r) { r.mapping.variant = RowVariant::Affine; }},
+        {"mapping",
+         [](FrameRequest& r) {
+             r.mapping = {RowVariant::Subspan, 16, 5};
+         }},
         {"skip", [](FrameRequest& r) { r.skip = false; }},
         {"bounded", [](FrameRequest& r) { r.bounded = kMaxBounded; }},
         {"sky", [](FrameRequest& r) { r.sky = Color(1, 0, 1); }},

@@ -1,21 +1,17 @@
 // The filter by name, and its settings: what scenarios, the command line and the window share.
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "filtering/filter_description.h"
 #include "filtering/pixel_model.h"
-#include "relief/describe.h"
 
 namespace relief {
 
 // Samples along each side of a pixel, at most.
 inline constexpr int kMaxSamples = 64;
-
-// The filter whose samples are rays: the renderer's, not the texture's.
-inline constexpr std::string_view kSupersample = "supersample";
 
 struct FilterChoice {
     std::string name = "bilinear";
@@ -23,16 +19,6 @@ struct FilterChoice {
     int samples = 8;                          // supersample: along each side of a pixel, 1 to kMaxSamples
     PixelModel pixelModel = PixelModel::Box;  // supersample
     bool operator==(const FilterChoice&) const = default;
-};
-
-struct FilterDescription {
-    std::string name;
-    std::string help;
-    std::string source;
-    std::vector<OptionDescription> options;
-    std::map<std::string, std::string> defaults;  // of the options, as text
-    bool footprint = false;                       // reads the pixel's projection onto the texture
-    bool visible = false;                         // and what the relief hides of it
 };
 
 const std::vector<FilterDescription>& filterList();

@@ -1,11 +1,10 @@
-#include "measuring/bench/row_methods.h"
+#include "scenario/row_methods.h"
 
 #include <algorithm>
 
 #include "mapping/rows/counting_scalar.h"
 #include "mapping/rows/derivatives.h"
 #include "mapping/rows/row_kernels.h"
-#include "measuring/bench/measured_method.h"
 
 namespace relief {
 
@@ -216,6 +215,30 @@ RowMethod parseRowMethod(const std::string& text, const std::string& option) {
     }
     method.settings = parseOptions<RowSettings>(choice.name, choice.options);
     return method;
+}
+
+RowOptions parseMapping(const std::string& text, const std::string& option) {
+    const RowMethod method = parseRowMethod(text, option);
+    if (!std::holds_alternative<RowVariant>(method.description->kind)) {
+        std::string known;
+        for (const std::string& name : mappingNames()) known += (known.empty() ? "" : ", ") + name;
+        throw InputError(option, Message(MessageId::UnknownName,
+                                         {{"what", "mapping"}, {"name", method.description->name}, {"known", known}}));
+    }
+    if (method.settings.error > 0) {
+        throw InputError(option,
+                         Message(MessageId::UnknownName,
+                                 {{"what", "option of a picture's subspan"}, {"name", "error"}, {"known", "span"}}));
+    }
+    return method.options();
+}
+
+std::vector<std::string> mappingNames() {
+    std::vector<std::string> names;
+    for (const RowMethodDescription& method : rowMethodList()) {
+        if (std::holds_alternative<RowVariant>(method.kind)) names.push_back(method.name);
+    }
+    return names;
 }
 
 std::vector<RowMethod> defaultRowMethods() {

@@ -50,6 +50,10 @@ struct RowMethod {
 };
 // "streams", "streams:streams=4:anchor=0". Throws InputError naming `option`: unknown names, values out of range.
 RowMethod parseRowMethod(const std::string& text, const std::string& option);
+// Of the variants alone, as a picture's rows are made. error of subspan is the bench's: InputError.
+RowOptions parseMapping(const std::string& text, const std::string& option);
+// The names that parseMapping() knows.
+std::vector<std::string> mappingNames();
 // What `relief bench rows` measures by itself.
 std::vector<RowMethod> defaultRowMethods();
 

@@ -1,0 +1,114 @@
+#include "filtering/filters/filters.h"
+
+#include <cassert>
+
+#include "filtering/filters/filter_types.h"
+
+namespace relief {
+
+namespace {
+
+// Calls visit<Filter>() for each type of the list.
+template <class Visit>
+void forEachFilter(const Visit& visit) {
+    [&]<class... Filters>(std::tuple<Filters...>*) {
+        (visit.template operator()<Filters>(), ...);
+    }(static_cast<FilterTypes*>(nullptr));
+}
+
+// Calls visit<Filter>() for the one of this name.
+template <class Visit>
+void withFilter(const std::string& name, const Visit& visit) {
+    forEachFilter([&]<class Filter>() {
+        if (filterDescriptionOf<Filter>().name == name) visit.template operator()<Filter>();
+    });
+}
+
+}  // namespace
+
+const std::vector<FilterDescription>& filterList() {
+    static const std::vector<FilterDescription> list = [] {
+        std::vector<FilterDescription> all;
+        forEachFilter([&]<class Filter>() { all.push_back(filterDescriptionOf<Filter>()); });
+        return all;
+    }();
+    return list;
+}
+
+std::vector<FilterChoice> filterForms() {
+    std::vector<FilterChoice> forms;
+    for (const FilterDescription& filter : filterList()) {
+        FilterChoice choice;
+        choice.name = filter.name;
+        forms.push_back(choice);
+        if (!filter.visible) continue;
+        for (const OptionDescription& option : filter.options) {
+            if (option.name != "form") continue;
+            for (const std::string& form : option.choices) {
+                if (form == filter.defaults.at(option.name)) continue;
+                forms.push_back(choice);
+                forms.back().options["form"] = form;
+            }
+        }
+    }
+    return forms;
+}
+
+const FilterDescription& findFilter(std::string_view name) {
+    std::string known;
+    for (const FilterDescription& filter : filterList()) {
+        if (filter.name == name) return filter;
+        known += (known.empty() ? "" : ", ") + filter.name;
+    }
+    throw InputError("--filter", Message(MessageId::UnknownName,
+                                         {{"what", "filter"}, {"name", std::string(name)}, {"known", known}}));
+}
+
+bool needsLevels(const FilterChoice& choice) {
+    return findFilter(choice.name).footprint;
+}
+
+void checkFilter(const FilterChoice& choice, const std::string& subject) {
+    withFilter(findFilter(choice.name).name,
+               [&]<class Filter>() { parseOptions<typename Filter::Options>(choice.name, choice.options, subject); });
+}
+
+FilterChoice parseFilter(std::string_view text, const std::string& subject) {
+    FilterChoice choice;
+    std::size_t colon = text.find(':');
+    choice.name = findFilter(text.substr(0, colon)).name;
+    while (colon != std::string_view::npos) {
+        text.remove_prefix(colon + 1);
+        colon = text.find(':');
+        const std::string_view part = text.substr(0, colon);
+        const std::size_t equals = part.find('=');
+        if (equals == std::string_view::npos || equals == 0) {
+            throw InputError(subject, Message(MessageId::NotASetting,
+                                              {{"text", std::string(part)}, {"example", "elliptical:sigma=0.5"}}));
+        }
+        choice.options[std::string(part.substr(0, equals))] = part.substr(equals + 1);
+    }
+    checkFilter(choice, subject);
+    return choice;
+}
+
+std::string filterText(const FilterChoice& choice) {
+    std::string text = choice.name;
+    for (const auto& [name, value] : choice.options) text.append(":").append(name).append("=").append(value);
+    return text;
+}
+
+std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, const FilterTools& tools, MapCache& maps,
+                                                Work& work) {
+    assert(tools.picture && !tools.picture->empty());
+    FilterTools ready = tools;
+    if (needsLevels(choice) && !ready.levels) ready.levels = std::make_shared<const ColorLevels>(tools.picture, work);
+    std::unique_ptr<const TextureFilter> made;
+    withFilter(choice.name, [&]<class Filter>() {
+        const auto options = parseOptions<typename Filter::Options>(choice.name, choice.options, "--filter-set");
+        made = Filter::make(options, ready, maps, work);
+    });
+    return made;
+}
+
+}  // namespace relief

@@ -1,0 +1,17 @@
+// Every filter behind one face.
+#pragma once
+
+#include <memory>
+
+#include "filtering/filters/filter_choice.h"
+#include "filtering/texture_filter.h"
+
+namespace relief {
+
+// `supersample` reads each of its samples bilinearly. Throws InputError (names, options), Cancelled.
+std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, const FilterTools& tools, MapCache& maps,
+                                                Work& work);
+// Whether the filter reads the mean pyramid.
+bool needsLevels(const FilterChoice& choice);
+
+}  // namespace relief

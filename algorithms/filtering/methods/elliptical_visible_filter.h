@@ -1,0 +1,26 @@
+// elliptical-visible: the elliptical filter without the texels that the relief hides from the viewer. [ANISO17].
+// Its forms: by tracing texels back (filtering/elliptical_visible.h), by rays through parts of the pixel
+// (filtering/elliptical_rays.h), by points that neighbours share (filtering/elliptical_grid.h), each with its errors
+// and cost.
+#pragma once
+
+#include "filtering/elliptical_visible.h"
+#include "filtering/texture_filter.h"
+
+namespace relief {
+
+struct EllipticalVisible {
+    using Options = VisibleOptions;
+    static FilterDescription describe() {
+        FilterDescription filter;
+        filter.name = "elliptical-visible";
+        filter.help = "the same without the texels that the relief hides from the viewer";
+        filter.source = "[ANISO17] (form=plane)";
+        filter.footprint = filter.ellipse = filter.visible = true;
+        return filter;
+    }
+    static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache& maps,
+                                                     Work& work);
+};
+
+}  // namespace relief

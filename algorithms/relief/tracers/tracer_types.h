@@ -1,0 +1,56 @@
+// The explicit list of methods: one line each. A method is a type with
+//   describe(), Options with fields(), make(field, options, maps, work),
+//   trace(ray, sink), field(), bytes() of its maps, stepBound(ray);
+// and what it has besides, which tracers.cpp asks for: traceSegment() with segmentRecords(), to work inside `hybrid`;
+// traceLanes(), the SIMD version, with simdWith() and hasSimdMap() where that depends on options and maps; guarantee(),
+// mesh(), pyramidWalk().
+// trace() gives Miss for a ray that is not finite, and otherwise only under border; its log ends with the decision that
+// is the outcome, within stepBound(ray) records, and all its numbers are finite.
+#pragma once
+
+#include <tuple>
+
+#include "relief/methods/bump.h"
+#include "relief/methods/cone.h"
+#include "relief/methods/cone_dummer.h"
+#include "relief/methods/displacement.h"
+#include "relief/methods/distance.h"
+#include "relief/methods/distance_conservative.h"
+#include "relief/methods/distance_refined.h"
+#include "relief/methods/distance_refined_sampled.h"
+#include "relief/methods/exact.h"
+#include "relief/methods/flat.h"
+#include "relief/methods/layers.h"
+#include "relief/methods/max_pyramid.h"
+#include "relief/methods/max_pyramid_paper.h"
+#include "relief/methods/normal_map.h"
+#include "relief/methods/offset.h"
+#include "relief/methods/offset_limited.h"
+#include "relief/methods/relaxed_cone.h"
+#include "relief/tracers/hybrid.h"
+
+namespace relief {
+
+using TracerTypes = std::tuple<    //
+    ExactTracer,                   //
+    MaxPyramidTracer,              //
+    MaxPyramidPaperTracer,         //
+    OffsetTracer,                  //
+    OffsetLimitedTracer,           //
+    LayersTracer,                  //
+    LayersSecantTracer,            //
+    LayersBisectionTracer,         //
+    ConeTracer,                    //
+    ConeDummerTracer,              //
+    RelaxedConeTracer,             //
+    DistanceTracer,                //
+    DistanceConservativeTracer,    //
+    DistanceRefinedSampledTracer,  //
+    DistanceRefinedTracer,         //
+    HybridTracer,                  //
+    FlatTracer,                    //
+    BumpTracer,                    //
+    NormalMapTracer,               //
+    DisplacementTracer>;
+
+}  // namespace relief
