@@ -3477,8 +3477,12 @@ Click to switch the method to %1</source>
         <translation> (%1 × %2)</translation>
     </message>
     <message>
-        <source>%1 coordinates, off by up to %2 texels</source>
-        <translation>координати %1, похибка до %2 текселів</translation>
+        <source>coordinates ±%1 texels</source>
+        <translation>координати ±%1 текселів</translation>
+    </message>
+    <message>
+        <source>Coordinates: %1, off by up to %2 texels</source>
+        <translation>Координати: %1, похибка до %2 текселів</translation>
     </message>
     <message>
         <source>skipped: %1 %</source>

@@ -218,13 +218,22 @@ RowMethod parseRowMethod(const std::string& text, const std::string& option) {
 }
 
 RowOptions parseMapping(const std::string& text, const std::string& option) {
-    const RowMethod method = parseRowMethod(text, option);
-    if (!std::holds_alternative<RowVariant>(method.description->kind)) {
+    const std::vector<std::string> names = mappingNames();
+    const std::string name = splitMethodChoice(text, option).name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
         std::string known;
-        for (const std::string& name : mappingNames()) known += (known.empty() ? "" : ", ") + name;
-        throw InputError(option, Message(MessageId::UnknownName,
-                                         {{"what", "mapping"}, {"name", method.description->name}, {"known", known}}));
+        for (const std::string& one : names) known += (known.empty() ? "" : ", ") + one;
+        throw InputError(option,
+                         Message(MessageId::UnknownName, {{"what", "mapping"}, {"name", name}, {"known", known}}));
     }
+    const RowMethod method = [&] {
+        try {
+            return parseRowMethod(text, option);
+        } catch (const InputError& error) {
+            // A value out of range names the option of methods.
+            throw InputError(option, error.message());
+        }
+    }();
     if (method.settings.error > 0) {
         throw InputError(option,
                          Message(MessageId::UnknownName,

@@ -187,7 +187,9 @@ FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {
     request.shadows = scenario.shadows;
     request.skip = scenario.skip;
     request.bounded = scenario.bounded;
-    request.mapping = parseMapping(scenario.mapping, "--mapping");
+    // Triangles take no rows, and a ray through them must meet what is drawn.
+    const bool rows = findTracer(scenario.method.name).kind != MethodKind::Mesh;
+    request.mapping = rows ? parseMapping(scenario.mapping, "--mapping") : kDirectRows;
     request.sky = Color(scenario.sky[0], scenario.sky[1], scenario.sky[2]);
     request.method = methodOfView(request, scenario.method);
     return request;

@@ -86,7 +86,9 @@ std::string rowsTable(const Table& table) {
             continue;
         }
         const std::string& variant = table.text(row, "variant");
-        std::string name = "`" + variant + "`";
+        // As --variants and --mapping spell it.
+        const bool never = variant.starts_with("incremental") && table.text(row, "anchor") == "0";
+        std::string name = "`" + variant + (never ? ":anchor=0`" : "`");
         if (variant == "streams") name += ", " + table.text(row, "streams");
         if (variant == "subspan") name += ", " + table.text(row, "span") + " pixels";
         const std::string& anchor = table.text(row, "anchor");

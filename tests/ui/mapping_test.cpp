@@ -24,7 +24,7 @@ TEST_F(WindowTest, CoordinatesAreChosenSaidAndUndone) {
     Q_EMIT box->activated(item);
     waitForFull();
     EXPECT_EQ(scenario().mapping, "affine");
-    EXPECT_TRUE(line->text().contains(QStringLiteral("affine coordinates"))) << line->text().toStdString();
+    EXPECT_TRUE(line->text().contains(QStringLiteral("coordinates ±"))) << line->text().toStdString();
     EXPECT_NE(snapshot()->frame->ray(100, 60), straight);
     workspace_->undo();
     waitForFull();

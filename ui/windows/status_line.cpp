@@ -169,7 +169,13 @@ void StatusLine::showLedger() {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
     constexpr std::size_t kPauses = 3;
-    frame_->setToolTip(ledger(*snapshot->frame) + QLatin1Char('\n') + PauseLog::instance().text(kPauses));
+    QString text = ledger(*snapshot->frame) + QLatin1Char('\n');
+    if (snapshot->frame->mappingOff > 0) {
+        text += tr("Coordinates: %1, off by up to %2 texels")
+                    .arg(QString::fromStdString(snapshot->scenario.mapping), rounded(snapshot->frame->mappingOff, 2)) +
+                QLatin1Char('\n');
+    }
+    frame_->setToolTip(text + PauseLog::instance().text(kPauses));
 }
 
 QString StatusLine::pixelText() const {
@@ -218,9 +224,7 @@ QString StatusLine::frameText() const {
     const double spared = counter(frame, "pixels without a polygon") + counter(frame, "rays not needed: flat ground") +
                           counter(frame, "rays not traced: little parallax");
     if (frame.mappingOff > 0) {
-        text += QStringLiteral("     ") +
-                tr("%1 coordinates, off by up to %2 texels")
-                    .arg(QString::fromStdString(snapshot->scenario.mapping), rounded(frame.mappingOff, 2));
+        text += QStringLiteral("     ") + tr("coordinates ±%1 texels").arg(rounded(frame.mappingOff, 2));
     }
     return text + QStringLiteral("     ") +
            tr("skipped: %1 %").arg(std::lround(pixels > 0 ? 100 * spared / pixels : 0));

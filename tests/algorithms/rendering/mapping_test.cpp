@@ -106,6 +106,19 @@ TEST(Mapping, ScenariosAndCommandsCarryIt) {
     for (const char* wrong : {"fill", "derivatives-cached", "bent", "affine:span=2", "subspan:error=0.5"}) {
         EXPECT_THROW(parseMapping(wrong, "--mapping"), InputError) << wrong;
     }
+    try {
+        parseMapping("subspan:span=0", "--mapping");
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.subject(), "--mapping");
+    }
+    // Triangles take no rows: rays through them meet what is drawn.
+    scenario.method.name = "displacement";
+    Assets assets;
+    assets.heights = std::make_shared<FloatImage>(makeRelief("bricks", 16, 16, 1));
+    EXPECT_EQ(frameRequest(scenario, assets).mapping, kDirectRows);
+    scenario.method.name = "exact";
+    EXPECT_EQ(frameRequest(scenario, assets).mapping, parseMapping(scenario.mapping, ""));
 }
 
 }  // namespace
