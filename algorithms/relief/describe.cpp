@@ -70,13 +70,12 @@ double parseNumber(std::string_view text, const std::string& subject) {
     return value;
 }
 
-void checkOption(const OptionDescription& option, const std::string& text) {
+void checkOption(const OptionDescription& option, const std::string& text, const std::string& subject) {
     if (option.kind == OptionKind::Choice || option.kind == OptionKind::Method) {
         if (std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end()) return;
-        std::string known;
-        for (const std::string& choice : option.choices) known += (known.empty() ? "" : ", ") + choice;
-        throw InputError("--set",
-                         Message(MessageId::UnknownName, {{"what", option.name}, {"name", text}, {"known", known}}));
+        throw InputError(subject,
+                         Message(MessageId::UnknownName,
+                                 {{"what", option.name}, {"name", text}, {"known", commaList(option.choices)}}));
     }
     if (std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end()) return;
     const double value = parseNumber(text, option.name);
@@ -84,9 +83,15 @@ void checkOption(const OptionDescription& option, const std::string& text) {
     if (value < option.low || value > option.high || !whole) {
         const std::string range =
             numberText(option.low) + " to " + numberText(option.high) + (whole ? "" : ", a whole number");
-        throw InputError("--set",
+        throw InputError(subject,
                          Message(MessageId::OutOfRange, {{"what", option.name}, {"value", text}, {"range", range}}));
     }
+}
+
+std::string commaList(const std::vector<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) all.append(all.empty() ? "" : ", ").append(name);
+    return all;
 }
 
 MethodChoice splitMethodChoice(const std::string& text, const std::string& option) {

@@ -1,12 +1,13 @@
-// How far walks in float keep from what they may not decide: references and SIMD versions alike (margins.md).
+// The margins of walks in float, for references and SIMD versions alike: what lies within them is not decided in float
+// (margins.md).
 #pragma once
 
 namespace relief {
 
 // Flatter rays are left to the reference: float would separate too few of their cells.
-inline constexpr double kLaneRun = 65536;
+inline constexpr double kFloatRun = 65536;
 // Cells from the origin within which positions are held as integers.
-inline constexpr double kLanePlaces = 4194304;
+inline constexpr double kFloatPlaces = 4194304;
 // Times 1 + 1 / run, a bound of the error of lambda = n * inverse + base in float: at most 7 + 4.5 / run units of 2^-24
 // (margins.md).
 inline constexpr float kCrossingMargin = 0x1p-21F;

@@ -1,11 +1,10 @@
-#include "relief/camera.h"
+#include "rendering/pinhole.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 
-#include "mapping/homography.h"
 #include "relief/errors.h"
 
 namespace relief {

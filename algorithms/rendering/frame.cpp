@@ -7,6 +7,7 @@
 
 #include "filtering/sampler.h"
 #include "relief/methods/look_up_point.h"
+#include "rendering/pinhole.h"
 #include "rendering/pixel_query.h"
 #include "rendering/visible_polygons.h"
 

@@ -126,7 +126,7 @@ struct Frame {
     // Name of the method whose walk has found the hits: `cone` where that is faster than the request's own, which gives
     // the same hits. Steps and reads are always the request's method's.
     std::string tracedBy;
-    double mappingOff = 0;  // texels: how far the request's mapping is off direct, at the most
+    double mappingOff = 0;  // the largest distance of coordinates from those of direct, texels
     ShadingNormal shading = ShadingNormal::Relief;
     std::shared_ptr<const BakedNormals> bakedNormals;  // where the method shades by a normal map and none is given
     PinholeCamera camera;

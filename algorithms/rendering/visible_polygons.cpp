@@ -41,7 +41,8 @@ double inverseDepthPerQ(const VisiblePolygon& polygon, const ClipPolygon& clippe
 
 VisiblePolygon::Entry VisiblePolygon::entry(int x, int y) const {
     Entry entry;
-    entries(y, span(y, screenWidth), x, x + 1, &entry);
+    // direct needs no row.
+    entries(y, mapping == kDirectRows ? PixelSpan{} : span(y, screenWidth), x, x + 1, &entry);
     return entry;
 }
 

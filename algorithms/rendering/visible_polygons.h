@@ -26,8 +26,8 @@ struct VisiblePolygon : PixelView {
     };
     // Through the centre of pixel (x, y), which lies in the polygon's span. Mappings but direct: makes the whole row.
     Entry entry(int x, int y) const;
-    // Of the pixels [first, last) of row y, within its span. Gives by how many texels the mapping is off direct at
-    // most.
+    // Of the pixels [first, last) of row y, within its span. Returns the largest distance, in texels, between the
+    // mapping's coordinates and those of direct.
     double entries(int y, PixelSpan span, int first, int last, Entry* out) const;
     float inverseDepth(int x, int y) const;
     // Pixels of row y, [begin, end) within [0, width).

@@ -195,17 +195,15 @@ RowMethod parseRowMethod(const std::string& text, const std::string& option) {
     const MethodChoice choice = splitMethodChoice(text, option);
     RowMethod method;
     method.text = text;
-    std::string known;
     for (const RowMethodDescription& one : rowMethodList()) {
         if (one.name == choice.name) method.description = &one;
-        known += (known.empty() ? "" : ", ") + one.name;
     }
     if (method.description == nullptr) {
-        throw InputError(option, Message(MessageId::UnknownName,
-                                         {{"what", "row variant"}, {"name", choice.name}, {"known", known}}));
+        throw InputError(
+            option, Message(MessageId::UnknownName,
+                            {{"what", "row variant"}, {"name", choice.name}, {"known", namesOf(rowMethodList())}}));
     }
-    known.clear();
-    for (const OptionDescription& one : method.description->options) known += (known.empty() ? "" : ", ") + one.name;
+    const std::string known = namesOf(method.description->options);
     for (const auto& [name, value] : choice.options) {
         if (method.description->defaults.count(name) == 0) {
             throw InputError(option, Message(MessageId::UnknownName, {{"what", "option of " + choice.name},
@@ -213,7 +211,7 @@ RowMethod parseRowMethod(const std::string& text, const std::string& option) {
                                                                       {"known", known.empty() ? "none" : known}}));
         }
     }
-    method.settings = parseOptions<RowSettings>(choice.name, choice.options);
+    method.settings = parseOptions<RowSettings>(choice.name, choice.options, option);
     return method;
 }
 
@@ -221,19 +219,10 @@ RowOptions parseMapping(const std::string& text, const std::string& option) {
     const std::vector<std::string> names = mappingNames();
     const std::string name = splitMethodChoice(text, option).name;
     if (std::find(names.begin(), names.end(), name) == names.end()) {
-        std::string known;
-        for (const std::string& one : names) known += (known.empty() ? "" : ", ") + one;
-        throw InputError(option,
-                         Message(MessageId::UnknownName, {{"what", "mapping"}, {"name", name}, {"known", known}}));
+        throw InputError(option, Message(MessageId::UnknownName,
+                                         {{"what", "mapping"}, {"name", name}, {"known", commaList(names)}}));
     }
-    const RowMethod method = [&] {
-        try {
-            return parseRowMethod(text, option);
-        } catch (const InputError& error) {
-            // A value out of range names the option of methods.
-            throw InputError(option, error.message());
-        }
-    }();
+    const RowMethod method = parseRowMethod(text, option);
     if (method.settings.error > 0) {
         throw InputError(option,
                          Message(MessageId::UnknownName,

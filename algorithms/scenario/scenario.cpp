@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "rendering/base_level.h"
+#include "rendering/pinhole.h"
 
 namespace relief {
 

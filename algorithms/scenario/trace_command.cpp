@@ -1,3 +1,4 @@
+#include "rendering/pinhole.h"
 #include "scenario/scenario.h"
 
 namespace relief {

@@ -12,17 +12,11 @@ constexpr std::int64_t kMostRounds = 1000;
 constexpr int kMostSide = 4096;
 constexpr int kSceneSide = 512;
 
-std::string joined(const std::vector<std::string>& names) {
-    std::string out;
-    for (const std::string& name : names) out.append(out.empty() ? "" : ", ").append(name);
-    return out;
-}
-
 FilterScene namedScene(const std::string& name, std::uint64_t seed) {
     const std::vector<std::string> known = filterSceneNames();
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-        throw InputError(
-            "--scenes", Message(MessageId::UnknownName, {{"what", "scene"}, {"name", name}, {"known", joined(known)}}));
+        throw InputError("--scenes", Message(MessageId::UnknownName,
+                                             {{"what", "scene"}, {"name", name}, {"known", commaList(known)}}));
     }
     return filterScene(name, kSceneSide, seed);
 }
@@ -88,10 +82,10 @@ void FilterBenchCommand::add(CLI::App& parser) {
             "each with options as NAME:OPTION=VALUE, such as elliptical:weights=uniform; default: what the papers "
             "compare",
             group);
-    addText(
-        parser, "--scenes", scenes, "NAME,...",
-        joined(filterSceneNames()) + "; default all; --height or --relief takes their place, --color has its colours",
-        group);
+    addText(parser, "--scenes", scenes, "NAME,...",
+            commaList(filterSceneNames()) +
+                "; default all; --height or --relief takes their place, --color has its colours",
+            group);
     addText(parser, "--color", color, "FILE", "colours of the height map given; default: coloured patches", group);
     addText(parser, "--pixel-models", pixelModels, "NAME,...",
             "of the reference: box, gaussian, lcd, crt; default box,gaussian", group);

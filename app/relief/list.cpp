@@ -117,18 +117,12 @@ std::string entry(const std::string& name, const std::string& text, std::size_t 
     return out + "\n";
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-    std::string out;
-    for (const std::string& part : parts) out += (out.empty() ? "" : ", ") + part;
-    return out;
-}
-
 std::string optionText(const OptionDescription& option, const std::string& defaultValue) {
     std::string text = option.help;
     if (!option.unit.empty()) text += ", " + option.unit;
     text += isNumber(option) ? ", " + numberText(option.low) + " to " + numberText(option.high)
-                             : ": " + joined(option.choices);
-    if (isNumber(option) && !option.choices.empty()) text += " or " + joined(option.choices);
+                             : ": " + commaList(option.choices);
+    if (isNumber(option) && !option.choices.empty()) text += " or " + commaList(option.choices);
     return text + ", default " + defaultValue;
 }
 
@@ -140,12 +134,12 @@ std::string methodText(const MethodDescription& method) {
     if (method.kind != MethodKind::AnyHit) {
         out += entry("form", std::string(formName(methodForm({method.name, {}}))), 6, 12);
     }
-    out += entry("surfaces", joined(surfaces), 6, 12);
+    out += entry("surfaces", commaList(surfaces), 6, 12);
     std::vector<std::string> addresses;
     for (const Address address : method.addresses) addresses.emplace_back(addressName(address));
-    if (addresses.size() < 3) out += entry("addressing", joined(addresses), 6, 12);
+    if (addresses.size() < 3) out += entry("addressing", commaList(addresses), 6, 12);
     out += entry("rays", std::string(rayClassName(method.rayClass)), 6, 12);
-    if (!method.maps.empty()) out += entry("maps", joined(method.maps), 6, 12);
+    if (!method.maps.empty()) out += entry("maps", commaList(method.maps), 6, 12);
     if (!method.source.empty()) out += entry("source", method.source, 6, 12);
     for (const OptionDescription& option : method.options) {
         out += entry("--set " + option.name + "=..", optionText(option, method.defaults.at(option.name)), 6, 22);
@@ -199,7 +193,7 @@ std::string listText() {
         out +=
             entry(number.description.name, optionText(number.description, numberText(number.get(Scenario{}))), 2, 18);
     }
-    return out + "\nLayers of relief render --layers: " + joined(layerNames()) + "\n";
+    return out + "\nLayers of relief render --layers: " + commaList(layerNames()) + "\n";
 }
 
 }  // namespace

@@ -53,24 +53,6 @@ glm::dvec3 parsePoint(const std::string& text, const std::string& option) {
     return {p[0], p[1], p[2]};
 }
 
-std::string tracerNames() {
-    std::string names;
-    for (const MethodDescription& method : tracerList()) names += (names.empty() ? "" : ", ") + method.name;
-    return names;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-    std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-    return all;
-}
-
-std::string filterNames() {
-    std::string names;
-    for (const FilterDescription& filter : filterList()) names += (names.empty() ? "" : ", ") + filter.name;
-    return names;
-}
-
 // "NAME=VALUE".
 void applySetting(OptionValues& options, const std::string& text, const std::string& subject) {
     const std::size_t equals = text.find('=');
@@ -163,7 +145,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
     const char* group = look == Look::Plain ? "Relief" : "Method";
     if (look == Look::No || look == Look::Yes) {
         addText(parser, "--tracer", tracer_, "NAME",
-                "how rays meet the relief: " + tracerNames() + "; default " + Scenario{}.method.name, group);
+                "how rays meet the relief: " + namesOf(tracerList()) + "; default " + Scenario{}.method.name, group);
         addText(parser, "--map", map_, "FILE.tif",
                 "a distance or cone map as relief map stores it, in place of the one that the tracer would build; its "
                 "options are the map's",
@@ -181,7 +163,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
             "between texels: a smooth surface (default), or each texel a box", group);
     if (look == Look::Yes) {
         addText(parser, "--filter", filter_, "NAME[:OPTION=VALUE...]",
-                "how colours are sampled: " + filterNames() + "; default " + Scenario{}.filter.name +
+                "how colours are sampled: " + namesOf(filterList()) + "; default " + Scenario{}.filter.name +
                     "; with options such as elliptical:weights=uniform:radius=0.6 (relief list shows what there is)",
                 group);
         addTexts(parser, "--filter-set", filterSettings_, "NAME=VALUE",
@@ -211,11 +193,11 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
     addText(parser, "--eye", eye_, "X,Y,Z", "a free camera: where it is, texture widths, y up; with --target", group);
     addText(parser, "--target", target_, "X,Y,Z", "what the free camera looks at", group);
     addText(parser, "--fov", fov_, "DEGREES", numberHelp("fov"), group);
-    addText(
-        parser, "--mapping", mapping_, "NAME",
-        "how texture coordinates are made along a row of pixels, as bench rows spells it: " + listed(mappingNames()) +
-            "; direct: in double; the others in float, such as incremental:anchor=0; default direct",
-        group);
+    addText(parser, "--mapping", mapping_, "NAME",
+            "how texture coordinates are made along a row of pixels, as bench rows spells it: " +
+                commaList(mappingNames()) +
+                "; direct: in double; the others in float, such as incremental:anchor=0; default direct",
+            group);
     if (look == Look::No) return;
     addFlag(parser, "--no-skip", noSkip_,
             "do all the work that cannot change a bit as well: the same picture, slower (the report says what is "

@@ -145,8 +145,8 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
     // Whose walk found the hits in these seconds, and whose steps are counted: two names where a frame takes another
     // exact walk because it is faster. The hits are the same.
     report["walks"] = {{"hits", frame.tracedBy}, {"steps", scenario.method.name}};
-    // off_direct_texels: by how much its texture coordinates are off those of `direct`, at the most. Triangles have
-    // none.
+    // off_direct_texels: the largest distance of its texture coordinates from those of `direct`. Triangles take no
+    // rows.
     if (findTracer(scenario.method.name).kind != MethodKind::Mesh) {
         report["mapping"] = {{"name", scenario.mapping}, {"off_direct_texels", frame.mappingOff}};
     }

@@ -6,6 +6,7 @@
 
 #include "measuring/bench/bench_tracers.h"
 #include "rendering/block_order.h"
+#include "rendering/pinhole.h"
 #include "rendering/tile_worker.h"
 
 namespace relief::peers {

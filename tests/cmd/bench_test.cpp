@@ -141,7 +141,7 @@ TEST_P(MeasureTest, RowsInFilesAndOnStandardOutput) {
 
 TEST_P(MeasureTest, WrongRequestsAreRefused) {
     expectRefusal({"bench", "rows", "--variants", "direct,none"}, 2, {"\"none\"", "row-constant"});
-    expectRefusal({"bench", "rows", "--variants", "subspan:span=0"}, 2, {"span", "65536"});
+    expectRefusal({"bench", "rows", "--variants", "subspan:span=0"}, 2, {"--variants: span", "65536"});
     expectRefusal({"bench", "rows", "--variants", "direct:span=2"}, 2, {"\"span\"", "direct"});
     expectRefusal({"bench", "rows", "--widths", "0"}, 2, {"--widths"});
     expectRefusal({"bench", "rows", "--precisions", "half"}, 2, {"\"half\"", "double"});
@@ -226,6 +226,8 @@ TEST_P(MeasureTest, FiltersAgainstTheReference) {
     expectRefusal({"bench", "filters", "--filters", "elliptical:sigma=9"}, 2, {"sigma", "9"});
     expectRefusal({"render", "--relief", "bricks", "--filter", "elliptical", "--filter-set", "radius", "-o", "x.png"},
                   2, {"--filter-set", "radius"});
+    expectRefusal({"render", "--relief", "bricks", "--filter", "elliptical", "--filter-set", "sigma=99", "-o", "x.png"},
+                  2, {"--filter-set: sigma is 99"});
 }
 
 }  // namespace relief::test

@@ -41,6 +41,11 @@ void checkQuery(const std::string& subject, const QueryPoint& point) {
     inRange(subject, "z", point.z, 0, 1);
 }
 
+const std::vector<std::string>& pyramidPaneLevels() {
+    static const std::vector<std::string> names{"max", "mean", "min", "all"};
+    return names;
+}
+
 // Throws InputError naming `what` with what is known.
 void checkPaneName(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
@@ -197,11 +202,6 @@ Json panesJson(const PaneStates& panes) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& pyramidPaneLevels() {
-    static const std::vector<std::string> names{"max", "mean", "min", "all"};
-    return names;
-}
 
 const std::vector<std::string>& chartsPaneShown() {
     static const std::vector<std::string> names{"all", "pareto", "histograms"};

@@ -88,17 +88,17 @@ struct PaneStates {
 
 inline constexpr std::size_t kMostRowVariants = 4;  // what can be told apart
 
-const std::vector<std::string>& pyramidPaneLevels();
 const std::vector<std::string>& chartsPaneShown();
 const std::vector<std::string>& tracePaneColors();
 
 // relief::InputError for the first value that is unknown or out of range.
 void checkPanes(const PaneStates& panes, const std::string& subject);
 
-// What the scenario carries; relief::InputError if that is not what panes know.
+// The choices that the scenario's `ui` holds. Throws relief::InputError for names and values that the panes do not
+// know.
 PaneStates panesOf(const relief::Scenario& scenario);
 void setPanesOf(relief::Scenario& scenario, const PaneStates& panes);
-// As of scenario/scenario.h; a fault in what belongs to the panes names its line as well.
+// As parseScenario() and loadScenario(); the panes' choices are checked, too, and a fault in them names its line.
 relief::Scenario parseWindowScenario(const std::string& text, const std::string& fileName);
 relief::Scenario loadWindowScenario(const std::string& path);
 

@@ -2,24 +2,17 @@
 
 #include <cassert>
 
+#include "base/for_each_type.h"
 #include "filtering/filters/filter_types.h"
 
 namespace relief {
 
 namespace {
 
-// Calls visit<Filter>() for each type of the list.
-template <class Visit>
-void forEachFilter(const Visit& visit) {
-    [&]<class... Filters>(std::tuple<Filters...>*) {
-        (visit.template operator()<Filters>(), ...);
-    }(static_cast<FilterTypes*>(nullptr));
-}
-
 // Calls visit<Filter>() for the one of this name.
 template <class Visit>
 void withFilter(const std::string& name, const Visit& visit) {
-    forEachFilter([&]<class Filter>() {
+    forEachType<FilterTypes>([&]<class Filter>() {
         if (filterDescriptionOf<Filter>().name == name) visit.template operator()<Filter>();
     });
 }
@@ -29,7 +22,7 @@ void withFilter(const std::string& name, const Visit& visit) {
 const std::vector<FilterDescription>& filterList() {
     static const std::vector<FilterDescription> list = [] {
         std::vector<FilterDescription> all;
-        forEachFilter([&]<class Filter>() { all.push_back(filterDescriptionOf<Filter>()); });
+        forEachType<FilterTypes>([&]<class Filter>() { all.push_back(filterDescriptionOf<Filter>()); });
         return all;
     }();
     return list;
@@ -55,13 +48,12 @@ std::vector<FilterChoice> filterForms() {
 }
 
 const FilterDescription& findFilter(std::string_view name) {
-    std::string known;
     for (const FilterDescription& filter : filterList()) {
         if (filter.name == name) return filter;
-        known += (known.empty() ? "" : ", ") + filter.name;
     }
-    throw InputError("--filter", Message(MessageId::UnknownName,
-                                         {{"what", "filter"}, {"name", std::string(name)}, {"known", known}}));
+    throw InputError("--filter",
+                     Message(MessageId::UnknownName,
+                             {{"what", "filter"}, {"name", std::string(name)}, {"known", namesOf(filterList())}}));
 }
 
 bool needsLevels(const FilterChoice& choice) {

@@ -14,8 +14,6 @@
 
 namespace relief {
 
-struct PinholeCamera;
-
 // Angles in degrees. Orbit: elevation above the horizontal plane through the target, -90 to 90; azimuth turns to the
 // right around the vertical axis, 0 in front (on +z); distance from the target, world units, > 0.
 // Free: eye and target in world units, apart from each other. fov: the vertical field of view, in (0, 180).
@@ -30,10 +28,6 @@ struct Camera {
     double fov = 40;
     bool operator==(const Camera&) const = default;
 };
-
-// The camera in pixels of a width x height screen, its principal point in the middle.
-// Throws InputError("--camera", ...) where the camera is degenerate (eye at the target, fov out of range, NaN).
-PinholeCamera pinholeCamera(const Camera& camera, int width, int height);
 
 // The view ray of pixel (x, y) of a width x height picture of the relief on the floor; nullopt where no relief is.
 // Throws InputError where the camera is degenerate or the pixel outside.

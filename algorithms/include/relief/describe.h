@@ -80,6 +80,16 @@ struct MethodChoice {
 // "NAME:OPTION=VALUE:OPTION=VALUE" taken apart, not checked. Throws InputError naming `option`.
 MethodChoice splitMethodChoice(const std::string& text, const std::string& option);
 
+// "a, b, c", for messages and help.
+std::string commaList(const std::vector<std::string>& names);
+// The same of what has a name.
+template <class Named>
+std::string namesOf(const std::vector<Named>& list) {
+    std::vector<std::string> names;
+    for (const Named& one : list) names.push_back(one.name);
+    return commaList(names);
+}
+
 std::string_view surfaceName(Surface surface);
 std::string_view addressName(Address address);
 std::string_view guaranteeName(Guarantee guarantee);
@@ -95,12 +105,13 @@ Address parseAddress(std::string_view text);
 // A finite number, the whole text, independent of the locale; InputError naming the subject otherwise.
 double parseNumber(std::string_view text, const std::string& subject);
 // Checks the text against kind, range and choices; throws InputError naming the option.
-void checkOption(const OptionDescription& option, const std::string& text);
+void checkOption(const OptionDescription& option, const std::string& text, const std::string& subject = "--set");
 
 // Checks the text and puts its value into the member. Not inlined: see optionText.
 template <class Options>
-[[gnu::noinline]] void assignOption(const OptionField<Options>& field, const std::string& text, Options& options) {
-    checkOption(field.description, text);
+[[gnu::noinline]] void assignOption(const OptionField<Options>& field, const std::string& text, Options& options,
+                                    const std::string& subject) {
+    checkOption(field.description, text, subject);
     if (const auto* integer = std::get_if<int Options::*>(&field.member)) {
         options.*(*integer) = static_cast<int>(parseNumber(text, field.description.name));
     } else if (const auto* real = std::get_if<double Options::*>(&field.member)) {
@@ -141,7 +152,7 @@ Options parseOptions(const std::string& method, const OptionValues& values, cons
                                                                        {"name", name},
                                                                        {"known", known.empty() ? "none" : known}}));
         }
-        if constexpr (!std::is_empty_v<Options>) assignOption(*found, text, options);
+        if constexpr (!std::is_empty_v<Options>) assignOption(*found, text, options, subject);
     }
     return options;
 }

@@ -5,6 +5,7 @@
 
 #include "measuring/verify/stress_part_checks.h"
 #include "measuring/verify/stress_parts.h"
+#include "rendering/pinhole.h"
 
 namespace relief {
 

@@ -86,13 +86,14 @@ class DistanceMap {
 // The azimuth sector of a direction: sector q holds the angles from 2 pi q / n to 2 pi (q + 1) / n, of (x, y).
 int azimuthSector(double x, double y, int sectors);
 
-// The exact hits of rays of one field. A map of sampled rays is handed what traces them: maps know no method.
+// Traces rays over one height field, exactly. The caller gives it to the builder of refined-sampled maps, because maps
+// know no method.
 using ExactHits = std::function<void(const RayBlock& rays, HitBlock& hits)>;
 using MakeExactHits = ExactHits (*)(const HeightField& field, Work& work);
 
 // From the cache, or built: in parallel, with progress; throws Cancelled, InputError if it would take more memory than
 // the cache may hold, or if the kind is not proven for the field's addressing (refined: not under clamp).
-// exactHits: of refined-sampled alone (methods/distance_options.h has one).
+// exactHits: needed for refined-sampled only; methods/distance_options.h has one.
 std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const DistanceParameters& parameters,
                                                const HeightField& field, MapCache& cache, Work& work,
                                                MakeExactHits exactHits = nullptr);

@@ -97,7 +97,7 @@ struct ConeRay {
         const double share = out.back ? line - place : place - line;  // of its cell that is behind it
         const double run = std::abs(ray.run);
         const double alongLine = out.back ? scene.mirror - line : line;
-        bool good = std::abs(alongLine) < kLanePlaces && run <= kLaneRun && (run >= 1e-30 || run == 0);
+        bool good = std::abs(alongLine) < kFloatPlaces && run <= kFloatRun && (run >= 1e-30 || run == 0);
         // Hardly moving and next to a line: the walk could begin on the wrong side of it.
         good = good && !(begin > 0 && run < kLeastRun && share < kLeastRun);
         FloatFit fit = FloatFit::Fit;

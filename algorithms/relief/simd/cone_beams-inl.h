@@ -113,10 +113,10 @@ class BeamWalk {
         const VD lowY = load(y.low), highY = load(y.high), slowY = load(y.slowest), fastY = load(y.fastest);
         const VD fastest = hn::Max(fastX, fastY);
         const VD one = hn::Set(d, 1.0);
-        const VD widest = hn::Set(d, kWidestBeam), far = hn::Set(d, kLaneRun);
+        const VD widest = hn::Set(d, kWidestBeam), far = hn::Set(d, kFloatRun);
         const MD fit = hn::And(
             hn::And(hn::Lt(hn::Sub(highX, lowX), widest), hn::Lt(hn::Sub(highY, lowY), widest)),
-            hn::And(hn::Lt(fastest, far), hn::Lt(hn::Max(hn::Abs(lowX), hn::Abs(lowY)), hn::Set(d, kLanePlaces))));
+            hn::And(hn::Lt(fastest, far), hn::Lt(hn::Max(hn::Abs(lowX), hn::Abs(lowY)), hn::Set(d, kFloatPlaces))));
         const VD cellX = hn::Floor(hn::Add(lowX, hn::Mul(lambda, slowX)));
         const VD cellY = hn::Floor(hn::Add(lowY, hn::Mul(lambda, slowY)));
         const auto word = wordAt(fit, cellX, cellY);

@@ -19,12 +19,12 @@ void traceConeLanes(const FloatScene& scene, const PackedCones& cones, const Ray
 void goOnConeLanes(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
                    HitBlock& hits);
 
-// Both, as rays of a block are traced by; tests have others.
+// The two functions that traceByCones() calls; tests pass others.
 struct ConeLanes {
     decltype(&traceConeLanes) trace;
     decltype(&goOnConeLanes) goOn;
 };
-// traceByCones() of methods/cone_rays.h by these.
+// As traceByCones() of methods/cone_rays.h, with these functions.
 void traceByCones(const ConeLanes& lanes, const HeightField& field, const FloatScene& scene, const PackedCones& cones,
                   const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
                   std::vector<std::size_t>& flat);

@@ -239,7 +239,7 @@ class WalkSlots {
     HWY_INLINE VI countedFrom(std::int32_t first) const { return hn::Add(hn::Iota(di_, 0), hn::Set(di_, first)); }
 
     // One axis of rays where they begin. Returns whether all of them are as most rays are: strictly inside the map, not
-    // on a line, of a run between kLeastRun and kLaneRun. Otherwise what it leaves is not to be used.
+    // on a line, of a run between kLeastRun and kFloatRun. Otherwise what it leaves is not to be used.
     HWY_INLINE bool entry(const EntryFrame& frame, const double* origins, const double* runs, double begin,
                           Entry& out) const {
         const DD d;
@@ -259,7 +259,7 @@ class WalkSlots {
             const VD part = hn::Sub(along, first);
             const MD back = hn::Lt(signedRun, hn::Zero(d));
             const VD behind = hn::IfThenElse(back, hn::Sub(hn::Add(first, hn::Set(d, 1.0)), along), part);
-            const MD runs01 = hn::And(hn::Gt(absRun, hn::Set(d, kLeastRun)), hn::Lt(absRun, hn::Set(d, kLaneRun)));
+            const MD runs01 = hn::And(hn::Gt(absRun, hn::Set(d, kLeastRun)), hn::Lt(absRun, hn::Set(d, kFloatRun)));
             const MD within = hn::And(hn::Gt(hn::Min(at, along), hn::Set(d, frame.low)),
                                       hn::Lt(hn::Max(at, along), hn::Set(d, frame.high)));
             const MD clear = hn::Gt(part, hn::Zero(d));

@@ -167,7 +167,7 @@ HWY_INLINE Fitness setUpPlaces(const FloatScene& scene, const GridAxis& axis, co
     const VD first = hn::IfThenElse(mirrored, hn::Sub(hn::Set(d, scene.mirror), line), line);
     const VD share = hn::IfThenElse(mirrored, hn::Sub(line, place), hn::Sub(place, line));
     const VD absRun = hn::Abs(run);
-    MD good = hn::And(hn::Lt(hn::Abs(first), hn::Set(d, kLanePlaces)), hn::Le(absRun, hn::Set(d, kLaneRun)));
+    MD good = hn::And(hn::Lt(hn::Abs(first), hn::Set(d, kFloatPlaces)), hn::Le(absRun, hn::Set(d, kFloatRun)));
     // Too small for a float to keep its sign; RayAxis takes the smallest for parallel, whatever theirs.
     good = hn::And(good, hn::Or(hn::Ge(absRun, hn::Set(d, 1e-30)), hn::Eq(run, zero)));
     // Hardly moving and next to a line: the walk could begin on the wrong side of it.

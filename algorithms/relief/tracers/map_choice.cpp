@@ -4,6 +4,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/for_each_type.h"
 #include "relief/methods/cone.h"
 #include "relief/methods/cone_dummer.h"
 #include "relief/methods/distance.h"
@@ -19,14 +20,6 @@ namespace {
 
 using MapTracers = std::tuple<DistanceTracer, DistanceConservativeTracer, DistanceRefinedSampledTracer,
                               DistanceRefinedTracer, ConeTracer, ConeDummerTracer, RelaxedConeTracer>;
-
-template <class Visit>
-void forEachMapTracer(const Visit& visit) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-        (visit.template operator()<std::tuple_element_t<I, MapTracers>>(), ...);
-    }
-    (std::make_index_sequence<std::tuple_size_v<MapTracers>>());
-}
 
 // Each parameter as the option's text, and what it is where the kind does not use it.
 struct ParameterText {
@@ -94,7 +87,7 @@ bool sameValue(OptionKind kind, const std::string& a, const std::string& b) {
 const std::vector<std::string>& mapKinds() {
     static const std::vector<std::string> kinds = [] {
         std::vector<std::string> all;
-        forEachMapTracer([&]<class T>() { all.push_back(T::describe().maps.front()); });
+        forEachType<MapTracers>([&]<class T>() { all.push_back(T::describe().maps.front()); });
         return all;
     }();
     return kinds;
@@ -136,7 +129,7 @@ MethodChoice withStoredMap(const MethodChoice& choice) {
 const std::string& methodOfMap(const std::string& kind) {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
-        forEachMapTracer([&]<class T>() { all.push_back(T::describe().name); });
+        forEachType<MapTracers>([&]<class T>() { all.push_back(T::describe().name); });
         return all;
     }();
     std::string known;
@@ -153,7 +146,7 @@ StoredMap buildMap(const std::string& kind, const OptionValues& options, const H
     OptionValues own = options;
     own.erase(std::string(kMapOption));
     StoredMap map;
-    forEachMapTracer([&]<class T>() {
+    forEachType<MapTracers>([&]<class T>() {
         if (T::describe().name != method) return;
         const auto parsed = parseOptions<typename T::Options>(method, own);
         if constexpr (requires { T::makeMap(field, parsed, cache, work); }) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cassert>
 
+#include "base/for_each_type.h"
 #include "relief/block_work.h"
 #include "relief/tracers/tracer_types.h"
 
@@ -142,20 +143,11 @@ class TracerOf final : public Tracer {
     Form form_;
 };
 
-// Calls visit<T>() for each type of the list.
-template <class Visit>
-void forEachTracer(const Visit& visit) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-        (visit.template operator()<std::tuple_element_t<I, TracerTypes>>(), ...);
-    }
-    (std::make_index_sequence<std::tuple_size_v<TracerTypes>>());
-}
-
 }  // namespace
 
 std::vector<std::string> innerTracerNames() {
     std::vector<std::string> names;
-    forEachTracer([&]<class T>() {
+    forEachType<TracerTypes>([&]<class T>() {
         if constexpr (SegmentTracer<T>) names.push_back(T::describe().name);
     });
     return names;
@@ -164,20 +156,18 @@ std::vector<std::string> innerTracerNames() {
 const std::vector<MethodDescription>& tracerList() {
     static const std::vector<MethodDescription> list = [] {
         std::vector<MethodDescription> all;
-        forEachTracer([&]<class T>() { all.push_back(descriptionOf<T>()); });
+        forEachType<TracerTypes>([&]<class T>() { all.push_back(descriptionOf<T>()); });
         return all;
     }();
     return list;
 }
 
 const MethodDescription& findTracer(const std::string& name) {
-    std::string known;
     for (const MethodDescription& method : tracerList()) {
         if (method.name == name) return method;
-        known += (known.empty() ? "" : ", ") + method.name;
     }
-    throw InputError("--tracer",
-                     Message(MessageId::UnknownName, {{"what", "tracer"}, {"name", name}, {"known", known}}));
+    throw InputError("--tracer", Message(MessageId::UnknownName,
+                                         {{"what", "tracer"}, {"name", name}, {"known", namesOf(tracerList())}}));
 }
 
 std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice) {
@@ -234,14 +224,14 @@ void checkMethod(const MethodChoice& choice, const std::string& subject) {
                                                                        {"name", name},
                                                                        {"known", known.empty() ? "-" : known}}));
         }
-        checkOption(*found, text);
+        checkOption(*found, text, subject);
     }
 }
 
 Form methodForm(const MethodChoice& choice) {
     checkMethod(choice, "--set");
     Form form = Form::Scalar;
-    forEachTracer([&]<class T>() {
+    forEachType<TracerTypes>([&]<class T>() {
         if (descriptionOf<T>().name != choice.name) return;
         form = formWith<T>(parseOptions<typename T::Options>(choice.name, choice.options));
     });
@@ -252,7 +242,7 @@ std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField
                                    Form form) {
     checkMethod(choice, "--set");
     std::unique_ptr<Tracer> made;
-    forEachTracer([&]<class T>() {
+    forEachType<TracerTypes>([&]<class T>() {
         if (made || descriptionOf<T>().name != choice.name) return;
         const auto options = parseOptions<typename T::Options>(choice.name, choice.options);
         const Form chosen = form == Form::Simd ? formWith<T>(options) : Form::Scalar;

@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "base/for_each_type.h"
 #include "relief/block_work.h"
 #include "relief/visibility/max_pyramid_any.h"
 #include "relief/visibility/packed_cone_any.h"
@@ -73,20 +74,12 @@ class QueryOf final : public AnyHitQuery {
     T query_;
 };
 
-template <class Visit>
-void forEachQuery(const Visit& visit) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-        (visit.template operator()<std::tuple_element_t<I, QueryTypes>>(), ...);
-    }
-    (std::make_index_sequence<std::tuple_size_v<QueryTypes>>());
-}
-
 }  // namespace
 
 const std::vector<MethodDescription>& anyHitList() {
     static const std::vector<MethodDescription> list = [] {
         std::vector<MethodDescription> all;
-        forEachQuery([&]<class T>() { all.push_back(descriptionOf<T>()); });
+        forEachType<QueryTypes>([&]<class T>() { all.push_back(descriptionOf<T>()); });
         return all;
     }();
     return list;
@@ -101,7 +94,7 @@ std::unique_ptr<AnyHitQuery> makeAnyHit(const MethodChoice& choice, const Height
                                         Work& work) {
     std::unique_ptr<AnyHitQuery> made;
     std::string known;
-    forEachQuery([&]<class T>() {
+    forEachType<QueryTypes>([&]<class T>() {
         const std::string& name = descriptionOf<T>().name;
         known += (known.empty() ? "" : ", ") + name;
         if (made || name != choice.name) return;

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "footprint_truth.h"
-#include "relief/camera.h"
+#include "rendering/pinhole.h"
 #include "rendering/scene.h"
 
 namespace relief::test {

@@ -4,6 +4,7 @@
 
 #include "algorithms/relief/fields.h"
 #include "measuring/bench/base_level_measure.h"
+#include "rendering/pinhole.h"
 #include "scenario/scenario.h"
 
 namespace relief::test {

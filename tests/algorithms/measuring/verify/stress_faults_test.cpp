@@ -16,6 +16,7 @@
 #include "measuring/verify/stress_subjects.h"
 #include "relief/errors.h"
 #include "relief/reliefs.h"
+#include "rendering/pinhole.h"
 
 namespace relief::test {
 namespace {

@@ -10,6 +10,7 @@
 #include "measuring/verify/stress_cases.h"
 #include "measuring/verify/stress_part_checks.h"
 #include "relief/reliefs.h"
+#include "rendering/pinhole.h"
 #include "scenario/scenario.h"
 
 namespace relief::test {

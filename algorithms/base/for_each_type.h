@@ -1,0 +1,16 @@
+// A call for each type of an explicit list.
+#pragma once
+
+#include <tuple>
+
+namespace relief {
+
+// Calls visit.operator()<T>() for each T of List, a std::tuple, in order. Nothing of the list is made.
+template <class List, class Visit>
+void forEachType(const Visit& visit) {
+    [&]<class... Types>(std::tuple<Types...>*) {
+        (visit.template operator()<Types>(), ...);
+    }(static_cast<List*>(nullptr));
+}
+
+}  // namespace relief

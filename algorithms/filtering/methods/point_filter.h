@@ -1,0 +1,33 @@
+// What filters share that read the texture at one point, whatever the pixel covers.
+#pragma once
+
+#include "filtering/sampler.h"
+#include "filtering/texture_filter.h"
+
+namespace relief {
+
+// Filter: derived from this; describe(), kTexels, and read(picture, s, t, address), which reads as many texels.
+template <class Filter>
+class PointFilter : public TextureFilter {
+  public:
+    using Options = NoFilterOptions;
+    static std::unique_ptr<const TextureFilter> make(const Options&, const FilterTools& tools, MapCache&, Work&) {
+        return std::make_unique<Filter>(tools);
+    }
+    explicit PointFilter(const FilterTools& tools) : tools_(tools), scale_(tools.pictureScale()) {}
+
+    const FilterDescription& description() const override { return filterDescriptionOf<Filter>(); }
+    Color color(const FilterQuery& query, FootprintCounts& counts, Work&, FootprintLog* log) const override {
+        const glm::dvec2 place = query.place * scale_;
+        counts.texels += Filter::kTexels;
+        const Color color = Filter::read(*tools_.picture, place.x, place.y, tools_.field.address());
+        if (log != nullptr) log->takePoint(place, color);
+        return color;
+    }
+
+  private:
+    FilterTools tools_;
+    glm::dvec2 scale_;
+};
+
+}  // namespace relief
