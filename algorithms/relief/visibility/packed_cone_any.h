@@ -40,7 +40,7 @@ class PackedConeAnyHit {
 
     template <class Sink>
     Sight look(const AnyRay& ray, Sink& sink) const;
-    // The same answers in lanes (packed_cone_any_lanes.cpp): segments first to last - 1.
+    // The same answers in lanes (packed_cone_any_lanes-inl.h): segments first to last - 1.
     void lookLanes(const AnyRayBlock& rays, std::size_t first, std::size_t last, SightBlock& sights) const;
 
     const HeightField& field() const { return field_; }

@@ -8,6 +8,7 @@
 #include "relief/simd/distance_march_lanes-inl.h"
 #include "relief/simd/distance_walk_lanes-inl.h"
 #include "relief/simd/layer_lanes-inl.h"
+#include "relief/visibility/packed_cone_any_lanes-inl.h"
 
 #ifndef RELIEF_LANE_STEPS_NOTED
 #define RELIEF_LANE_STEPS_NOTED
@@ -50,6 +51,9 @@ void noteLayers(const LayerSearch& search, const RayBlock& rays, HitBlock& hits,
     LayerQueue queue{{search, rays, hits, 0, rays.size(), left}, {}};
     goInTurn<LayerWalk<NotedVisits>>(queue);
 }
+void noteLooks(const PackedConeAnyHit& query, const AnyRayBlock& rays, Sight* sights) {
+    lookOn<NotedVisits>(query, rays, 0, rays.size(), sights);
+}
 
 }  // namespace relief::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -60,6 +64,7 @@ namespace relief {
 HWY_EXPORT(noteWalk);
 HWY_EXPORT(noteMarch);
 HWY_EXPORT(noteLayers);
+HWY_EXPORT(noteLooks);
 
 namespace test {
 
@@ -85,6 +90,12 @@ std::vector<LaneSteps> stepsInLanes(const MarchSearch& search, const RayBlock& r
 }
 std::vector<LaneSteps> stepsInLanes(const LayerSearch& search, const RayBlock& rays) {
     return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteLayers)(search, rays, rest...); });
+}
+std::vector<LaneSteps> stepsInLanes(const PackedConeAnyHit& query, const AnyRayBlock& rays) {
+    noted().assign(rays.size(), {});
+    std::vector<Sight> sights(rays.size());
+    HWY_DYNAMIC_DISPATCH(noteLooks)(query, rays, sights.data());
+    return std::move(noted());
 }
 
 }  // namespace test

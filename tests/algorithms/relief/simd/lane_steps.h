@@ -6,6 +6,7 @@
 #include "relief/methods/distance_march_lanes.h"
 #include "relief/methods/distance_walk.h"
 #include "relief/methods/layer_lanes.h"
+#include "relief/visibility/packed_cone_any.h"
 
 namespace relief::test {
 
@@ -17,5 +18,7 @@ std::vector<LaneSteps> stepsInLanes(const DistanceWalk& walk, const RayBlock& ra
 std::vector<LaneSteps> stepsInLanes(const MarchSearch& search, const RayBlock& rays);
 // Layer, lambda, the surface less the ray.
 std::vector<LaneSteps> stepsInLanes(const LayerSearch& search, const RayBlock& rays);
+// Cell (two numbers); of segments in the domain of exactness.
+std::vector<LaneSteps> stepsInLanes(const PackedConeAnyHit& query, const AnyRayBlock& rays);
 
 }  // namespace relief::test

@@ -1,4 +1,4 @@
-// Any-hit queries in lanes against their scalar twin: the same answers, for any target.
+// Any-hit queries in lanes against their reference: the same answers and the same cells, for any target.
 #include <iostream>
 #include <limits>
 
@@ -6,6 +6,7 @@
 
 #include "algorithms/every_target.h"
 #include "algorithms/relief/fields.h"
+#include "algorithms/relief/simd/lane_steps.h"
 #include "relief/visibility/any_hit.h"
 
 namespace relief::test {
@@ -34,12 +35,12 @@ AnyRay segmentFor(Random& random, const HeightField& field) {
     if (random.below(9) == 0) ray.dt = ray.ds;
     if (random.below(400) == 0) ray.dz = std::numeric_limits<double>::quiet_NaN();
     if (random.below(50) == 0) ray.ds = -1e-301;
-    // So flat that the scalar text gives up: a few, they are long.
+    // So flat that the reference gives up: a few, they are long.
     if (random.below(20000) == 0) ray.ds = 3e6, ray.z = ray.dz = 0.5;
     return ray;
 }
 
-TEST(AnyHitLanes, AnswerAsTheScalarText) {
+TEST(AnyHitLanes, AnswerAsTheReference) {
     constexpr std::uint64_t kSeed = 131;
     constexpr std::size_t kSegments = 19000;
     std::size_t rays = 0;
@@ -105,6 +106,55 @@ TEST(AnyHitLanes, AnswerOnAwkwardSizes) {
             }
         }
     }
+}
+
+// The cells that the reference logs.
+LaneSteps loggedCells(const PackedConeAnyHit& query, const AnyRay& ray) {
+    LogSink log;
+    query.look(ray, log);
+    const CellGrid& grid = query.grid();
+    LaneSteps cells;
+    for (const Step& step : log.steps) {
+        if (step.decision != Decision::Advance && !step.tests()) continue;
+        cells.push_back(
+            {static_cast<double>(step.i - grid.x.firstName), static_cast<double>(step.j - grid.y.firstName)});
+    }
+    return cells;
+}
+
+TEST(AnyHitLanes, LookAtTheCellsThatTheReferenceLogs) {
+    constexpr std::uint64_t kSeed = 133;
+    constexpr std::size_t kSegments = 800;
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    std::size_t steps = 0;
+    Work work(1);
+    for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1, 1}, {1, 9}, {5, 3}, {33, 18}}) {
+        for (const Surface surface : allSurfaces()) {
+            for (const Address address : allAddresses()) {
+                MapCache cache;
+                const HeightField field(randomHeights(width, height, kSeed), surface, address, 0.3);
+                const PackedConeAnyHit query = PackedConeAnyHit::make(field, {}, cache, work);
+                Random random(kSeed);
+                AnyRayBlock block;
+                std::vector<LaneSteps> reference;
+                while (block.size() < kSegments) {
+                    const AnyRay ray = segmentFor(random, field);
+                    if (!ray.finite() || !GridRay(query.grid(), ray.course()).inDomain()) continue;
+                    block.push(ray);
+                    reference.push_back(loggedCells(query, ray));
+                    steps += reference.back().size();
+                }
+                onEveryTarget([&] {
+                    const std::vector<LaneSteps> lanes = stepsInLanes(query, block);
+                    for (std::size_t i = 0; i < block.size(); ++i) {
+                        ASSERT_EQ(lanes[i], reference[i]) << describe(field) << ", segment " << i;
+                    }
+                });
+            }
+        }
+    }
+    std::printf("%zu steps\n", steps);
+    EXPECT_GT(steps, 20000U);
 }
 
 }  // namespace

@@ -1,0 +1,294 @@
+// packed-cone-any in lanes of double, a segment a lane. Reference: PackedConeAnyHit::look.
+// The same answers for any target and width: the walk visits every cell in which the segment stays and something may
+// be in its way, and cellBlocks() is done here operation by operation; a cell more that is looked at changes nothing.
+// Mirrored: x -> -x where the run is negative, so that every segment runs to +x, +y; in IEEE arithmetic all edges and
+// times keep their bits. Cell c becomes -c - 1; cells are counted on over the seams, and taken into the period to read.
+
+#if defined(RELIEF_PACKED_CONE_ANY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RELIEF_PACKED_CONE_ANY_LANES_INL_H
+#undef RELIEF_PACKED_CONE_ANY_LANES_INL_H
+#else
+#define RELIEF_PACKED_CONE_ANY_LANES_INL_H
+#endif
+
+#include <array>
+#include <cmath>
+
+#include "relief/simd/double_lanes-inl.h"
+#include "relief/simd/exact_leaf-inl.h"
+#include "relief/visibility/packed_cone_any.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace relief::HWY_NAMESPACE {
+
+// Of one axis, mirrored: what stays as it is while a lane works on a segment.
+struct AxisRows {
+    Row<double> start{}, run{}, inverse{}, sign{};
+    Row<double> turn{};                    // 0, or the last cell's number where mirrored
+    Row<double> firstCell{}, firstEdge{};  // outer cells and edges where the axis does not wrap
+    Row<double> lastCell{}, lastEdge{};
+    Row<double> cell{};
+
+    void set(std::size_t lane, const GridAxis& grid, const RayAxis& ray) {
+        constexpr double kNever = 1e300;  // parallel: every edge ahead is beyond the end, every one behind before 0
+        constexpr double kAll = HUGE_VAL;
+        const bool mirrored = ray.side < 0;
+        const AxisCell from = ray.startCell(grid);
+        const double at = static_cast<double>(from.base + from.index);
+        sign[lane] = mirrored ? -1 : 1;
+        start[lane] = mirrored ? -ray.start : ray.start;
+        run[lane] = std::abs(ray.run);
+        inverse[lane] = ray.side == 0 ? kNever : std::abs(ray.inverse);
+        turn[lane] = mirrored ? grid.cells - 1 : 0;
+        cell[lane] = mirrored ? -at - 1 : at;
+        firstCell[lane] = grid.wraps ? -kAll : (mirrored ? -grid.cells : 0.0);
+        lastCell[lane] = grid.wraps ? kAll : (mirrored ? -1.0 : grid.cells - 1.0);
+        // Parallel: it may run along an outer edge, and never leaves by it.
+        firstEdge[lane] = ray.side == 0 ? -kAll : (mirrored ? -grid.high : grid.low);
+        lastEdge[lane] = ray.side == 0 ? kAll : (mirrored ? -grid.low : grid.high);
+    }
+};
+
+struct AxisLanes {
+    V start, run, inverse, sign, turn, firstCell, firstEdge, lastCell, lastEdge;
+    V cell;
+
+    HWY_INLINE explicit AxisLanes(const AxisRows& from)
+        : start(load(from.start)),
+          run(load(from.run)),
+          inverse(load(from.inverse)),
+          sign(load(from.sign)),
+          turn(load(from.turn)),
+          firstCell(load(from.firstCell)),
+          firstEdge(load(from.firstEdge)),
+          lastCell(load(from.lastCell)),
+          lastEdge(load(from.lastEdge)),
+          cell(load(from.cell)) {}
+
+    HWY_INLINE V enter() const {
+        const V edge = hn::IfThenElse(hn::Le(cell, firstCell), firstEdge, cell);
+        return hn::Mul(hn::Sub(edge, start), inverse);
+    }
+    HWY_INLINE V leave() const {
+        const V edge = hn::IfThenElse(hn::Ge(cell, lastCell), lastEdge, hn::Add(cell, constant(1)));
+        return hn::Mul(hn::Sub(edge, start), inverse);
+    }
+    HWY_INLINE V place(V mu) const { return hn::Add(start, hn::Mul(mu, run)); }
+    // The cell's number in the period, in [0, cells).
+    HWY_INLINE V index(double cells) const {
+        const V period = hn::Floor(hn::Mul(hn::Add(cell, constant(0.5)), constant(1 / cells)));
+        return hn::Add(turn, hn::Mul(sign, hn::Sub(cell, hn::Mul(period, constant(cells)))));
+    }
+    // Place within the cell as the reference has it.
+    HWY_INLINE V within(V mu) const {
+        const V one = constant(1), zero = hn::Zero(D());
+        const V unmirrored = hn::Sub(hn::Mul(sign, cell), hn::IfThenElseZero(hn::Lt(sign, zero), one));
+        return hn::Min(hn::Max(hn::Sub(hn::Mul(sign, place(mu)), unmirrored), zero), one);
+    }
+};
+
+// Which segment comes next, for all vectors.
+struct SegmentQueue {
+    const PackedConeAnyHit& query;
+    const AnyRayBlock& rays;
+    std::size_t quadrant;  // the only one that is looked at
+    std::size_t next;
+    std::size_t last;
+    Sight* sights;
+};
+
+// A vector of segments in memory.
+struct Segments {
+    AxisRows x, y;
+    Row<double> z{}, dz{}, end{}, run{}, mu{};
+    Row<std::size_t> number{};
+    std::uint32_t active = 0;
+
+    bool fill(std::size_t lane, SegmentQueue& queue);
+};
+
+// False: there is none left that needs a walk.
+inline bool Segments::fill(std::size_t lane, SegmentQueue& queue) {
+    const CellGrid& grid = queue.query.grid();
+    while (queue.next < queue.last) {
+        const std::size_t i = queue.next++;
+        const AnyRay ray = queue.rays[i];
+        if (!ray.finite()) {
+            queue.sights[i] = Sight::Clear;
+            continue;
+        }
+        const GridRay course(grid, ray.course());
+        if (quadrantOf(course) != queue.quadrant) continue;
+        queue.sights[i] = Sight::Clear;
+        const double until = std::min(endBelow(ray, queue.query.map().highest), HUGE_VAL);
+        if (!(until > 0) || runsOutside(grid, course)) continue;
+        if (!course.inDomain()) {
+            NullSink sink;
+            queue.sights[i] = queue.query.look(ray, sink);
+            continue;
+        }
+        x.set(lane, grid.x, course.x);
+        y.set(lane, grid.y, course.y);
+        z[lane] = ray.z;
+        dz[lane] = ray.dz;
+        run[lane] = std::max(x.run[lane], y.run[lane]);
+        end[lane] = until;
+        mu[lane] = 0;
+        number[lane] = i;
+        active |= 1U << lane;
+        return true;
+    }
+    return false;
+}
+
+template <class Visits>
+class SegmentWalk {
+  public:
+    explicit SegmentWalk(SegmentQueue& queue)
+        : queue_(queue),
+          field_(queue.query.field()),
+          grid_(queue.query.grid()),
+          words_(queue.query.map().quadrant(queue.quadrant)),
+          nx_(queue.query.map().nx),
+          ny_(queue.query.map().ny) {}
+
+    // False: nothing left to do.
+    bool go();
+
+  private:
+    struct Lanes {
+        AxisLanes x, y;
+        V z, dz;
+        HWY_INLINE V heightAt(V mu) const { return hn::Add(z, hn::Mul(mu, dz)); }
+    };
+    HWY_INLINE void settle(std::uint32_t lanes, Sight sight) {
+        segments_.active &= ~lanes;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            queue_.sights[segments_.number[static_cast<std::size_t>(__builtin_ctz(lanes))]] = sight;
+        }
+    }
+    HWY_INLINE M blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const;
+    void step();
+
+    SegmentQueue& queue_;
+    const HeightField& field_;
+    const CellGrid& grid_;
+    const std::uint32_t* words_;
+    int nx_;
+    int ny_;
+    Segments segments_;
+};
+
+// cellBlocks() of the lanes' cells.
+template <class Visits>
+M SegmentWalk<Visits>::blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const {
+    const V zero = hn::Zero(D()), one = constant(1), clearance = constant(kSightClearance);
+    const V in = hn::Max(hn::Max(lanes.x.enter(), lanes.y.enter()), zero);
+    const V out = hn::Min(hn::Min(exits, one), end);
+    const M stays = hn::Lt(in, out);
+    const V zIn = lanes.heightAt(in), zOut = lanes.heightAt(out);
+    if (field_.surface() == Surface::Columns) {
+        const V height = heightsAt(field_.heights(), cx, cy);
+        return hn::And(stays, hn::Gt(hn::Sub(height, hn::Min(zIn, zOut)), clearance));
+    }
+    const ExactPlaces places{
+        lanes.x.within(in), lanes.y.within(in), lanes.x.within(out), lanes.y.within(out), zIn, zOut};
+    const ExactGaps gaps = exactGaps(cornersAt(field_.heights(), grid_, cx, cy), places);
+    return hn::And(stays, hn::Gt(highestGap(gaps), clearance));
+}
+
+template <class Visits>
+void SegmentWalk<Visits>::step() {
+    const D d;
+    Lanes lanes{AxisLanes(segments_.x), AxisLanes(segments_.y), load(segments_.z), load(segments_.dz)};
+    const V mu = load(segments_.mu), end = load(segments_.end), run = load(segments_.run);
+    const VI cx = hn::DemoteTo(DI(), lanes.x.index(nx_)), cy = hn::DemoteTo(DI(), lanes.y.index(ny_));
+    const hn::Rebind<std::uint32_t, D> du;
+    const auto word = hn::GatherIndex(du, words_, hn::Add(hn::Mul(cy, whole(queue_.query.map().stride)), cx));
+    const V exitX = lanes.x.leave(), exitY = lanes.y.leave();
+    const V exits = hn::Min(exitX, exitY);
+    const V out = hn::Max(hn::Min(exits, end), mu);
+    const V zOut = lanes.heightAt(out);
+    const V lowest = hn::Min(lanes.heightAt(mu), zOut);
+    const auto heightOf = [&](auto depth) {
+        const V steps = hn::PromoteTo(d, hn::BitCast(DI(), hn::And(depth, hn::Set(du, kConeDepths))));
+        return hn::Sub(constant(queue_.query.map().highest), hn::Mul(steps, constant(queue_.query.map().unit)));
+    };
+    const M above = hn::Gt(lowest, heightOf(word));
+    // Cells are looked at for several lanes at once: till then those lanes wait.
+    constexpr int kTogether = kLanes > 2 ? static_cast<int>(kLanes / 2) : 1;
+    const std::uint32_t all = (1U << kLanes) - 1;
+    const std::uint32_t walking = segments_.active;
+    std::uint32_t waiting = ~bitsOf(above) & walking;
+    if (waiting != 0 && (waiting == walking || __builtin_popcount(waiting) >= kTogether)) {
+        settle(bitsOf(blocks(lanes, exits, end, cx, cy)) & waiting, Sight::Blocked);
+        waiting = 0;
+    }
+    if constexpr (Visits::kRecords) {
+        // Waiting lanes look again; in a cell that lies behind the segment no longer is, but for its first.
+        const std::uint32_t behind = bitsOf(hn::And(hn::Le(exits, mu), hn::Gt(mu, hn::Zero(d))));
+        Visits::visit(segments_.number, walking & ~waiting & ~behind, lanes.x.index(nx_), lanes.y.index(ny_));
+    }
+    // On to the next cell, or beyond by the cone.
+    const V room = hn::Sub(zOut, heightOf(hn::ShiftRight<10>(word)));
+    const V slope = hn::PromoteTo(d, hn::BitCast(DF(), word));
+    const V closing = hn::Sub(hn::Mul(slope, run), lanes.dz);
+    const V zero = hn::Zero(d);
+    // From a cell that lies behind (its number was taken too low) no cone is followed: it counts from the way out.
+    const M open = hn::And(hn::And(above, hn::Gt(room, zero)), hn::Ge(exits, mu));
+    const M forEver = hn::And(open, hn::Le(closing, zero));
+    // Taken off the place after a jump, in cells, above its rounding, so that the cell found is never too far on. The
+    // jump itself needs no margin: a cell is tested over its whole interval.
+    constexpr double kUnsure = 1e-8;
+    const V share = hn::Mul(hn::Div(room, closing), constant(kShorterShare));
+    const V target = hn::Add(out, share);
+    const M jumps = hn::And(open, hn::Gt(target, out));
+    const V after = hn::IfThenElse(jumps, target, out);
+    const auto next = [&](const AxisLanes& axis, V exit, V other) {
+        const V stepped = hn::Add(axis.cell, hn::IfThenElseZero(hn::Le(exit, other), constant(1)));
+        const V jumped = hn::Max(stepped, hn::Floor(hn::Sub(axis.place(after), constant(kUnsure))));
+        return hn::IfThenElse(jumps, hn::Min(jumped, axis.lastCell), stepped);
+    };
+    const V nextX = next(lanes.x, exitX, exitY), nextY = next(lanes.y, exitY, exitX);
+    const M leaves = hn::Or(hn::Gt(nextX, lanes.x.lastCell), hn::Gt(nextY, lanes.y.lastCell));
+    const M done = hn::Or(hn::Or(forEver, leaves), hn::Not(hn::Lt(after, end)));
+    settle(bitsOf(done) & segments_.active & ~waiting, Sight::Clear);
+    // Waiting and idle lanes stay where they are.
+    const std::uint8_t bits[8] = {static_cast<std::uint8_t>(segments_.active & ~waiting & all)};
+    const M moves = hn::LoadMaskBits(d, bits);
+    hn::StoreU(hn::IfThenElse(moves, after, mu), d, segments_.mu.data());
+    hn::StoreU(hn::IfThenElse(moves, nextX, lanes.x.cell), d, segments_.x.cell.data());
+    hn::StoreU(hn::IfThenElse(moves, nextY, lanes.y.cell), d, segments_.y.cell.data());
+}
+
+template <class Visits>
+bool SegmentWalk<Visits>::go() {
+    const std::uint32_t all = (1U << kLanes) - 1;
+    for (std::uint32_t idle = all & ~segments_.active; idle != 0; idle &= idle - 1) {
+        if (!segments_.fill(static_cast<std::size_t>(__builtin_ctz(idle)), queue_)) break;
+    }
+    if (segments_.active == 0) return false;
+    step();
+    return true;
+}
+
+template <class Visits = NoVisits>
+void lookOn(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t first, std::size_t last,
+            Sight* sights) {
+    // Rays that are shadows of one light, or sights of one pixel, are of one quadrant or of few.
+    std::uint32_t quadrants = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        constexpr double kNegative = -1e-300;  // RayAxis: what is nearer to 0 moves nothing
+        quadrants |= 1U << ((rays.ds[i] <= kNegative ? 1U : 0U) + (rays.dt[i] <= kNegative ? 2U : 0U));
+    }
+    for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
+        if ((quadrants >> quadrant & 1) == 0) continue;
+        SegmentQueue queue{query, rays, quadrant, first, last, sights};
+        goInTurn<SegmentWalk<Visits>>(queue);
+    }
+}
+
+}  // namespace relief::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
