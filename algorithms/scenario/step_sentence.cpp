@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "relief/leaf.h"
+
 namespace relief {
 
 namespace {
@@ -141,10 +143,10 @@ Message pointHitSentence(const Step& step, const StepContext& context) {
 Message hitSentence(const Step& step, const StepContext& context) {
     if (step.atPoint()) return pointHitSentence(step, context);
     const auto height = fixedText(1 - step.lambdaAfter, kHeightDecimals);
-    // Right after the start of a pyramid, or after going down to its highest point.
+    // Right after the start of a pyramid, or after going down to its highest point, and as high as that.
     const Step* const before = context.before;
     const bool atOnce = before != nullptr && before->phase == Phase::Start && ofTop(*before);
-    if (atOnce) {
+    if (atOnce && 1 - step.lambdaAfter >= before->value - kExclusionMargin) {
         return Message(MessageId::StepHitAtOnce, {{"i", step.i}, {"j", step.j}, {"after", height}});
     }
     if (!context.ray) {

@@ -11,7 +11,7 @@ namespace reliefui {
 namespace {
 
 TEST_F(WindowTest, AClickOnAVisitedTexelChoosesItsStep) {
-    openWindow(smallScenario());
+    openWindow(deepRay());
     PyramidView* const view = window_->pyramid();
     grab(view->canvas());
     const auto steps = snapshot()->trace.steps;

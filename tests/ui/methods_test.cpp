@@ -174,7 +174,7 @@ TEST(Samples, theRayIsInsideTheBoxOverAnyBaseLevel) {
             for (int base = 0; base < 5; ++base) {
                 const relief::MethodChoice method{"max-pyramid", {{"base", std::to_string(base)}}};
                 int seen = 0;
-                for (int n = 0; n < 20; ++n) {
+                for (int n = 0; n < 200; ++n) {
                     const relief::ViewRay ray{unit(random) * 37, unit(random) * 21, unit(random) * 90 - 45,
                                               unit(random) * 90 - 45};
                     const RayPath path(relief, ray);

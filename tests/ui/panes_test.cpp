@@ -54,7 +54,7 @@ TEST_F(WindowTest, TheTableIsTheTraceOfThePixel) {
 }
 
 TEST_F(WindowTest, StepsAreChosenInTheTableAndByKeys) {
-    openWindow(smallScenario());
+    openWindow(deepRay());
     const auto last = static_cast<int>(snapshot()->trace.steps.size()) - 1;
     ASSERT_GT(last, 4);
     auto* const table = window_->steps()->findChild<QTableView*>();
@@ -231,7 +231,7 @@ TEST_F(WindowTest, PanesAreClosedAndOpenedAgain) {
 
 // In windows of their own, with contexts of OpenGL of their own, and back.
 TEST_F(WindowTest, PanesLeaveTheWindowAndComeBack) {
-    openWindow(smallScenario());
+    openWindow(deepRay());
     auto* const pyramid = window_->findChild<QDockWidget*>(QStringLiteral("pyramid-pane"));
     auto* const trace = window_->findChild<QDockWidget*>(QStringLiteral("trace-pane"));
     for (int round = 0; round < 2; ++round) {

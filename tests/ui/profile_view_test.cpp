@@ -30,7 +30,7 @@ class ProfileTest : public WindowTest {
 };
 
 TEST_F(ProfileTest, AClickOnAMarkChoosesItsStep) {
-    openProfile(smallScenario());
+    openProfile(deepRay());
     grab(canvas());
     const auto& steps = snapshot()->trace.steps;
     ASSERT_GT(steps.size(), 4u);

@@ -23,13 +23,6 @@ constexpr int kLevelBelow = 0;
 constexpr int kTexel = 1;
 constexpr int kRayBelow = 2;
 
-// A ray with several levels, at its first step.
-relief::Scenario deepRay() {
-    relief::Scenario scenario = smallScenario();
-    scenario.method = {"max-pyramid", {}};
-    return scenario;
-}
-
 void addBreakpoint(BreakpointBar* bar, int kind) {
     bar->findChild<QComboBox*>(QStringLiteral("breakpoint-kind"))->setCurrentIndex(kind);
     QTest::mouseClick(bar->findChild<QToolButton*>(QStringLiteral("breakpoint-add")), Qt::LeftButton);

@@ -93,7 +93,7 @@ QPoint onStretch(MainWindow& window, const Snapshot& snapshot, const relief::Ste
 TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseAndSaysWhatIsWhich) {
     relief::Scenario scenario = smallScenario();
     for (const relief::MethodChoice& method :
-         {relief::MethodChoice{"max-pyramid", {}}, relief::MethodChoice{"layers-bisection", {{"layers", "8"}}}}) {
+         {relief::MethodChoice{"max-pyramid-paper", {}}, relief::MethodChoice{"layers-bisection", {{"layers", "8"}}}}) {
         scenario.method = method;
         openWindow(scenario);
         const auto& steps = snapshot()->trace.steps;
@@ -112,7 +112,7 @@ TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseAndSaysWhatIsWhich) {
                 const Rgba color = std::string(by) == "level" ? style.levelLine({steps[k].level, levels})
                                                               : style.color(kOfPhase[static_cast<int>(steps[k].phase)]);
                 const QPoint at = onStretch(*window_, *snapshot(), steps[k]);
-                const bool sheets = method.name != "max-pyramid";
+                const bool sheets = method.name != "max-pyramid-paper";
                 right += isLit(shown.pixelColor(at), color) || (sheets && litPixels(shown, color) > 60) ? 1 : 0;
                 ++probes;
                 const int patch = pixelsOf(shown, color);

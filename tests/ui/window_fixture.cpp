@@ -31,6 +31,12 @@ relief::Scenario smallScenario() {
     return scenario;
 }
 
+relief::Scenario deepRay() {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"max-pyramid-paper", {}};
+    return scenario;
+}
+
 void WindowTest::SetUp() {
     if (!haveDisplay()) GTEST_SKIP() << "no display: the window is not tested";
 }

@@ -19,6 +19,8 @@ bool& haveDisplay();
 
 // Procedural bricks on a wall, drawn small, a pixel chosen.
 relief::Scenario smallScenario();
+// The same, with a long log over several levels: the paper's recursion, from the top.
+relief::Scenario deepRay();
 
 class WindowTest : public ::testing::Test {
   protected:

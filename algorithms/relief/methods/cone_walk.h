@@ -11,8 +11,9 @@
 #include <type_traits>
 
 #include "relief/float_leaf.h"
-#include "relief/methods/float_scene.h"
+#include "relief/methods/float_place.h"
 #include "relief/methods/packed_walk.h"
+#include "relief/methods/steps_within.h"
 
 namespace relief {
 
@@ -39,9 +40,6 @@ struct ConeAxis {
     }
 };
 
-// Whether float can follow a ray. Gone: under border it has left the map before its walk begins.
-enum class FloatFit : std::uint8_t { Fit, Gone, Unfit };
-
 // A ray in float, from lambda `begin` on: nothing is met before.
 struct ConeRay {
     ConeAxis x, y;
@@ -52,8 +50,7 @@ struct ConeRay {
 
     ConeRay(const FloatScene& scene, const GridRay& ray, double begin) {
         const FloatFit fitX = setUp(scene, scene.grid.x, ray.x, begin, x);
-        const FloatFit fitY = setUp(scene, scene.grid.y, ray.y, begin, y);
-        fit = fitX == FloatFit::Unfit || fitY == FloatFit::Unfit ? FloatFit::Unfit : std::max(fitX, fitY);
+        fit = bothFit(fitX, setUp(scene, scene.grid.y, ray.y, begin, y));
         tie = (x.margin + y.margin) + (x.margin + y.margin);
         steep = std::max(x.run, y.run) * kSteeper;
         goTo(scene, x.cell(scene.grid.x), y.cell(scene.grid.y));
@@ -91,31 +88,17 @@ struct ConeRay {
   private:
     static FloatFit setUp(const FloatScene& scene, const GridAxis& axis, const RayAxis& ray, double begin,
                           ConeAxis& out) {
-        const double place = ray.start + begin * ray.run;
-        out.back = ray.run < 0;
-        const double line = out.back ? std::ceil(place) : std::floor(place);
-        const double share = out.back ? line - place : place - line;  // of its cell that is behind it
-        const double run = std::abs(ray.run);
-        const double alongLine = out.back ? scene.mirror - line : line;
-        bool good = std::abs(alongLine) < kFloatPlaces && run <= kFloatRun && (run >= 1e-30 || run == 0);
-        // Hardly moving and next to a line: the walk could begin on the wrong side of it.
-        good = good && !(begin > 0 && run < kLeastRun && share < kLeastRun);
-        FloatFit fit = FloatFit::Fit;
-        if (scene.address == Address::Border) {
-            const auto inside = [&](double at) { return at > axis.low && at < axis.high; };
-            const bool left = place < axis.low || place > axis.high;
-            if (inside(ray.start) && left) fit = FloatFit::Gone;
-            good = good && inside(ray.start) && (left || inside(place));
-        }
-        // Unfit rays get the axis of one that stands still: nobody walks along it.
-        const float ahead = good ? 1 - static_cast<float>(share) : 0;  // of its cell, to the line
-        out.first = good ? static_cast<int>(out.back ? line - 1 : line) : 0;
-        out.run = good ? static_cast<float>(run) : 0;
-        out.inverse = 1 / std::max(out.run, 1e-30F);
-        out.margin = kCrossingMargin * (out.inverse + 1);
+        const FloatPlace place(scene, axis, ray, begin);
+        const bool fits = place.fit != FloatFit::Unfit;
+        const float ahead = fits ? 1 - static_cast<float>(place.share) : 0;  // of its cell, to the line
+        out.back = place.back;
+        out.first = fits ? static_cast<int>(place.back ? place.line - 1 : place.line) : 0;
+        out.run = place.run;
+        out.inverse = place.inverse;
+        out.margin = place.margin;
         out.base = ahead * out.inverse + (static_cast<float>(begin) + out.margin);
         out.place = out.base * out.run + (out.run * kShorterJump + (kShorterJump - 0.5F));
-        return good ? fit : FloatFit::Unfit;
+        return place.fit;
     }
 };
 
@@ -142,29 +125,6 @@ struct UnclearPart {
         from = std::max(std::min(in, first) - late, 0.0);
         until = last - first < late ? last + late : std::numeric_limits<double>::infinity();
     }
-};
-
-// Steps that begin a little before lambda `from` and lead beyond `to`, cut to [from, to]; a hit keeps its lambda.
-template <class Sink>
-struct StepsWithin {
-    Sink& sink;
-    double from, to;
-
-    template <class Make>
-    void step(const Make& make) {
-        sink.step([&] {
-            Step step = make();
-            for (double* lambda : {&step.lambdaIn, &step.lambdaOut, &step.lambdaAfter}) {
-                *lambda = std::max(*lambda, from);
-            }
-            if (step.decision != Decision::Hit) {
-                step.lambdaOut = std::min(step.lambdaOut, to);
-                step.lambdaAfter = std::min(step.lambdaAfter, to);
-            }
-            return step;
-        });
-    }
-    void read(std::uint32_t values) { sink.read(values); }
 };
 
 class ConeWalk {

@@ -1,17 +1,23 @@
 // max-pyramid: hierarchical skip on the pyramid of maxima, iterative and stackless. [MIP18]; Tevs 2008.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing; any ray that descends.
-// Model: a node whose maximum is below the ray all along its stay is skipped; otherwise its children are asked; the one
-// leaf decides at level 0. After a step that leaves the parent, the walk goes up one level.
+// Model: the walk begins at the height of the highest point, in a node a quarter to half as long as the ray. A node
+// whose maximum is below the ray during the whole interval that the ray spends in it is skipped; otherwise its children
+// are visited; the one leaf decides at level 0. After a step that leaves the parent, the walk goes up one level.
+// Walk: depth_walk.h, in float over 16-bit depths; SIMD, for base level 0: simd/pyramid_lanes-inl.h.
+// Fallback, where float cannot decide and for maps too large for these depths: the paper's walk in double
+// (max_pyramid_paper.h).
 // Guarantee: with base level 0 exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at
-// grazing angles, where little can be skipped. Cost: O(log) steps a ray on even surfaces, one stored maximum a step.
-// Other forms: max_pyramid_paper.h follows the paper word by word; pyramid_rays.h, SIMD, traces blocks without a
-// log.
+// grazing angles, where little can be skipped. Cost: O(log) steps per ray on even surfaces, one stored maximum a step.
 #pragma once
 
+#include <optional>
+
 #include "relief/describe.h"
+#include "relief/methods/depth_walk.h"
+#include "relief/methods/max_pyramid_paper.h"
 #include "relief/methods/pyramid_rays.h"
-#include "relief/methods/pyramid_walk.h"
+#include "relief/methods/steps_within.h"
 
 namespace relief {
 
@@ -35,99 +41,71 @@ class MaxPyramidTracer {
     };
     // An automatic base level counts as one above 0.
     static bool simdWith(const Options& options) { return options.base == "0"; }
-    static MaxPyramidTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work,
-                                 Form form = Form::Simd) {
+    static MaxPyramidTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
         const BaseField base = baseField(field, baseLevelNumber(options.base), cache, work);
         MaxPyramidTracer tracer(PyramidWalk(base, field, maxPyramidMap(base.field, cache, work)));
-        if (base.level == 0 && form == Form::Simd)
-            tracer.useLanes(depthPyramid(field, tracer.walk_.map(), cache, work));
+        tracer.useDepths(depthPyramid(base.field, tracer.pyramidWalk().map(), cache, work));
         return tracer;
     }
 
-    explicit MaxPyramidTracer(PyramidWalk walk) : walk_(std::move(walk)) {}
+    explicit MaxPyramidTracer(PyramidWalk walk) : paper_(std::move(walk)) {}
 
     template <class Sink>
-    Hit trace(const ViewRay& viewRay, Sink& sink) const;
+    Hit trace(const ViewRay& viewRay, Sink& sink) const {
+        if (!depths_) return paper_.trace(viewRay, sink);
+        if (!viewRay.finite()) return Hit::none(Outcome::Miss);
+        return trace(viewRay, sink, sink);
+    }
+    // inDouble: gets the steps of the walk in double.
+    template <class Sink, class DoubleSink>
+    Hit trace(const ViewRay& viewRay, Sink& sink, DoubleSink& inDouble) const;
     // The same hits, many at a time; rays [first, last) of the block.
     void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         NullSink sink;
-        if (!depths_) {
+        if (!hasSimdMap()) {
             for (std::size_t i = first; i < last; ++i) hits.set(i, trace(rays[i], sink));
             return;
         }
         std::vector<std::size_t> left;
-        traceByPyramid(scene_, *depths_, rays, first, last, hits, left);
+        traceByPyramid(walk_->scene(), *depths_, rays, first, last, hits, left);
         for (const std::size_t i : left) hits.set(i, trace(rays[i], sink));
     }
 
-    const HeightField& field() const { return walk_.wholeField(); }
-    bool hasSimdMap() const { return depths_ != nullptr; }
-    std::size_t bytes() const { return walk_.bytes() + (depths_ ? depths_->bytes() : 0); }
-    double stepBound(const ViewRay& ray) const { return walk_.stepBound(walk_.gridRay(ray)); }
-    // A base level above 0 is another surface.
-    Guarantee guarantee() const { return walk_.baseLevel() == 0 ? Guarantee::Exact : Guarantee::Approximate; }
-    const PyramidWalk& pyramidWalk() const { return walk_; }
+    const HeightField& field() const { return paper_.field(); }
+    bool hasSimdMap() const { return depths_ != nullptr && pyramidWalk().baseLevel() == 0; }
+    std::size_t bytes() const { return paper_.bytes() + (depths_ ? depths_->bytes() : 0); }
+    // The walk in double begins anew, a little before the place where float leaves the ray.
+    double stepBound(const ViewRay& ray) const { return (depths_ ? 2 : 1) * paper_.stepBound(ray); }
+    Guarantee guarantee() const { return paper_.guarantee(); }
+    const PyramidWalk& pyramidWalk() const { return paper_.pyramidWalk(); }
 
   private:
-    void useLanes(std::shared_ptr<const DepthPyramid> depths) {
+    void useDepths(std::shared_ptr<const DepthPyramid> depths) {
         depths_ = std::move(depths);
-        if (depths_) scene_ = FloatScene(field(), depths_->highest, 1 << depths_->top);
+        if (depths_) walk_.emplace(pyramidWalk(), *depths_);
     }
 
-    PyramidWalk walk_;
-    std::shared_ptr<const DepthPyramid> depths_;
-    FloatScene scene_;
+    MaxPyramidPaperTracer paper_;
+    std::shared_ptr<const DepthPyramid> depths_;  // null: the paper's walk alone
+    std::optional<DepthWalk> walk_;
 };
 
-template <class Sink>
-Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink) const {
-    if (!viewRay.finite()) return Hit::none(Outcome::Miss);
-    const GridRay ray = walk_.gridRay(viewRay);
-    const PyramidStart start = pyramidStart(walk_, ray, sink);
-    if (start.outcome != Outcome::Unset) return Hit::none(start.outcome);
-    if (start.hit) return Hit::at(viewRay, *start.hit);
-
-    const int top = walk_.top();
-    int level = top;
-    PyramidNode node = start.node;
-    double lambda = start.lambda;
-    for (double left = walk_.nodeBound(ray); left > 0; --left) {
-        const float maximum = walk_.maximum(level, node);
-        const PyramidWalk::Exit exit = walk_.exit(ray, level, node);
-        const double out = std::min(exit.first(), 1.0);
-        sink.read(1);
-        const bool skip = PyramidWalk::excluded(maximum, out);
-        if (!skip && level > 0) {
-            sink.step([&] { return walk_.descent(ray, level, node, lambda, out, maximum); });
-            node = walk_.child(ray, level, node, lambda);
-            --level;
-            continue;
-        }
-        if (!skip) {
-            sink.read(walk_.leafReads());
-            if (const auto hit = walk_.leaf(ray, node)) {
-                sink.step([&] { return walk_.record(Decision::Hit, 0, node, lambda, out, maximum, *hit); });
-                return Hit::at(viewRay, *hit);
-            }
-        }
-        sink.step([&] {
-            return walk_.record(skip ? Decision::Skip : Decision::Test, level, node, lambda, out, maximum, out);
-        });
-        const PyramidNode before = node;
-        const bool inside = walk_.moveOn(ray, level, exit, node) && exit.first() < 1;
-        lambda = out;
-        if (!inside) {
-            sink.step([&] { return walk_.record(Decision::Miss, level, before, lambda, lambda, maximum, lambda); });
+template <class Sink, class DoubleSink>
+Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink, DoubleSink& inDouble) const {
+    const GridRay ray = pyramidWalk().gridRay(viewRay);
+    const DepthWalk::Answer answer = walk_->trace(pyramidWalk(), ray, sink);
+    switch (answer.end) {
+        case DepthWalk::End::Hit:
+            return Hit::at(viewRay, answer.lambda);
+        case DepthWalk::End::Miss:
             return Hit::none(Outcome::Miss);
-        }
-        if (level < top && !PyramidWalk::sameParent(before, node)) {
-            PyramidWalk::toParent(node);
-            ++level;
-            sink.step([&] { return walk_.ascent(level, before, lambda); });
-        }
+        case DepthWalk::End::Unfit:
+            return paper_.trace(viewRay, inDouble);
+        case DepthWalk::End::Left:
+            break;
     }
-    sink.step([&] { return walk_.record(Decision::Limit, level, node, lambda, lambda, 0, lambda); });
-    return Hit::none(Outcome::Limit);
+    StepsWithin<DoubleSink> rest{inDouble, answer.lambda, 1};
+    return paper_.goOn(viewRay, ray, answer.from, pyramidWalk().topNode(ray, answer.from), rest);
 }
 
 }  // namespace relief

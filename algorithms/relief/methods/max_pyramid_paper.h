@@ -8,8 +8,9 @@
 //   4. Otherwise the same one level lower, down to the base level (option; 0: the heights themselves).
 //   5. No hit confirmed in it ("the higher point is not on the ray's projection"): back to the level above, go on.
 //   6. Done when the base level confirms the hit.
-// Guarantee: with base level 0 exact, the same bits as `exact`. Failure mode and cost: see max_pyramid.h, its fast
-// form. Departures: a line crosses one, two or three of four children, where the paper says at most two.
+// Guarantee: with base level 0 exact, the same bits as `exact`. Failure mode and cost: see max_pyramid.h, which begins
+// lower and goes down without recursion. Departures: a line crosses one, two or three of four children, where the paper
+// says at most two.
 #pragma once
 
 #include "relief/describe.h"
@@ -44,6 +45,9 @@ class MaxPyramidPaperTracer {
 
     template <class Sink>
     Hit trace(const ViewRay& viewRay, Sink& sink) const;
+    // From lambda `from` on, on the top level: nothing is met before.
+    template <class Sink>
+    Hit goOn(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node, Sink& sink) const;
 
     const HeightField& field() const { return walk_.wholeField(); }
     std::size_t bytes() const { return walk_.bytes(); }
@@ -75,10 +79,16 @@ Hit MaxPyramidPaperTracer::trace(const ViewRay& viewRay, Sink& sink) const {
     const PyramidStart start = pyramidStart(walk_, ray, sink);
     if (start.outcome != Outcome::Unset) return Hit::none(start.outcome);
     if (start.hit) return Hit::at(viewRay, *start.hit);
+    return goOn(viewRay, ray, start.lambda, start.node, sink);
+}
+
+template <class Sink>
+Hit MaxPyramidPaperTracer::goOn(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node,
+                                Sink& sink) const {
     State state;
-    state.lambda = start.lambda;
+    state.lambda = from;
     state.left = walk_.nodeBound(ray);
-    level(ray, walk_.top(), start.node, state, sink);
+    level(ray, walk_.top(), node, state, sink);
     return state.outcome == Outcome::Hit ? Hit::at(viewRay, state.hit) : Hit::none(state.outcome);
 }
 

@@ -199,10 +199,14 @@ TEST(StepSentence, tellsTheKindsOfHitApart) {
     EXPECT_EQ(sentence(stepSentence(hit, context)),
               "Level 0, texel (1,0): the ray meets the surface at height 0.387, at (201.23, 77.61): hit.");
     Step before = step(Decision::Advance);
-    before.subject = subject::Texel{3, 0, 0, 0.7};
+    before.subject = subject::Texel{3, 0, 0, 0.387};
+    before.value = 0.387;
     context.before = &before;
     EXPECT_NE(sentence(stepSentence(hit, context)).find("nothing can hide it"), std::string::npos);
-    before.subject = subject::Texel{0, 0, 0, 0.7};  // a walk over every cell knows no highest point
+    before.value = 0.7;
+    EXPECT_EQ(sentence(stepSentence(hit, context)).find("nothing can hide it"), std::string::npos) << "it is lower";
+    before.value = 0.387;
+    before.subject = subject::Texel{0, 0, 0, 0.387};  // a walk over every cell knows no highest point
     EXPECT_EQ(sentence(stepSentence(hit, context)).find("nothing can hide it"), std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 #define HWY_TARGET_INCLUDE "algorithms/relief/simd/cone_cells.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
+#include "plain_arithmetic-inl.h"
 #include "relief/simd/cone_entry-inl.h"
 
 #ifndef RELIEF_CONE_CELLS_VISITS
@@ -51,13 +52,6 @@ struct Noting : Base {
                 {slots[k], forth(x[k], columns.x), forth(y[k], columns.y), static_cast<std::uint32_t>(words[k])});
         }
     }
-};
-struct PlainArithmetic {
-    static constexpr bool kBeams = false;
-    HWY_INLINE static VF mulAdd(VF a, VF b, VF c) { return hn::Add(hn::Mul(a, b), c); }
-    HWY_INLINE static VF mulSub(VF a, VF b, VF c) { return hn::Sub(hn::Mul(a, b), c); }
-    HWY_INLINE static VF negMulAdd(VF a, VF b, VF c) { return hn::Sub(c, hn::Mul(a, b)); }
-    HWY_INLINE static VF reciprocal(VF a) { return hn::Div(hn::Set(DF(), 1.0F), a); }
 };
 
 // call() for the scene's surface.

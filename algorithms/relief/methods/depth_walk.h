@@ -1,0 +1,262 @@
+// The walk down and up the pyramid of depths, one ray: the reference of simd/pyramid_lanes-inl.h, in the same precision
+// and with the same margins (margins.md), so that both visit the same nodes. Nodes and cells are only excluded in
+// float; where a ray meets a cell is decided by the one leaf.
+//
+// Frame: float_scene.h. Node k of level l: cells k << l and on, mirrored where the ray runs towards lower indices; the
+// line before cell c is crossed at lambda = (c + offset) * inverse + base, at or after the true crossing, and by no
+// more than `tie` on both axes together.
+#pragma once
+
+#include <bit>
+
+#include "relief/float_leaf.h"
+#include "relief/maps/depth_pyramid.h"
+#include "relief/methods/float_place.h"
+#include "relief/methods/pyramid_walk.h"
+
+namespace relief {
+
+// Levels by which a walk begins below the smallest level whose nodes are longer than the ray is along its longer axis.
+// Not measured against other values since it is chosen per ray.
+inline constexpr int kStartBelow = 2;
+inline int startLevel(float run, int top) {
+    return std::clamp(static_cast<int>(std::bit_width(static_cast<unsigned>(run))) - kStartBelow, 0, top);
+}
+
+// One axis of a ray.
+struct DepthAxis {
+    bool back = false;
+    int mirror = 0;  // node k is k ^ (mirror >> level) of the map
+    int k = 0;
+    int offset = 0;
+    int first = 0;  // cell of its start, mirrored, before any addressing
+    int low = 0;    // the map's first cell, mirrored
+    int high = 0;   // behind its last
+    float run = 0, inverse = 0, base = 0;
+    float rim = 0;  // border: lambda at which it leaves the map
+    float margin = 0;
+
+    DepthAxis() = default;
+    // On that level, at lambda `begin`.
+    DepthAxis(const FloatScene& scene, const GridAxis& axis, const RayAxis& ray, const FloatPlace& place, double begin)
+        : back(place.back),
+          mirror(place.back ? scene.mirror - 1 : 0),
+          first(static_cast<int>(place.back ? scene.mirror - place.line : place.line)),
+          low(place.back ? scene.mirror - axis.cells : 0),
+          high(low + axis.cells),
+          run(place.run),
+          inverse(place.inverse),
+          margin(place.margin) {
+        base = (static_cast<float>(begin) - static_cast<float>(place.share) * inverse) + margin;
+        k = std::clamp(first, low, high - 1);
+        if (scene.address == Address::Repeat) {
+            const int along = (first - low) % axis.cells;
+            k = low + (along < 0 ? along + axis.cells : along);
+        }
+        offset = scene.address == Address::Repeat ? -k : -first;
+        if (scene.address != Address::Border) return;
+        const double way = back ? ray.start - axis.low : axis.high - ray.start;
+        rim = inverse * kCrossingMargin + (std::min(static_cast<float>(way) * inverse, 1e30F) + kCrossingMargin);
+    }
+
+    float lambdaAt(int line) const { return static_cast<float>(line + offset) * inverse + base; }
+    // The node of the map, and its period.
+    AxisCell node(int level) const { return {k ^ (mirror >> level), back ? -(offset + first) : offset + first}; }
+
+    struct Crossing {
+        float lambda;
+        bool last;  // out of the map or its period
+    };
+    Crossing crossing(Address address, int level) const {
+        const int edge = std::min((k + 1) << level, high);
+        const bool last = edge == high;
+        constexpr float kNever = 1e30F;
+        if (last && address == Address::Clamp) return {kNever, last};
+        return {last && address == Address::Border ? rim : lambdaAt(edge), last};
+    }
+    void toChild(int below, float surely) {
+        const int middle = (2 * k + 1) << below;
+        // The line through the start, and those before it, are behind, however slowly the ray moves.
+        const bool far = middle + offset <= 0 || surely >= lambdaAt(middle);
+        k = 2 * k + ((far || middle <= low) && middle < high ? 1 : 0);
+    }
+    // One node on.
+    void advance(Address address, const Crossing& crossing, int level) {
+        if (!crossing.last || address != Address::Repeat) {
+            ++k;
+            return;
+        }
+        k = low >> level;
+        offset += high - low;
+    }
+};
+
+class DepthWalk {
+  public:
+    // depths: of the walk's map, kept by the caller.
+    DepthWalk(const PyramidWalk& walk, const DepthPyramid& depths)
+        : depths_(depths), scene_(walk.field(), depths.highest, 1 << depths.top) {}
+
+    // Unfit: float cannot follow the ray. Left: float cannot decide where it goes on, or the leaf has refused a cell;
+    // nothing is met before lambda `from`.
+    enum class End : std::uint8_t { Hit, Miss, Unfit, Left };
+    struct Answer {
+        End end = End::Unfit;
+        double lambda = 0;  // of the hit, or where the log goes on
+        double from = 0;
+    };
+    template <class Sink>
+    Answer trace(const PyramidWalk& walk, const GridRay& exact, Sink& sink) const;
+
+    const FloatScene& scene() const { return scene_; }
+
+  private:
+    struct Ray {
+        DepthAxis x, y;
+        int level;
+        float lambda, tie;
+        PyramidNode node() const { return {x.node(level), y.node(level)}; }
+    };
+    struct Crossings {
+        DepthAxis::Crossing x, y;
+        float out() const { return std::min(std::min(x.lambda, y.lambda), 1.0F); }
+    };
+
+    float depthAt(const PyramidNode& node, int level) const {
+        const int width = ((scene_.grid.x.cells - 1) >> level) + 1;
+        const auto at = static_cast<std::size_t>(depths_.offsets[static_cast<std::size_t>(level)] +
+                                                 node.y.index * width + node.x.index);
+        return static_cast<float>(depths_.depths[at]) * static_cast<float>(kDepthUnit);
+    }
+    bool below(const PyramidWalk& walk, const Ray& ray, float out) const;
+    bool neighbourClear(const Ray& ray, bool alongX, const Crossings& cross) const;
+    bool cornerClear(const Ray& ray, const Crossings& cross) const {
+        return ray.tie + ray.tie < std::min(ray.x.inverse, ray.y.inverse) && neighbourClear(ray, true, cross) &&
+               neighbourClear(ray, false, cross);
+    }
+    std::optional<End> moveOn(Ray& ray, const Crossings& cross) const;
+
+    const DepthPyramid& depths_;
+    FloatScene scene_;
+};
+
+// Whether the surface is surely below the ray in its cell.
+inline bool DepthWalk::below(const PyramidWalk& walk, const Ray& ray, float out) const {
+    if (scene_.surface == Surface::Columns) return false;  // the cell's depth is its own
+    const auto stay = [](const DepthAxis& axis) {
+        return FloatStayAxis{static_cast<float>(axis.k + axis.offset), axis.base, axis.run, axis.back};
+    };
+    const float entered = std::max(ray.x.lambdaAt(ray.x.k), ray.y.lambdaAt(ray.y.k));
+    const float in = std::min(std::max(entered - ray.tie, 0.0F), out);
+    const PyramidNode cell = ray.node();
+    std::array<float, 4> corners;
+    std::ranges::transform(cellCorners(walk.field().heights(), scene_.grid, cell.x.index, cell.y.index),
+                           corners.begin(), [](double height) { return static_cast<float>(height); });
+    return patchBelow(corners, stay(ray.x), stay(ray.y), in, out, ray.tie);
+}
+
+// Whether the ray is surely above the neighbouring node along one axis until it has passed the corner.
+inline bool DepthWalk::neighbourClear(const Ray& ray, bool alongX, const Crossings& cross) const {
+    const DepthAxis::Crossing& line = alongX ? cross.x : cross.y;
+    if (line.last && scene_.address != Address::Repeat) return scene_.address == Address::Clamp;
+    Ray next = ray;
+    (alongX ? next.x : next.y).advance(scene_.address, line, ray.level);
+    return cross.out() + (ray.tie + ray.tie) < depthAt(next.node(), ray.level);
+}
+
+// To the neighbour, and up where that is another parent's child; or an end.
+inline std::optional<DepthWalk::End> DepthWalk::moveOn(Ray& ray, const Crossings& cross) const {
+    const float x = cross.x.lambda, y = cross.y.lambda;
+    float out = cross.out();
+    if (out >= 1) return End::Left;
+    // Too near a corner to tell which neighbour comes first: both must be skipped, then it does not matter.
+    const bool near = std::abs(x - y) < ray.tie;
+    if (near && !cornerClear(ray, cross)) return End::Left;
+    if (near) out = std::max(x, y);
+    const bool moveX = near || x <= y, moveY = near || y <= x;
+    const int oldX = ray.x.k, oldY = ray.y.k;
+    if (moveX) ray.x.advance(scene_.address, cross.x, ray.level);
+    if (moveY) ray.y.advance(scene_.address, cross.y, ray.level);
+    const bool left = (moveX && cross.x.last) || (moveY && cross.y.last);
+    ray.lambda = out;
+    if (left && scene_.address == Address::Border) return End::Miss;
+    const bool changed = ((oldX ^ ray.x.k) | (oldY ^ ray.y.k)) > 1 || (left && scene_.address == Address::Repeat);
+    if (changed && ray.level < depths_.top) ray.x.k >>= 1, ray.y.k >>= 1, ++ray.level;
+    return std::nullopt;
+}
+
+template <class Sink>
+DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact, Sink& sink) const {
+    const FloatPlace placeX(scene_, scene_.grid.x, exact.x, scene_.start);
+    const FloatPlace placeY(scene_, scene_.grid.y, exact.y, scene_.start);
+    const FloatFit fit = bothFit(placeX.fit, placeY.fit);
+    if (fit == FloatFit::Unfit) return {};
+    const int level = startLevel(std::max(placeX.run, placeY.run), depths_.top);
+    Ray ray{{scene_, scene_.grid.x, exact.x, placeX, scene_.start},
+            {scene_, scene_.grid.y, exact.y, placeY, scene_.start},
+            level,
+            static_cast<float>(scene_.start),
+            (placeX.margin + placeY.margin) + (placeX.margin + placeY.margin)};
+    ray.x.k >>= level, ray.y.k >>= level;
+    double lambda = scene_.start;
+    // The highest point is the top's; the walk itself begins lower.
+    const auto above = [&](Decision decision, double after) {
+        return walk.record(decision, depths_.top, walk.topNode(exact, 0), 0, after, depths_.highest, after);
+    };
+    sink.read(1);
+    sink.step([&] { return above(Decision::Start, 0); });
+    if (lambda > 0) sink.step([&] { return above(Decision::Advance, lambda); });
+    const auto missed = [&](const PyramidNode& node, double value) {
+        sink.step([&] { return walk.record(Decision::Miss, ray.level, node, lambda, lambda, value, lambda); });
+        return Answer{End::Miss, lambda, lambda};
+    };
+    if (fit == FloatFit::Gone) return missed(ray.node(), depths_.highest);
+    while (true) {
+        const int at = ray.level;
+        const PyramidNode node = ray.node();
+        const Crossings cross{ray.x.crossing(scene_.address, at), ray.y.crossing(scene_.address, at)};
+        const float depth = depthAt(node, at);
+        const double value = 1 - static_cast<double>(depth);
+        // What is logged: the way out itself, which float puts a little later.
+        double out = lambda;
+        if constexpr (!std::is_same_v<Sink, NullSink>) {
+            out = std::clamp(walk.exit(exact, at, node).first(), lambda, 1.0);
+        }
+        sink.read(1);
+        const bool skip = cross.out() < depth;
+        if (!skip && at > 0) {
+            sink.step([&] { return walk.descent(exact, at, node, lambda, out, value); });
+            const float surely = ray.lambda - ray.tie;
+            ray.x.toChild(at - 1, surely), ray.y.toChild(at - 1, surely);
+            --ray.level;
+            continue;
+        }
+        const double from = std::max(static_cast<double>(ray.lambda - ray.tie), scene_.start);
+        if (!skip) {
+            sink.read(walk.leafReads());
+            const bool excluded = below(walk, ray, cross.out());
+            if (const auto met = excluded ? std::nullopt : walk.leaf(exact, node)) {
+                sink.step([&] { return walk.record(Decision::Hit, 0, node, lambda, out, value, *met); });
+                return {End::Hit, *met, lambda};
+            }
+            sink.step([&] { return walk.record(Decision::Test, 0, node, lambda, out, value, out); });
+            if (!excluded) return {End::Left, out, from};
+        } else {
+            sink.step([&] { return walk.record(Decision::Skip, at, node, lambda, out, value, out); });
+        }
+        lambda = out;
+        if (const auto end = moveOn(ray, cross)) {
+            return *end == End::Miss ? missed(node, value) : Answer{End::Left, lambda, from};
+        }
+        if (ray.level > at) {
+            const auto parent = [&](AxisCell of) { return AxisCell{of.index >> 1, of.base}; };
+            const PyramidNode left{parent(node.x), parent(node.y)};
+            sink.step([&] {
+                const double highest = 1 - static_cast<double>(depthAt(left, ray.level));
+                return walk.record(Decision::Ascend, ray.level, left, lambda, lambda, highest, lambda);
+            });
+        }
+    }
+}
+
+}  // namespace relief

@@ -1,0 +1,105 @@
+// What is shown is what drew the pixel: lanes look at the nodes of the pyramid that the reference logs, one by one.
+#include "depth_nodes.h"
+
+#include <gtest/gtest.h>
+
+#include "lanes.h"
+#include "relief/methods/max_pyramid.h"
+
+namespace relief::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 20261125;
+
+// Steps that lanes take as well; those in double they leave to the reference.
+std::vector<VisitedNode> loggedNodes(const MaxPyramidTracer& tracer, const ViewRay& ray) {
+    std::vector<VisitedNode> nodes;
+    if (!ray.finite()) return nodes;
+    LogSink sink;
+    NullSink inDouble;
+    tracer.trace(ray, sink, inDouble);
+    const CellGrid& grid = tracer.pyramidWalk().grid();
+    for (const Step& step : sink.steps) {
+        const bool visits = step.tests() || step.decision == Decision::Skip || step.decision == Decision::Descend;
+        if (!visits) continue;
+        const bool cell = step.level == 0;
+        nodes.push_back(
+            {step.level, step.i - (cell ? grid.x.firstName : 0), step.j - (cell ? grid.y.firstName : 0), step.value});
+    }
+    return nodes;
+}
+
+struct Seen {
+    std::size_t rays = 0, steps = 0, different = 0;
+};
+
+void compare(const HeightField& field, const RayBlock& rays, bool asTheReference, Seen& seen) {
+    Work work(1);
+    MapCache cache;
+    const MaxPyramidTracer tracer = MaxPyramidTracer::make(field, {}, cache, work);
+    const auto depths = depthPyramid(field, tracer.pyramidWalk().map(), cache, work);
+    const DepthWalk walk(tracer.pyramidWalk(), *depths);
+    std::vector<std::vector<VisitedNode>> reference;
+    for (std::size_t i = 0; i < rays.size(); ++i) reference.push_back(loggedNodes(tracer, rays[i]));
+    onEveryTarget([&] {
+        HitBlock hits;
+        const auto lanes = nodesInLanes(walk.scene(), *depths, rays, hits, asTheReference);
+        ASSERT_EQ(lanes.size(), rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            ++seen.rays;
+            seen.steps += reference[i].size();
+            if (lanes[i] == reference[i]) continue;
+            ++seen.different;
+            if (!asTheReference || seen.different > 3) continue;
+            const auto at =
+                std::mismatch(reference[i].begin(), reference[i].end(), lanes[i].begin(), lanes[i].end()).first -
+                reference[i].begin();
+            ADD_FAILURE() << describe(field) << ", ray " << i << ": " << describe(rays[i]) << ": step " << at << " of "
+                          << reference[i].size() << " and " << lanes[i].size();
+        }
+    });
+}
+
+TEST(DepthNodes, lanesLookAtThoseThatTheReferenceLogs) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    constexpr std::size_t kRays = 400;
+    Seen seen;
+    for (const auto& [width, height] :
+         std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {16, 17}, {100, 3}, {64, 64}}) {
+        const Heights heights =
+            width == 64 ? share(makeRelief("spikes", width, height, kSeed)) : randomHeights(width, height, kSeed);
+        for (const Surface surface : allSurfaces()) {
+            for (const Address address : allAddresses()) {
+                for (const double depth : {0.02, 0.9}) {
+                    const HeightField field(heights, surface, address, depth);
+                    compare(field, awkwardRays(field, kSeed, kRays), true, seen);
+                }
+            }
+        }
+    }
+    std::printf("%zu steps of %zu rays\n", seen.steps, seen.rays);
+    EXPECT_GT(seen.steps, 50000U);
+}
+
+// Sums are fused: of all rays, at most, those whose way out of a node is within a rounding of its depth or of a corner.
+constexpr double kMostDifferent = 0.001;
+
+TEST(DepthNodes, lanesOfTheProductDifferInRoundingOnly) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
+    Seen seen;
+    for (const char* name : {"spikes", "bricks", "fractal"}) {
+        for (const Surface surface : allSurfaces()) {
+            const HeightField field(share(makeRelief(name, 96, 96, kSeed)), surface, Address::Repeat, 0.2);
+            Random random(kSeed);
+            RayBlock rays;
+            for (int n = 0; n < 4000; ++n) rays.push(randomRay(random, field, 0.3));
+            compare(field, rays, false, seen);
+        }
+    }
+    std::printf("%zu steps of %zu rays; %zu rays differ\n", seen.steps, seen.rays, seen.different);
+    EXPECT_GT(seen.steps, 100000U);
+    EXPECT_LT(static_cast<double>(seen.different), kMostDifferent * static_cast<double>(seen.rays));
+}
+
+}  // namespace
+}  // namespace relief::test
