@@ -2,351 +2,265 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
-#include <cstring>
-#include <numeric>
+#include <utility>
 
-#include "filtering/grid_tile.h"
-#include "relief/block_work.h"
-#include "relief/methods/look_up_point.h"
+#include "filtering/grid_stages.h"
 
 namespace relief {
 
 namespace {
 
-// Pixels of a tile along each side, powers of two: as a frame asks them.
+// Logarithms of a tile's sides, pixels: the tiles of frames (rendering/frame_buffers.h: 64 x 32), so that none is
+// cut. 64 x 64 and 128 x 64 made frames 1 to 6% slower (simd/lanes.md).
 constexpr int kTileAcross = 6, kTileDown = 5;
 
-// Whether all points that the pixels of a rectangle and their neighbours ask for lie before the horizon. Each side is
-// monotone in x and in y, in floating point too: a rectangle is asked as its pixels would be.
+// Whether all points that the pixels of a rectangle and their neighbours need lie before the horizon. Each side is
+// monotone in x and in y, in floating point too: a rectangle is judged as its pixels would be.
 bool beforeHorizon(const Homography& map, int x0, int y0, int x1, int y1) {
+    // The reach may cost this share of q, so that a quarter is left. 0.5, 0.95: no change (as in grid_lanes.h).
     constexpr double kPartOfQ = 0.75;
-    const double least = (kTileHalo + 1) * (std::abs(map.qx) + std::abs(map.qy));
+    const double least = (grid::kTileHalo + 1) * (std::abs(map.qx) + std::abs(map.qy));
     const auto holds = [&](int x, int y) { return kPartOfQ * map.denominator(x + 0.5, y + 0.5) > least; };
     return holds(x0, y0) && holds(x1, y0) && holds(x0, y1) && holds(x1, y1);
 }
 
-// Of eight cells one after the other (0 or 1 each), whether none is wanted that is not known.
-bool nothingNew(const std::uint8_t* wanted, const std::uint8_t* known) {
-    std::uint64_t all, old;
-    std::memcpy(&all, wanted, sizeof(all));
-    std::memcpy(&old, known, sizeof(old));
-    return (all & ~old) == 0;
+}  // namespace
+
+namespace grid {
+
+namespace {
+
+// The slots that the pixel sums, each with its weight: means of centres as the centres.
+std::vector<std::pair<std::size_t, float>> summedSlots(const PointLattice& lattice, const FilterQuery& query,
+                                                       const TileCells& cells, const RestPoints& rest) {
+    const std::size_t perCell = lattice.places.size(), row = cells.row();
+    std::vector<std::pair<std::size_t, float>> slots;
+    for (const PointLattice::Term& term : lattice.terms) {
+        const std::size_t cell = cells.at(query.x + term.dx, query.y + term.dy);
+        const auto k = static_cast<std::size_t>(term.point);
+        if ((rest.needed[cell] >> k & 1) != 0) {
+            slots.emplace_back(cell * perCell + k, term.weight);
+            continue;
+        }
+        const std::size_t at = cell - static_cast<std::size_t>(lattice.squareOf(k, cells.width));
+        const std::array<std::size_t, 4> corners{at, at + 1, at + row, at + row + 1};
+        for (std::size_t n = 0; n < corners.size(); ++n) {
+            slots.emplace_back(corners[n] * perCell, term.weight * static_cast<float>(lattice.shares[k][n]));
+        }
+    }
+    return slots;
 }
 
 }  // namespace
 
-GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone,
-                       std::shared_ptr<const Tracer> tracer, std::shared_ptr<const PackedConeHits> coneHits, int points)
-    : plain_(std::move(plain)),
-      reader_(std::move(reader)),
-      alone_(std::move(alone)),
-      tracer_(std::move(tracer)),
-      coneHits_(std::move(coneHits)),
-      lattice_(PointLattice::of(points)),
-      bounds_(boundsFor(points)) {
-    const HeightField& field = tracer_->field();
-    if (field.surface() != Surface::Bilinear) return;
-    slopes_ = coneHits_ ? SlopeScene(field, coneHits_->cones()) : SlopeScene(field);
-}
-
-// All cells that the picture has, row after row.
-void GridKernel::layPicture(Tile& tile) {
-    const PictureHits& picture = *tile.picture;
-    const HitBlock& hits = *picture.hits;
-    const int from = std::max(tile.x0, 0), to = std::min(tile.x0 + tile.width, picture.width);
-    const auto count = static_cast<std::size_t>(std::max(to - from, 0));
-    tile.allKnown = true;
-    for (int y = tile.y0; y < tile.y0 + tile.height; ++y) {
-        const bool there = picture.hasRow(y) && count > 0;
-        tile.allKnown = tile.allKnown && there && count == static_cast<std::size_t>(tile.width);
-        if (!there) continue;
-        const std::size_t i = picture.at(from, y), cell = tile.cell(from, y);
-        const std::uint8_t* polygon = picture.polygon + i;
-        const Outcome* outcome = hits.outcome.data() + i;
-        int other = 0;
-        for (std::size_t n = 0; n < count; ++n)
-            other += polygon[n] != tile.view->number || outcome[n] != Outcome::Hit ? 1 : 0;
-        if (other == 0) {
-            tile.setRow(cell, count, hits.s.data() + i, hits.t.data() + i, hits.lambda.data() + i);
-            continue;
-        }
-        for (std::size_t n = 0; n < count; ++n) {
-            const bool known = polygon[n] == tile.view->number;
-            tile.known[cell + n] = known ? 1 : 0;
-            tile.allKnown = tile.allKnown && known;
-            if (known && outcome[n] == Outcome::Hit)
-                tile.set(cell + n, hits.s[i + n], hits.t[i + n], hits.lambda[i + n]);
-        }
-    }
-}
-
-// The cells around the tile's pixels, these known, and those that the picture has.
-void GridKernel::lay(const FilterBlock& block, Tile& tile) const {
-    const std::size_t cells = tile.cells();
-    tile.s.assign(cells + kCellSlack, kNothing);
-    tile.rough.s.assign(cells + kCellSlack, std::numeric_limits<float>::quiet_NaN());
-    reserve(tile.rough.t, cells + kCellSlack);
-    reserve(tile.rough.lambda, cells + kCellSlack);
-    reserve(tile.t, cells + kCellSlack);
-    reserve(tile.lambda, cells);
-    reserve(tile.around, cells + kCellSlack);
-    reserve(tile.color, (cells + kCellSlack) * lattice_.places.size());
-    tile.known.assign(cells, 0);
-    tile.wanted.assign(cells, 0);
-    tile.allKnown = false;
-    if (tile.picture != nullptr && tracer_->field().surface() == Surface::Bilinear) return layPicture(tile);
-    for (const std::size_t i : tile.pixels) {
-        const std::size_t cell = tile.cell(block.x[i], block.y[i]);
-        tile.known[cell] = 1;
-        tile.set(cell, block.s[i], block.t[i], block.lambda[i]);
-    }
-}
-
-// Hits of tile.rays, a thread's share at once.
-void GridKernel::trace(Tile& tile, Work& work) const {
-    assert(tile.rays.size() <= kRayGrain);
-    if (coneHits_) {
-        coneHits_->trace(tile.rays, tile.hits, *tracer_, work);
-    } else {
-        NullSink sink;
-        tracer_->trace(tile.rays, tile.hits, sink, work);
-    }
-}
-
-// Marks the cells up to `reach` from these pixels.
-void GridKernel::spread(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile) {
-    const auto row = static_cast<std::size_t>(tile.width), rows = static_cast<std::size_t>(tile.height);
-    const auto far = static_cast<std::size_t>(reach);
-    if (tile.full(pixels.size())) {
-        // All within the halo are asked for, and their neighbours.
-        const std::size_t rim = static_cast<std::size_t>(kTileHalo - reach);
-        for (std::size_t y = rim; y < rows - rim; ++y)
-            std::memset(tile.wanted.data() + y * row + rim, 1, row - 2 * rim);
-        return;
-    }
-    tile.own.assign(tile.cells(), 0);
-    tile.along.assign(tile.cells(), 0);
-    for (const std::size_t i : pixels) tile.own[tile.cell(block.x[i], block.y[i])] = 1;
-    // Along rows, then along columns; pixels keep kTileHalo cells from the rim.
-    const auto join = [](std::uint8_t* to, const std::uint8_t* from, std::size_t count) {
-        for (std::size_t c = 0; c < count; ++c) to[c] |= from[c];
-    };
-    const std::size_t inner = tile.cells() - 2 * far;
-    for (std::size_t n = 0; n <= 2 * far; ++n) join(tile.along.data() + far, tile.own.data() + n, inner);
-    for (std::size_t y = 0; y < rows; ++y) {
-        const std::size_t last = std::min(y + far, rows - 1);
-        for (std::size_t from = y < far ? 0 : y - far; from <= last; ++from) {
-            join(tile.wanted.data() + y * row, tile.along.data() + from * row, row);
-        }
-    }
-}
-
-// Centres up to `reach` cells from these pixels: the picture's hits where it has them, or by rays of their own. False:
-// all were known. counts.tested: rays.
-bool GridKernel::wantCentres(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile,
-                             FootprintCounts& counts, Work& work) const {
-    if (tile.allKnown) return false;
-    spread(block, pixels, reach, tile);
-    const HeightField& field = tracer_->field();
-    const auto set = [&](std::size_t cell, const ViewRay& ray, const Hit& hit) {
-        if (hit.outcome != Outcome::Hit) return;
-        const glm::dvec2 place = lookUpPoint(field, ray, hit);
-        tile.set(cell, place.x, place.y, hit.lambda);
-    };
-    bool any = false;
-    tile.points.clear();
-    const PictureHits* picture = tile.picture;
-    std::size_t cell = 0;
-    for (int y = tile.y0; y < tile.y0 + tile.height; ++y) {
-        const bool rowThere = picture != nullptr && picture->hasRow(y);
-        for (int x = tile.x0; x < tile.x0 + tile.width; ++x, ++cell) {
-            // Most are known: eight at once.
-            while (x + 8 <= tile.x0 + tile.width && nothingNew(&tile.wanted[cell], &tile.known[cell]))
-                x += 8, cell += 8;
-            if (x == tile.x0 + tile.width) break;
-            if (tile.wanted[cell] == 0 || tile.known[cell] != 0) continue;
-            tile.known[cell] = 1;
-            any = true;
-            if (rowThere && x >= 0 && x < picture->width) {
-                const std::size_t i = picture->at(x, y);
-                if (picture->polygon[i] == tile.view->number) {
-                    set(cell, (*picture->rays)[i], (*picture->hits)[i]);
-                    continue;
-                }
-            }
-            tile.points.reserve(1);
-            tile.points.push(static_cast<std::uint32_t>(cell), {x + 0.5, y + 0.5});
-        }
-    }
-    const GridPoints& traced = tile.points;
-    for (std::size_t begin = 0; begin < traced.count; begin += kRayGrain) {
-        const std::size_t count = std::min(kRayGrain, traced.count - begin);
-        tile.rays.resize(count);
-        raysThrough(*tile.view, part(traced.x, begin, count), part(traced.y, begin, count), tile.rays, 0);
-        trace(tile, work);
-        for (std::size_t n = 0; n < count; ++n) set(traced.slots[begin + n], tile.rays[n], tile.hits[n]);
-    }
-    counts.tested += static_cast<std::int64_t>(traced.count);
-    return any;
-}
-
-void GridKernel::findAround(Tile& tile) const {
-    findSurroundings({tile.width, tile.height, tile.rough.s.data(), tile.rough.t.data(), tile.rough.lambda.data()},
-                     bounds_, tile.around.data());
-}
-
-// The pixels that lie on planes, with the planes' Jacobians; the others are edges.
-void GridKernel::parted(const FilterBlock& block, Tile& tile) const {
-    const auto row = static_cast<std::size_t>(tile.width);
-    tile.edges.clear();
-    tile.plainOf.clear();
-    if (tile.plain.size() < tile.pixels.size()) tile.plain.resize(tile.pixels.size());
-    for (const std::size_t i : tile.pixels) {
-        const std::size_t own = tile.cell(block.x[i], block.y[i]);
-        if ((tile.around[own] & kOnPlane) == 0) {
-            tile.edges.push_back(i);
-            continue;
-        }
-        Jacobian j{block.ux[i], block.vx[i], block.uy[i], block.vy[i]};
-        if ((tile.around[own] & kOnLevel) == 0) {
-            const auto half = [&](const std::vector<double>& column, std::size_t way) {
-                return 0.5 * (column[own + way] - column[own - way]);
-            };
-            j = {half(tile.s, 1), half(tile.t, 1), half(tile.s, row), half(tile.t, row)};
-        }
-        tile.plain.place(tile.plainOf.size(), glm::dvec2(block.s[i], block.t[i]) * tile.scale, scaled(j, tile.scale));
-        tile.plainOf.push_back(i);
-    }
-}
-
-void GridKernel::filterPlain(Tile& tile, std::span<Color> colors, FootprintCounts& counts, FootprintLog* log) const {
-    reserve(tile.colors, tile.plainOf.size());
-    const FootprintCounts before = counts;
-    if (log != nullptr && !tile.plainOf.empty()) {
-        const FilterQuery one = tile.plain[0];
-        tile.colors[0] = plain_.filter(one.jacobian, one.place, counts, log);
-        log->skipped = true;
-    } else {
-        plain_.filter(tile.plain, {1, 1}, {tile.colors.data(), tile.plainOf.size()}, counts);
-    }
-    counts.skipped += counts.texels - before.texels;
-    counts.flat += counts.footprints - before.footprints;
-    for (std::size_t n = 0; n < tile.plainOf.size(); ++n) colors[tile.plainOf[n]] = tile.colors[n];
-}
-
-// Behind tile.footprints those of tile.points.
-void GridKernel::layPoints(Tile& tile) const {
-    const GridPoints& points = tile.points;
-    const auto all = [&](const std::vector<double>& column) { return part(column, 0, points.count); };
-    const std::size_t before = tile.footprints.size();
-    layFootprints(*tile.view, slopes_ ? &*slopes_ : nullptr, lattice_.blur, tile.scale,
-                  {all(points.x), all(points.y), all(points.lambda), all(points.s), all(points.t)}, tile.footprints);
-    reserve(tile.slots, tile.footprints.size());
-    std::copy_n(points.slots.begin(), points.count, tile.slots.begin() + static_cast<std::ptrdiff_t>(before));
-}
-
-// The colours of tile.footprints.
-void GridKernel::readPoints(Tile& tile, FootprintCounts& counts) const {
-    const PointBlock& block = tile.footprints;
-    reader_.read(block, {tile.slots.data(), block.size()}, tile.color.data(), counts);
-    if (!tile.logging) return;
-    for (std::size_t n = 0; n < block.size(); ++n) {
-        tile.read.push_back({tile.slots[n], {block.s[n], block.t[n]}, block.jacobian(n)});
-    }
-}
-
-void GridKernel::sumEdges(const FilterBlock& block, Tile& tile, std::span<Color> colors,
-                          FootprintCounts& counts) const {
-    reserve(tile.sums, tile.edges.size());
-    sumPoints(tile.color.data(), tile.base, tile.offset, lattice_.weights, tile.sums);
-    for (std::size_t n = 0; n < tile.edges.size(); ++n) {
-        const std::size_t i = tile.edges[n];
-        const auto& [red, green, blue, total] = tile.sums[n].channel;
-        if (total > 0) {
-            colors[i] = Color(red, green, blue) / total;
-        } else {
-            // The pixel's own ray met something all the same.
-            ++counts.allHidden;
-            colors[i] =
-                reader_.levels().bilinear(0, glm::dvec2(block.s[i], block.t[i]) * tile.scale, reader_.address());
-        }
-    }
-    counts.footprints += static_cast<std::int64_t>(tile.edges.size());
-}
-
-void GridKernel::filterTile(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts,
-                            Work& work, FootprintLog* log) const {
-    lay(block, tile);
-    wantCentres(block, tile.pixels, 1, tile, counts, work);
-    findAround(tile);
-    parted(block, tile);
-    filterPlain(tile, colors, counts, log);
-    if (tile.edges.empty()) return;
-    if (wantCentres(block, tile.edges, kTileHalo, tile, counts, work)) findAround(tile);
-    askPoints(block, tile);
-    tile.read.clear();
-    tile.logging = log != nullptr;
-    takeCentres(tile, counts);
-    takeMeans(tile);
-    takePoints(tile, counts, work);
-    sumEdges(block, tile, colors, counts);
-    if (log == nullptr) return;
-    log->footprint = plain_.footprint(scaled(block[0].jacobian, tile.scale), block[0].place * tile.scale);
-    log->color = colors[0];
-    logPoints(block[0], tile, *log);
-}
-
-// The pixels [first, last) of one view and tile that the grid serves, and the cells around them.
-void GridKernel::gather(const FilterBlock& block, std::size_t first, std::size_t last, Tile& tile,
-                        std::vector<std::size_t>& alone) const {
-    tile.pixels.clear();
+const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t last, glm::dvec2 scale,
+                               Reused<TilePixels>& out, std::vector<std::size_t>& alone) {
+    const FilterBlock& block = run.block;
+    TilePixels& tile = out.refill();
+    const PixelView* view = block.view[first];
     int x0 = block.x[first], x1 = x0, y0 = block.y[first], y1 = y0;
     for (std::size_t i = first; i < last; ++i) {
         x0 = std::min(x0, block.x[i]), x1 = std::max(x1, block.x[i]);
         y0 = std::min(y0, block.y[i]), y1 = std::max(y1, block.y[i]);
     }
-    tile.x0 = x0 - kTileHalo, tile.y0 = y0 - kTileHalo;
-    tile.width = x1 - x0 + 1 + 2 * kTileHalo, tile.height = y1 - y0 + 1 + 2 * kTileHalo;
-    const double largest = 4.0 * std::max(tracer_->field().width(), tracer_->field().height());
-    const bool all = tile.view != nullptr && beforeHorizon(tile.view->texelFromScreen, x0, y0, x1, y1);
+    constexpr int kSides = 2 * kTileHalo + 1;
+    tile.cells = {view, scale, x0 - kTileHalo, y0 - kTileHalo, x1 - x0 + kSides, y1 - y0 + kSides};
+    const HeightField& field = run.setup.tracer->field();
+    // Plain filtering's limit as well. 1, 10^6: no change (as in grid_lanes.h).
+    const double largest = 4.0 * std::max(field.width(), field.height());
+    const bool all = view != nullptr && beforeHorizon(view->texelFromScreen, x0, y0, x1, y1);
     const auto sidesOf = [&](std::size_t i) {
         return std::abs(block.ux[i]) + std::abs(block.uy[i]) + std::abs(block.vx[i]) + std::abs(block.vy[i]);
     };
-    // Most often all of them.
-    if (all && std::memchr(block.exact.data() + first, 0, last - first) == nullptr) {
-        std::size_t served = 0;
-        for (std::size_t i = first; i < last; ++i) served += sidesOf(i) < largest ? 1 : 0;
-        if (served == last - first) {
-            tile.pixels.resize(served);
-            return std::iota(tile.pixels.begin(), tile.pixels.end(), first);
+    tile.indices.resize(last - first);
+    std::size_t served = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        const bool before = all || (view != nullptr && beforeHorizon(view->texelFromScreen, block.x[i], block.y[i],
+                                                                     block.x[i], block.y[i]));
+        tile.indices[served] = i;
+        // NaN fails.
+        const bool serves = before && block.exact[i] != 0 && sidesOf(i) < largest;
+        served += serves ? 1 : 0;
+        if (!serves) alone.push_back(i);
+    }
+    tile.indices.resize(served);
+    return tile;
+}
+
+const PlaneSplit& splitPixels(const Run& run, const TilePixels& pixels, const NearGround& ground,
+                              Reused<PlaneSplit>& out) {
+    const FilterBlock& block = run.block;
+    PlaneSplit& split = out.refill();
+    const std::size_t row = pixels.cells.row();
+    const glm::dvec2 scale = pixels.cells.scale;
+    split.edges.clear();
+    split.planeOf.clear();
+    if (split.planes.size() < pixels.indices.size()) split.planes.resize(pixels.indices.size());
+    for (const std::size_t i : pixels.indices) {
+        const std::size_t own = pixels.cells.at(block.x[i], block.y[i]);
+        if ((ground.around[own] & kOnPlane) == 0) {
+            split.edges.push_back(i);
+            continue;
+        }
+        Jacobian j{block.ux[i], block.vx[i], block.uy[i], block.vy[i]};
+        if ((ground.around[own] & kOnLevel) == 0) {
+            const auto half = [&](const std::vector<double>& column, std::size_t way) {
+                return 0.5 * (column[own + way] - column[own - way]);
+            };
+            const Centres& centres = ground.centres;
+            j = {half(centres.s, 1), half(centres.t, 1), half(centres.s, row), half(centres.t, row)};
+        }
+        split.planes.place(split.planeOf.size(), glm::dvec2(block.s[i], block.t[i]) * scale, scaled(j, scale));
+        split.planeOf.push_back(i);
+    }
+    return split;
+}
+
+void filterPlanes(Run& run, const PlaneSplit& split, SumWork& sum, std::span<Color> colors) {
+    const EllipticalKernel& plain = run.setup.plain;
+    reserve(sum.planes, split.planeOf.size());
+    const FootprintCounts before = run.counts;
+    if (run.log != nullptr && !split.planeOf.empty()) {
+        const FilterQuery one = split.planes[0];
+        sum.planes[0] = plain.filter(one.jacobian, one.place, run.counts, run.log);
+        run.log->skipped = true;
+    } else {
+        plain.filter(split.planes, {1, 1}, {sum.planes.data(), split.planeOf.size()}, run.counts);
+    }
+    run.counts.skipped += run.counts.texels - before.texels;
+    run.counts.flat += run.counts.footprints - before.footprints;
+    for (std::size_t n = 0; n < split.planeOf.size(); ++n) colors[split.planeOf[n]] = sum.planes[n];
+}
+
+void sumEdges(Run& run, const EdgeGround& ground, const PlaneSplit& split, const PointColors& points, SumWork& sum,
+              std::span<Color> colors) {
+    const GridSetup& setup = run.setup;
+    const FilterBlock& block = run.block;
+    const TileCells& cells = ground.centres.cells;
+    const auto perCell = static_cast<std::int32_t>(setup.lattice.places.size());
+    sum.base.clear();
+    for (const std::size_t i : split.edges) {
+        sum.base.push_back(static_cast<std::int32_t>(cells.at(block.x[i], block.y[i])) * perCell);
+    }
+    sum.offset.clear();
+    for (const PointLattice::Term& term : setup.lattice.terms) {
+        sum.offset.push_back((term.dy * cells.width + term.dx) * perCell + term.point);
+    }
+    reserve(sum.sums, split.edges.size());
+    sumPoints(points.slots.data(), sum.base, sum.offset, setup.lattice.weights, sum.sums);
+    for (std::size_t n = 0; n < split.edges.size(); ++n) {
+        const std::size_t i = split.edges[n];
+        const auto& [red, green, blue, total] = sum.sums[n].channel;
+        if (total > 0) {
+            colors[i] = Color(red, green, blue) / total;
+        } else {
+            // The pixel's own ray met something all the same.
+            ++run.counts.allHidden;
+            const glm::dvec2 place = glm::dvec2(block.s[i], block.t[i]) * cells.scale;
+            colors[i] = setup.reader.levels().bilinear(0, place, setup.reader.address());
         }
     }
-    for (std::size_t i = first; i < last; ++i) {
-        const bool before = all || (tile.view != nullptr && beforeHorizon(tile.view->texelFromScreen, block.x[i],
-                                                                          block.y[i], block.x[i], block.y[i]));
-        // NaN fails.
-        (before && block.exact[i] != 0 && sidesOf(i) < largest ? tile.pixels : alone).push_back(i);
+    run.counts.footprints += static_cast<std::int64_t>(split.edges.size());
+}
+
+void logEdge(Run& run, const EdgeGround& ground, const RestPoints& rest, const PointColors& points) {
+    const GridSetup& setup = run.setup;
+    const FilterQuery query = run.block[0];
+    FootprintLog& log = *run.log;
+    const TileCells& cells = ground.centres.cells;
+    const glm::dvec2 own = query.place * cells.scale;
+    log.footprint = setup.plain.footprint(scaled(query.jacobian, cells.scale), own);
+    const double toLevel = std::ldexp(1.0, -log.footprint.level);
+    float total = 0;
+    for (const auto& [slot, weight] : summedSlots(setup.lattice, query, cells, rest)) {
+        if (!(points.slots[slot].channel[3] > 0)) continue;
+        total += weight;
+        const auto point = std::find_if(points.read.begin(), points.read.end(),
+                                        [slot = slot](const ReadPoint& one) { return one.slot == slot; });
+        const PointTaps taps = setup.reader.taps(point->jacobian);
+        const double size = std::ldexp(1.0, taps.level);
+        for (int k = 0; k < taps.count; ++k) {
+            const glm::dvec2 place = point->place + taps.offset(k);
+            const BilinearSupport x = setup.plain.across(taps.level).support(place.x / size);
+            const BilinearSupport y = setup.plain.down(taps.level).support(place.y / size);
+            for (int c = 0; c < 4; ++c) {
+                const bool right = c % 2 == 1, below = c / 2 == 1;
+                FootprintTexel texel;
+                texel.i = right ? x.second : x.first;
+                texel.j = below ? y.second : y.first;
+                texel.level = taps.level;
+                const glm::dvec2 off{(right ? 1 : 0) - x.share, (below ? 1 : 0) - y.share};
+                const glm::dvec2 at = log.footprint.centre + (place - own + size * off) * toLevel;
+                texel.u = at.x, texel.v = at.y;
+                texel.weight = Color(weight / static_cast<float>(taps.count) * (right ? x.share : 1 - x.share) *
+                                     (below ? y.share : 1 - y.share));
+                texel.tested = true;
+                log.texels.push_back(texel);
+            }
+        }
     }
+    log.allHidden = !(total > 0);
+}
+
+}  // namespace grid
+
+// Of one thread, its memory kept from tile to tile.
+struct GridKernel::Scratch {
+    grid::Reused<grid::TilePixels> pixels;
+    grid::Reused<grid::Centres> centres;
+    grid::Reused<grid::BitColumn> around;
+    grid::Reused<grid::PlaneSplit> split;
+    grid::Reused<grid::PointPlan> plan;
+    grid::Reused<grid::CentreColors> colors;
+    grid::Reused<grid::RestPoints> rest;
+    grid::SurveyWork survey;
+    grid::PointWork points;
+    grid::SumWork sum;
+};
+
+GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone,
+                       std::shared_ptr<const Tracer> tracer, std::shared_ptr<const PackedConeHits> coneHits, int points)
+    : setup_{std::move(plain),         std::move(reader), std::move(tracer), std::move(coneHits),
+             PointLattice::of(points), boundsFor(points), std::nullopt},
+      alone_(std::move(alone)) {
+    const HeightField& field = setup_.tracer->field();
+    if (field.surface() != Surface::Bilinear) return;
+    setup_.slopes = setup_.coneHits ? SlopeScene(field, setup_.coneHits->cones()) : SlopeScene(field);
+}
+
+void GridKernel::filterTile(grid::Run& run, const grid::TilePixels& pixels, Scratch& scratch, std::span<Color> colors) {
+    using namespace grid;
+    Centres& centres = takeCentres(run, pixels, scratch.centres);
+    const NearGround near = surveyPixels(run, pixels, centres, scratch.survey, scratch.around);
+    const PlaneSplit& split = splitPixels(run, pixels, near, scratch.split);
+    filterPlanes(run, split, scratch.sum, colors);
+    if (split.edges.empty()) return;
+    const EdgeGround ground = surveyEdges(run, split, near, scratch.survey);
+    const PointPlan& plan = planPoints(run, split, ground, scratch.points, scratch.plan);
+    CentreColors& centreColors = readCentres(run, ground, plan, scratch.points, scratch.colors);
+    const RestPoints& rest = meanColors(run, ground, plan, centreColors, scratch.points, scratch.rest);
+    const PointColors pointColors = readPoints(run, ground, plan, rest, centreColors, scratch.points);
+    sumEdges(run, ground, split, pointColors, scratch.sum, colors);
+    if (run.log == nullptr) return;
+    run.log->color = colors[0];
+    logEdge(run, ground, rest, pointColors);
 }
 
 void GridKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,
                         Work& work, FootprintLog* log) const {
-    static thread_local Tile tile;
-    tile.scale = scale;
-    tile.picture = block.picture;
+    static thread_local Scratch scratch;
+    grid::Run run{setup_, block, counts, work, log};
     std::vector<std::size_t> aloneOf;
     for (std::size_t first = 0; first < block.size() && !work.stopped();) {
-        tile.view = block.view[first];
         std::size_t last = first;
         const auto same = [&](std::size_t i) {
-            return block.view[i] == tile.view && block.x[i] >> kTileAcross == block.x[first] >> kTileAcross &&
+            return block.view[i] == block.view[first] && block.x[i] >> kTileAcross == block.x[first] >> kTileAcross &&
                    block.y[i] >> kTileDown == block.y[first] >> kTileDown;
         };
         while (last < block.size() && same(last)) ++last;
-        gather(block, first, last, tile, aloneOf);
-        if (!tile.pixels.empty()) filterTile(block, tile, colors, counts, work, log);
+        const grid::TilePixels& pixels = grid::gatherPixels(run, first, last, scale, scratch.pixels, aloneOf);
+        if (!pixels.indices.empty()) filterTile(run, pixels, scratch, colors);
         first = last;
     }
     if (aloneOf.empty()) return;

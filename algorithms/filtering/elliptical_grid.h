@@ -1,22 +1,22 @@
-// elliptical-visible:form=grid: what a pixel sees, by points that neighbouring pixels share.
+// elliptical-visible:form=grid: what a pixel sees, by sample points that neighbouring pixels share.
 //
 // The points are a lattice over the whole picture, `points` of them a pixel, the pixels' centres among them. A pixel
-// whose hit and those of its eight neighbours lie on a plane is plain filtering with the Jacobian of that plane, which
-// is the neighbours' difference: no ray is traced for it but the picture's own. Elsewhere the lattice's points within
-// the pixel's weights are looked at: traced, but where all four centres round a point lie on smooth ground its hit is
-// taken between theirs. Where the four centres' colours are even, as good as the same, a point's colour is taken
-// between theirs, without a ray and without reading. Each hit is read with a small footprint on the tangent plane there
-// (point_reader.h), and the pixel is the mean of these colours, weighed by its Gaussian at the points. Rays and colours
-// are made once for all pixels of a tile that need them. Points that meet nothing are left out.
+// whose hit and those of its eight neighbours lie on a plane is filtered plainly with that plane's Jacobian, from the
+// neighbours' differences: no ray is traced for it but the picture's own. For the other pixels, edges, the lattice's
+// points within the pixel's weights are traced; but where all four centres round a point lie on smooth ground, its hit
+// is interpolated from theirs, and where their colours are nearly equal, its colour is their mean, without a ray or a
+// fetch. Each hit is read with a small footprint on the tangent plane there (point_reader.h), and the pixel is the mean
+// of these colours, weighted by its Gaussian at the points. Points that meet nothing are left out. Rays and colours
+// are made once for all pixels of a tile that need them, in the stages of grid_stages.h.
 //
-// A point hangs on the picture's view and its place alone, not on who asks: equal bits in any company and for any
-// number of threads. Pixels of no view, with hits that are not exact, or next to the horizon go to elliptical_rays.h.
+// A point depends on the picture's view and its place alone, not on the pixels that need it: equal bits in any company
+// and for any number of threads. Pixels of no view, with hits that are not exact, or next to the horizon go to
+// elliptical_rays.h.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "filtering/elliptical_rays.h"
@@ -28,6 +28,22 @@
 namespace relief {
 
 inline constexpr std::string_view kGridForm = "grid";
+
+// What the stages of all tiles read (grid_stages.h).
+struct GridSetup {
+    EllipticalKernel plain;  // of pixels on planes
+    PointReader reader;
+    std::shared_ptr<const Tracer> tracer;
+    std::shared_ptr<const PackedConeHits> coneHits;  // null: the tracer traces
+    PointLattice lattice;
+    float bounds;                      // boundsFor()
+    std::optional<SlopeScene> slopes;  // of bilinear surfaces
+};
+
+namespace grid {
+struct Run;
+struct TilePixels;
+}  // namespace grid
 
 class GridKernel {
   public:
@@ -41,45 +57,11 @@ class GridKernel {
                 Work& work, FootprintLog* log = nullptr) const;
 
   private:
-    struct Tile;
-    void gather(const FilterBlock& block, std::size_t first, std::size_t last, Tile& tile,
-                std::vector<std::size_t>& alone) const;
-    void filterTile(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts, Work& work,
-                    FootprintLog* log) const;
-    void lay(const FilterBlock& block, Tile& tile) const;
-    static void layPicture(Tile& tile);
-    void trace(Tile& tile, Work& work) const;
-    static void spread(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile);
-    bool wantCentres(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, Tile& tile,
-                     FootprintCounts& counts, Work& work) const;
-    void findAround(Tile& tile) const;
-    void parted(const FilterBlock& block, Tile& tile) const;
-    void filterPlain(Tile& tile, std::span<Color> colors, FootprintCounts& counts, FootprintLog* log) const;
-    void findWhole(Tile& tile) const;
-    void askPoints(const FilterBlock& block, Tile& tile) const;
-    void askCentres(Tile& tile) const;
-    static void orderCells(Tile& tile);
-    template <class Wanted>
-    void pushPoints(Tile& tile, std::size_t k, const Wanted& wanted) const;
-    void follow(Tile& tile, std::size_t k, PointBlock& out) const;
-    void layPoints(Tile& tile) const;
-    void takeCentres(Tile& tile, FootprintCounts& counts) const;
-    void takeMeans(Tile& tile) const;
-    void takePoints(Tile& tile, FootprintCounts& counts, Work& work) const;
-    void tracePoints(Tile& tile, FootprintCounts& counts, Work& work) const;
-    void readPoints(Tile& tile, FootprintCounts& counts) const;
-    void sumEdges(const FilterBlock& block, Tile& tile, std::span<Color> colors, FootprintCounts& counts) const;
-    std::vector<std::pair<std::size_t, float>> summedSlots(const FilterQuery& query, const Tile& tile) const;
-    void logPoints(const FilterQuery& query, const Tile& tile, FootprintLog& log) const;
+    struct Scratch;
+    static void filterTile(grid::Run& run, const grid::TilePixels& pixels, Scratch& scratch, std::span<Color> colors);
 
-    EllipticalKernel plain_;
-    PointReader reader_;
+    GridSetup setup_;
     RaysKernel alone_;
-    std::shared_ptr<const Tracer> tracer_;
-    std::shared_ptr<const PackedConeHits> coneHits_;
-    PointLattice lattice_;
-    float bounds_;                      // of what is smooth and even: boundsFor()
-    std::optional<SlopeScene> slopes_;  // of bilinear relief
 };
 
 }  // namespace relief

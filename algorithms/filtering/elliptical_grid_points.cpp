@@ -1,243 +1,257 @@
-// The points that pixels at edges sum: which, and what they meet.
+// The points that edge pixels sum: which, where they meet the relief, and their colours.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
-#include "filtering/grid_follow.h"
-#include "filtering/grid_tile.h"
+#include "filtering/grid_stages.h"
 #include "relief/block_work.h"
-#include "relief/methods/look_up_point.h"
 
-namespace relief {
+namespace relief::grid {
 
-// Of each cell, whether hits within the square of its centre and those to the right of and below it can be taken from
-// these four: if none of the six lines between them crosses an edge. Both ends lie on it smoothly, or one end goes
-// straight on to the other.
-void GridKernel::findWhole(Tile& tile) const {
-    const auto row = static_cast<std::size_t>(tile.width);
-    const std::size_t last = tile.cells() - row - 1;
-    tile.whole.assign(tile.cells(), 0);
-    const std::uint16_t* a = tile.around.data();
-    std::uint16_t* whole = tile.whole.data();
-    const auto joined = [](unsigned p, unsigned q, unsigned line) {
-        return (p & q & (unsigned{kSmooth} << line)) | (((p | q) & (unsigned{kStraight} << line)) / kStraight);
-    };
-    for (std::size_t c = 0; c < last; ++c) {
-        const unsigned p = a[c], q = a[c + 1], r = a[c + row], s = a[c + row + 1];
-        const unsigned lines = (joined(p, q, kAcross) & joined(r, s, kAcross)) |
-                               (joined(p, r, kDown) & joined(q, s, kDown)) | joined(p, s, kFalling) |
-                               joined(r, q, kRising);
-        whole[c] = lines == kAllLines ? 0xFFFF : 0;
+namespace {
+
+// Gives each cell with eight neighbours the point's bit if the cell `off` before it has all bits in mask.
+void takeBit(const TileCells& cells, const BitColumn& mask, std::ptrdiff_t off, std::size_t point, BitColumn& out) {
+    const std::uint16_t* from = mask.data() - off;
+    const auto bit = static_cast<std::uint16_t>(1U << point);
+    for (std::size_t c = cells.inner(); c < cells.count() - cells.inner(); ++c)
+        out[c] |= static_cast<std::uint16_t>(from[c] & bit);
+}
+
+// A bit a point that some edge pixel sums; edges keep kTileHalo cells from the rim. mask: working memory.
+void markSummed(const PointLattice& lattice, const FilterBlock& block, std::span<const std::size_t> edges,
+                const TileCells& cells, BitColumn& mask, BitColumn& needed) {
+    mask.assign(cells.count(), 0);
+    for (const std::size_t i : edges) mask[cells.at(block.x[i], block.y[i])] = 0xFFFF;
+    for (const PointLattice::Term& term : lattice.terms) {
+        const int off = term.dy * cells.width + term.dx;
+        takeBit(cells, mask, off, static_cast<std::size_t>(term.point), needed);
     }
 }
 
-// And the centres round all points that are asked for.
-void GridKernel::askCentres(Tile& tile) const {
-    const auto row = static_cast<std::ptrdiff_t>(tile.width);
-    const std::size_t cells = tile.cells(), reach = static_cast<std::size_t>(row + 1);
-    tile.even.assign(cells, 0);
-    std::uint16_t* centres = tile.even.data();
-    for (std::size_t k = 1; k < lattice_.places.size(); ++k) {
+// And the four centres round each such point. mask: working memory.
+void addCentres(const PointLattice& lattice, const TileCells& cells, BitColumn& mask, BitColumn& needed) {
+    mask.assign(cells.count(), 0);
+    for (std::size_t k = 1; k < lattice.places.size(); ++k) {
         // A square's corners lie before it and in the row above.
-        const std::uint16_t* own = tile.asked.data() + lattice_.squareOf(k, row);
-        const std::uint16_t* above = own - row;
-        for (std::size_t c = reach; c < cells - reach; ++c) {
+        const std::uint16_t* own = needed.data() + lattice.squareOf(k, cells.width);
+        const std::uint16_t* above = own - cells.width;
+        for (std::size_t c = cells.inner(); c < cells.count() - cells.inner(); ++c) {
             const auto here = static_cast<std::ptrdiff_t>(c);
             const int any = own[here] | own[here - 1] | above[here] | above[here - 1];
-            centres[c] |= static_cast<std::uint16_t>(any >> k & 1);
+            mask[c] |= static_cast<std::uint16_t>(any >> k & 1);
         }
     }
-    for (std::size_t c = 0; c < cells; ++c) tile.asked[c] |= centres[c];
+    for (std::size_t c = 0; c < cells.count(); ++c) needed[c] |= mask[c];
 }
 
-// Bits of the points in each cell that the edges sum, and of those whose footprints follow from the centres'.
-void GridKernel::askPoints(const FilterBlock& block, Tile& tile) const {
-    const auto row = static_cast<std::ptrdiff_t>(tile.width);
-    const auto points = static_cast<std::int32_t>(lattice_.places.size());
-    const std::size_t cells = tile.cells();
-    tile.edge.assign(cells, 0);
-    tile.base.clear();
-    for (const std::size_t i : tile.edges) {
-        const std::size_t cell = tile.cell(block.x[i], block.y[i]);
-        tile.edge[cell] = 0xFFFF;
-        tile.base.push_back(static_cast<std::int32_t>(cell) * points);
+// Of each cell, all bits or none: whether hits within the square of its centre and those to the right of and below it
+// can be interpolated from these four: if none of the six lines between them crosses an edge. Both ends lie on it
+// smoothly, or one end goes straight on to the other.
+void joinSquares(const TileCells& cells, const BitColumn& around, BitColumn& joined) {
+    const std::size_t row = cells.row();
+    joined.assign(cells.count(), 0);
+    std::uint16_t* out = joined.data();
+    const auto join = [](unsigned p, unsigned q, unsigned line) {
+        return (p & q & (unsigned{kSmooth} << line)) | (((p | q) & (unsigned{kStraight} << line)) / kStraight);
+    };
+    for (std::size_t c = 0; c < cells.count() - cells.inner(); ++c) {
+        const unsigned p = around[c], q = around[c + 1], r = around[c + row], s = around[c + row + 1];
+        const unsigned lines = (join(p, q, kAcross) & join(r, s, kAcross)) | (join(p, r, kDown) & join(q, s, kDown)) |
+                               join(p, s, kFalling) | join(r, q, kRising);
+        out[c] = lines == kAllLines ? 0xFFFF : 0;
     }
-    tile.offset.clear();
-    tile.asked.assign(cells + kCellSlack, 0);
-    tile.follows.assign(cells + kCellSlack, 0);
-    // Edges keep kTileHalo cells from the rim.
-    const auto reach = static_cast<std::size_t>(row + 1);
-    for (const PointLattice::Term& term : lattice_.terms) {
-        const std::ptrdiff_t off = term.dy * row + term.dx;
-        tile.offset.push_back(static_cast<std::int32_t>(off) * points + term.point);
-        const std::uint16_t* edge = tile.edge.data() - off;
-        std::uint16_t* asked = tile.asked.data();
-        const auto bit = static_cast<std::uint16_t>(1U << term.point);
-        for (std::size_t c = reach; c < cells - reach; ++c) asked[c] |= static_cast<std::uint16_t>(edge[c] & bit);
-    }
-    askCentres(tile);
-    findWhole(tile);
+}
+
+// A bit a point whose hit, or for a centre whose footprint, is interpolated from centres.
+void markInterpolated(const PointLattice& lattice, const TileCells& cells, const BitColumn& around,
+                      const BitColumn& joined, BitColumn& interpolated) {
     // Centres on straight ground, or on smooth ground near them, have footprints by their neighbours.
     constexpr unsigned kCross = (1U << kAcross) | (1U << kDown);
-    for (std::size_t c = 0; c < cells; ++c) {
-        const unsigned around = tile.around[c];
-        const unsigned lines = (around / kStraight) | ((around & kNearAround) != 0 ? around : 0);
-        tile.follows[c] = (lines & kCross) == kCross ? 1 : 0;
+    for (std::size_t c = 0; c < cells.count(); ++c) {
+        const unsigned lines = (around[c] / kStraight) | ((around[c] & kNearAround) != 0 ? around[c] : 0U);
+        interpolated[c] = (lines & kCross) == kCross ? 1 : 0;
     }
-    for (std::size_t k = 1; k < lattice_.places.size(); ++k) {
-        const std::uint16_t* whole = tile.whole.data() - lattice_.squareOf(k, row);
-        std::uint16_t* follows = tile.follows.data();
-        const auto bit = static_cast<std::uint16_t>(1U << k);
-        for (std::size_t c = reach; c < cells - reach; ++c) follows[c] |= static_cast<std::uint16_t>(whole[c] & bit);
+    for (std::size_t k = 1; k < lattice.places.size(); ++k)
+        takeBit(cells, joined, lattice.squareOf(k, cells.width), k, interpolated);
+}
+
+// Adds the k-th points that are needed and not interpolated, row after row. which: working memory.
+void addPlaces(const PointLattice& lattice, const TileCells& cells, const BitColumn& needed,
+               const BitColumn& interpolated, std::size_t k, std::vector<std::int32_t>& which, Places& out) {
+    reserve(which, cells.row() + 1);
+    const std::size_t perCell = lattice.places.size();
+    for (std::size_t y = 0; y * cells.row() < cells.count(); ++y) {
+        const std::size_t first = y * cells.row();
+        // Without a branch: no pattern predicts which cells these are.
+        std::size_t count = 0;
+        for (std::size_t x = 0; x < cells.row(); ++x) {
+            which[count] = static_cast<std::int32_t>(x);
+            count += static_cast<std::size_t>((needed[first + x] & ~interpolated[first + x]) >> k & 1);
+        }
+        out.reserve(count);
+        const double placeY = cells.y0 + static_cast<int>(y) + 0.5 + lattice.places[k].y;
+        for (std::size_t n = 0; n < count; ++n, ++out.count) {
+            const std::size_t cell = first + static_cast<std::size_t>(which[n]);
+            out.slots[out.count] = static_cast<std::uint32_t>(cell * perCell + k);
+            out.x[out.count] = cells.x0 + which[n] + 0.5 + lattice.places[k].x;
+            out.y[out.count] = placeY;
+        }
     }
 }
 
-// The tile's cells in the order in which points are traced.
-void GridKernel::orderCells(Tile& tile) {
-    if (tile.orderWidth == tile.width && tile.orderHeight == tile.height) return;
-    tile.orderWidth = tile.width, tile.orderHeight = tile.height;
-    tile.order.clear();
-    tile.overCells([&](std::size_t cell, int x, int y) {
-        tile.order.push_back({static_cast<std::uint32_t>(cell), static_cast<std::int32_t>(x - tile.x0),
-                              static_cast<std::int32_t>(y - tile.y0)});
-    });
-}
-
-// Behind tile.points, without what they meet, the k-th points of the cells for which wanted(cell).
-template <class Wanted>
-void GridKernel::pushPoints(Tile& tile, std::size_t k, const Wanted& wanted) const {
-    std::vector<std::uint32_t>& which = tile.which;
-    reserve(which, tile.order.size() + 1);
-    std::size_t count = 0;
-    for (std::size_t n = 0; n < tile.order.size(); ++n) {
-        which[count] = static_cast<std::uint32_t>(n);
-        count += wanted(tile.order[n].cell) ? 1 : 0;
-    }
-    GridPoints& out = tile.points;
-    out.reserve(count);
-    const auto points = static_cast<std::uint32_t>(lattice_.places.size());
-    const glm::dvec2 off = lattice_.places[k];
-    for (std::size_t n = 0; n < count; ++n) {
-        const OrderedCell& cell = tile.order[which[n]];
-        out.slots[out.count + n] = cell.cell * points + static_cast<std::uint32_t>(k);
-        out.x[out.count + n] = tile.x0 + cell.x + 0.5 + off.x;
-        out.y[out.count + n] = tile.y0 + cell.y + 0.5 + off.y;
-    }
-    out.count += count;
-}
-
-// Behind `out` those k-th points whose hits follow from the centres', with their slots in tile.slots.
-void GridKernel::follow(Tile& tile, std::size_t k, PointBlock& out) const {
-    const auto row = static_cast<std::size_t>(tile.width), reach = row + 1;
-    const auto square = static_cast<std::size_t>(lattice_.squareOf(k, tile.width));
+// Adds the footprints of the k-th points that are needed and interpolated.
+void addInterpolated(const PointLattice& lattice, const Centres& centres, const BitColumn& needed,
+                     const BitColumn& interpolated, std::size_t k, Footprints& out) {
+    const TileCells& cells = centres.cells;
+    const auto square = static_cast<std::size_t>(lattice.squareOf(k, cells.width));
     followPoints(
-        {tile.s.data(), tile.t.data(), row, reach, tile.cells() - reach, tile.asked.data(), tile.follows.data(), k,
-         lattice_.places.size(), square, lattice_.shares[k], lattice_.blur, tile.scale},
-        out, tile.slots);
+        {centres.s.data(), centres.t.data(), cells.row(), cells.inner(), cells.count() - cells.inner(), needed.data(),
+         interpolated.data(), k, lattice.places.size(), square, lattice.shares[k], lattice.blur, cells.scale},
+        out.block, out.slots);
 }
 
-// The centres that are asked for, with their colours.
-void GridKernel::takeCentres(Tile& tile, FootprintCounts& counts) const {
-    orderCells(tile);
-    tile.footprints.resize(0);
-    follow(tile, 0, tile.footprints);
-    tile.points.clear();
-    const auto points = static_cast<std::uint32_t>(lattice_.places.size());
-    pushPoints(tile, 0, [&](std::size_t cell) {
-        if ((tile.asked[cell] & ~tile.follows[cell] & 1) == 0) return false;
-        const bool met = !std::isnan(tile.s[cell]);
-        if (!met) tile.color[cell * points] = {};
-        return met;
-    });
-    GridPoints& met = tile.points;
-    for (std::size_t n = 0; n < met.count; ++n) {
-        const std::size_t cell = met.slots[n] / points;
-        met.lambda[n] = tile.lambda[cell], met.s[n] = tile.s[cell], met.t[n] = tile.t[cell];
+// Adds the footprints of the places [begin, begin + count), which meet hits [0, count). The columns' entries of those
+// that meet nothing are taken by those behind.
+void addHits(const GridSetup& setup, const TileCells& cells, Places& places, std::size_t begin, std::size_t count,
+             HitBlock& hits, Footprints& out) {
+    std::size_t met = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+        if (hits.outcome[n] != Outcome::Hit) {
+            out.missed.push_back(places.slots[begin + n]);
+            continue;
+        }
+        if (met < n) {
+            places.slots[begin + met] = places.slots[begin + n];
+            places.x[begin + met] = places.x[begin + n], places.y[begin + met] = places.y[begin + n];
+            hits.lambda[met] = hits.lambda[n], hits.s[met] = hits.s[n], hits.t[met] = hits.t[n];
+        }
+        ++met;
     }
-    layPoints(tile);
-    readPoints(tile, counts);
-    std::array<float*, 3> columns{};
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-        reserve(tile.centre[c], tile.cells() + kCellSlack);
-        columns[c] = tile.centre[c].data();
-    }
-    splitCentres(tile.color.data(), points, tile.asked.data(), tile.cells() + 1, columns);
+    const std::size_t before = out.block.size();
+    const auto part = [&](const std::vector<double>& of, std::size_t from) { return std::span(of).subspan(from, met); };
+    layFootprints(
+        *cells.view, setup.slopes ? &*setup.slopes : nullptr, setup.lattice.blur, cells.scale,
+        {part(places.x, begin), part(places.y, begin), part(hits.lambda, 0), part(hits.s, 0), part(hits.t, 0)},
+        out.block);
+    reserve(out.slots, out.block.size());
+    std::copy_n(places.slots.data() + begin, met, out.slots.data() + before);
 }
 
-// The points whose colours follow from the centres': no longer asked for.
-void GridKernel::takeMeans(Tile& tile) const {
-    const std::size_t points = lattice_.places.size(), cells = tile.cells();
-    const auto row = static_cast<std::size_t>(tile.width), reach = row + 1;
-    tile.even.resize(cells + kCellSlack);
-    tile.mean.assign(cells, 0);
-    findEven({tile.centre[0].data(), tile.centre[1].data(), tile.centre[2].data()}, row, cells - reach, bounds_,
-             tile.even.data());
-    for (std::size_t k = 1; k < points; ++k) {
-        const std::ptrdiff_t square = lattice_.squareOf(k, tile.width);
+// Reads the footprints' colours into their slots.
+void read(Run& run, const Footprints& footprints, CentreColors& colors) {
+    for (const std::uint32_t slot : footprints.missed) colors.slots[slot] = {};
+    const PointBlock& block = footprints.block;
+    run.setup.reader.read(block, {footprints.slots.data(), block.size()}, colors.slots.data(), run.counts);
+    if (run.log == nullptr) return;
+    for (std::size_t n = 0; n < block.size(); ++n) {
+        colors.read.push_back({footprints.slots[n], {block.s[n], block.t[n]}, block.jacobian(n)});
+    }
+}
+
+// The mean of four centres' colours, where `at` is the upper left one's cell.
+PointColor meanColor(const std::vector<PointColor>& slots, std::size_t at, std::size_t row, std::size_t perCell,
+                     const std::array<float, 4>& share) {
+    const PointColor* p = slots.data() + at * perCell;
+    const PointColor *q = p + perCell, *r = p + row * perCell, *s = r + perCell;
+    PointColor mean;
+    for (std::size_t n = 0; n < 4; ++n) {
+        mean.channel[n] = (share[0] * p->channel[n] + share[1] * q->channel[n]) +
+                          (share[2] * r->channel[n] + share[3] * s->channel[n]);
+    }
+    return mean;
+}
+
+}  // namespace
+
+const PointPlan& planPoints(const Run& run, const PlaneSplit& split, const EdgeGround& ground, PointWork& points,
+                            Reused<PointPlan>& out) {
+    PointPlan& plan = out.refill();
+    const TileCells& cells = ground.centres.cells;
+    const PointLattice& lattice = run.setup.lattice;
+    for (auto* column : {&plan.needed, &plan.interpolated}) column->assign(cells.count() + kCellSlack, 0);
+    markSummed(lattice, run.block, split.edges, cells, points.mask, plan.needed);
+    addCentres(lattice, cells, points.mask, plan.needed);
+    joinSquares(cells, ground.around, points.mask);
+    markInterpolated(lattice, cells, ground.around, points.mask, plan.interpolated);
+    return plan;
+}
+
+CentreColors& readCentres(Run& run, const EdgeGround& ground, const PointPlan& plan, PointWork& points,
+                          Reused<CentreColors>& out) {
+    const PointLattice& lattice = run.setup.lattice;
+    const Centres& centres = ground.centres;
+    const TileCells& cells = centres.cells;
+    const std::size_t perCell = lattice.places.size();
+    Footprints& footprints = points.footprints;
+    footprints.block.resize(0), footprints.missed.clear();
+    addInterpolated(lattice, centres, plan.needed, plan.interpolated, 0, footprints);
+    Places& places = points.places;
+    places.count = 0;
+    addPlaces(lattice, cells, plan.needed, plan.interpolated, 0, points.which, places);
+    HitBlock& hits = points.centreHits;
+    if (hits.size() < places.count) hits.resize(places.count);
+    for (std::size_t n = 0; n < places.count; ++n) {
+        const std::size_t cell = places.slots[n] / perCell;
+        const Outcome outcome = std::isnan(centres.s[cell]) ? Outcome::Miss : Outcome::Hit;
+        hits.set(n, {outcome, centres.lambda[cell], centres.s[cell], centres.t[cell]});
+    }
+    addHits(run.setup, cells, places, 0, places.count, hits, footprints);
+    CentreColors& colors = out.refill();
+    reserve(colors.slots, (cells.count() + kCellSlack) * perCell);
+    colors.read.clear();
+    read(run, footprints, colors);
+    for (auto& column : colors.channel) reserve(column, cells.count() + kCellSlack);
+    auto& [red, green, blue] = colors.channel;
+    splitCentres(colors.slots.data(), perCell, plan.needed.data(), cells.count() + 1,
+                 {red.data(), green.data(), blue.data()});
+    return colors;
+}
+
+const RestPoints& meanColors(const Run& run, const EdgeGround& ground, const PointPlan& plan, CentreColors& colors,
+                             PointWork& points, Reused<RestPoints>& out) {
+    RestPoints& rest = out.refill();
+    const TileCells& cells = ground.centres.cells;
+    const PointLattice& lattice = run.setup.lattice;
+    const std::size_t perCell = lattice.places.size(), last = cells.count() - cells.inner();
+    BitColumn& even = points.mask;
+    even.resize(cells.count() + kCellSlack);
+    const auto& [red, green, blue] = colors.channel;
+    findEven({red.data(), green.data(), blue.data()}, cells.row(), last, run.setup.bounds, even.data());
+    rest.needed = plan.needed;
+    for (std::size_t k = 1; k < perCell; ++k) {
+        const auto square = static_cast<std::size_t>(lattice.squareOf(k, cells.width));
         const auto bit = static_cast<std::uint16_t>(1U << k);
         std::array<float, 4> share;
-        for (std::size_t n = 0; n < share.size(); ++n) share[n] = static_cast<float>(lattice_.shares[k][n]);
-        for (std::size_t c = reach; c < cells - reach; ++c) {
-            const auto at = c - static_cast<std::size_t>(square);
-            if ((tile.asked[c] & tile.even[at] & bit) == 0) continue;
-            tile.mean[c] |= bit;
-            const PointColor* p = tile.color.data() + at * points;
-            const PointColor *q = p + points, *r = p + row * points, *s = r + points;
-            PointColor& out = tile.color[c * points + k];
-            for (std::size_t n = 0; n < 4; ++n) {
-                out.channel[n] = (share[0] * p->channel[n] + share[1] * q->channel[n]) +
-                                 (share[2] * r->channel[n] + share[3] * s->channel[n]);
-            }
+        for (std::size_t n = 0; n < share.size(); ++n) share[n] = static_cast<float>(lattice.shares[k][n]);
+        for (std::size_t c = cells.inner(); c < last; ++c) {
+            if ((plan.needed[c] & even[c - square] & bit) == 0) continue;
+            rest.needed[c] &= static_cast<std::uint16_t>(~bit);
+            colors.slots[c * perCell + k] = meanColor(colors.slots, c - square, cells.row(), perCell, share);
         }
     }
-    for (std::size_t c = 0; c < cells; ++c) tile.asked[c] &= static_cast<std::uint16_t>(~tile.mean[c]);
+    return rest;
 }
 
-// The other points that the edges sum, with what they meet; tile.points has those that meet something.
-void GridKernel::takePoints(Tile& tile, FootprintCounts& counts, Work& work) const {
-    tile.points.clear();
-    for (std::size_t k = 1; k < lattice_.places.size(); ++k) {
-        pushPoints(tile, k, [&](std::size_t cell) { return (tile.asked[cell] & ~tile.follows[cell]) >> k & 1; });
+PointColors readPoints(Run& run, const EdgeGround& ground, const PointPlan& plan, const RestPoints& rest,
+                       CentreColors& colors, PointWork& points) {
+    const PointLattice& lattice = run.setup.lattice;
+    const TileCells& cells = ground.centres.cells;
+    Footprints& footprints = points.footprints;
+    footprints.block.resize(0), footprints.missed.clear();
+    Places& places = points.places;
+    places.count = 0;
+    for (std::size_t k = 1; k < lattice.places.size(); ++k)
+        addPlaces(lattice, cells, rest.needed, plan.interpolated, k, points.which, places);
+    for (std::size_t begin = 0; begin < places.count; begin += kRayGrain) {
+        const std::size_t count = std::min(kRayGrain, places.count - begin);
+        traceBatch(run, *cells.view, places, begin, count, points.batch);
+        addHits(run.setup, cells, places, begin, count, points.batch.hits, footprints);
     }
-    tracePoints(tile, counts, work);
-    tile.footprints.resize(0);
-    layPoints(tile);
-    for (std::size_t k = 1; k < lattice_.places.size(); ++k) follow(tile, k, tile.footprints);
-    readPoints(tile, counts);
+    for (std::size_t k = 1; k < lattice.places.size(); ++k)
+        addInterpolated(lattice, ground.centres, rest.needed, plan.interpolated, k, footprints);
+    read(run, footprints, colors);
+    return {colors.slots, colors.read};
 }
 
-// What tile.points meet; without those that meet nothing.
-void GridKernel::tracePoints(Tile& tile, FootprintCounts& counts, Work& work) const {
-    GridPoints& points = tile.points;
-    const auto copy = [](const std::vector<double>& from, std::vector<double>& to, std::size_t begin) {
-        std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(begin));
-    };
-    const HeightField& field = tracer_->field();
-    bool missed = false;
-    for (std::size_t begin = 0; begin < points.count; begin += kRayGrain) {
-        const std::size_t count = std::min(kRayGrain, points.count - begin);
-        tile.rays.resize(count);
-        raysThrough(*tile.view, part(points.x, begin, count), part(points.y, begin, count), tile.rays, 0);
-        trace(tile, work);
-        if (field.surface() == Surface::Columns) {
-            for (std::size_t n = 0; n < count; ++n) {
-                const glm::dvec2 place = lookUpPoint(field, tile.rays[n], tile.hits[n]);
-                tile.hits.s[n] = place.x, tile.hits.t[n] = place.y;
-            }
-        }
-        copy(tile.hits.lambda, points.lambda, begin);
-        copy(tile.hits.s, points.s, begin);
-        copy(tile.hits.t, points.t, begin);
-        for (std::size_t n = 0; n < count; ++n) {
-            if (tile.hits.outcome[n] == Outcome::Hit) continue;
-            missed = true;
-            points.s[begin + n] = kNothing;
-            tile.color[points.slots[begin + n]] = {};
-        }
-    }
-    counts.tested += static_cast<std::int64_t>(points.count);
-    if (missed) points.filter([&](std::size_t n) { return !std::isnan(points.s[n]); });
-}
-
-}  // namespace relief
+}  // namespace relief::grid

@@ -1,4 +1,4 @@
-#include "filtering/grid_follow.h"
+#include "filtering/grid_lanes.h"
 
 #include "base/simd_targets.h"
 #undef HWY_TARGET_INCLUDE
@@ -8,20 +8,6 @@
 #include <hwy/highway.h>
 
 #include "relief/simd/lane_rays.h"
-
-#ifndef RELIEF_GRID_FOLLOW_ONCE
-#define RELIEF_GRID_FOLLOW_ONCE
-namespace relief {
-
-// Where the next points go; a vector more may be written.
-struct FollowOut {
-    double *s, *t;
-    float *ux, *vx, *uy, *vy;
-    std::uint32_t* slots;
-};
-
-}  // namespace relief
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
@@ -39,13 +25,13 @@ HWY_INLINE V set(double x) {
     return hn::Set(D(), x);
 }
 
-// Whether each of the cells from c on is asked for its point and has it follow.
+// Whether each of the cells from c on has its point needed and interpolated.
 HWY_INLINE M wanted(const FollowJob& job, std::size_t c) {
     const hn::Rebind<std::uint16_t, D> narrow;
     const hn::Rebind<std::uint32_t, D> wide;
     const hn::RebindToUnsigned<D> whole;
     const auto bit = hn::Set(narrow, static_cast<std::uint16_t>(1U << job.point));
-    const auto both = hn::And(hn::LoadU(narrow, job.asked + c), hn::LoadU(narrow, job.follows + c));
+    const auto both = hn::And(hn::LoadU(narrow, job.needed + c), hn::LoadU(narrow, job.interpolated + c));
     const auto bits = hn::PromoteTo(whole, hn::PromoteTo(wide, hn::And(both, bit)));
     return hn::RebindMask(D(), hn::Ne(bits, hn::Zero(whole)));
 }
@@ -90,32 +76,33 @@ HWY_INLINE Coordinate between(const FollowJob& job, const double* column, std::s
             mixed(hn::Sub(r, p), share[0] + share[2], hn::Sub(w, q), share[1] + share[3])};
 }
 
+// Writes the points from `count` on, whole vectors of them, and returns where they end.
 template <bool kCentre>
-std::size_t points(const FollowJob& job, const FollowOut& out) {
+std::size_t points(const FollowJob& job, PointBlock& out, std::uint32_t* slots, std::size_t count) {
     const D d;
     const hn::Rebind<float, D> df;
     const hn::Rebind<std::int32_t, D> di;
     const PointBlur& blur = job.blur;
     const V perSlot = set(static_cast<double>(job.points)), point = set(static_cast<double>(job.point));
-    std::size_t count = 0;
     for (std::size_t c = job.first; c < job.last; c += kLanes) {
         const M mask = wanted(job, c);
         if (hn::AllFalse(d, mask)) continue;
         const Packing packed(mask);
-        const auto coordinate = [&](const double* column, double scale, double* at, float* u, float* v) HWY_ATTR {
+        const auto coordinate = [&](const double* column, double scale, std::vector<double>& at, std::vector<float>& u,
+                                    std::vector<float>& v) HWY_ATTR {
             const Coordinate x = kCentre ? centre(job, column, c) : between(job, column, c);
             const auto along = [&](double ofX, double ofY) HWY_ATTR {
                 const V sum = hn::Add(hn::Mul(set(ofX * scale), x.alongX), hn::Mul(set(ofY * scale), x.alongY));
                 return hn::DemoteTo(df, packed(sum));
             };
-            hn::StoreU(packed(hn::Mul(x.at, set(scale))), d, at + count);
-            hn::StoreU(along(blur.xx, blur.xy), df, u + count);
-            hn::StoreU(along(blur.xy, blur.yy), df, v + count);
+            hn::StoreU(packed(hn::Mul(x.at, set(scale))), d, at.data() + count);
+            hn::StoreU(along(blur.xx, blur.xy), df, u.data() + count);
+            hn::StoreU(along(blur.xy, blur.yy), df, v.data() + count);
         };
         coordinate(job.s, job.scale.x, out.s, out.ux, out.uy);
         coordinate(job.t, job.scale.y, out.t, out.vx, out.vy);
         const V slot = hn::Add(hn::Mul(hn::Iota(d, static_cast<double>(c)), perSlot), point);
-        hn::StoreU(hn::DemoteTo(di, packed(slot)), di, reinterpret_cast<std::int32_t*>(out.slots + count));
+        hn::StoreU(hn::DemoteTo(di, packed(slot)), di, reinterpret_cast<std::int32_t*>(slots + count));
         count += hn::CountTrue(d, mask);
     }
     return count;
@@ -123,8 +110,9 @@ std::size_t points(const FollowJob& job, const FollowOut& out) {
 
 }  // namespace follow
 
-std::size_t gridFollow(const FollowJob& job, const FollowOut& out) {
-    return job.point == 0 ? follow::points<true>(job, out) : follow::points<false>(job, out);
+std::size_t gridFollow(const FollowJob& job, PointBlock& out, std::uint32_t* slots, std::size_t count) {
+    return job.point == 0 ? follow::points<true>(job, out, slots, count)
+                          : follow::points<false>(job, out, slots, count);
 }
 
 }  // namespace relief::HWY_NAMESPACE
@@ -139,9 +127,7 @@ void followPoints(const FollowJob& job, PointBlock& out, std::vector<std::uint32
     const std::size_t before = out.size(), most = before + (job.last - job.first);
     out.resize(most);
     if (slots.size() < most + kPointSlack) slots.resize(most + kPointSlack);
-    const FollowOut to{out.s.data() + before,  out.t.data() + before,  out.ux.data() + before, out.vx.data() + before,
-                       out.uy.data() + before, out.vy.data() + before, slots.data() + before};
-    out.resize(before + HWY_DYNAMIC_DISPATCH(gridFollow)(job, to));
+    out.resize(HWY_DYNAMIC_DISPATCH(gridFollow)(job, out, slots.data(), before));
 }
 
 }  // namespace relief

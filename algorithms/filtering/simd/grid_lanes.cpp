@@ -15,41 +15,9 @@
 #define RELIEF_GRID_LANES_ONCE
 namespace relief {
 
-// What layFootprints is given, but for the columns.
-struct FootprintScene {
-    const PixelView* view;
-    const SlopeScene* slopes;
-    PointBlur blur;
-    double perS, perT;
-};
-
-// What sumPoints is given.
-struct SumJob {
-    const PointColor* colors;
-    std::span<const std::int32_t> base, offset;
-    const float* weight;
-    PointColor* sums;
-};
-
-// What splitCentres is given.
-struct SplitJob {
-    const PointColor* colors;
-    std::size_t points;
-    const std::uint16_t* asked;
-    std::size_t count;
-    std::array<float*, 3> out;
-};
-
-// What findEven is given.
-struct EvenJob {
-    std::array<const float*, 3> channel;
-    std::size_t row, count;
-    float most;
-};
-
-// Texels by which a centre's ray may lie outside the polygon by rounding.
+// Texels by which rounding may put a centre's ray outside the polygon: above that of places up to 10^6 (margins.md).
 inline constexpr double kEdgeRounding = 1e-6;
-// Least 1 + r . g of a point's tangent plane: as in elliptical_rays.cpp.
+// Least 1 + r . g of a point's tangent plane: as in elliptical_rays.cpp, for the reason given there.
 inline constexpr double kLeastPointFacing = 1;
 
 }  // namespace relief
@@ -61,17 +29,8 @@ namespace grid {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using slopes::D;
-using slopes::kLanes;
-using slopes::load;
-using slopes::set;
-using slopes::store;
-using slopes::V;
+using slopes::D, slopes::kLanes, slopes::load, slopes::set, slopes::store, slopes::V;
 using M = hn::Mask<D>;
-
-struct Point {
-    V s, t;
-};
 
 struct Linear {
     double perY, perX, at;
@@ -139,11 +98,13 @@ void findSurroundings(const CellHits& cells, float bounds, std::uint16_t* out) {
     for (std::size_t at = width; at < last; at += width) out[at] = out[at + width - 1] = 0;
 }
 
-void raysThrough(const PixelView& view, const double* x, const double* y, std::size_t count, double* const* out) {
+void raysThrough(const PixelView& view, std::span<const double> x, std::span<const double> y, RayBlock& rays,
+                 std::size_t first) {
     const Homography& m = view.texelFromScreen;
+    const std::size_t count = x.size();
     for (std::size_t i = 0; i < count; i += kLanes) {
         const std::size_t here = std::min(kLanes, count - i);
-        const V px = load(x + i, here), py = load(y + i, here);
+        const V px = load(x.data() + i, here), py = load(y.data() + i, here);
         const auto linear = [&](double perX, double perY, double at) HWY_ATTR {
             return hn::Add(hn::Add(hn::Mul(set(perX), px), hn::Mul(set(perY), py)), set(at));
         };
@@ -156,26 +117,24 @@ void raysThrough(const PixelView& view, const double* x, const double* y, std::s
         const M off = hn::Or(hn::Gt(hn::Abs(hn::Sub(s, nearS)), slack), hn::Gt(hn::Abs(hn::Sub(t, nearT)), slack));
         const V s0 = hn::IfThenElse(off, s, nearS), t0 = hn::IfThenElse(off, t, nearT);
         const V run = set(view.runPerTexel);
-        store(s0, out[0] + i, here);
-        store(t0, out[1] + i, here);
-        store(hn::Mul(hn::Sub(s0, set(view.sEye)), run), out[2] + i, here);
-        store(hn::Mul(hn::Sub(t0, set(view.tEye)), run), out[3] + i, here);
+        store(s0, rays.s0.data() + first + i, here);
+        store(t0, rays.t0.data() + first + i, here);
+        store(hn::Mul(hn::Sub(s0, set(view.sEye)), run), rays.a.data() + first + i, here);
+        store(hn::Mul(hn::Sub(t0, set(view.tEye)), run), rays.b.data() + first + i, here);
     }
 }
 
 template <bool kSloping, class SlopeAt>
-HWY_INLINE void layWith(const FootprintScene& scene, const SlopeAt& slopeAt, const PointHits& hits,
-                        PointBlock& points) {
-    const PixelView& view = *scene.view;
+HWY_INLINE void layWith(const PixelView& view, const SlopeAt& slopeAt, const PointBlur& blur, glm::dvec2 scale,
+                        const PointHits& hits, PointBlock& points) {
     const Homography& m = view.texelFromScreen;
     // Derivatives of s and t along the picture times q^2, as jacobianAt has them.
     const double uxY = m.sx * m.qy - m.sy * m.qx, ux1 = m.sx * m.q1 - m.s1 * m.qx;
     const double vxY = m.tx * m.qy - m.ty * m.qx, vx1 = m.tx * m.q1 - m.t1 * m.qx;
     const double uyX = m.sy * m.qx - m.sx * m.qy, uy1 = m.sy * m.q1 - m.s1 * m.qy;
     const double vyX = m.ty * m.qx - m.tx * m.qy, vy1 = m.ty * m.q1 - m.t1 * m.qy;
-    const V one = set(1), perS = set(scene.perS), perT = set(scene.perT);
+    const V one = set(1), perS = set(scale.x), perT = set(scale.y);
     // Along the blur's x and y: constants but for the place, of both derivatives.
-    const PointBlur& blur = scene.blur;
     const auto blurred = [](double perY, double at1, double perX, double at2, double share, double other) HWY_ATTR {
         return Linear{share * perY, other * perX, share * at1 + other * at2};
     };
@@ -199,13 +158,13 @@ HWY_INLINE void layWith(const FootprintScene& scene, const SlopeAt& slopeAt, con
             return hn::Mul(factor, hn::Add(linear, set(line.at)));
         };
         V ux = along(toUx), vx = along(toVx), uy = along(toUy), vy = along(toVy);
-        const Point place{load(hits.s.data() + i, here), load(hits.t.data() + i, here)};
+        const V s = load(hits.s.data() + i, here), t = load(hits.t.data() + i, here);
         if constexpr (kSloping) {
             // The ray's run, from where it is below the eye.
             const V perBelow = hn::Div(run, below);
-            const V a = hn::Mul(hn::Sub(place.s, set(view.sEye)), perBelow);
-            const V b = hn::Mul(hn::Sub(place.t, set(view.tEye)), perBelow);
-            const slopes::Slope slope = slopeAt(place.s, place.t);
+            const V a = hn::Mul(hn::Sub(s, set(view.sEye)), perBelow);
+            const V b = hn::Mul(hn::Sub(t, set(view.tEye)), perBelow);
+            const slopes::Slope slope = slopeAt(s, t);
             const V facing = hn::Add(one, hn::Add(hn::Mul(a, slope.s), hn::Mul(b, slope.t)));
             const V per = hn::Div(one, hn::Max(facing, set(kLeastPointFacing)));
             const V alongX = hn::Mul(hn::Add(hn::Mul(slope.s, ux), hn::Mul(slope.t, vx)), per);
@@ -216,36 +175,33 @@ HWY_INLINE void layWith(const FootprintScene& scene, const SlopeAt& slopeAt, con
         // Columns go on behind the last.
         const auto narrow = [&](V value, std::vector<float>& to)
                                 HWY_ATTR { hn::StoreU(hn::DemoteTo(df, value), df, to.data() + before + i); };
-        hn::StoreU(hn::Mul(place.s, perS), D(), points.s.data() + before + i);
-        hn::StoreU(hn::Mul(place.t, perT), D(), points.t.data() + before + i);
+        hn::StoreU(hn::Mul(s, perS), D(), points.s.data() + before + i);
+        hn::StoreU(hn::Mul(t, perT), D(), points.t.data() + before + i);
         narrow(hn::Mul(ux, perS), points.ux);
         narrow(hn::Mul(vx, perT), points.vx);
         narrow(hn::Mul(uy, perS), points.uy);
         narrow(hn::Mul(vy, perT), points.vy);
     }
 }
-void layFootprints(const FootprintScene& scene, const PointHits& hits, PointBlock& points) {
-    if (scene.slopes == nullptr)
-        return layWith<false>(
-            scene,
-            [](V s, V) {
-                return slopes::Slope{s, s};
-            },
-            hits, points);
-    slopes::withSlopes(*scene.slopes,
-                       [&](const auto& slopeAt) HWY_ATTR { layWith<true>(scene, slopeAt, hits, points); });
+void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointBlur& blur, glm::dvec2 scale,
+                   const PointHits& hits, PointBlock& points) {
+    const auto level = [](V s, V) { return slopes::Slope{s, s}; };
+    if (slopes == nullptr) return layWith<false>(view, level, blur, scale, hits, points);
+    slopes::withSlopes(*slopes,
+                       [&](const auto& slopeAt) HWY_ATTR { layWith<true>(view, slopeAt, blur, scale, hits, points); });
 }
 
-void findEven(const EvenJob& job, std::uint16_t* even) {
+void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
+              std::uint16_t* even) {
     const DF d;
     const hn::RebindToSigned<DF> di;
     const hn::Rebind<std::int16_t, DF> dh;
-    const VF most = hn::Set(d, job.most), share = hn::Set(d, kEvenShare);
-    for (std::size_t c = 0; c < job.count; c += kFloats) {
+    const VF most = hn::Set(d, bounds * kEvenColors), share = hn::Set(d, kEvenShare);
+    for (std::size_t c = 0; c < count; c += kFloats) {
         auto all = hn::Set(di, -1);
-        for (const float* column : job.channel) {
+        for (const float* column : channel) {
             const auto at = [&](std::size_t off) HWY_ATTR { return hn::LoadU(d, column + c + off); };
-            const VF p = at(0), q = at(1), r = at(job.row), s = at(job.row + 1);
+            const VF p = at(0), q = at(1), r = at(row), s = at(row + 1);
             const VF low = hn::Min(hn::Min(p, q), hn::Min(r, s)), high = hn::Max(hn::Max(p, q), hn::Max(r, s));
             // Infinity less itself is no number, which fails.
             const auto within = hn::Le(hn::Sub(high, low), hn::Min(most, hn::Mul(share, high)));
@@ -255,66 +211,52 @@ void findEven(const EvenJob& job, std::uint16_t* even) {
     }
 }
 
-void splitCentres(const SplitJob& job) {
+void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* needed, std::size_t count,
+                  const std::array<float*, 3>& out) {
     const DF d;
     const hn::RebindToSigned<DF> di;
     const hn::RebindToUnsigned<DF> du;
     const hn::Rebind<std::uint16_t, DF> dh;
-    const auto apart = static_cast<std::int32_t>(4 * job.points);
+    const auto apart = static_cast<std::int32_t>(4 * points);
     const VF none = hn::Set(d, std::numeric_limits<float>::infinity());
-    for (std::size_t c = 0; c < job.count; c += kFloats) {
-        const auto bits = hn::PromoteTo(du, hn::And(hn::LoadU(dh, job.asked + c), hn::Set(dh, std::uint16_t{1})));
-        const auto asked = hn::RebindMask(d, hn::Ne(bits, hn::Zero(du)));
-        if (hn::AllFalse(d, asked)) {
-            for (float* column : job.out) hn::StoreU(none, d, column + c);
+    for (std::size_t c = 0; c < count; c += kFloats) {
+        const auto bits = hn::PromoteTo(du, hn::And(hn::LoadU(dh, needed + c), hn::Set(dh, std::uint16_t{1})));
+        const auto wanted = hn::RebindMask(d, hn::Ne(bits, hn::Zero(du)));
+        if (hn::AllFalse(d, wanted)) {
+            for (float* column : out) hn::StoreU(none, d, column + c);
             continue;
         }
         const auto at = hn::Mul(hn::Iota(di, static_cast<std::int32_t>(c)), hn::Set(di, apart));
-        const auto channel = [&](std::size_t n) HWY_ATTR { return hn::GatherIndex(d, job.colors->channel + n, at); };
-        const auto known = hn::And(asked, hn::Gt(channel(3), hn::Zero(d)));
-        for (std::size_t n = 0; n < job.out.size(); ++n) {
-            hn::StoreU(hn::IfThenElse(known, channel(n), none), d, job.out[n] + c);
+        const auto channel = [&](std::size_t n) HWY_ATTR { return hn::GatherIndex(d, colors->channel + n, at); };
+        const auto known = hn::And(wanted, hn::Gt(channel(3), hn::Zero(d)));
+        for (std::size_t n = 0; n < out.size(); ++n) {
+            hn::StoreU(hn::IfThenElse(known, channel(n), none), d, out[n] + c);
         }
     }
 }
 
-void sumPoints(const SumJob& job) {
+void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,
+               std::span<const float> weight, std::span<PointColor> sums) {
     using DC = hn::CappedTag<float, 4>;
     const DC d;
-    for (std::size_t n = 0; n < job.base.size(); ++n) {
-        const PointColor* from = job.colors + job.base[n];
+    for (std::size_t n = 0; n < base.size(); ++n) {
+        const PointColor* from = colors + base[n];
         for (std::size_t c = 0; c < 4; c += hn::MaxLanes(DC())) {
             auto sum = hn::Zero(d);
-            for (std::size_t k = 0; k < job.offset.size(); ++k) {
-                const auto color = hn::Load(d, from[job.offset[k]].channel + c);
-                sum = hn::Add(sum, hn::Mul(hn::Set(d, job.weight[k]), color));
+            for (std::size_t k = 0; k < offset.size(); ++k) {
+                const auto color = hn::Load(d, from[offset[k]].channel + c);
+                sum = hn::Add(sum, hn::Mul(hn::Set(d, weight[k]), color));
             }
-            hn::Store(sum, d, job.sums[n].channel + c);
+            hn::Store(sum, d, sums[n].channel + c);
         }
     }
 }
 
 }  // namespace grid
 
-// As the tables of targets want them.
-void gridSurroundings(const CellHits& cells, float bounds, std::uint16_t* out) {
-    grid::findSurroundings(cells, bounds, out);
-}
-void gridRays(const PixelView& view, const double* x, const double* y, std::size_t count, double* const* out) {
-    grid::raysThrough(view, x, y, count, out);
-}
-void gridFootprints(const FootprintScene& scene, const PointHits& hits, PointBlock& points) {
-    grid::layFootprints(scene, hits, points);
-}
-void gridEven(const EvenJob& job, std::uint16_t* even) {
-    grid::findEven(job, even);
-}
-void gridSplit(const SplitJob& job) {
-    grid::splitCentres(job);
-}
-void gridSums(const SumJob& job) {
-    grid::sumPoints(job);
-}
+// HWY_EXPORT wants them here.
+using grid::findEven, grid::findSurroundings, grid::layFootprints, grid::raysThrough, grid::splitCentres,
+    grid::sumPoints;
 
 }  // namespace relief::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -322,46 +264,43 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace relief {
 
-HWY_EXPORT(gridSurroundings);
-HWY_EXPORT(gridRays);
-HWY_EXPORT(gridFootprints);
-HWY_EXPORT(gridEven);
-HWY_EXPORT(gridSplit);
-HWY_EXPORT(gridSums);
+HWY_EXPORT(findSurroundings);
+HWY_EXPORT(raysThrough);
+HWY_EXPORT(layFootprints);
+HWY_EXPORT(findEven);
+HWY_EXPORT(splitCentres);
+HWY_EXPORT(sumPoints);
 
 void findSurroundings(const CellHits& cells, float bounds, std::uint16_t* out) {
-    HWY_DYNAMIC_DISPATCH(gridSurroundings)(cells, bounds, out);
+    HWY_DYNAMIC_DISPATCH(findSurroundings)(cells, bounds, out);
 }
 
 void raysThrough(const PixelView& view, std::span<const double> x, std::span<const double> y, RayBlock& rays,
                  std::size_t first) {
     assert(x.size() == y.size() && first + x.size() <= rays.size());
-    double* const out[] = {rays.s0.data() + first, rays.t0.data() + first, rays.a.data() + first,
-                           rays.b.data() + first};
-    HWY_DYNAMIC_DISPATCH(gridRays)(view, x.data(), y.data(), x.size(), out);
+    HWY_DYNAMIC_DISPATCH(raysThrough)(view, x, y, rays, first);
 }
 
 void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointBlur& blur, glm::dvec2 scale,
                    const PointHits& hits, PointBlock& points) {
     assert(hits.lambda.size() >= hits.x.size() && hits.s.size() >= hits.x.size());
-    const FootprintScene scene{&view, slopes, blur, scale.x, scale.y};
-    HWY_DYNAMIC_DISPATCH(gridFootprints)(scene, hits, points);
+    HWY_DYNAMIC_DISPATCH(layFootprints)(view, slopes, blur, scale, hits, points);
 }
 
 void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
               std::uint16_t* even) {
-    HWY_DYNAMIC_DISPATCH(gridEven)({channel, row, count, bounds * kEvenColors}, even);
+    HWY_DYNAMIC_DISPATCH(findEven)(channel, row, count, bounds, even);
 }
 
-void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* asked, std::size_t count,
+void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* needed, std::size_t count,
                   const std::array<float*, 3>& out) {
-    HWY_DYNAMIC_DISPATCH(gridSplit)({colors, points, asked, count, out});
+    HWY_DYNAMIC_DISPATCH(splitCentres)(colors, points, needed, count, out);
 }
 
 void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,
                std::span<const float> weight, std::span<PointColor> sums) {
     assert(weight.size() == offset.size() && sums.size() >= base.size());
-    HWY_DYNAMIC_DISPATCH(gridSums)({colors, base, offset, weight.data(), sums.data()});
+    HWY_DYNAMIC_DISPATCH(sumPoints)(colors, base, offset, weight, sums);
 }
 
 }  // namespace relief

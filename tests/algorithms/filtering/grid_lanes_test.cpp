@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "filtering/grid_follow.h"
 #include "grid_cases.h"
 
 namespace relief::test {

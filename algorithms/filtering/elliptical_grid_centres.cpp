@@ -1,0 +1,187 @@
+// The hits at cells' centres, and how they lie among their neighbours.
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <limits>
+
+#include "filtering/grid_stages.h"
+#include "relief/block_work.h"
+#include "relief/methods/look_up_point.h"
+
+namespace relief::grid {
+
+namespace {
+
+// Hits of a row of cells, all of them known.
+void setRow(Centres& centres, std::size_t cell, std::size_t count, const double* s, const double* t,
+            const double* lambda) {
+    std::memset(centres.known.data() + cell, 1, count);
+    std::copy_n(s, count, centres.s.data() + cell);
+    std::copy_n(t, count, centres.t.data() + cell);
+    std::copy_n(lambda, count, centres.lambda.data() + cell);
+    const glm::dvec2 scale = centres.cells.scale;
+    for (std::size_t n = 0; n < count; ++n) centres.pictureS[cell + n] = static_cast<float>(s[n] * scale.x);
+    for (std::size_t n = 0; n < count; ++n) centres.pictureT[cell + n] = static_cast<float>(t[n] * scale.y);
+    for (std::size_t n = 0; n < count; ++n) centres.height[cell + n] = static_cast<float>(lambda[n]);
+}
+
+// All centres that the picture has, row after row.
+void takePicture(const HeightField& field, const PictureHits& picture, Centres& centres) {
+    const TileCells& cells = centres.cells;
+    const HitBlock& hits = *picture.hits;
+    const int from = std::max(cells.x0, 0), to = std::min(cells.x0 + cells.width, picture.width);
+    const auto count = static_cast<std::size_t>(std::max(to - from, 0));
+    centres.allKnown = true;
+    for (int y = cells.y0; y < cells.y0 + cells.height; ++y) {
+        const bool there = picture.hasRow(y) && count > 0;
+        centres.allKnown = centres.allKnown && there && count == cells.row();
+        if (!there) continue;
+        const std::size_t i = picture.at(from, y), cell = cells.at(from, y);
+        const std::uint8_t* polygon = picture.polygon + i;
+        const Outcome* outcome = hits.outcome.data() + i;
+        // Columns' places must be looked up.
+        int other = field.surface() == Surface::Bilinear ? 0 : 1;
+        for (std::size_t n = 0; n < count; ++n)
+            other += polygon[n] != cells.view->number || outcome[n] != Outcome::Hit ? 1 : 0;
+        if (other == 0) {
+            setRow(centres, cell, count, hits.s.data() + i, hits.t.data() + i, hits.lambda.data() + i);
+            continue;
+        }
+        for (std::size_t n = 0; n < count; ++n) {
+            const bool known = polygon[n] == cells.view->number;
+            centres.known[cell + n] = known ? 1 : 0;
+            centres.allKnown = centres.allKnown && known;
+            if (!known || outcome[n] != Outcome::Hit) continue;
+            const glm::dvec2 place = lookUpPoint(field, (*picture.rays)[i + n], hits[i + n]);
+            centres.set(cell + n, place.x, place.y, hits.lambda[i + n]);
+        }
+    }
+}
+
+// Marks in survey.near the cells up to `reach` from these pixels of the block that are not known.
+void markNear(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, const Centres& centres,
+              SurveyWork& survey) {
+    const TileCells& cells = centres.cells;
+    const std::size_t row = cells.row(), rows = cells.count() / row, far = static_cast<std::size_t>(reach);
+    for (auto* column : {&survey.own, &survey.along, &survey.near}) column->assign(cells.count(), 0);
+    for (const std::size_t i : pixels) survey.own[cells.at(block.x[i], block.y[i])] = 1;
+    // Along rows, then along columns; the pixels keep kTileHalo cells from the rim.
+    const auto join = [](std::uint8_t* to, const std::uint8_t* from, std::size_t count) {
+        for (std::size_t c = 0; c < count; ++c) to[c] |= from[c];
+    };
+    const std::size_t inner = cells.count() - 2 * far;
+    for (std::size_t n = 0; n <= 2 * far; ++n) join(survey.along.data() + far, survey.own.data() + n, inner);
+    for (std::size_t y = 0; y < rows; ++y) {
+        const std::size_t last = std::min(y + far, rows - 1);
+        for (std::size_t from = y < far ? 0 : y - far; from <= last; ++from) {
+            join(survey.near.data() + y * row, survey.along.data() + from * row, row);
+        }
+    }
+    for (std::size_t c = 0; c < cells.count(); ++c) survey.near[c] &= static_cast<std::uint8_t>(1 - centres.known[c]);
+}
+
+// The centres of the marked cells.
+void findMissing(const TileCells& cells, const std::vector<std::uint8_t>& near, Places& missing) {
+    missing.count = 0;
+    const std::uint8_t* const end = near.data() + cells.count();
+    const auto next = [&](const std::uint8_t* from) {
+        return static_cast<const std::uint8_t*>(std::memchr(from, 1, static_cast<std::size_t>(end - from)));
+    };
+    for (const std::uint8_t* at = next(near.data()); at != nullptr; at = next(at + 1)) {
+        const auto cell = static_cast<std::size_t>(at - near.data());
+        missing.reserve(1);
+        missing.slots[missing.count] = static_cast<std::uint32_t>(cell);
+        missing.x[missing.count] = cells.x0 + static_cast<int>(cell % cells.row()) + 0.5;
+        missing.y[missing.count] = cells.y0 + static_cast<int>(cell / cells.row()) + 0.5;
+        ++missing.count;
+    }
+}
+
+// Traces the centres up to `reach` cells from these pixels of the block that are not known. Returns whether any was.
+bool complete(Run& run, std::span<const std::size_t> pixels, int reach, Centres& centres, SurveyWork& survey) {
+    if (centres.allKnown) return false;
+    markNear(run.block, pixels, reach, centres, survey);
+    findMissing(centres.cells, survey.near, survey.missing);
+    const Places& missing = survey.missing;
+    for (std::size_t begin = 0; begin < missing.count; begin += kRayGrain) {
+        const std::size_t count = std::min(kRayGrain, missing.count - begin);
+        traceBatch(run, *centres.cells.view, missing, begin, count, survey.batch);
+        const HitBlock& hits = survey.batch.hits;
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::size_t cell = missing.slots[begin + n];
+            centres.known[cell] = 1;
+            if (hits.outcome[n] == Outcome::Hit) centres.set(cell, hits.s[n], hits.t[n], hits.lambda[n]);
+        }
+    }
+    return missing.count > 0;
+}
+
+void findAround(const Run& run, const Centres& centres, BitColumn& around) {
+    const TileCells& cells = centres.cells;
+    reserve(around, cells.count() + kCellSlack);
+    const CellHits hits{cells.width, cells.height, centres.pictureS.data(), centres.pictureT.data(),
+                        centres.height.data()};
+    findSurroundings(hits, run.setup.bounds, around.data());
+}
+
+}  // namespace
+
+void traceBatch(Run& run, const PixelView& view, const Places& places, std::size_t begin, std::size_t count,
+                RayBatch& batch) {
+    assert(count <= kRayGrain);
+    const GridSetup& setup = run.setup;
+    batch.rays.resize(count);
+    raysThrough(view, {places.x.data() + begin, count}, {places.y.data() + begin, count}, batch.rays, 0);
+    if (setup.coneHits) {
+        setup.coneHits->trace(batch.rays, batch.hits, *setup.tracer, run.work);
+    } else {
+        NullSink sink;
+        setup.tracer->trace(batch.rays, batch.hits, sink, run.work);
+    }
+    run.counts.tested += static_cast<std::int64_t>(count);
+    const HeightField& field = setup.tracer->field();
+    if (field.surface() != Surface::Columns) return;
+    for (std::size_t n = 0; n < count; ++n) {
+        if (batch.hits.outcome[n] != Outcome::Hit) continue;
+        const glm::dvec2 place = lookUpPoint(field, batch.rays[n], batch.hits[n]);
+        batch.hits.s[n] = place.x, batch.hits.t[n] = place.y;
+    }
+}
+
+Centres& takeCentres(const Run& run, const TilePixels& pixels, Reused<Centres>& out) {
+    Centres& centres = out.refill();
+    centres.cells = pixels.cells;
+    const std::size_t count = pixels.cells.count(), columns = count + kCellSlack;
+    centres.s.assign(columns, std::numeric_limits<double>::quiet_NaN());
+    centres.pictureS.assign(columns, std::numeric_limits<float>::quiet_NaN());
+    reserve(centres.t, columns), reserve(centres.lambda, columns);
+    reserve(centres.pictureT, columns), reserve(centres.height, columns);
+    centres.known.assign(count, 0);
+    centres.allKnown = false;
+    const FilterBlock& block = run.block;
+    if (block.picture != nullptr) {
+        takePicture(run.setup.tracer->field(), *block.picture, centres);
+        return centres;
+    }
+    for (const std::size_t i : pixels.indices) {
+        const std::size_t cell = pixels.cells.at(block.x[i], block.y[i]);
+        centres.known[cell] = 1;
+        centres.set(cell, block.s[i], block.t[i], block.lambda[i]);
+    }
+    return centres;
+}
+
+NearGround surveyPixels(Run& run, const TilePixels& pixels, Centres& centres, SurveyWork& survey,
+                        Reused<BitColumn>& out) {
+    complete(run, pixels.indices, 1, centres, survey);
+    BitColumn& around = out.refill();
+    findAround(run, centres, around);
+    return {centres, around};
+}
+
+EdgeGround surveyEdges(Run& run, const PlaneSplit& split, const NearGround& ground, SurveyWork& survey) {
+    if (complete(run, split.edges, kTileHalo, ground.centres, survey)) findAround(run, ground.centres, ground.around);
+    return {ground.centres, ground.around};
+}
+
+}  // namespace relief::grid

@@ -1,0 +1,209 @@
+// The stages in which the grid filter (elliptical_grid.h) filters one tile, in their order, and what each makes. A
+// stage takes the results of the stages before it as arguments and returns its own, so that none can be called too
+// early. Private to elliptical_grid*.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "filtering/elliptical_grid.h"
+#include "filtering/grid_lanes.h"
+
+namespace relief::grid {
+
+// Cells round an edge pixel whose centres are needed: its points lie within kLatticeHalo, the centres round these one
+// further, and the neighbours by which those are judged one further still.
+inline constexpr int kTileHalo = kLatticeHalo + 2;
+
+// A stage's result, whose memory is kept from tile to tile. Only the stage refills it; the others get what it returns.
+template <class T>
+class Reused {
+  public:
+    T& refill() { return value_; }
+
+  private:
+    T value_;
+};
+
+// Makes the column at least as long as this; what it holds stays.
+template <class T>
+void reserve(std::vector<T>& column, std::size_t count) {
+    if (column.size() < count) column.resize(count);
+}
+
+// Bits of each cell: one for each of its points, or Surroundings.
+using BitColumn = std::vector<std::uint16_t>;
+
+// The cells of a tile, row after row: the squares of its pixels and of kTileHalo pixels around them. The colour of a
+// cell's point has the slot cell * points + point; point 0 is the centre.
+struct TileCells {
+    const PixelView* view = nullptr;
+    glm::dvec2 scale{1};  // texels of the picture per texel of the height map
+    int x0 = 0, y0 = 0, width = 0, height = 0;
+
+    std::size_t count() const { return row() * static_cast<std::size_t>(height); }
+    std::size_t row() const { return static_cast<std::size_t>(width); }
+    // The first cell with all eight neighbours; the last such is count() - 1 - inner().
+    std::size_t inner() const { return row() + 1; }
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y - y0) * row() + static_cast<std::size_t>(x - x0);
+    }
+};
+
+struct TilePixels {
+    TileCells cells;
+    std::vector<std::size_t> indices;  // in the block
+};
+
+// Hits of the view's rays through cells' centres; s is NaN where nothing is met, or not yet known. findSurroundings
+// reads them in float and in texels of the picture: pictureS, pictureT, height.
+struct Centres {
+    TileCells cells;
+    std::vector<double> s, t, lambda;
+    std::vector<float> pictureS, pictureT, height;
+    std::vector<std::uint8_t> known;
+    bool allKnown = false;
+
+    void set(std::size_t cell, double atS, double atT, double atLambda) {
+        s[cell] = atS, t[cell] = atT, lambda[cell] = atLambda;
+        pictureS[cell] = static_cast<float>(atS * cells.scale.x);
+        pictureT[cell] = static_cast<float>(atT * cells.scale.y);
+        height[cell] = static_cast<float>(atLambda);
+    }
+};
+
+// Centres known up to one cell from all pixels of the tile, and their Surroundings. surveyEdges adds to both.
+struct NearGround {
+    Centres& centres;
+    BitColumn& around;
+};
+// Centres known up to kTileHalo cells from the tile's edge pixels, and their Surroundings.
+struct EdgeGround {
+    const Centres& centres;
+    const BitColumn& around;
+};
+
+// The pixels whose surroundings are planes, as queries with the planes' Jacobians, and the others: edges.
+struct PlaneSplit {
+    FilterBlock planes;
+    std::vector<std::size_t> planeOf, edges;  // indices in the block
+};
+
+// Points that edge pixels sum, and the centres round them; and the points whose hits are interpolated from centres.
+struct PointPlan {
+    BitColumn needed, interpolated;
+};
+
+// A footprint that was read, for the log.
+struct ReadPoint {
+    std::uint32_t slot;
+    glm::dvec2 place;
+    Jacobian jacobian;
+};
+
+// Colours by slot, so far of centres. The same as columns over the cells: infinite where unknown.
+struct CentreColors {
+    std::vector<PointColor> slots;
+    std::array<std::vector<float>, 3> channel;
+    std::vector<ReadPoint> read;  // with a log alone
+};
+
+// The needed points whose colours are not means of centres' colours.
+struct RestPoints {
+    BitColumn needed;
+};
+
+// The colours of all needed points, by slot.
+struct PointColors {
+    const std::vector<PointColor>& slots;
+    const std::vector<ReadPoint>& read;
+};
+
+// What a stage is given besides earlier results. counts.tested counts the rays that it traces.
+struct Run {
+    const GridSetup& setup;
+    const FilterBlock& block;
+    FootprintCounts& counts;
+    Work& work;
+    FootprintLog* log;  // null but for a block of one
+};
+
+// Working memory within stages: nothing in it passes from one stage to another.
+struct RayBatch {
+    RayBlock rays;
+    HitBlock hits;
+};
+// Points by place; the columns' first `count` entries are in use.
+struct Places {
+    std::size_t count = 0;
+    std::vector<std::uint32_t> slots;
+    std::vector<double> x, y;  // in the picture
+
+    void reserve(std::size_t more) {
+        grid::reserve(slots, count + more), grid::reserve(x, count + more), grid::reserve(y, count + more);
+    }
+};
+// What is read for points, and the slots of their colours; also the slots of points that meet nothing.
+struct Footprints {
+    PointBlock block;
+    std::vector<std::uint32_t> slots, missed;
+};
+struct SurveyWork {
+    std::vector<std::uint8_t> own, along, near;
+    Places missing;
+    RayBatch batch;
+};
+struct PointWork {
+    BitColumn mask;
+    std::vector<std::int32_t> which;
+    Places places;
+    HitBlock centreHits;
+    RayBatch batch;
+    Footprints footprints;
+};
+struct SumWork {
+    std::vector<Color> planes;
+    std::vector<std::int32_t> base, offset;
+    std::vector<PointColor> sums;
+};
+
+// Traces rays through the places [begin, begin + count), at most kRayGrain; hits lie where colours are looked up.
+void traceBatch(Run& run, const PixelView& view, const Places& places, std::size_t begin, std::size_t count,
+                RayBatch& batch);
+
+// 1. Takes the block's pixels [first, last), of one view and tile; those that the grid does not serve go to `alone`.
+const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t last, glm::dvec2 scale,
+                               Reused<TilePixels>& out, std::vector<std::size_t>& alone);
+// 2. Takes the centres that the picture has, or else the block.
+Centres& takeCentres(const Run& run, const TilePixels& pixels, Reused<Centres>& out);
+// 3. Traces the centres up to one cell from all pixels that are not known.
+NearGround surveyPixels(Run& run, const TilePixels& pixels, Centres& centres, SurveyWork& survey,
+                        Reused<BitColumn>& out);
+// 4. Parts the pixels by their surroundings.
+const PlaneSplit& splitPixels(const Run& run, const TilePixels& pixels, const NearGround& ground,
+                              Reused<PlaneSplit>& out);
+// 5. Filters the pixels on planes.
+void filterPlanes(Run& run, const PlaneSplit& split, SumWork& sum, std::span<Color> colors);
+// 6. Traces the centres up to kTileHalo cells from the edge pixels that are not known.
+EdgeGround surveyEdges(Run& run, const PlaneSplit& split, const NearGround& ground, SurveyWork& survey);
+// 7. Finds which points the edge pixels need, and which of them need no ray.
+const PointPlan& planPoints(const Run& run, const PlaneSplit& split, const EdgeGround& ground, PointWork& points,
+                            Reused<PointPlan>& out);
+// 8. Reads the colours of the needed centres.
+CentreColors& readCentres(Run& run, const EdgeGround& ground, const PointPlan& plan, PointWork& points,
+                          Reused<CentreColors>& out);
+// 9. Gives points between centres of nearly equal colours the mean of these; returns the other points.
+const RestPoints& meanColors(const Run& run, const EdgeGround& ground, const PointPlan& plan, CentreColors& colors,
+                             PointWork& points, Reused<RestPoints>& out);
+// 10. Reads the colours of the other points, tracing those that are not interpolated.
+PointColors readPoints(Run& run, const EdgeGround& ground, const PointPlan& plan, const RestPoints& rest,
+                       CentreColors& colors, PointWork& points);
+// 11. Sums the edge pixels' colours: weighted means of their points'.
+void sumEdges(Run& run, const EdgeGround& ground, const PlaneSplit& split, const PointColors& points, SumWork& sum,
+              std::span<Color> colors);
+// 12. Logs the texels of the block's one pixel, an edge, as shares of its points' weights.
+void logEdge(Run& run, const EdgeGround& ground, const RestPoints& rest, const PointColors& points);
+
+}  // namespace relief::grid
