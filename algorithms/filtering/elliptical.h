@@ -91,7 +91,7 @@ class EllipticalKernel {
     // From now on blocks and single pixels are filtered in lanes, where these serve.
     void setLanes(std::shared_ptr<const EllipticalLanes> lanes) { lanes_ = std::move(lanes); }
     const std::shared_ptr<const ColorLevels>& sharedLevels() const { return levels_; }
-    // Null: the scalar text filters.
+    // Null: the reference filters.
     std::shared_ptr<const LaneLevels> laneLevels() const { return lanes_ ? lanes_->levels() : nullptr; }
     LevelAxis across(int l) const { return levels_->across(l, address_); }
     LevelAxis down(int l) const { return levels_->down(l, address_); }
@@ -104,7 +104,7 @@ class EllipticalKernel {
     // The same bits for the block's first pixels, as many as colours; scale: texels of level 0 per texel of the
     // block's.
     void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts) const;
-    // The text to read: one pixel in double, whatever its footprint and weights. elliptical_lanes.h is its twin.
+    // The reference: one pixel in double, whatever its footprint and weights. SIMD version: elliptical_lanes.h.
     Color filterScalar(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts,
                        FootprintLog* log = nullptr) const;
     // What is not an ellipse: bilinear, shape, top.

@@ -1,12 +1,12 @@
-// The fast twin of EllipticalKernel::filterScalar (elliptical.h): one pixel a lane, 16, 8 or 4 of them, by Google
-// Highway, the instruction set chosen when the program runs.
+// The SIMD version of EllipticalKernel::filterScalar (elliptical.h): one pixel per lane, 16, 8 or 4 of them, by Google
+// Highway, the instruction set chosen at run time.
 //
-// Other than the scalar text: levels hold 16 bits a channel, the footprint's ellipse is made in float, and the
+// Unlike the reference: levels hold 16 bits a channel, the footprint's ellipse is made in float, and the
 // Gaussian's exponential is a polynomial (relative error 2.6e-6). Each pixel's sum runs over its own texels in the
-// scalar text's order, with operations that round alike everywhere: equal bits on every instruction set, in any
+// reference's order, with operations that round alike everywhere: equal bits on every instruction set, in any
 // company.
 //
-// Left to the scalar text: footprints that are not finite, larger than the picture, smaller than a texel, or at the
+// Left to the reference: footprints that are not finite, larger than the picture, smaller than a texel, or at the
 // narrow last texel of a level that is not a power of two; weights and levels without a closed form (serves()).
 #pragma once
 

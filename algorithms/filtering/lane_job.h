@@ -40,8 +40,8 @@ struct LaneChunk {
     alignas(64) float restS[kLanePixels], restT[kLanePixels];                              // in it
     alignas(64) float valid[kLanePixels];
 
-    // The job's pixels from begin on, those before the from-th left as they are, and what follows the last. The twin to
-    // read of fillChunk.
+    // The job's pixels from begin on, those before the from-th left as they are, and what follows the last. The
+    // reference of fillChunk.
     void fill(const LaneJob& job, std::size_t begin, std::size_t from = 0);
 };
 

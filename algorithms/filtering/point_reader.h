@@ -6,7 +6,7 @@
 // variance 4^l / 4; what the major axis has beyond that is spread over the taps, evenly spaced and alike.
 //
 // In lanes of 16-bit levels, one point a lane, where lane levels are given; equal bits on every instruction set and in
-// any company. color() is the twin to read: places that are not finite, and levels with a narrow last texel near it,
+// any company. color() is the reference: places that are not finite, and levels with a narrow last texel near it,
 // are left to it.
 #pragma once
 

@@ -57,7 +57,7 @@ std::vector<std::string> mappingNames();
 // What `relief bench rows` measures by itself.
 std::vector<RowMethod> defaultRowMethods();
 
-// Operations a pixel, restarts in them: what one more pixel costs in the long run. By running the text on a counting
+// Operations a pixel, restarts in them: what one more pixel costs in the long run. By running the variant on a counting
 // scalar. anchor: pixels, 0 for never; span as resolved.
 struct PixelCounts {
     double mul = 0, add = 0, div = 0;

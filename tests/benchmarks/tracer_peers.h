@@ -43,7 +43,7 @@ struct PeerCell {
     double ratio = 0, ratioSpread = 0;  // medians over rounds
     double differs = 0;                 // share of the rays on which Embree's fastest variant is off by > 0.05 texel
     std::int64_t wrong = 0;             // rays on which the method is not bit for bit the reference
-    double bytes = 0;                   // of maps and heights that the scalar text reads a ray, mean
+    double bytes = 0;                   // of maps and heights that the reference reads per ray, mean
 };
 // Cells, geometric means, growth with the size.
 void printCells(const std::vector<PeerCell>& cells, std::ostream& out);

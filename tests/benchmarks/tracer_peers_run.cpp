@@ -184,7 +184,7 @@ class Comparison {
         for (const Elevation& view : options_.views) {
             Subject subject{view, peerRays(field, view, options_.view), {}};
             BlockCounts counts;
-            // The counting form is the scalar text.
+            // The counting form is the reference.
             reference->trace(subject.rays, subject.truth, counts, work_);
             subjects.push_back(std::move(subject));
         }

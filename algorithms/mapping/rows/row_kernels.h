@@ -1,5 +1,5 @@
 // Texture coordinates along a row, every variant, as text to be read beside the papers' formulas. Which is which, what
-// it costs and what it is good for: rows.h. The lanes of row_lanes.cpp are the fast twin of streamsRow.
+// it costs and what it is good for: rows.h. row_lanes.cpp is the SIMD version of streamsRow.
 //
 // Each writes u[n], v[n] (texels) for n in [0, row.count); q must stay positive on the whole row (rows.h clips).
 // Templates over the scalar: float, double, a counting scalar. Source of all but the last: [PERSP], its formulas'

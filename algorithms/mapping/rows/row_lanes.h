@@ -1,5 +1,5 @@
-// The fast twin of streamsRow (row_kernels.h): one stream a lane, by Google Highway, the instruction set chosen when
-// the program runs. Additions and divisions are those of the scalar text in the same order, so the bits are the same
+// The SIMD version of streamsRow (row_kernels.h): one stream per lane, by Google Highway, the instruction set chosen
+// at run time. Additions and divisions are those of the reference in the same order, so the bits are the same
 // on every instruction set; tests force each.
 #pragma once
 

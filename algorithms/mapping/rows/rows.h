@@ -76,7 +76,7 @@ struct RowOptions {
     int streams = 16;           // streams, rows-parallel: k, 1 to kMostStreams
     int span = 16;              // subspan: m, pixels, 1 to kLongestSpan
     int anchor = kRecommended;  // forward differences: pixels between restarts; rounded up to whole steps
-    bool lanes = true;          // streams: the fast twin where there is one, with the same bits
+    bool lanes = true;          // streams: the SIMD version where there is one, with the same bits
 
     bool operator==(const RowOptions&) const = default;
 };

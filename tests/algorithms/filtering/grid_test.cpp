@@ -285,7 +285,7 @@ TEST(PointReader, lanesAreNearTheTwin) {
         Work work(1);
         const auto levels = std::make_shared<const ColorLevels>(picture, work);
         const PointReader lanes(levels, c.address, laneLevels(*levels, c.address, work));
-        const PointReader twin(levels, c.address, nullptr);
+        const PointReader alone(levels, c.address, nullptr);
         PointBlock points;
         constexpr std::size_t kPoints = 3001;
         points.resize(kPoints);
@@ -303,7 +303,7 @@ TEST(PointReader, lanesAreNearTheTwin) {
         std::vector<std::uint32_t> slots(kPoints);
         for (std::size_t i = 0; i < kPoints; ++i) slots[i] = static_cast<std::uint32_t>((i * 7) % kPoints);
         lanes.read(points, slots, got.data(), counts);
-        twin.read(points, slots, expected.data(), counts);
+        alone.read(points, slots, expected.data(), counts);
         int apart = 0;
         for (std::size_t i = 0; i < kPoints; ++i) {
             double difference = 0;

@@ -1,4 +1,4 @@
-// elliptical_lanes.h against its scalar twin, and against itself on every instruction set and in any company.
+// elliptical_lanes.h against its reference, and against itself on every instruction set and in any company.
 #include "filtering/elliptical_lanes.h"
 
 #include <gtest/gtest.h>
@@ -65,13 +65,14 @@ TEST(EllipticalLanes, NearTheScalarText) {
             const HeightField field = fieldFor(*picture, c.address);
             OptionValues scalar = options;
             scalar["implementation"] = "scalar";
-            MadeFilter lanes({"elliptical", options}, picture, field), twin({"elliptical", scalar}, picture, field);
+            MadeFilter lanes({"elliptical", options}, picture, field);
+            MadeFilter reference({"elliptical", scalar}, picture, field);
             const FilterBlock queries = block(random, c, 2011);
-            FootprintCounts read, readByTwin;
+            FootprintCounts read, readByReference;
             const auto got = colorsOf(*lanes.filter, queries, read);
-            const auto expected = colorsOf(*twin.filter, queries, readByTwin);
-            EXPECT_NEAR(static_cast<double>(read.footprints), static_cast<double>(readByTwin.footprints), 2);
-            EXPECT_EQ(read.bilinear, readByTwin.bilinear);
+            const auto expected = colorsOf(*reference.filter, queries, readByReference);
+            EXPECT_NEAR(static_cast<double>(read.footprints), static_cast<double>(readByReference.footprints), 2);
+            EXPECT_EQ(read.bilinear, readByReference.bilinear);
             for (std::size_t i = 0; i < queries.size(); ++i) {
                 double difference = 0;
                 for (int k = 0; k < 3; ++k) {
@@ -147,7 +148,7 @@ TEST(EllipticalLanes, TheLogIsWhatWasSummed) {
     }
 }
 
-// 16 bits would not do: the scalar text serves.
+// 16 bits would not do: the reference serves.
 TEST(EllipticalLanes, BrighterThanWhite) {
     Random random(kSeed + 5);
     const auto picture = std::make_shared<ColorImage>(*randomPicture(32, 32, kSeed));
@@ -155,10 +156,10 @@ TEST(EllipticalLanes, BrighterThanWhite) {
     const LaneCase c{32, 32, Address::Repeat};
     const HeightField field = fieldFor(*picture, c.address);
     MadeFilter made({"elliptical", {}}, picture, field);
-    MadeFilter twin({"elliptical", {{"implementation", "scalar"}}}, picture, field);
+    MadeFilter reference({"elliptical", {{"implementation", "scalar"}}}, picture, field);
     const FilterBlock queries = block(random, c, 50);
     FootprintCounts counts;
-    EXPECT_EQ(colorsOf(*made.filter, queries, counts), colorsOf(*twin.filter, queries, counts));
+    EXPECT_EQ(colorsOf(*made.filter, queries, counts), colorsOf(*reference.filter, queries, counts));
 }
 
 }  // namespace

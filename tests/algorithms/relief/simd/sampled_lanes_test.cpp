@@ -1,4 +1,4 @@
-// Layers and interpolated distances in lanes against their scalar text: the same bits, for any target.
+// Layers and interpolated distances in lanes against their reference: the same bits, for any target.
 #include <bit>
 #include <limits>
 
