@@ -568,6 +568,10 @@
         <translation>де в пікселі рахується тексель: його місце на площині (як у статті), справжнє, і з видимою площею (наші); або що бачать промені крізь частини пікселя, власні чи на спільній із сусідами сітці (наші; типово сітка)</translation>
     </message>
     <message>
+        <source>how footprints are computed: each pixel&apos;s derivatives in double; or along rows in float ([TEX]), by differences or by cached squares; slower</source>
+        <translation>як обчислюються сліди: похідними кожного пікселя з подвійною точністю; або вздовж рядків з одинарною ([TEX]), різницями чи збереженими квадратами; повільніше</translation>
+    </message>
+    <message>
         <source>form=rays: through a pixel in which the relief is no plane</source>
         <translation>form=rays: крізь піксель, у якому рельєф не є площиною</translation>
     </message>
@@ -614,6 +618,10 @@
     <message>
         <source>Resolution</source>
         <translation>Роздільність</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Еліпс</translation>
     </message>
     <message>
         <source>Form</source>

@@ -14,6 +14,7 @@
 #include "part.h"
 #include "parts_run.h"
 #include "render_many.h"
+#include "rendering/ellipse_error.h"
 #include "rendering/skip_ledger.h"
 #include "scratch_folder.h"
 #include "team.h"
@@ -128,7 +129,7 @@ Json skippedJson(const Frame& frame, const FrameRequest& request, const BoundedE
 
 // path: of the report; pictures near it are named relative to it, as in a scenario's own file.
 std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped,
-                       const Json& base, Session& session, const Seconds& seconds) {
+                       const Json& base, double axisDifference, Session& session, const Seconds& seconds) {
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     std::map<std::string, double> counters = session.work().counters().values();
     for (const auto& [name, value] : frame.counters) counters[name] = value;
@@ -149,6 +150,13 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
     // rows.
     if (findTracer(scenario.method.name).kind != MethodKind::Mesh) {
         report["mapping"] = {{"name", scenario.mapping}, {"off_direct_texels", frame.mappingOff}};
+    }
+    // off_direct: the largest relative difference of a footprint's semi-axis from that of ellipse=direct.
+    const OptionValues& usual = findFilter(scenario.filter.name).defaults;
+    if (const auto ellipse = usual.find("ellipse"); ellipse != usual.end()) {
+        const auto given = scenario.filter.options.find("ellipse");
+        report["ellipse"] = {{"name", (given == scenario.filter.options.end() ? ellipse : given)->second},
+                             {"off_direct", axisDifference}};
     }
     report["maps"] = {{"builds", countJson(taken("map builds"))},
                       {"bytes", countJson(taken("map bytes"))},
@@ -225,8 +233,11 @@ class OnePicture {
         parts.counts = options_.report || wantsSteps;
         parts.done = [&](const Frame& part) {
             if (planes) timed(seconds_.write, [&] { planes->add(part, *request_, work); });
-            if (!options_.report || !(request_->bounded > 0)) return;
-            timed(seconds_.count, [&] { bounded_.add(part, *request_, *maps_, work); });
+            if (!options_.report) return;
+            timed(seconds_.count, [&] {
+                ellipseError_ = std::max(ellipseError_, ellipseError(part, *request_, work));
+                if (request_->bounded > 0) bounded_.add(part, *request_, *maps_, work);
+            });
         };
         frame_ = timed(seconds_.render, [&] { return renderer_.picture(*request_, work, parts); });
         seconds_.count += frame_->countSeconds;
@@ -249,7 +260,7 @@ class OnePicture {
             session_.note("--set", baseLevelSentence(*measure));
             base = baseJson(*measure);
         }
-        report.write(reportText(path, scenario_, *frame_, skipped, base, session_, seconds_));
+        report.write(reportText(path, scenario_, *frame_, skipped, base, ellipseError_, session_, seconds_));
         report.commit();
     }
 
@@ -265,6 +276,7 @@ class OnePicture {
     FrameRenderer renderer_{maps_};
     std::optional<FrameRequest> request_;
     BoundedSums bounded_;
+    double ellipseError_ = 0;
     std::shared_ptr<const Frame> frame_;
 };
 

@@ -89,6 +89,12 @@ TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
     const Json bent = wall("max-pyramid");
     EXPECT_EQ(bent["mapping"]["name"], "affine");
     EXPECT_GT(bent["mapping"]["off_direct_texels"], 1);
+    EXPECT_FALSE(lit.contains("ellipse")) << "bilinear reads none";
+    const Json rows = Json::parse(runFine({"render", "--height", height, "--size", "40x30", "--filter",
+                                           "elliptical:ellipse=cached", "-o", path("p.png"), "--report", "-"}));
+    EXPECT_EQ(rows["ellipse"]["name"], "cached");
+    EXPECT_GT(rows["ellipse"]["off_direct"], 0);
+    EXPECT_LT(rows["ellipse"]["off_direct"], 1e-4);
     EXPECT_FALSE(wall("displacement").contains("mapping")) << "triangles take no rows";
 }
 

@@ -159,6 +159,9 @@ namespace {
                       "neighbours share (ours; grid: the default)"),
     QT_TRANSLATE_NOOP("core",
                       "many pixels at once, of 16-bit levels, where the formula is direct; or one by one in double"),
+    QT_TRANSLATE_NOOP("core",
+                      "how footprints are computed: each pixel's derivatives in double; or along rows in float "
+                      "([TEX]), by differences or by cached squares; slower"),
     QT_TRANSLATE_NOOP("core", "form=rays: through a pixel in which the relief is no plane"),
     QT_TRANSLATE_NOOP("core", "form=grid: looked at for each pixel where the relief is no plane"),
     QT_TRANSLATE_NOOP("core", "samples along each side of a pixel"),
@@ -171,6 +174,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "Texel size"),
     QT_TRANSLATE_NOOP("core", "Source"),
     QT_TRANSLATE_NOOP("core", "Resolution"),
+    QT_TRANSLATE_NOOP("core", "Ellipse"),
     QT_TRANSLATE_NOOP("core", "Form"),
     QT_TRANSLATE_NOOP("core", "Samples"),
     QT_TRANSLATE_NOOP("core", "Pixel model"),

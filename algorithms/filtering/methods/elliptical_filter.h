@@ -3,6 +3,8 @@
 // through.
 #pragma once
 
+#include "base/borrowed.h"
+#include "filtering/ellipse_rows.h"
 #include "filtering/elliptical.h"
 #include "filtering/elliptical_lanes.h"
 #include "filtering/texture_filter.h"
@@ -21,9 +23,40 @@ inline EllipticalKernel ellipticalKernel(const EllipticalOptions& options, const
     return kernel;
 }
 
+struct EllipticalFilterOptions : EllipticalOptions {
+    std::string ellipse = "direct";
+
+    static std::vector<OptionField<EllipticalFilterOptions>> fields() {
+        auto all = EllipticalOptions::fieldsOf<EllipticalFilterOptions>();
+        all.push_back({{"ellipse",
+                        OptionKind::Choice,
+                        "",
+                        0,
+                        1,
+                        1,
+                        {"direct", "iterative", "cached"},
+                        "how footprints are computed: each pixel's derivatives in double; or along rows in float "
+                        "([TEX]), by differences or by cached squares; slower"},
+                       &EllipticalFilterOptions::ellipse});
+        return all;
+    }
+    // Throws InputError: weights that are not round need more of a pixel than its ellipse.
+    EllipseForm form() const {
+        const EllipseForm form = ellipseForm(ellipse);
+        if (form == EllipseForm::Cached && EllipticalSettings::of(*this).shaped()) {
+            const std::string range = "direct, iterative (weights=" + weights + ")";
+            throw InputError("--filter-set", Message(MessageId::OutOfRange,
+                                                     {{"what", "ellipse"}, {"value", ellipse}, {"range", range}}));
+        }
+        return form;
+    }
+
+    bool operator==(const EllipticalFilterOptions&) const = default;
+};
+
 class EllipticalFilter final : public TextureFilter {
   public:
-    using Options = EllipticalOptions;
+    using Options = EllipticalFilterOptions;
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = "elliptical";
@@ -34,22 +67,37 @@ class EllipticalFilter final : public TextureFilter {
     }
     static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache&,
                                                      Work& work) {
-        return std::make_unique<EllipticalFilter>(tools, ellipticalKernel(options, tools, work));
+        return std::make_unique<EllipticalFilter>(tools, ellipticalKernel(options, tools, work), options.form());
     }
-    EllipticalFilter(const FilterTools& tools, EllipticalKernel kernel)
-        : kernel_(std::move(kernel)), scale_(tools.pictureScale()) {}
+    EllipticalFilter(const FilterTools& tools, EllipticalKernel kernel, EllipseForm form)
+        : kernel_(std::move(kernel)), scale_(tools.pictureScale()), form_(form) {}
 
     const FilterDescription& description() const override { return filterDescriptionOf<EllipticalFilter>(); }
     Color color(const FilterQuery& query, FootprintCounts& counts, Work&, FootprintLog* log) const override {
-        return kernel_.filter(scaled(query.jacobian, scale_), query.place * scale_, counts, log);
+        Jacobian seen = query.jacobian;
+        if (form_ != EllipseForm::Direct) {
+            FilterBlock block, own;
+            block.push(query);
+            seen = footprints(block, own)[0].jacobian;
+        }
+        return kernel_.filter(scaled(seen, scale_), query.place * scale_, counts, log);
     }
     void colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts, Work&) const override {
-        kernel_.filter(block, scale_, colors, counts);
+        Borrowed<FilterBlock> own;
+        kernel_.filter(footprints(block, *own), scale_, colors, counts);
     }
 
   private:
+    // The block itself, or `own` with its places and its footprints of this form.
+    const FilterBlock& footprints(const FilterBlock& block, FilterBlock& own) const {
+        if (form_ == EllipseForm::Direct) return block;
+        ellipseRows(form_, block, own);
+        return own;
+    }
+
     EllipticalKernel kernel_;
     glm::dvec2 scale_;
+    EllipseForm form_;
 };
 
 }  // namespace relief

@@ -85,6 +85,14 @@ std::multimap<std::string, Change> changes() {
              r.filter.options.clear();
          }},
         {"filter", [](FrameRequest& r) { r.filter.samples = 3; }},
+        {"filter",
+         [](FrameRequest& r) {
+             r.filter = {"elliptical", {{"ellipse", "cached"}}};
+         }},
+        {"filter",
+         [](FrameRequest& r) {
+             r.filter = {"elliptical", {{"ellipse", "iterative"}}};
+         }},
         {"scene", [](FrameRequest& r) { r.scene = SceneKind::Wall; }},
         {"scene", [](FrameRequest& r) { r.scene = SceneKind::Cube; }},
         {"camera", [](FrameRequest& r) { r.camera.azimuth += 40; }},
