@@ -5,7 +5,7 @@
 
 namespace relief {
 
-// Calls visit.operator()<T>() for each T of List, a std::tuple, in order. Nothing of the list is made.
+// Calls visit.operator()<T>() for each T of List, a std::tuple, in order. No object of these types is made.
 template <class List, class Visit>
 void forEachType(const Visit& visit) {
     [&]<class... Types>(std::tuple<Types...>*) {

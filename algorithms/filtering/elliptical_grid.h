@@ -10,14 +10,14 @@
 // are made once for all pixels of a tile that need them, in the stages of grid_stages.h.
 //
 // A point depends on the picture's view and its place alone, not on the pixels that need it: equal bits in any company
-// and for any number of threads. Pixels of no view, with hits that are not exact, or next to the horizon go to
-// elliptical_rays.h.
+// and for any number of threads. Pixels of no view, with hits that are not exact, next to the horizon or
+// with footprints larger than four height maps go to elliptical_rays.h.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
-#include <vector>
 
 #include "filtering/elliptical_rays.h"
 #include "filtering/point_lattice.h"

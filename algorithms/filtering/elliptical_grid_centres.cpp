@@ -22,7 +22,7 @@ void setRow(Centres& centres, std::size_t cell, std::size_t count, const double*
     const glm::dvec2 scale = centres.cells.scale;
     for (std::size_t n = 0; n < count; ++n) centres.pictureS[cell + n] = static_cast<float>(s[n] * scale.x);
     for (std::size_t n = 0; n < count; ++n) centres.pictureT[cell + n] = static_cast<float>(t[n] * scale.y);
-    for (std::size_t n = 0; n < count; ++n) centres.height[cell + n] = static_cast<float>(lambda[n]);
+    for (std::size_t n = 0; n < count; ++n) centres.floatLambda[cell + n] = static_cast<float>(lambda[n]);
 }
 
 // All centres that the picture has, row after row.
@@ -120,7 +120,7 @@ void findAround(const Run& run, const Centres& centres, BitColumn& around) {
     const TileCells& cells = centres.cells;
     reserve(around, cells.count() + kCellSlack);
     const CellHits hits{cells.width, cells.height, centres.pictureS.data(), centres.pictureT.data(),
-                        centres.height.data()};
+                        centres.floatLambda.data()};
     findSurroundings(hits, run.setup.bounds, around.data());
 }
 
@@ -155,7 +155,7 @@ Centres& takeCentres(const Run& run, const TilePixels& pixels, Reused<Centres>& 
     centres.s.assign(columns, std::numeric_limits<double>::quiet_NaN());
     centres.pictureS.assign(columns, std::numeric_limits<float>::quiet_NaN());
     reserve(centres.t, columns), reserve(centres.lambda, columns);
-    reserve(centres.pictureT, columns), reserve(centres.height, columns);
+    reserve(centres.pictureT, columns), reserve(centres.floatLambda, columns);
     centres.known.assign(count, 0);
     centres.allKnown = false;
     const FilterBlock& block = run.block;

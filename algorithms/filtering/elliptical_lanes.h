@@ -6,7 +6,7 @@
 // reference's order, with operations that round alike everywhere: equal bits on every instruction set, in any
 // company.
 //
-// Left to the reference: footprints that are not finite, larger than the picture, smaller than a texel, or at the
+// Left to the reference: footprints that are not finite, larger than the picture, or at the
 // narrow last texel of a level that is not a power of two; weights and levels without a closed form (serves()).
 #pragma once
 

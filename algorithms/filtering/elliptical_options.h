@@ -15,7 +15,7 @@ namespace relief {
 enum class WeightKind : std::uint8_t { Uniform, Gaussian, TexelDistance, Box, Lcd, Crt };
 // Direct: the formula at each texel. Table: of r^2. Map: two-dimensional, over the pixel.
 enum class WeightSource : std::uint8_t { Direct, Table, Map };
-// Lanes: many pixels at once where that serves (elliptical_lanes.h), the scalar text elsewhere.
+// Lanes: many pixels at once where that serves (elliptical_lanes.h), the reference elsewhere.
 enum class Implementation : std::uint8_t { Lanes, Scalar };
 
 struct EllipticalOptions {

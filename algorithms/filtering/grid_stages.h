@@ -1,6 +1,7 @@
 // The stages in which the grid filter (elliptical_grid.h) filters one tile, in their order, and what each makes. A
 // stage takes the results of the stages before it as arguments and returns its own, so that none can be called too
-// early. Private to elliptical_grid*.cpp.
+// early; stages 3 and 6 complete Centres, 9 and 10 add the other points' colours to those of 8. Private to
+// elliptical_grid*.cpp.
 #pragma once
 
 #include <array>
@@ -36,8 +37,8 @@ void reserve(std::vector<T>& column, std::size_t count) {
 // Bits of each cell: one for each of its points, or Surroundings.
 using BitColumn = std::vector<std::uint16_t>;
 
-// The cells of a tile, row after row: the squares of its pixels and of kTileHalo pixels around them. The colour of a
-// cell's point has the slot cell * points + point; point 0 is the centre.
+// The cells of a tile, row after row: the bounding rectangle of its pixels, kTileHalo wider on each side. The colour of
+// a cell's point has the slot cell * points + point; point 0 is the centre.
 struct TileCells {
     const PixelView* view = nullptr;
     glm::dvec2 scale{1};  // texels of the picture per texel of the height map
@@ -58,11 +59,11 @@ struct TilePixels {
 };
 
 // Hits of the view's rays through cells' centres; s is NaN where nothing is met, or not yet known. findSurroundings
-// reads them in float and in texels of the picture: pictureS, pictureT, height.
+// reads them in float: pictureS and pictureT in texels of the picture, floatLambda.
 struct Centres {
     TileCells cells;
     std::vector<double> s, t, lambda;
-    std::vector<float> pictureS, pictureT, height;
+    std::vector<float> pictureS, pictureT, floatLambda;
     std::vector<std::uint8_t> known;
     bool allKnown = false;
 
@@ -70,7 +71,7 @@ struct Centres {
         s[cell] = atS, t[cell] = atT, lambda[cell] = atLambda;
         pictureS[cell] = static_cast<float>(atS * cells.scale.x);
         pictureT[cell] = static_cast<float>(atT * cells.scale.y);
-        height[cell] = static_cast<float>(atLambda);
+        floatLambda[cell] = static_cast<float>(atLambda);
     }
 };
 
@@ -103,7 +104,8 @@ struct ReadPoint {
     Jacobian jacobian;
 };
 
-// Colours by slot, so far of centres. The same as columns over the cells: infinite where unknown.
+// Colours by slot: of centres, after stage 10 of all needed points. The same as columns over the cells: infinite where
+// unknown.
 struct CentreColors {
     std::vector<PointColor> slots;
     std::array<std::vector<float>, 3> channel;
@@ -178,7 +180,7 @@ const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t la
                                Reused<TilePixels>& out, std::vector<std::size_t>& alone);
 // 2. Takes the centres that the picture has, or else the block.
 Centres& takeCentres(const Run& run, const TilePixels& pixels, Reused<Centres>& out);
-// 3. Traces the centres up to one cell from all pixels that are not known.
+// 3. Traces the centres not yet known within one cell of any pixel.
 NearGround surveyPixels(Run& run, const TilePixels& pixels, Centres& centres, SurveyWork& survey,
                         Reused<BitColumn>& out);
 // 4. Parts the pixels by their surroundings.
@@ -186,7 +188,7 @@ const PlaneSplit& splitPixels(const Run& run, const TilePixels& pixels, const Ne
                               Reused<PlaneSplit>& out);
 // 5. Filters the pixels on planes.
 void filterPlanes(Run& run, const PlaneSplit& split, SumWork& sum, std::span<Color> colors);
-// 6. Traces the centres up to kTileHalo cells from the edge pixels that are not known.
+// 6. Traces the centres not yet known within kTileHalo cells of any edge pixel.
 EdgeGround surveyEdges(Run& run, const PlaneSplit& split, const NearGround& ground, SurveyWork& survey);
 // 7. Finds which points the edge pixels need, and which of them need no ray.
 const PointPlan& planPoints(const Run& run, const PlaneSplit& split, const EdgeGround& ground, PointWork& points,

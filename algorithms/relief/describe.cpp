@@ -61,13 +61,22 @@ Address parseAddress(std::string_view text) {
     return parseName<Address>(kAddresses, text, "address");
 }
 
-double parseNumber(std::string_view text, const std::string& subject) {
+namespace {
+
+// said: what a message quotes.
+double numberOf(std::string_view text, const std::string& said, const std::string& subject) {
     double value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     if (result.ec != std::errc() || result.ptr != text.data() + text.size() || !std::isfinite(value)) {
-        throw InputError(subject, Message(MessageId::NotANumber, {{"text", std::string(text)}}));
+        throw InputError(subject, Message(MessageId::NotANumber, {{"text", said}}));
     }
     return value;
+}
+
+}  // namespace
+
+double parseNumber(std::string_view text, const std::string& subject) {
+    return numberOf(text, std::string(text), subject);
 }
 
 void checkOption(const OptionDescription& option, const std::string& text, const std::string& subject) {
@@ -78,7 +87,7 @@ void checkOption(const OptionDescription& option, const std::string& text, const
                                  {{"what", option.name}, {"name", text}, {"known", commaList(option.choices)}}));
     }
     if (std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end()) return;
-    const double value = parseNumber(text, option.name);
+    const double value = numberOf(text, option.name + "=" + text, subject);
     const bool whole = option.kind != OptionKind::Integer || value == std::floor(value);
     if (value < option.low || value > option.high || !whole) {
         const std::string range =

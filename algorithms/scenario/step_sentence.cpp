@@ -143,7 +143,7 @@ Message pointHitSentence(const Step& step, const StepContext& context) {
 Message hitSentence(const Step& step, const StepContext& context) {
     if (step.atPoint()) return pointHitSentence(step, context);
     const auto height = fixedText(1 - step.lambdaAfter, kHeightDecimals);
-    // Right after the start of a pyramid, or after going down to its highest point, and as high as that.
+    // The hit directly follows the start of a pyramid walk and is as high as the highest point.
     const Step* const before = context.before;
     const bool atOnce = before != nullptr && before->phase == Phase::Start && ofTop(*before);
     if (atOnce && 1 - step.lambdaAfter >= before->value - kExclusionMargin) {

@@ -174,7 +174,7 @@ std::string checkerSentences(const Table& table) {
     };
     say("rmse", "trilinear", "elliptical", "Against a Gaussian pixel the error of `trilinear` is that of `elliptical`");
     say("rmse", "elliptical", "elliptical:levels=exhaustive", "that of `elliptical` is that of level 0 alone");
-    say("rate", "elliptical", "elliptical:implementation=scalar", "rates: lanes over the reference");
+    say("rate", "elliptical", "elliptical:implementation=scalar", "rates: SIMD over the reference implementation");
     say("rate", "elliptical:source=table", "elliptical:implementation=scalar",
         "a table over the formula, both scalar,");
     say("rate", "elliptical:source=map", "elliptical:implementation=scalar", "the papers' map over the formula");

@@ -228,6 +228,10 @@ TEST_P(MeasureTest, FiltersAgainstTheReference) {
                   2, {"--filter-set", "radius"});
     expectRefusal({"render", "--relief", "bricks", "--filter", "elliptical", "--filter-set", "sigma=99", "-o", "x.png"},
                   2, {"--filter-set: sigma is 99"});
+    expectRefusal({"render", "--relief", "bricks", "--filter", "elliptical", "--filter-set", "sigma=x", "-o", "x.png"},
+                  2, {"--filter-set: \"sigma=x\" is not a number"});
+    expectRefusal({"render", "--relief", "bricks", "--mapping", "streams:streams=x", "-o", "x.png"}, 2,
+                  {"--mapping: \"streams=x\" is not a number"});
 }
 
 }  // namespace relief::test

@@ -1,4 +1,4 @@
-// What filters share that read the texture at one point, whatever the pixel covers.
+// Base of filters that sample the texture at one point, whatever the pixel covers.
 #pragma once
 
 #include "filtering/sampler.h"
@@ -6,7 +6,7 @@
 
 namespace relief {
 
-// Filter: derived from this; describe(), kTexels, and read(picture, s, t, address), which reads as many texels.
+// Filter: the derived class, with describe(), kTexels (texels read) and read(picture, s, t, address).
 template <class Filter>
 class PointFilter : public TextureFilter {
   public:

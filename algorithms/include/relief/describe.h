@@ -104,7 +104,7 @@ Address parseAddress(std::string_view text);
 
 // A finite number, the whole text, independent of the locale; InputError naming the subject otherwise.
 double parseNumber(std::string_view text, const std::string& subject);
-// Checks the text against kind, range and choices; throws InputError naming the option.
+// Checks the text against kind, range and choices; throws InputError naming the subject.
 void checkOption(const OptionDescription& option, const std::string& text, const std::string& subject = "--set");
 
 // Checks the text and puts its value into the member. Not inlined: see optionText.

@@ -1,6 +1,7 @@
-// The max pyramid as the lanes read it: one array of depths 1 - maximum in 16 bits, level after level.
+// The max pyramid as DepthWalk and its SIMD version read it: one array of depths 1 - maximum in 16 bits, level after
+// level.
 //
-// A depth is rounded down, and SIMD walks compute the lambda at which a ray leaves a node late by more than
+// A depth is rounded down, and walks in float compute the lambda at which a ray leaves a node late by more than
 // PyramidWalk's kExclusionMargin (kCrossingMargin, float_margins.h). So "the ray leaves the node above this depth"
 // excludes no node that PyramidWalk::excluded keeps.
 #pragma once
@@ -26,7 +27,7 @@ struct DepthPyramid {
     std::size_t bytes() const { return depths.size() * sizeof(std::uint16_t); }
 };
 
-// From the cache, or built in parallel. Null: the field is too big for it (the reference runs).
+// From the cache, or built in parallel. Null: the field is too large for it (the paper's walk in double runs).
 std::shared_ptr<const DepthPyramid> depthPyramid(const HeightField& field,
                                                  const std::shared_ptr<const MaxPyramidMap>& map, MapCache& cache,
                                                  Work& work);

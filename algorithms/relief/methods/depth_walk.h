@@ -1,6 +1,6 @@
 // The walk down and up the pyramid of depths, one ray: the reference of simd/pyramid_lanes-inl.h, in the same precision
-// and with the same margins (margins.md), so that both visit the same nodes. Nodes and cells are only excluded in
-// float; where a ray meets a cell is decided by the one leaf.
+// and with the same margins (margins.md), so that both visit the same nodes, but where fused sums round to another
+// decision (DepthNodes). Nodes and cells are only excluded in float; the one leaf decides where a ray meets a cell.
 //
 // Frame: float_scene.h. Node k of level l: cells k << l and on, mirrored where the ray runs towards lower indices; the
 // line before cell c is crossed at lambda = (c + offset) * inverse + base, at or after the true crossing, and by no
@@ -16,8 +16,8 @@
 
 namespace relief {
 
-// Levels by which a walk begins below the smallest level whose nodes are longer than the ray is along its longer axis.
-// Not measured against other values since it is chosen per ray.
+// Number of levels below the smallest level whose nodes exceed the ray's run along its longer axis at which a walk
+// starts. Chosen, not tuned.
 inline constexpr int kStartBelow = 2;
 inline int startLevel(float run, int top) {
     return std::clamp(static_cast<int>(std::bit_width(static_cast<unsigned>(run))) - kStartBelow, 0, top);
@@ -34,9 +34,7 @@ struct DepthAxis {
     int high = 0;   // behind its last
     float run = 0, inverse = 0, base = 0;
     float rim = 0;  // border: lambda at which it leaves the map
-    float margin = 0;
 
-    DepthAxis() = default;
     // On that level, at lambda `begin`.
     DepthAxis(const FloatScene& scene, const GridAxis& axis, const RayAxis& ray, const FloatPlace& place, double begin)
         : back(place.back),
@@ -45,9 +43,8 @@ struct DepthAxis {
           low(place.back ? scene.mirror - axis.cells : 0),
           high(low + axis.cells),
           run(place.run),
-          inverse(place.inverse),
-          margin(place.margin) {
-        base = (static_cast<float>(begin) - static_cast<float>(place.share) * inverse) + margin;
+          inverse(place.inverse) {
+        base = (static_cast<float>(begin) - static_cast<float>(place.share) * inverse) + place.margin;
         k = std::clamp(first, low, high - 1);
         if (scene.address == Address::Repeat) {
             const int along = (first - low) % axis.cells;
@@ -97,13 +94,13 @@ class DepthWalk {
     DepthWalk(const PyramidWalk& walk, const DepthPyramid& depths)
         : depths_(depths), scene_(walk.field(), depths.highest, 1 << depths.top) {}
 
-    // Unfit: float cannot follow the ray. Left: float cannot decide where it goes on, or the leaf has refused a cell;
-    // nothing is met before lambda `from`.
+    // Unfit: float cannot follow the ray. Left: float cannot choose the next node, the leaf found no hit in a candidate
+    // cell, or the walk reached lambda 1; the walk in double takes over.
     enum class End : std::uint8_t { Hit, Miss, Unfit, Left };
     struct Answer {
         End end = End::Unfit;
         double lambda = 0;  // of the hit, or where the log goes on
-        double from = 0;
+        double from = 0;    // Left: nothing is met before it
     };
     template <class Sink>
     Answer trace(const PyramidWalk& walk, const GridRay& exact, Sink& sink) const;
@@ -164,7 +161,7 @@ inline bool DepthWalk::neighbourClear(const Ray& ray, bool alongX, const Crossin
     return cross.out() + (ray.tie + ray.tie) < depthAt(next.node(), ray.level);
 }
 
-// To the neighbour, and up where that is another parent's child; or an end.
+// Moves to the next node, and to its parent if the parent changed; returns an end if the walk stops.
 inline std::optional<DepthWalk::End> DepthWalk::moveOn(Ray& ray, const Crossings& cross) const {
     const float x = cross.x.lambda, y = cross.y.lambda;
     float out = cross.out();

@@ -1,5 +1,5 @@
-// Where one axis of a ray begins, as walks in float take it in: references alike (cone_walk.h, depth_walk.h); the SIMD
-// versions' is setUpPlaces() in simd/lane_trace-inl.h.
+// The start of a ray on one axis, converted to float, for the reference walks (cone_walk.h, depth_walk.h). SIMD
+// version: setUpPlaces() in simd/lane_trace-inl.h.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ inline FloatFit bothFit(FloatFit x, FloatFit y) {
 struct FloatPlace {
     FloatFit fit = FloatFit::Fit;
     bool back = false;  // it runs towards lower indices
-    double line = 0;    // behind it, the cell's
-    double share = 0;   // of its cell that is behind it
+    double line = 0;    // the grid line at or before the start, the way the ray runs
+    double share = 0;   // from that line to the start, cells
     float run = 0;      // its size
     float inverse = 0;
     float margin = 0;  // of a crossing

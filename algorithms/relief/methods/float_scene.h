@@ -1,4 +1,4 @@
-// A height field as walks in float go over it: references (cone_walk.h) and SIMD versions alike.
+// A height field as walks in float go over it: references (cone_walk.h, depth_walk.h) and SIMD versions alike.
 //
 // Frame of the walk: cells of cell_grid.h, mirrored so that every ray runs towards larger indices, n counted in cells
 // from the one in which the walk begins. The ray crosses line n at lambda = n * inverse + base; base holds a margin, so

@@ -1,14 +1,14 @@
 // max-pyramid: hierarchical skip on the pyramid of maxima, iterative and stackless. [MIP18]; Tevs 2008.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing; any ray that descends.
-// Model: the walk begins at the height of the highest point, in a node a quarter to half as long as the ray. A node
-// whose maximum is below the ray during the whole interval that the ray spends in it is skipped; otherwise its children
-// are visited; the one leaf decides at level 0. After a step that leaves the parent, the walk goes up one level.
-// Walk: depth_walk.h, in float over 16-bit depths; SIMD, for base level 0: simd/pyramid_lanes-inl.h.
-// Fallback, where float cannot decide and for maps too large for these depths: the paper's walk in double
-// (max_pyramid_paper.h).
-// Guarantee: with base level 0 exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at
-// grazing angles, where little can be skipped. Cost: O(log) steps per ray on even surfaces, one stored maximum a step.
+// Model: the walk begins at the height of the highest point, on the level whose nodes are a quarter to half as long as
+// the ray's run along its longer axis, or the nearest level that there is. A node whose maximum is below the ray during
+// the whole interval that the ray spends in it is skipped; otherwise its children are visited; the one leaf decides at
+// level 0. After a step that leaves the parent, the walk goes up one level. Walk: depth_walk.h, in float over 16-bit
+// depths; SIMD, for base level 0: simd/pyramid_lanes-inl.h. Fallback, where float cannot decide and for maps too large
+// for these depths: the paper's walk in double (max_pyramid_paper.h). Guarantee: with base level 0 exact, the same bits
+// as `exact` and `max-pyramid-paper`. Failure mode: needle forests at grazing angles, where little can be skipped.
+// Cost: O(log) steps per ray on even surfaces, one stored maximum a step.
 #pragma once
 
 #include <optional>
@@ -56,7 +56,7 @@ class MaxPyramidTracer {
         if (!viewRay.finite()) return Hit::none(Outcome::Miss);
         return trace(viewRay, sink, sink);
     }
-    // inDouble: gets the steps of the walk in double.
+    // Requires a finite ray and depths. inDouble: gets the steps of the fallback in double.
     template <class Sink, class DoubleSink>
     Hit trace(const ViewRay& viewRay, Sink& sink, DoubleSink& inDouble) const;
     // The same hits, many at a time; rays [first, last) of the block.

@@ -1,5 +1,5 @@
-// max-pyramid over many rays, without a log: one ray a lane, down and up the pyramid of depths, by
-// simd/pyramid_lanes.cpp. Reference: max_pyramid.h, the same bits.
+// max-pyramid over many rays, without a log: one ray a lane, down and up the pyramid of depths
+// (simd/pyramid_lanes-inl.h). Reference: depth_walk.h, the same bits.
 #pragma once
 
 #include <vector>

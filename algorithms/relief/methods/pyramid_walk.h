@@ -1,4 +1,4 @@
-// What both forms of the max pyramid tracer share: nodes of the hierarchy, the ray's stay in them, the way to a
+// What walks over the max pyramid in double share: nodes of the hierarchy, the ray's stay in them, the way to a
 // neighbour and to a child, the start at the highest point. Only integers are stepped; a position is never floored on
 // the way, so the walk agrees with the leaf's intervals to the last bit.
 #pragma once
@@ -227,7 +227,7 @@ class PyramidWalk {
     std::array<const FloatImage*, kMaxLevels> levels_{};
 };
 
-// The option that both forms have.
+// The option of max-pyramid and max-pyramid-paper.
 template <class Options>
 OptionField<Options> baseLevelField(std::string Options::*member) {
     return {{"base",
@@ -242,8 +242,8 @@ OptionField<Options> baseLevelField(std::string Options::*member) {
             member};
 }
 
-// Step 1 of the procedure, for both forms. The ray is taken to the height of the highest point; `lambda` is where.
-// If the whole cell there is as high, nothing can hide the start: its leaf is asked at once.
+// Step 1 of the procedure, for max-pyramid-paper and hybrid. The ray is taken to the height of the highest point;
+// `lambda` is where. If the whole cell there is as high, nothing can hide the start: its leaf is asked at once.
 struct PyramidStart {
     double lambda = 0;
     PyramidNode node;                  // the top node there

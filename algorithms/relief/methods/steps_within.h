@@ -8,7 +8,7 @@
 
 namespace relief {
 
-// Steps that begin a little before lambda `from` and lead beyond `to`, cut to [from, to]; a hit keeps its lambda.
+// Passes steps on with their lambdas clamped to [from, to]; a hit is raised to `from` but not lowered to `to`.
 template <class Sink>
 struct StepsWithin {
     Sink& sink;

@@ -1,4 +1,4 @@
-// The walk down and up the pyramid of depths, a ray a lane: the same nodes as DepthWalk::trace. Compiled for each
+// The walk down and up the pyramid of depths, a ray a lane: reference: DepthWalk::trace. Compiled for each
 // target.
 
 #if defined(RELIEF_PYRAMID_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -67,7 +67,6 @@ class PyramidKernel {
         MF walking, atLeaf;
     };
     struct Crossing {
-        VI edge;
         VF lambda;
         MI last;
     };
@@ -139,9 +138,9 @@ class PyramidKernel {
     HWY_INLINE Crossing crossing(const GridAxis& axis, const Axis& ray, VI level) const {
         const VI high = hn::Add(low(axis, ray), hn::Set(di_, axis.cells));
         Crossing out;
-        out.edge = hn::Min(hn::Shl(hn::Add(ray.k, hn::Set(di_, 1)), level), high);
-        out.last = hn::Eq(out.edge, high);
-        out.lambda = lambdaAt(ray, out.edge);
+        const VI edge = hn::Min(hn::Shl(hn::Add(ray.k, hn::Set(di_, 1)), level), high);
+        out.last = hn::Eq(edge, high);
+        out.lambda = lambdaAt(ray, edge);
         if constexpr (kAddress == Address::Clamp)
             out.lambda = hn::IfThenElse(asFloat(out.last), hn::Set(df_, 1e30F), out.lambda);
         if constexpr (kAddress == Address::Border) {
@@ -290,7 +289,7 @@ class PyramidKernel {
         return left;
     }
 
-    // Whether the neighbour along one axis alone is surely above the surface until the corner is passed.
+    // Which rays surely stay above the neighbouring node along one axis until they have passed the corner.
     HWY_INLINE MF sideClear(const State& state, MI who, bool alongX, const Crossing& crossing, VF out) const {
         Axis x = state.x, y = state.y;
         const MI left = alongX ? advance(scene_.grid.x, x, who, crossing, state.level)

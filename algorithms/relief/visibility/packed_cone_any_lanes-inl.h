@@ -1,8 +1,9 @@
 // packed-cone-any in lanes of double, a segment a lane. Reference: PackedConeAnyHit::look.
 // The same answers for any target and width: the walk visits every cell in which the segment stays and something may
-// be in its way, and cellBlocks() is done here operation by operation; a cell more that is looked at changes nothing.
-// Mirrored: x -> -x where the run is negative, so that every segment runs to +x, +y; in IEEE arithmetic all edges and
-// times keep their bits. Cell c becomes -c - 1; cells are counted on over the seams, and taken into the period to read.
+// be in its way, and cellBlocks() is done here operation by operation; testing an extra cell does not change the
+// answer. Mirrored: x -> -x where the run is negative, so that every segment runs to +x, +y; in IEEE arithmetic all
+// edges and times keep their bits. Cell c becomes -c - 1; cells are counted on over the seams, and taken into the
+// period to read.
 
 #if defined(RELIEF_PACKED_CONE_ANY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_PACKED_CONE_ANY_LANES_INL_H
@@ -163,9 +164,7 @@ class SegmentWalk {
     };
     HWY_INLINE void settle(std::uint32_t lanes, Sight sight) {
         segments_.active &= ~lanes;
-        for (; lanes != 0; lanes &= lanes - 1) {
-            queue_.sights[segments_.number[static_cast<std::size_t>(__builtin_ctz(lanes))]] = sight;
-        }
+        overLanes(lanes, [&](std::size_t lane) { queue_.sights[segments_.number[lane]] = sight; });
     }
     HWY_INLINE M blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const;
     void step();
@@ -225,7 +224,7 @@ void SegmentWalk<Visits>::step() {
         waiting = 0;
     }
     if constexpr (Visits::kRecords) {
-        // Waiting lanes look again; in a cell that lies behind the segment no longer is, but for its first.
+        // A waiting lane repeats its step: only the last is recorded. Cells that end before mu are visited to catch up.
         const std::uint32_t behind = bitsOf(hn::And(hn::Le(exits, mu), hn::Gt(mu, hn::Zero(d))));
         Visits::visit(segments_.number, walking & ~waiting & ~behind, lanes.x.index(nx_), lanes.y.index(ny_));
     }
@@ -275,7 +274,7 @@ bool SegmentWalk<Visits>::go() {
 template <class Visits = NoVisits>
 void lookOn(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t first, std::size_t last,
             Sight* sights) {
-    // Rays that are shadows of one light, or sights of one pixel, are of one quadrant or of few.
+    // Shadow rays of one light, or visibility queries of one pixel, fall into one or a few quadrants.
     std::uint32_t quadrants = 0;
     for (std::size_t i = first; i < last; ++i) {
         constexpr double kNegative = -1e-300;  // RayAxis: what is nearer to 0 moves nothing

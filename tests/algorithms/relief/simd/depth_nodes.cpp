@@ -44,9 +44,9 @@ struct NotingNodes : Base {
     }
 };
 
-void traceNotingNodes(bool plain, const FloatScene& scene, const DepthPyramid& depths, const RayBlock& rays,
+void traceNotingNodes(bool asTheReference, const FloatScene& scene, const DepthPyramid& depths, const RayBlock& rays,
                       std::size_t first, HitBlock& hits, LaneRays& scratch) {
-    if (plain) {
+    if (asTheReference) {
         tracePyramidOn<NotingNodes<PlainArithmetic>>(scene, depths, rays, first, hits, scratch);
     } else {
         tracePyramidOn<NotingNodes<FastArithmetic>>(scene, depths, rays, first, hits, scratch);

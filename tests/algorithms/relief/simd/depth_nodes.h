@@ -1,4 +1,4 @@
-// What the walk down and up the pyramid of depths looks at in lanes: each step's node and depth, ray by ray.
+// Records the nodes that the SIMD walk over the pyramid of depths visits, ray by ray.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct VisitedNode {
     bool operator==(const VisitedNode&) const = default;
 };
 
-// Of an instance of the walk that rounds as the reference does (products and sums apart, quotients); or of the
-// product's. hits: of the rays that lanes finish.
+// asTheReference: by an instance that rounds as the reference does (no fused sums, quotients); else by the product's.
+// hits: of the rays that lanes finish.
 std::vector<std::vector<VisitedNode>> nodesInLanes(const FloatScene& scene, const DepthPyramid& depths,
                                                    const RayBlock& rays, HitBlock& hits, bool asTheReference);
 
