@@ -1,4 +1,4 @@
-// Texture coordinates along a row, every variant, as text to be read beside the papers' formulas. Which is which, what
+// Texture coordinates along a row, every variant, written to be read beside the papers' formulas. Which is which, what
 // it costs and what it is good for: rows.h. row_lanes.cpp is the SIMD version of streamsRow.
 //
 // Each writes u[n], v[n] (texels) for n in [0, row.count); q must stay positive on the whole row (rows.h clips).

@@ -246,8 +246,8 @@ DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact
             return *end == End::Miss ? missed(node, value) : Answer{End::Left, lambda, from};
         }
         if (ray.level > at) {
-            const auto parent = [&](AxisCell of) { return AxisCell{of.index >> 1, of.base}; };
-            const PyramidNode left{parent(node.x), parent(node.y)};
+            PyramidNode left = node;
+            PyramidWalk::toParent(left);
             sink.step([&] {
                 const double highest = 1 - static_cast<double>(depthAt(left, ray.level));
                 return walk.record(Decision::Ascend, ray.level, left, lambda, lambda, highest, lambda);

@@ -4,11 +4,13 @@
 // Model: the walk begins at the height of the highest point, on the level whose nodes are a quarter to half as long as
 // the ray's run along its longer axis, or the nearest level that there is. A node whose maximum is below the ray during
 // the whole interval that the ray spends in it is skipped; otherwise its children are visited; the one leaf decides at
-// level 0. After a step that leaves the parent, the walk goes up one level. Walk: depth_walk.h, in float over 16-bit
-// depths; SIMD, for base level 0: simd/pyramid_lanes-inl.h. Fallback, where float cannot decide and for maps too large
-// for these depths: the paper's walk in double (max_pyramid_paper.h). Guarantee: with base level 0 exact, the same bits
-// as `exact` and `max-pyramid-paper`. Failure mode: needle forests at grazing angles, where little can be skipped.
-// Cost: O(log) steps per ray on even surfaces, one stored maximum a step.
+// level 0. After a step that leaves the parent, the walk goes up one level.
+//
+// Walk: depth_walk.h, in float over 16-bit depths; SIMD, for base level 0: simd/pyramid_lanes-inl.h. Fallback, where
+// float cannot decide and for maps too large for these depths: the paper's walk in double (max_pyramid_paper.h).
+//
+// Guarantee: with base level 0 exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at
+// grazing angles, where little can be skipped. Cost: O(log) steps per ray on even surfaces, one stored maximum a step.
 #pragma once
 
 #include <optional>

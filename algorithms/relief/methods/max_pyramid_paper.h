@@ -9,8 +9,8 @@
 //   5. No hit confirmed in it ("the higher point is not on the ray's projection"): back to the level above, go on.
 //   6. Done when the base level confirms the hit.
 // Guarantee: with base level 0 exact, the same bits as `exact`. Failure mode and cost: see max_pyramid.h, which begins
-// lower and goes down without recursion. Departures: a line crosses one, two or three of four children, where the paper
-// says at most two.
+// lower and goes down without recursion.
+// Departures: a line crosses one, two or three of four children, where the paper says at most two.
 #pragma once
 
 #include "relief/describe.h"

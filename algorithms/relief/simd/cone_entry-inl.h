@@ -56,19 +56,6 @@ void traceConesIn(const FloatScene& scene, const PackedCones& cones, const doubl
     settleLanes<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
 }
 
-// body<address>() of the scene's.
-template <class Body>
-void forAddress(const FloatScene& scene, const Body& body) {
-    switch (scene.address) {
-        case Address::Repeat:
-            return body.template operator()<Address::Repeat>();
-        case Address::Clamp:
-            return body.template operator()<Address::Clamp>();
-        case Address::Border:
-            return body.template operator()<Address::Border>();
-    }
-}
-
 template <Surface kSurface, class Arithmetic = FastArithmetic>
 void traceConesOn(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                   std::size_t firstHit, LaneRays& scratch) {

@@ -34,6 +34,19 @@ struct FastArithmetic {
     HWY_INLINE static VF reciprocal(VF a) { return hn::ApproximateReciprocal(a); }
 };
 
+// Calls body<address>() for the scene's addressing.
+template <class Body>
+void forAddress(const FloatScene& scene, const Body& body) {
+    switch (scene.address) {
+        case Address::Repeat:
+            return body.template operator()<Address::Repeat>();
+        case Address::Clamp:
+            return body.template operator()<Address::Clamp>();
+        case Address::Border:
+            return body.template operator()<Address::Border>();
+    }
+}
+
 HWY_INLINE MF asFloat(MI m) {
     return hn::RebindMask(DF(), m);
 }

@@ -1,5 +1,4 @@
-// The walk down and up the pyramid of depths, a ray a lane: reference: DepthWalk::trace. Compiled for each
-// target.
+// The walk down and up the pyramid of depths, one ray per lane. Reference: DepthWalk::trace. Compiled for each target.
 
 #if defined(RELIEF_PYRAMID_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_PYRAMID_LANES_INL_H
@@ -368,21 +367,13 @@ void tracePyramidIn(const FloatScene& scene, const DepthPyramid& pyramid, const 
 template <class Arithmetic = FastArithmetic>
 void tracePyramidOn(const FloatScene& scene, const DepthPyramid& pyramid, const RayBlock& rays, std::size_t first,
                     HitBlock& hits, LaneRays& scratch) {
-    const auto with = [&]<Address kAddress>() {
+    forAddress(scene, [&]<Address kAddress>() {
         if (scene.surface == Surface::Bilinear) {
             tracePyramidIn<kAddress, Surface::Bilinear, Arithmetic>(scene, pyramid, rays, first, hits, scratch);
         } else {
             tracePyramidIn<kAddress, Surface::Columns, Arithmetic>(scene, pyramid, rays, first, hits, scratch);
         }
-    };
-    switch (scene.address) {
-        case Address::Repeat:
-            return with.template operator()<Address::Repeat>();
-        case Address::Clamp:
-            return with.template operator()<Address::Clamp>();
-        case Address::Border:
-            return with.template operator()<Address::Border>();
-    }
+    });
 }
 
 }  // namespace relief::HWY_NAMESPACE

@@ -162,7 +162,7 @@ class SegmentWalk {
         V z, dz;
         HWY_INLINE V heightAt(V mu) const { return hn::Add(z, hn::Mul(mu, dz)); }
     };
-    HWY_INLINE void settle(std::uint32_t lanes, Sight sight) {
+    HWY_INLINE void resolve(std::uint32_t lanes, Sight sight) {
         segments_.active &= ~lanes;
         overLanes(lanes, [&](std::size_t lane) { queue_.sights[segments_.number[lane]] = sight; });
     }
@@ -220,7 +220,7 @@ void SegmentWalk<Visits>::step() {
     const std::uint32_t walking = segments_.active;
     std::uint32_t waiting = ~bitsOf(above) & walking;
     if (waiting != 0 && (waiting == walking || __builtin_popcount(waiting) >= kTogether)) {
-        settle(bitsOf(blocks(lanes, exits, end, cx, cy)) & waiting, Sight::Blocked);
+        resolve(bitsOf(blocks(lanes, exits, end, cx, cy)) & waiting, Sight::Blocked);
         waiting = 0;
     }
     if constexpr (Visits::kRecords) {
@@ -251,7 +251,7 @@ void SegmentWalk<Visits>::step() {
     const V nextX = next(lanes.x, exitX, exitY), nextY = next(lanes.y, exitY, exitX);
     const M leaves = hn::Or(hn::Gt(nextX, lanes.x.lastCell), hn::Gt(nextY, lanes.y.lastCell));
     const M done = hn::Or(hn::Or(forEver, leaves), hn::Not(hn::Lt(after, end)));
-    settle(bitsOf(done) & segments_.active & ~waiting, Sight::Clear);
+    resolve(bitsOf(done) & segments_.active & ~waiting, Sight::Clear);
     // Waiting and idle lanes stay where they are.
     const std::uint8_t bits[8] = {static_cast<std::uint8_t>(segments_.active & ~waiting & all)};
     const M moves = hn::LoadMaskBits(d, bits);

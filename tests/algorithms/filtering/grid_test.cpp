@@ -273,7 +273,7 @@ TEST(Grid, weightsAreThePixels) {
     EXPECT_EQ(sums[1].channel[3], 0.25F);
 }
 
-TEST(PointReader, lanesAreNearTheTwin) {
+TEST(PointReader, lanesAreNearTheReference) {
     Random random(kSeed);
     struct Case {
         int width, height;

@@ -55,7 +55,7 @@ std::vector<Color> colorsOf(const TextureFilter& filter, const FilterBlock& bloc
     return colors;
 }
 
-TEST(EllipticalLanes, NearTheScalarText) {
+TEST(EllipticalLanes, NearTheReference) {
     Random random(kSeed);
     for (const OptionValues& options : kSettings) {
         std::size_t apart = 0, pixels = 0;

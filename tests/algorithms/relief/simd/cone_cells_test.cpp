@@ -96,22 +96,11 @@ void expectSameCells(const HeightField& field, const RayBlock& rays, std::size_t
 }
 
 TEST(ConeCells, lanesLookAtThoseThatTheReferenceLogs) {
-    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     constexpr std::size_t kRays = 400;
     std::size_t steps = 0;
-    for (const auto& [width, height] :
-         std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {16, 17}, {100, 3}, {64, 64}}) {
-        const Heights heights =
-            width == 64 ? share(makeRelief("spikes", width, height, kSeed)) : randomHeights(width, height, kSeed);
-        for (const Surface surface : allSurfaces()) {
-            for (const Address address : allAddresses()) {
-                for (const double depth : {0.02, 0.9}) {
-                    const HeightField field(heights, surface, address, depth);
-                    expectSameCells(field, differentRays(awkwardRays(field, kSeed, kRays)), steps);
-                }
-            }
-        }
-    }
+    onAwkwardMaps(kSeed, kRays, [&](const HeightField& field, const RayBlock& rays) {
+        expectSameCells(field, differentRays(rays), steps);
+    });
     std::printf("%zu steps\n", steps);
     EXPECT_GT(steps, 50000U);
 }

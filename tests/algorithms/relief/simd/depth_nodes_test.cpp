@@ -61,22 +61,10 @@ void compare(const HeightField& field, const RayBlock& rays, bool asTheReference
 }
 
 TEST(DepthNodes, lanesLookAtThoseThatTheReferenceLogs) {
-    std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     constexpr std::size_t kRays = 400;
     Seen seen;
-    for (const auto& [width, height] :
-         std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {16, 17}, {100, 3}, {64, 64}}) {
-        const Heights heights =
-            width == 64 ? share(makeRelief("spikes", width, height, kSeed)) : randomHeights(width, height, kSeed);
-        for (const Surface surface : allSurfaces()) {
-            for (const Address address : allAddresses()) {
-                for (const double depth : {0.02, 0.9}) {
-                    const HeightField field(heights, surface, address, depth);
-                    compare(field, awkwardRays(field, kSeed, kRays), true, seen);
-                }
-            }
-        }
-    }
+    onAwkwardMaps(kSeed, kRays,
+                  [&](const HeightField& field, const RayBlock& rays) { compare(field, rays, true, seen); });
     std::printf("%zu steps of %zu rays\n", seen.steps, seen.rays);
     EXPECT_GT(seen.steps, 50000U);
 }

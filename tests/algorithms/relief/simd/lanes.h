@@ -63,6 +63,26 @@ inline RayBlock awkwardRays(const HeightField& field, std::uint64_t seed, std::s
     return rays;
 }
 
+// Calls body(field, rays) for maps of awkward sizes, flat and deep, with every surface and addressing, and awkward
+// rays.
+template <class Body>
+void onAwkwardMaps(std::uint64_t seed, std::size_t count, const Body& body) {
+    std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
+    for (const auto& [width, height] :
+         std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {16, 17}, {100, 3}, {64, 64}}) {
+        const Heights heights =
+            width == 64 ? share(makeRelief("spikes", width, height, seed)) : randomHeights(width, height, seed);
+        for (const Surface surface : allSurfaces()) {
+            for (const Address address : allAddresses()) {
+                for (const double depth : {0.02, 0.9}) {
+                    const HeightField field(heights, surface, address, depth);
+                    body(field, awkwardRays(field, seed, count));
+                }
+            }
+        }
+    }
+}
+
 // The first three rays whose hits differ are named.
 inline void expectSameHits(const HitBlock& expected, const HitBlock& hits, const RayBlock& rays,
                            const std::string& what) {
