@@ -45,8 +45,7 @@ std::string interval(double low, double high) {
 
 std::string pictureInfo(const std::string& path, const HeightReadOptions& reading, Session& session) {
     const HeightImage image = readHeight(path, reading, session.work());
-    std::string channels;
-    for (const std::string& name : image.info.channels) channels += (channels.empty() ? "" : ", ") + name;
+    const std::string channels = commaList(image.info.channels);
     float low = 1;
     float high = 0;
     double sum = 0;

@@ -128,8 +128,7 @@ int runMap(const MapOptions& options, Session& session) {
 
 void addMapCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<MapOptions>();
-    std::string kinds;
-    for (const std::string& kind : mapKinds()) kinds += (kinds.empty() ? "" : ", ") + kind;
+    const std::string kinds = commaList(mapKinds());
     std::string pyramids;
     for (const std::string& kind : pyramidMapKinds()) pyramids += (pyramids.empty() ? "" : " and ") + kind;
     CLI::App* parser = addCommand(

@@ -56,8 +56,7 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
     if (!options.layers) return {};
     if (fileEnding(output) != "exr") throw InputError(output, Message(MessageId::LayersNeedExr));
     std::vector<std::string> layers = splitText(*options.layers, ',');
-    std::string known;
-    for (const std::string& name : layerNames()) known += (known.empty() ? "" : ", ") + name;
+    const std::string known = commaList(layerNames());
     for (const std::string& layer : layers) {
         const auto& names = layerNames();
         if (std::count(layers.begin(), layers.end(), layer) > 1) {
@@ -353,10 +352,8 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
     options->scenario.add(*parser, ScenarioOptions::Look::Yes);
     options->many.add(*parser);
     addOutput(*parser, options->output, "the picture: .png, .jpg, .tif, .bmp (sRGB), .exr, .hdr (linear)");
-    std::string layers;
-    for (const std::string& name : layerNames()) layers += (layers.empty() ? "" : ", ") + name;
     addText(*parser, "--layers", options->layers, "NAME,...",
-            "write these planes into the .exr instead of the picture alone: " + layers, "Output");
+            "write these planes into the .exr instead of the picture alone: " + commaList(layerNames()), "Output");
     addText(*parser, "--part", options->part, "K/N",
             "only part K, from 1, of N, for other processes to make the others: of one picture (.png, .tif, .exr) that "
             "band of its rows, which relief merge puts together; of many pictures each N-th",

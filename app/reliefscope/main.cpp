@@ -144,9 +144,8 @@ reliefui::Layer chosenLayer(const std::string& name) {
                                                  "normal", "uv",    "footprint", "hidden"};
     const auto at = std::find(kNames.begin(), kNames.end(), name);
     if (at != kNames.end()) return static_cast<reliefui::Layer>(at - kNames.begin());
-    std::string known;
-    for (const std::string& one : kNames) known += (known.empty() ? "" : ", ") + one;
-    throw InputError("--layer", Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", known}}));
+    throw InputError(
+        "--layer", Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", commaList(kNames)}}));
 }
 
 // What is asked for here stands before what the scenario says.

@@ -276,10 +276,9 @@ const std::vector<std::string>& figureViews() {
 void checkFigure(const FigureRequest& request, const std::string& path) {
     const std::vector<std::string>& views = figureViews();
     if (std::find(views.begin(), views.end(), request.view) == views.end()) {
-        std::string known;
-        for (const std::string& view : views) known += (known.empty() ? "" : ", ") + view;
         throw InputError("--export",
-                         Message(MessageId::UnknownName, {{"what", "view"}, {"name", request.view}, {"known", known}}));
+                         Message(MessageId::UnknownName,
+                                 {{"what", "view"}, {"name", request.view}, {"known", relief::commaList(views)}}));
     }
     const std::string ending = endingOf(path);
     const bool solid = inSpace(request);

@@ -49,9 +49,8 @@ const std::vector<std::string>& pyramidPaneLevels() {
 // Throws InputError naming `what` with what is known.
 void checkPaneName(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
-    std::string all;
-    for (const std::string& one : known) all.append(all.empty() ? "" : ", ").append(one);
-    throw InputError("panes", Message(MessageId::UnknownName, {{"what", what}, {"name", name}, {"known", all}}));
+    throw InputError("panes", Message(MessageId::UnknownName,
+                                      {{"what", what}, {"name", name}, {"known", relief::commaList(known)}}));
 }
 
 void readDistance(JsonReader reader, DistancePane& pane) {

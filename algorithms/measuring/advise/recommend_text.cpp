@@ -26,8 +26,7 @@ std::string bytesText(std::int64_t bytes) {
 }
 
 std::string mapNames(const MethodChoice& method) {
-    std::string names;
-    for (const std::string& map : findTracer(method.name).maps) names += (names.empty() ? "" : ", ") + map;
+    std::string names = commaList(findTracer(method.name).maps);
     const auto inner = method.options.find("inner");
     if (inner != method.options.end() && !findTracer(inner->second).maps.empty()) {
         names += ", " + mapNames({inner->second, {}});

@@ -170,9 +170,8 @@ std::vector<BenchRow> chosenRows(std::vector<BenchRow> rows, const std::string& 
         for (const BenchRow& row : rows) addOnce(known, textOf(row));
         std::erase_if(rows, [&](const BenchRow& row) { return textOf(row) != wanted; });
         if (!rows.empty()) return;
-        std::string list;
-        for (const std::string& text : known) list += (list.empty() ? "" : ", ") + text;
-        throw InputError(option, Message(MessageId::UnknownName, {{"what", what}, {"name", wanted}, {"known", list}}));
+        throw InputError(
+            option, Message(MessageId::UnknownName, {{"what", what}, {"name", wanted}, {"known", commaList(known)}}));
     };
     // The short name, or all of it.
     const bool whole = std::any_of(rows.begin(), rows.end(), [&](const BenchRow& row) { return row.height == height; });

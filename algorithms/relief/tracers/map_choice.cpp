@@ -132,12 +132,11 @@ const std::string& methodOfMap(const std::string& kind) {
         forEachType<MapTracers>([&]<class T>() { all.push_back(T::describe().name); });
         return all;
     }();
-    std::string known;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (mapKinds()[i] == kind) return names[i];
-        known += (known.empty() ? "" : ", ") + mapKinds()[i];
     }
-    throw InputError("", Message(MessageId::UnknownName, {{"what", "map"}, {"name", kind}, {"known", known}}));
+    throw InputError(
+        "", Message(MessageId::UnknownName, {{"what", "map"}, {"name", kind}, {"known", commaList(mapKinds())}}));
 }
 
 StoredMap buildMap(const std::string& kind, const OptionValues& options, const HeightField& field, MapCache& cache,

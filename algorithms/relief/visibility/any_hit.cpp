@@ -93,18 +93,15 @@ MethodChoice sightChoice(const HeightField& field) {
 std::unique_ptr<AnyHitQuery> makeAnyHit(const MethodChoice& choice, const HeightField& field, MapCache& cache,
                                         Work& work) {
     std::unique_ptr<AnyHitQuery> made;
-    std::string known;
     forEachType<QueryTypes>([&]<class T>() {
-        const std::string& name = descriptionOf<T>().name;
-        known += (known.empty() ? "" : ", ") + name;
-        if (made || name != choice.name) return;
+        if (descriptionOf<T>().name != choice.name) return;
         const auto options = parseOptions<typename T::Options>(choice.name, choice.options);
         made = std::make_unique<QueryOf<T>>(T::make(field, options, cache, work));
     });
     if (!made) {
-        throw InputError(
-            "any-hit query",
-            Message(MessageId::UnknownName, {{"what", "any-hit query"}, {"name", choice.name}, {"known", known}}));
+        throw InputError("any-hit query",
+                         Message(MessageId::UnknownName,
+                                 {{"what", "any-hit query"}, {"name", choice.name}, {"known", namesOf(anyHitList())}}));
     }
     return made;
 }
