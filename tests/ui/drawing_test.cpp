@@ -10,7 +10,7 @@
 #include <QSvgGenerator>
 
 #include "drawings/pyramid_drawing.h"
-#include "drawings/qpainter_painter.h"
+#include "drawings/painter.h"
 #include "drawings/ray_geometry.h"
 #include "relief/files.h"
 #include "relief/maps/max_pyramid_map.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawings/qpainter_painter.h"
+#include "drawings/painter.h"
 #include "views/result_painting.h"
 
 namespace reliefui {

@@ -2,17 +2,12 @@
 
 #include <cmath>
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QWheelEvent>
 
-#include "views/drawing_item.h"
+#include "drawings/painter.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -26,38 +21,10 @@ constexpr double kClickReach = 4;  // pixels that a click may move
 
 }  // namespace
 
-struct DrawingCanvas::Scene {
-    vtkNew<vtkGenericOpenGLRenderWindow> window;
-    vtkNew<vtkRenderer> renderer;
-    vtkNew<vtkContextActor> actor;
-    vtkNew<DrawingItem> item;
-};
-
-DrawingCanvas::DrawingCanvas(QWidget* parent) : QVTKOpenGLNativeWidget(parent), scene_(std::make_unique<Scene>()) {
+DrawingCanvas::DrawingCanvas(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    // Smooth lines: the pane has few of them, and no depth.
-    scene_->window->SetMultiSamples(4);
-    scene_->window->AddRenderer(scene_->renderer);
-    scene_->item->renderer = scene_->renderer;
-    scene_->actor->GetScene()->SetRenderer(scene_->renderer);
-    scene_->actor->GetScene()->AddItem(scene_->item);
-    scene_->renderer->AddActor(scene_->actor);
-    // Text is sized in device pixels already (deviceStyle()); VTK would enlarge it again on fine screens.
-    setEnableHiDPI(false);
-    setRenderWindow(scene_->window);
-    // The grammar of all panes is ours. VTK's gestures would be made of mouse drags, too, and Qt complains of those
-    // that end when the pane is hidden.
-    for (const Qt::GestureType gesture :
-         {Qt::PinchGesture, Qt::PanGesture, Qt::TapGesture, Qt::TapAndHoldGesture, Qt::SwipeGesture}) {
-        ungrabGesture(gesture);
-    }
-    interactor()->SetInteractorStyle(nullptr);
-    setStyle(style_);
-}
-
-DrawingCanvas::~DrawingCanvas() {
-    redrawSoon_.stop();
+    setAttribute(Qt::WA_OpaquePaintEvent);
 }
 
 Style DrawingCanvas::deviceStyle() const {
@@ -71,7 +38,7 @@ void DrawingCanvas::setLayers(std::vector<std::shared_ptr<const Drawing>> layers
     layers_ = std::move(layers);
     legend_ = std::move(legend);
     if (home_) map_ = ViewMap::fitting(bounds(), screenRoom());
-    redraw();
+    update();
 }
 
 void DrawingCanvas::showText(relief::MessageId why) {
@@ -88,17 +55,14 @@ void DrawingCanvas::showText(relief::MessageId why) {
 void DrawingCanvas::letGo() {
     layers_.clear();
     legend_.reset();
-    scene_->item->layers.clear();
-    scene_->item->legend.reset();
-    redraw();
+    cells_ = {};
+    update();
 }
 
 void DrawingCanvas::setStyle(const Style& style) {
     style_ = style;
-    const Rgba ground = style.background();
-    scene_->renderer->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
     if (home_) map_ = ViewMap::fitting(bounds(), screenRoom());
-    redraw();
+    update();
 }
 
 Box DrawingCanvas::bounds() const {
@@ -155,7 +119,7 @@ ItemId DrawingCanvas::itemAt(QPointF widget) const {
 void DrawingCanvas::resetZoom() {
     home_ = true;
     map_ = ViewMap::fitting(bounds(), screenRoom());
-    redraw();
+    update();
     Q_EMIT moved();
 }
 
@@ -176,35 +140,33 @@ void DrawingCanvas::setMap(const ViewMap& map) {
     map_.dx += std::max(0.0, room.x0 + keep - now.x1) - std::max(0.0, now.x0 - (room.x1 - keep));
     map_.dy += std::max(0.0, room.y0 + keep - now.y1) - std::max(0.0, now.y0 - (room.y1 - keep));
     home_ = false;
-    redraw();
+    update();
     Q_EMIT moved();
 }
 
-void DrawingCanvas::redraw() {
-    if (isVisible()) redrawSoon_.start();
-}
-
-void DrawingCanvas::paint() {
-    DrawingItem& item = *scene_->item;
-    item.style = deviceStyle();
-    item.layers = layers_;
-    item.legend = legend_;
-    item.map = map_;
-    item.width = static_cast<int>(std::lround(width() * devicePixelRatioF()));
-    item.height = static_cast<int>(std::lround(height() * devicePixelRatioF()));
-    const double unit = item.style.pixelsPerPoint();
-    item.legendMap = {unit, kMargin * unit, item.height - legendHeight() - kMargin * unit / 2};
-    scene_->actor->GetScene()->SetDirty(true);
-    if (!isValid()) return;
+void DrawingCanvas::paintEvent(QPaintEvent*) {
     const DrawingTime time("pane");
-    scene_->window->Render();
+    const double ratio = devicePixelRatioF();
+    const Style style = deviceStyle();
+    const Box screen{0, 0, width() * ratio, height() * ratio};
+    QPainter painter(this);
+    painter.scale(1 / ratio, 1 / ratio);
+    const Rgba ground = style.background();
+    painter.fillRect(QRectF(0, 0, screen.x1, screen.y1), QColor(ground.r, ground.g, ground.b));
+    cells_.begin();
+    for (const auto& layer : layers_) reliefui::paint(painter, *layer, map_, style, screen, &cells_);
+    cells_.end();
+    if (!legend_) return;
+    const double unit = style.pixelsPerPoint();
+    const ViewMap legendMap{unit, kMargin * unit, screen.y1 - legendHeight() - kMargin * unit / 2};
+    reliefui::paint(painter, *legend_, legendMap, style, screen);
 }
 
 void DrawingCanvas::resizeEvent(QResizeEvent* event) {
-    QVTKOpenGLNativeWidget::resizeEvent(event);
+    QWidget::resizeEvent(event);
     Q_EMIT resized();
     if (home_) map_ = ViewMap::fitting(bounds(), screenRoom());
-    redrawSoon_.start();
+    update();
 }
 
 void DrawingCanvas::mousePressEvent(QMouseEvent* event) {
@@ -248,15 +210,9 @@ void DrawingCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 void DrawingCanvas::leaveEvent(QEvent* event) {
-    QVTKOpenGLNativeWidget::leaveEvent(event);
+    QWidget::leaveEvent(event);
     Q_EMIT hovered({});
     Q_EMIT left();
-}
-
-// What came while it was hidden was not drawn.
-void DrawingCanvas::showEvent(QShowEvent* event) {
-    QVTKOpenGLNativeWidget::showEvent(event);
-    redrawSoon_.start();
 }
 
 void DrawingCanvas::keyPressEvent(QKeyEvent* event) {

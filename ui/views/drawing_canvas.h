@@ -1,23 +1,20 @@
-// A pane that shows drawings: a vtkContext scene with the grammar of all panes. Wheel zooms at the pointer, drag moves,
-// R shows all again, click chooses, Ctrl+click asks about a point, hover reads values out.
+// A pane that shows drawings, with the grammar of all panes: wheel zooms at the pointer, drag moves, R shows all again,
+// click chooses, Ctrl+click asks about a point, hover reads values out.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include <QVTKOpenGLNativeWidget.h>
+#include <QWidget>
 
-#include "drawings/style.h"
-#include "drawings/view_map.h"
-#include "views/soon.h"
+#include "drawings/cell_pictures.h"
 
 namespace reliefui {
 
-class DrawingCanvas : public QVTKOpenGLNativeWidget {
+class DrawingCanvas : public QWidget {
     Q_OBJECT
   public:
     explicit DrawingCanvas(QWidget* parent = nullptr);
-    ~DrawingCanvas() override;
 
     // From the lowest to the topmost. The legend stands at the lower edge, whatever the zoom.
     void setLayers(std::vector<std::shared_ptr<const Drawing>> layers, std::shared_ptr<const Drawing> legend);
@@ -53,13 +50,13 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
     void left();                          // and now it is gone
 
   protected:
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
@@ -67,8 +64,6 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
     double legendHeight() const;
     Box bounds() const;
     void setMap(const ViewMap& map);
-    void redraw();
-    void paint();
     Style deviceStyle() const;  // in physical pixels
 
     Style style_;
@@ -79,9 +74,7 @@ class DrawingCanvas : public QVTKOpenGLNativeWidget {
     bool dragging_ = false;
     QPointF pressed_;
     QPointF last_;
-    Soon redrawSoon_{this, [this] { paint(); }};
-    struct Scene;
-    std::unique_ptr<Scene> scene_;
+    CellPictures cells_;
 };
 
 }  // namespace reliefui

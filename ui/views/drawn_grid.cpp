@@ -6,7 +6,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "drawings/qpainter_painter.h"
+#include "drawings/painter.h"
 #include "scenario/step_sentence.h"
 #include "views/drawn_view.h"
 #include "views/result_painting.h"

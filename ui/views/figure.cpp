@@ -7,7 +7,7 @@
 #include <QPdfWriter>
 #include <QSvgGenerator>
 
-#include "drawings/qpainter_painter.h"
+#include "drawings/painter.h"
 #include "measuring/bench/bench_rows.h"
 #include "relief/files.h"
 #include "relief/tracers/map_choice.h"

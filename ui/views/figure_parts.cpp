@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "drawings/cell_image.h"
-#include "drawings/qpainter_painter.h"
+#include "drawings/painter.h"
 #include "views/compare_painting.h"
 #include "views/drawn_view.h"
 #include "views/duel_data.h"

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <vtkActor2D.h>
 #include <vtkCamera.h>
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
+#include <vtkImageData.h>
+#include <vtkImageMapper.h>
 #include <vtkLight.h>
+#include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -14,10 +16,11 @@
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <QPainter>
 
+#include "drawings/painter.h"
 #include "drawings/vtk_text.h"
 #include "scenario/step_sentence.h"
-#include "views/drawing_item.h"
 #include "views/trace3d_bodies.h"
 #include "views/trace3d_marks.h"
 #include "views/trace3d_samples.h"
@@ -35,6 +38,8 @@ void addLight(vtkRenderer* renderer) {
     light->SetFocalPoint(0, 0, 0);
     renderer->AddLight(light);
 }
+
+constexpr double kLegendMargin = 6;  // points
 
 // The number of the step, and what it read.
 QString stepWords(const relief::Step& step, const StepBody& body, std::size_t number) {
@@ -60,15 +65,17 @@ QString stepWords(const relief::Step& step, const StepBody& body, std::size_t nu
 TracePicture::TracePicture()
     : renderer_(vtkSmartPointer<vtkRenderer>::New()),
       legendRenderer_(vtkSmartPointer<vtkRenderer>::New()),
-      legendActor_(vtkSmartPointer<vtkContextActor>::New()),
-      legend_(vtkSmartPointer<DrawingItem>::New()) {
+      legendActor_(vtkSmartPointer<vtkActor2D>::New()),
+      legend_(vtkSmartPointer<vtkImageData>::New()) {
     renderer_->UseFXAAOn();
     renderer_->SetAutomaticLightCreation(false);
     addLight(renderer_);
-    legend_->renderer = legendRenderer_;
-    legendActor_->GetScene()->SetRenderer(legendRenderer_);
-    legendActor_->GetScene()->AddItem(legend_);
-    legendRenderer_->AddActor(legendActor_);
+    const vtkNew<vtkImageMapper> mapper;
+    mapper->SetInputData(legend_);
+    mapper->SetColorWindow(255);
+    mapper->SetColorLevel(127.5);
+    legendActor_->SetMapper(mapper);
+    legendRenderer_->AddActor2D(legendActor_);
 }
 
 TracePicture::~TracePicture() = default;
@@ -188,28 +195,39 @@ StepPaint TracePicture::paint() const {
     return {colors_, shown_ && shown_->maxima ? shown_->maxima->pyramid.levels() : 1};
 }
 
+void TracePicture::paintLegend(const Drawing& drawing, int height) {
+    const double unit = style_.pixelsPerPoint();
+    const Rgba ground = style_.background();
+    QImage page(size_.width(), height, QImage::Format_RGB888);
+    page.fill(QColor(ground.r, ground.g, ground.b));
+    QPainter painter(&page);
+    const Box all{0, 0, static_cast<double>(page.width()), static_cast<double>(height)};
+    reliefui::paint(painter, drawing, {unit, kLegendMargin * unit, kLegendMargin * unit / 2}, style_, all);
+    painter.end();
+    legend_->SetDimensions(page.width(), height, 1);
+    legend_->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    for (int y = 0; y < height; ++y) {
+        const uchar* const row = page.constScanLine(height - 1 - y);
+        std::copy(row, row + 3 * page.width(), static_cast<uchar*>(legend_->GetScalarPointer(0, y, 0)));
+    }
+    legend_->Modified();
+}
+
 // Below the relief. Where it would take too much, it is left out.
 void TracePicture::layLegend() {
-    constexpr double kMargin = 6;  // points
     constexpr double kMost = 0.3;  // of the height
     relief_ = 1;
-    legend_->legend.reset();
     if (scene_ && !size_.isEmpty()) {
         const double unit = style_.pixelsPerPoint();
         const PixelTrace& trace = shown_->trace;
-        auto drawing = std::make_shared<Drawing>(traceLegend(trace.steps, trace.ray, trace.hit, trace.exact, paint(),
-                                                             size_.width() / unit - 2 * kMargin, style_.language));
-        const double high = std::ceil((drawing->bounds.height() + kMargin) * unit);
+        const Drawing drawing = traceLegend(trace.steps, trace.ray, trace.hit, trace.exact, paint(),
+                                            size_.width() / unit - 2 * kLegendMargin, style_.language);
+        const auto high = static_cast<int>(std::ceil((drawing.bounds.height() + kLegendMargin) * unit));
         if (high < kMost * size_.height()) {
-            relief_ = 1 - high / size_.height();
-            legend_->legend = std::move(drawing);
-            legend_->style = style_;
-            legend_->legendMap = {unit, kMargin * unit, kMargin * unit / 2};
-            legend_->width = size_.width();
-            legend_->height = static_cast<int>(high);
+            relief_ = 1 - static_cast<double>(high) / size_.height();
+            paintLegend(drawing, high);
         }
     }
-    legendActor_->GetScene()->SetDirty(true);
     legendRenderer_->SetDraw(relief_ < 1);
     legendRenderer_->SetViewport(0, 0, 1, relief_ < 1 ? 1 - relief_ : 1);
     renderer_->SetViewport(0, 1 - relief_, 1, 1);

@@ -13,15 +13,14 @@
 #include "views/trace3d_scene.h"
 #include "views/turntable.h"
 
-class vtkContextActor;
+class vtkActor2D;
+class vtkImageData;
 class vtkProp;
 class vtkRenderWindow;
 class vtkRenderer;
 class vtkTextActor;
 
 namespace reliefui {
-
-class DrawingItem;
 
 class TracePicture {
   public:
@@ -63,12 +62,13 @@ class TracePicture {
     void addWords(const QString& words);
     void placeTopLabel();
     void layLegend();
+    void paintLegend(const Drawing& drawing, int height);
     StepPaint paint() const;
 
     vtkSmartPointer<vtkRenderer> renderer_;
     vtkSmartPointer<vtkRenderer> legendRenderer_;
-    vtkSmartPointer<vtkContextActor> legendActor_;
-    vtkSmartPointer<DrawingItem> legend_;
+    vtkSmartPointer<vtkActor2D> legendActor_;
+    vtkSmartPointer<vtkImageData> legend_;
     QSize size_;
     double relief_ = 1;
     StepColors colors_ = StepColors::Decision;

@@ -23,7 +23,6 @@
 // The implementations that VTK chooses at run time. Not by vtk_module_autoinit: it gives every source a macro with a
 // path of this checkout, and the compiler cache could not serve another.
 VTK_MODULE_INIT(vtkInteractionStyle)
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2)
 VTK_MODULE_INIT(vtkRenderingFreeType)
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 

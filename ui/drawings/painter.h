@@ -1,17 +1,18 @@
-// Drawings through QPainter: pictures, SVG (QSvgGenerator), PDF (QPdfWriter). Needs no display.
+// The painter of all drawings: on the screen, in pictures, SVG (QSvgGenerator) and PDF (QPdfWriter). Needs no display.
 #pragma once
 
 #include <vector>
 
 #include <QPainter>
 
-#include "drawings/style.h"
-#include "drawings/view_map.h"
+#include "drawings/cell_pictures.h"
 
 namespace reliefui {
 
-// Paints what lies within `screen` (pixels of the painter).
-void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen);
+// Paints what lies within `screen` (pixels of the painter). `kept`: on a screen, where the same grids of values are
+// painted again and again.
+void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen,
+           CellPictures* kept = nullptr);
 
 // What of the page a figure's drawing gets beside this legend.
 Box figureRoom(const Drawing& legend, const Box& page, const Style& style);

@@ -1,10 +1,11 @@
-#include "drawings/qpainter_painter.h"
+#include "drawings/painter.h"
 
 #include <cmath>
 
 #include <QFont>
 #include <QFontMetricsF>
 #include <QImage>
+#include <QPaintEngine>
 
 #include "drawings/cell_image.h"
 
@@ -30,12 +31,58 @@ QPen qpen(const Stroke& stroke) {
     return pen;
 }
 
+// Part of a line, and the length of what comes before it, so that its dashes go on.
+struct Run {
+    QPolygonF points;
+    double before = 0;
+};
+
+// What of the segment from a to b lies within the box, as shares of it; false: nothing.
+bool within(Point a, Point b, const Box& box, double& from, double& to) {
+    from = 0;
+    to = 1;
+    const auto cut = [&](double start, double by, double low, double high) {
+        if (by == 0) return start >= low && start <= high;
+        const double t0 = (low - start) / by;
+        const double t1 = (high - start) / by;
+        from = std::max(from, std::min(t0, t1));
+        to = std::min(to, std::max(t0, t1));
+        return from < to;
+    };
+    return cut(a.x, b.x - a.x, box.x0, box.x1) && cut(a.y, b.y - a.y, box.y0, box.y1);
+}
+
+// Far zoomed in, a line is thousands of screens long, and its dashes would be counted out.
+std::vector<Run> runsWithin(const std::vector<Point>& line, const Box& box) {
+    std::vector<Run> runs;
+    double length = 0;
+    bool open = false;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+        const Point a = line[k - 1];
+        const Point b = line[k];
+        const double own = std::hypot(b.x - a.x, b.y - a.y);
+        double from = 0;
+        double to = 1;
+        if (within(a, b, box, from, to)) {
+            const auto at = [&](double t) { return QPointF(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t); };
+            if (!open || from > 0) runs.push_back({QPolygonF({at(from)}), length + from * own});
+            runs.back().points << at(to);
+            open = to == 1;
+        } else {
+            open = false;
+        }
+        length += own;
+    }
+    return runs;
+}
+
 // Paints all but labels, which come last.
 struct ItemPainter {
     QPainter& painter;
     const ViewMap& map;
     const Style& style;
     const Box& screen;
+    CellPictures* kept;
     const Item& item;
 
     Stroke stroke() const { return style.stroke(item); }
@@ -44,49 +91,86 @@ struct ItemPainter {
                     Qt::MiterJoin);
     }
 
+    // Where pixels are painted, thin lines lie on whole ones.
+    bool onPixels() const { return painter.paintEngine()->type() == QPaintEngine::Raster; }
+    double middle(double at) const { return onPixels() ? std::round(at) + 0.5 : at; }
+
     void operator()(const Rectangle& r) const {
-        const Box box = screenBox(r, map, style.pixelsPerPoint());
-        if (!box.overlaps(screen.grown(50))) return;
+        const Box whole = screenBox(r, map, style.pixelsPerPoint());
+        if (!whole.overlaps(screen.grown(50))) return;
+        const Box box = whole.cut(screen.grown(100));
         if (r.fill) painter.fillRect(qrect(box), qcolor(style.fill(item)));
         if (r.fill && item.emphasis != Emphasis::Strong) return;
         painter.setBrush(Qt::NoBrush);
         painter.setPen(qpen(stroke()));
-        painter.drawRect(qrect(box));
+        const double inner = onPixels() ? 1 : 0;  // the last pixel of the box
+        painter.drawRect(qrect({middle(box.x0), middle(box.y0), middle(box.x1 - inner), middle(box.y1 - inner)}));
     }
 
     void operator()(const Cells& cells) const {
         const CellRange range = visibleCells(cells, map.toDrawing(screen));
         if (range.count() <= 0) return;
-        constexpr std::int64_t kVectorCells = 4096;
-        if (range.count() <= kVectorCells) {
-            vectorCells(cells, range);
+        constexpr std::int64_t kMostOnPaper = 4096;
+        constexpr std::int64_t kMostOnScreen = 20000;
+        const double side = std::min(cells.cellWidth, cells.cellHeight) * map.scale;
+        const bool ruled = side >= 8 * style.pixelsPerPoint();
+        if (kept == nullptr ? range.count() <= kMostOnPaper : ruled && range.count() <= kMostOnScreen) {
+            fillCells(cells, range);
+            if (ruled) ruleCells(cells, range);
+            writeCells(cells, range);
+        } else if (kept != nullptr) {
+            kept->draw(painter, cells, map, style, screen);
         } else {
             rasterCells(cells);
         }
     }
 
-    void vectorCells(const Cells& cells, const CellRange& range) const {
-        const double side = std::min(cells.cellWidth, cells.cellHeight) * map.scale;
+    Rgba colorOf(const Cells& cells, int i, int j) const {
+        return style.cell(cells.map, static_cast<double>((*cells.values)(i, j)), cells.low, cells.high);
+    }
+    Box seenOf(const Cells& cells, int i, int j) const {
+        return map.toScreen(cellBox(cells, i, j)).cut(screen.grown(2));
+    }
+    void fillCells(const Cells& cells, const CellRange& range) const {
+        // Reaches below its neighbours, which are painted later: no ground shines through between them.
+        const double under = onPixels() ? 0 : 0.5;
+        const Box all = map.toScreen(cells.clip);
+        painter.setRenderHint(QPainter::Antialiasing, false);
+        for (int j = range.j0; j < range.j1; ++j) {
+            for (int i = range.i0; i < range.i1; ++i) {
+                Box box = seenOf(cells, i, j);
+                box.x1 = std::min(box.x1 + under, all.x1);
+                box.y1 = std::min(box.y1 + under, all.y1);
+                painter.fillRect(qrect(box), qcolor(colorOf(cells, i, j)));
+            }
+        }
+        painter.setRenderHint(QPainter::Antialiasing, true);
+    }
+    void ruleCells(const Cells& cells, const CellRange& range) const {
+        painter.setPen(qpen(style.stroke(Role::Grid, Emphasis::Normal)));
+        const Box all = map.toScreen(cells.clip).cut(screen.grown(2));
+        for (int j = range.j0; j <= range.j1; ++j) {
+            const double y = map.toScreen(Point{0, cells.y + j * cells.cellHeight}).y;
+            if (y >= all.y0 && y <= all.y1) painter.drawLine(QPointF(all.x0, middle(y)), QPointF(all.x1, middle(y)));
+        }
+        for (int i = range.i0; i <= range.i1; ++i) {
+            const double x = map.toScreen(Point{cells.x + i * cells.cellWidth, 0}).x;
+            if (x >= all.x0 && x <= all.x1) painter.drawLine(QPointF(middle(x), all.y0), QPointF(middle(x), all.y1));
+        }
+    }
+    void writeCells(const Cells& cells, const CellRange& range) const {
         const CellText text = cellText(cells, range, map.scale, style);
+        if (text.pixels <= 0) return;
         QFont font("DejaVu Sans");
-        if (text.pixels > 0) font.setPixelSize(std::max(1, static_cast<int>(text.pixels)));
+        font.setPixelSize(std::max(1, static_cast<int>(text.pixels)));
         painter.setFont(font);
         for (int j = range.j0; j < range.j1; ++j) {
             for (int i = range.i0; i < range.i1; ++i) {
-                const float value = (*cells.values)(i, j);
-                const Rgba color = style.cell(cells.map, static_cast<double>(value), cells.low, cells.high);
-                const QRectF box = qrect(map.toScreen(cellBox(cells, i, j)));
-                painter.setRenderHint(QPainter::Antialiasing, false);
-                painter.fillRect(box, qcolor(color));
-                painter.setRenderHint(QPainter::Antialiasing, true);
-                if (side >= 8 * style.pixelsPerPoint()) {
-                    painter.setBrush(Qt::NoBrush);
-                    painter.setPen(qpen(style.stroke(Role::Grid, Emphasis::Normal)));
-                    painter.drawRect(box);
-                }
+                const Box box = seenOf(cells, i, j);
                 if (!textFits(text, box.width(), box.height())) continue;
-                painter.setPen(qcolor(Style::textOn(color)));
-                painter.drawText(box, Qt::AlignCenter, QString::fromStdString(cellValueText(cells, value, text)));
+                painter.setPen(qcolor(Style::textOn(colorOf(cells, i, j))));
+                painter.drawText(qrect(box), Qt::AlignCenter,
+                                 QString::fromStdString(cellValueText(cells, (*cells.values)(i, j), text)));
             }
         }
     }
@@ -116,19 +200,24 @@ struct ItemPainter {
 
     void operator()(const Polyline& line) const {
         if (line.points.size() < 2) return;
-        QPolygonF polygon;
-        for (const Point& p : line.points) polygon << qpoint(map.toScreen(p));
+        std::vector<Point> points;
+        for (const Point& p : line.points) points.push_back(map.toScreen(p));
+        const std::vector<Run> runs = runsWithin(points, screen.grown(100));
         const Stroke s = stroke();
         painter.setBrush(Qt::NoBrush);
         if (hasHalo(item)) {
             painter.setPen(haloPen(s.width));
-            painter.drawPolyline(polygon);
+            for (const Run& run : runs) painter.drawPolyline(run.points);
         }
-        painter.setPen(qpen(s));
-        painter.drawPolyline(polygon);
+        for (const Run& run : runs) {
+            QPen pen = qpen(s);
+            if (!s.dash.empty()) pen.setDashOffset(run.before / s.width);
+            painter.setPen(pen);
+            painter.drawPolyline(run.points);
+        }
         if (!line.arrow) return;
-        const QPointF tip = polygon.last();
-        const QPointF back = tip - polygon[polygon.size() - 2];
+        const QPointF tip = qpoint(points.back());
+        const QPointF back = tip - qpoint(points[points.size() - 2]);
         const double angle = std::atan2(back.y(), back.x()) * 180 / M_PI;
         painter.save();
         painter.translate(tip);
@@ -184,7 +273,15 @@ struct ItemPainter {
     }
 
     void operator()(const Hatch& h) const {
-        painter.fillRect(qrect(map.toScreen(h.box)), QBrush(qcolor(style.color(item.role)), Qt::BDiagPattern));
+        const Box box = map.toScreen(h.box).cut(screen);
+        if (box.empty()) return;
+        painter.setPen(qpen(style.stroke(item.role, Emphasis::Faint)));
+        const double gap = 5 * style.pixelsPerPoint();
+        for (double c = std::floor((box.x0 + box.y0) / gap) * gap; c < box.x1 + box.y1; c += gap) {
+            const double from = std::max(box.x0, c - box.y1);
+            const double to = std::min(box.x1, c - box.y0);
+            if (from < to) painter.drawLine(QPointF(from, c - from), QPointF(to, c - to));
+        }
     }
 
     void operator()(const Label&) const {}
@@ -218,10 +315,11 @@ void paintLabel(QPainter& painter, const Item& item, const Label& label, const V
 
 }  // namespace
 
-void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen) {
+void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen,
+           CellPictures* kept) {
     painter.setRenderHint(QPainter::Antialiasing, true);
     for (const Item& item : drawing.items) {
-        std::visit(ItemPainter{painter, map, style, screen, item}, item.primitive);
+        std::visit(ItemPainter{painter, map, style, screen, kept, item}, item.primitive);
     }
     LabelRoom room;
     for (const bool strong : {true, false}) {
