@@ -12,15 +12,15 @@
 #include <QFileInfo>
 
 #include "arguments.h"
+#include "measuring/bench/bench_rows.h"
 #include "measuring/bench/pareto.h"
+#include "panes/charts/charts_figure.h"
+#include "panes/rows/rows_drawing.h"
 #include "relief/errors.h"
-#include "views/charts_data.h"
-#include "views/compare_data.h"
-#include "views/duel_data.h"
-#include "views/figure.h"
-#include "views/pane_options.h"
+#include "relief/tracers/map_choice.h"
 #include "windows/application.h"
 #include "windows/display_check.h"
+#include "windows/figure_list.h"
 #include "windows/main_window.h"
 #include "windows/program.h"
 #include "windows/restore_offer.h"
@@ -103,7 +103,7 @@ std::vector<std::string> betweenCommas(const std::string& text) {
 }
 
 // The chart of a table of `relief bench tracers`.
-std::shared_ptr<const reliefui::ChartsSource> paretoChart(const Arguments& arguments) {
+std::shared_ptr<const reliefui::Figure> paretoChart(const Arguments& arguments) {
     auto source = std::make_shared<reliefui::ParetoSource>();
     if (!arguments.error.empty()) source->measure = parseErrorMeasure(arguments.error, "--error");
     source->table = paretoTable(chosenRows(readBenchJson(arguments.file), arguments.relief, arguments.elevation));
@@ -111,30 +111,7 @@ std::shared_ptr<const reliefui::ChartsSource> paretoChart(const Arguments& argum
     auto charts = std::make_shared<reliefui::ChartsSource>();
     charts->shown = reliefui::ChartsShown::Pareto;
     charts->pareto = std::move(source);
-    return charts;
-}
-
-// The charts pane, measured now.
-std::shared_ptr<const reliefui::ChartsSource> measuredCharts(const reliefui::Snapshot& snapshot,
-                                                             const Arguments& arguments) {
-    ErrorMeasure measure = ErrorMeasure::Mean;
-    if (!arguments.error.empty()) measure = parseErrorMeasure(arguments.error, "--error");
-    Work work;
-    auto charts = std::make_shared<reliefui::ChartsSource>();
-    charts->histograms = reliefui::histogramsOf(snapshot, work);
-    charts->chosenSteps = reliefui::chosenSteps(snapshot);
-    // As the pane begins: building all maps of a large picture takes minutes.
-    constexpr bool kWithMaps = false;
-    charts->pareto = reliefui::paretoSource(snapshot, reliefui::measureView(snapshot, kWithMaps, work), measure);
-    return charts;
-}
-
-// The compare pane, rendered and measured now; null where there is nothing to compare with.
-std::shared_ptr<const reliefui::ComparedView> measuredComparison(const reliefui::Snapshot& snapshot) {
-    if (snapshot.scenario.comparison.others.empty()) return nullptr;
-    Work work;
-    reliefui::Comparer comparer;
-    return reliefui::withRates(*comparer.view(snapshot, work), snapshot, work);
+    return reliefui::chartsFigure(std::move(charts));
 }
 
 reliefui::Layer chosenLayer(const std::string& name) {
@@ -148,51 +125,47 @@ reliefui::Layer chosenLayer(const std::string& name) {
         "--layer", Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", commaList(kNames)}}));
 }
 
-// What is asked for here stands before what the scenario says.
-void takeArguments(reliefui::FigureRequest& request, const Arguments& arguments) {
-    if (!arguments.map.empty()) request.distance.kind = arguments.map;
-    if (!arguments.minus.empty()) request.distance.minus = arguments.minus;
-    if (!arguments.axis.empty()) request.distance.axis = static_cast<reliefui::SliceAxis>(arguments.axis.front() - 'x');
-    if (arguments.slice >= 0) request.distance.slice = arguments.slice;
-    if (!arguments.variants.empty()) request.rows.methods = betweenCommas(arguments.variants);
-    if (arguments.rowWidth > 0) request.rows.pixels = arguments.rowWidth;
+// What stands in the command goes before what the scenario says.
+void takeArguments(reliefui::PaneStates& panes, const Arguments& arguments) {
+    if (!arguments.map.empty()) panes.distance.map = arguments.map;
+    if (!arguments.minus.empty()) panes.distance.minus = arguments.minus;
+    if (!arguments.axis.empty()) panes.distance.axis = arguments.axis;
+    if (arguments.slice >= 0) panes.distance.slice = arguments.slice;
+    if (!arguments.variants.empty()) panes.rows.variants = betweenCommas(arguments.variants);
+    if (arguments.rowWidth > 0) panes.rows.pixels = arguments.rowWidth;
+    if (!arguments.error.empty()) panes.charts.error = arguments.error;
 }
 
-// The duel pane, fought now, at the scenario's step.
-void takeDuel(reliefui::FigureRequest& request, const std::shared_ptr<const reliefui::Snapshot>& snapshot) {
-    if (!snapshot->trace.onRelief) return;
-    Work work;
-    request.duel = reliefui::makeDuel(snapshot, snapshot->scenario.comparison.others, work);
-    const std::size_t own = snapshot->trace.fromFile ? request.duel->runs.size() - 1 : 0;
-    const auto step = static_cast<std::size_t>(std::max(snapshot->scenario.step, 0));
-    request.duelMoment = request.duel->steps.momentOf(own, step);
-    if (request.duelMoment == request.duel->firstMoment()) request.duelUpTo = request.duel->closeUp();
-    // What is chosen for the profile is not meant for it.
-    request.profile = {};
-    request.profile.levels = reliefui::LevelsShown::None;
-    request.profile.nearRay = true;
+// Before anything long: what can be wrong with the options.
+void checkArguments(const Arguments& arguments) {
+    for (const std::string& kind : {arguments.map, arguments.minus}) {
+        if (!kind.empty()) methodOfMap(kind);  // throws
+    }
+    if (!arguments.variants.empty()) reliefui::rowMethods({betweenCommas(arguments.variants)}, "--variants");  // throws
+    reliefui::requireRange("--row-width", arguments.rowWidth, 0, static_cast<double>(kWidestRow));
 }
 
 int exportFigure(int count, char** values, const Arguments& arguments) {
-    reliefui::FigureRequest request;
-    request.view = arguments.figure;
-    request.widthMm = arguments.widthMm;
-    request.dpi = arguments.dpi;
-    request.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
-    request.style.language = reliefui::uiLanguage();
-    takeArguments(request, arguments);
-    reliefui::checkFigure(request, arguments.output);
-    if (request.view == "pareto") {
-        request.charts = paretoChart(arguments);
+    const reliefui::FigureKind& kind = reliefui::figureKind(arguments.figure);
+    reliefui::FigurePage page;
+    page.title = arguments.figure;
+    page.widthMm = arguments.widthMm;
+    page.dpi = arguments.dpi;
+    page.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
+    page.style.language = reliefui::uiLanguage();
+    reliefui::checkPage(page, arguments.output, kind.vectors);
+    checkArguments(arguments);
+    if (!kind.make) {
+        const auto chart = paretoChart(arguments);
         reliefui::prepareFigures();
         QApplication application(count, values);
         reliefui::dressApplication(application);
-        reliefui::writeFigure({}, request, arguments.output);
+        reliefui::writeFigure(*chart, page, arguments.output);
         return 0;
     }
     Start start = chosenStart(arguments.file, shippedPictures());
-    reliefui::takePanes(request, reliefui::panesOf(start.scenario));
-    takeArguments(request, arguments);
+    reliefui::PaneStates panes = reliefui::panesOf(start.scenario);
+    takeArguments(panes, arguments);
     reliefui::prepareFigures();
     QApplication application(count, values);
     reliefui::dressApplication(application);
@@ -201,11 +174,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     order.scenario = start.scenario;
     order.layer = chosenLayer(arguments.layer);
     Work work;
-    const std::shared_ptr<const reliefui::Snapshot> snapshot = maker.make(order, work);
-    if (request.view == "charts") request.charts = measuredCharts(*snapshot, arguments);
-    if (request.view == "compare") request.compare = measuredComparison(*snapshot);
-    if (request.view == "duel") takeDuel(request, snapshot);
-    reliefui::writeFigure(*snapshot, request, arguments.output);
+    reliefui::writeFigure(*kind.make(maker.make(order, work), panes), page, arguments.output);
     return 0;
 }
 

@@ -34,7 +34,7 @@ timed "app/run to its end, the window's program built" app/run
 printf '| app/run to its pictures | %d | |\n' $(($(find build/figures -type f -printf '%Ts\n' | sort -n | tail -n 1) - begin))
 timed "tests/run after it" tests/run
 grep -oE '^([0-9]+% tests passed.*|Total Test time.*)' "$folder/log" | tail -n 2 >&2 || true
-for source in ui/views/profile_view.cpp algorithms/relief/tracers/tracers.cpp \
+for source in ui/panes/profile/profile_view.cpp algorithms/relief/tracers/tracers.cpp \
     algorithms/relief/simd/cone_lanes_bilinear.cpp; do
     [ -f "$source" ] || continue
     touch "$source"

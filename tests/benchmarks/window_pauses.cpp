@@ -9,15 +9,15 @@
 #include <QDockWidget>
 #include <QTest>
 
+#include "panes/charts/charts_view.h"
+#include "panes/compare/compare_view.h"
+#include "panes/distance/distance_view.h"
+#include "panes/drawing_canvas.h"
+#include "panes/drawn/drawn_view.h"
+#include "panes/duel/duel_view.h"
+#include "panes/pyramid/pyramid_view.h"
+#include "panes/result/result_view.h"
 #include "scenario/comparison.h"
-#include "views/charts_view.h"
-#include "views/compare_view.h"
-#include "views/distance_view.h"
-#include "views/drawing_canvas.h"
-#include "views/drawn_view.h"
-#include "views/duel_view.h"
-#include "views/pyramid_view.h"
-#include "views/result_view.h"
 #include "windows/application.h"
 #include "windows/display_check.h"
 #include "windows/main_window.h"

@@ -3,11 +3,11 @@
 #include <QToolButton>
 
 #include "measuring/bench/view_bench.h"
-#include "views/charts_view.h"
-#include "views/compare_view.h"
-#include "views/drawing_canvas.h"
+#include "panes/charts/charts_view.h"
+#include "panes/compare/compare_view.h"
+#include "panes/drawing_canvas.h"
+#include "panes/number_control.h"
 #include "window_fixture.h"
-#include "windows/number_control.h"
 #include "workspace/pane_states.h"
 
 namespace reliefui {

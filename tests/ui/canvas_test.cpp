@@ -1,9 +1,9 @@
 // The grammar of the two-dimensional panes: pick, zoom, move, words in Cyrillic.
 #include <cmath>
 
-#include "drawings/ray_geometry.h"
-#include "views/drawing_canvas.h"
-#include "views/pyramid_view.h"
+#include "panes/drawing_canvas.h"
+#include "panes/pyramid/pyramid_view.h"
+#include "panes/ray_geometry.h"
 #include "window_fixture.h"
 
 namespace reliefui {

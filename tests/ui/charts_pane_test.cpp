@@ -2,12 +2,12 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
-#include "drawings/charts_drawing.h"
 #include "measuring/bench/measured_method.h"
+#include "panes/charts/charts_drawing.h"
+#include "panes/charts/charts_view.h"
+#include "panes/drawing_canvas.h"
 #include "rendering/error_layer.h"
 #include "scenario/scenario.h"
-#include "views/charts_view.h"
-#include "views/drawing_canvas.h"
 #include "window_fixture.h"
 
 namespace reliefui {

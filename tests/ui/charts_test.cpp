@@ -7,8 +7,8 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
-#include "drawings/chart_parts.h"
-#include "drawings/charts_drawing.h"
+#include "painting/chart_parts.h"
+#include "panes/charts/charts_drawing.h"
 #include "relief/errors.h"
 #include "rendering/error_layer.h"
 #include "scenario/scenario.h"

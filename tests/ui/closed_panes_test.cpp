@@ -5,9 +5,9 @@
 #include <QThreadPool>
 #include <QToolButton>
 
-#include "views/charts_view.h"
-#include "views/compare_view.h"
-#include "views/trace3d_view.h"
+#include "panes/charts/charts_view.h"
+#include "panes/compare/compare_view.h"
+#include "panes/trace/trace3d_view.h"
 #include "window_fixture.h"
 
 namespace reliefui {

@@ -8,11 +8,12 @@
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
-#include "drawings/chart_parts.h"
-#include "drawings/compare_drawing.h"
+#include "measuring/bench/view_bench.h"
 #include "measuring/compare/picture_error.h"
+#include "painting/chart_parts.h"
+#include "panes/compare/compare_drawing.h"
+#include "panes/compare/compare_view.h"
 #include "scenario/scenario.h"
-#include "views/compare_view.h"
 #include "window_fixture.h"
 
 namespace reliefui {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "drawings/chart_parts.h"
-#include "drawings/compare_drawing.h"
+#include "painting/chart_parts.h"
+#include "panes/compare/compare_drawing.h"
 
 namespace reliefui {
 

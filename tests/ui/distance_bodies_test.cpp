@@ -5,8 +5,8 @@
 #include <QComboBox>
 
 #include "distance_fixture.h"
-#include "views/distance_view.h"
-#include "views/step_table.h"
+#include "panes/distance/distance_view.h"
+#include "panes/steps/step_table.h"
 
 namespace reliefui {
 

@@ -1,9 +1,9 @@
 // The distance map's pane, open on a relief with walls.
 #pragma once
 
+#include "panes/distance/distance_view.h"
+#include "panes/drawing_canvas.h"
 #include "relief/tracers/map_choice.h"
-#include "views/distance_view.h"
-#include "views/drawing_canvas.h"
 #include "window_fixture.h"
 
 namespace reliefui {

@@ -7,11 +7,11 @@
 #include <QToolButton>
 
 #include "distance_fixture.h"
-#include "drawings/ray_geometry.h"
+#include "panes/distance/distance_view.h"
+#include "panes/drawing_canvas.h"
+#include "panes/ray_geometry.h"
+#include "panes/result/result_painting.h"
 #include "relief/tracers/map_choice.h"
-#include "views/distance_view.h"
-#include "views/drawing_canvas.h"
-#include "views/result_painting.h"
 
 namespace reliefui {
 

@@ -9,9 +9,9 @@
 #include <QPainter>
 #include <QSvgGenerator>
 
-#include "drawings/pyramid_drawing.h"
-#include "drawings/painter.h"
-#include "drawings/ray_geometry.h"
+#include "painting/painter.h"
+#include "panes/pyramid/pyramid_drawing.h"
+#include "panes/ray_geometry.h"
 #include "relief/files.h"
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/reliefs.h"

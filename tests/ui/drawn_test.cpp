@@ -8,13 +8,13 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
-#include "drawings/drawn_drawing.h"
+#include "panes/drawing_canvas.h"
+#include "panes/drawn/drawn_drawing.h"
+#include "panes/drawn/drawn_view.h"
+#include "panes/profile/profile_view.h"
+#include "panes/pyramid/pyramid_view.h"
 #include "relief/reliefs.h"
 #include "scenario/scenario.h"
-#include "views/drawing_canvas.h"
-#include "views/drawn_view.h"
-#include "views/profile_view.h"
-#include "views/pyramid_view.h"
 #include "window_fixture.h"
 #include "workspace/snapshot_maker.h"
 

@@ -6,8 +6,8 @@
 #include <QTableView>
 #include <QToolButton>
 
-#include "views/drawing_canvas.h"
-#include "views/duel_view.h"
+#include "panes/drawing_canvas.h"
+#include "panes/duel/duel_view.h"
 #include "window_fixture.h"
 
 namespace reliefui {

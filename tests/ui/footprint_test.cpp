@@ -8,14 +8,14 @@
 #include <QDir>
 #include <QTemporaryDir>
 
-#include "drawings/footprint_drawing.h"
-#include "views/drawing_canvas.h"
-#include "views/figure.h"
-#include "views/footprint_view.h"
-#include "views/result_painting.h"
+#include "panes/drawing_canvas.h"
+#include "panes/figure.h"
+#include "panes/footprint/footprint_drawing.h"
+#include "panes/footprint/footprint_view.h"
+#include "panes/number_control.h"
+#include "panes/result/result_painting.h"
 #include "window_fixture.h"
 #include "windows/filter_box.h"
-#include "windows/number_control.h"
 
 namespace reliefui {
 

@@ -1,5 +1,5 @@
 // Lines of equal value lie where the value is.
-#include "drawings/iso_lines.h"
+#include "painting/iso_lines.h"
 
 #include <gtest/gtest.h>
 

@@ -16,9 +16,9 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "views/compare_view.h"
-#include "views/drawing_canvas.h"
-#include "views/duel_view.h"
+#include "panes/compare/compare_view.h"
+#include "panes/drawing_canvas.h"
+#include "panes/duel/duel_view.h"
 #include "window_fixture.h"
 #include "windows/step_bar.h"
 

@@ -5,8 +5,8 @@
 #include <QDockWidget>
 
 #include "lessons/lessons.h"
-#include "views/duel_data.h"
-#include "views/point_asker.h"
+#include "panes/duel/duel_data.h"
+#include "panes/point_asker.h"
 #include "window_fixture.h"
 #include "windows/message_bar.h"
 #include "workspace/pane_states.h"

@@ -9,15 +9,15 @@
 #include <QLabel>
 #include <QTableView>
 
-#include "drawings/ray_geometry.h"
+#include "panes/number_control.h"
+#include "panes/options_form.h"
+#include "panes/ray_geometry.h"
+#include "panes/steps/step_table.h"
+#include "panes/trace/trace3d_samples.h"
+#include "panes/trace/trace3d_view.h"
 #include "relief/reliefs.h"
 #include "relief/tracers.h"
-#include "views/step_table.h"
-#include "views/trace3d_samples.h"
-#include "views/trace3d_view.h"
 #include "window_fixture.h"
-#include "windows/number_control.h"
-#include "windows/options_form.h"
 #include "windows/step_bar.h"
 #include "windows/top_bar.h"
 

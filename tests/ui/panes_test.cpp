@@ -6,13 +6,13 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "panes/drawing_canvas.h"
+#include "panes/duel/duel_view.h"
+#include "panes/pyramid/pyramid_view.h"
+#include "panes/result/result_painting.h"
+#include "panes/steps/step_table.h"
+#include "panes/trace/trace3d_view.h"
 #include "scenario/step_sentence.h"
-#include "views/drawing_canvas.h"
-#include "views/duel_view.h"
-#include "views/pyramid_view.h"
-#include "views/result_painting.h"
-#include "views/step_table.h"
-#include "views/trace3d_view.h"
 #include "window_fixture.h"
 #include "windows/step_bar.h"
 

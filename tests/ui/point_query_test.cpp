@@ -1,14 +1,14 @@
 // The distances of a point, asked for in the distance map and in the profile.
-#include "drawings/point_query.h"
+#include "panes/point_query.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "distance_fixture.h"
 #include "lessons/lessons.h"
-#include "views/pane_options.h"
-#include "views/point_asker.h"
-#include "views/profile_view.h"
+#include "panes/point_asker.h"
+#include "panes/profile/profile_view.h"
+#include "windows/figure_list.h"
 #include "workspace/pane_states.h"
 
 namespace reliefui {
@@ -48,7 +48,7 @@ TEST_F(DistanceTest, OfThePapersPointBothSpheresAndLinesAreDrawn) {
     DistanceFrame frame = view()->shown()->frame;
     const relief::HeightField& field = snapshot()->request->field;
     Drawing drawing;
-    addPointMarks(drawing, query, field, frame);
+    addPointMarks(drawing, query, pointPlane(query, field, frame));
     const Point c = frame.at(Place3{4, 4.5, 6});
     for (const auto& [role, radius] : {std::pair(Role::Series, 3.0), std::pair(Role::SeriesDashed, 4.0)}) {
         const std::vector<double> found = radii(drawing, role, c, frame.scale);
@@ -64,7 +64,7 @@ TEST_F(DistanceTest, OfThePapersPointBothSpheresAndLinesAreDrawn) {
     // A slice that misses both spheres shows nothing of them.
     frame.plane += 4.5;
     Drawing missed;
-    addPointMarks(missed, query, field, frame);
+    addPointMarks(missed, query, pointPlane(query, field, frame));
     EXPECT_TRUE(missed.items.empty());
 
     LegendRows rows(600, relief::Language::English);
@@ -153,13 +153,12 @@ TEST_F(DistanceTest, InEveryCopyOfAPictureAPointHasTheSameDistances) {
 TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
     openWindow(walls());
     for (const char* const name : {"distance", "profile"}) {
-        FigureRequest request;
-        request.view = name;
-        takePanes(request, panesOf(walls()));
-        ASSERT_TRUE(request.query);
-        const QImage with = figureImage(*snapshot(), request, 500);
-        request.query.reset();
-        EXPECT_NE(figureImage(*snapshot(), request, 500), with) << name;
+        PaneStates panes = panesOf(walls());
+        ASSERT_TRUE(panes.query);
+        const auto picture = [&] { return figureImage(*figureKind(name).make(snapshot(), panes), {}, 500); };
+        const QImage with = picture();
+        panes.query.reset();
+        EXPECT_NE(picture(), with) << name;
     }
 }
 

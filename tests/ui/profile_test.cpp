@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drawings/view_map.h"
+#include "painting/view_map.h"
 #include "traced_ray.h"
 
 namespace reliefui {

@@ -7,9 +7,9 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 
+#include "panes/drawing_canvas.h"
+#include "panes/profile/profile_view.h"
 #include "scenario/scenario.h"
-#include "views/drawing_canvas.h"
-#include "views/profile_view.h"
 #include "window_fixture.h"
 
 namespace reliefui {

@@ -30,7 +30,7 @@
 
 #include "../resident_memory.h"
 #include "crash_report.h"
-#include "views/drawing_canvas.h"
+#include "panes/drawing_canvas.h"
 #include "window_fixture.h"
 
 namespace reliefui {

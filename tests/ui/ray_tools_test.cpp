@@ -10,11 +10,11 @@
 #include <QTableView>
 #include <QTemporaryDir>
 
+#include "panes/drawing_canvas.h"
+#include "panes/profile/profile_view.h"
+#include "panes/steps/step_table.h"
+#include "panes/trace/trace3d_view.h"
 #include "scenario/ray_files.h"
-#include "views/drawing_canvas.h"
-#include "views/profile_view.h"
-#include "views/step_table.h"
-#include "views/trace3d_view.h"
 #include "window_fixture.h"
 #include "windows/bookmarks.h"
 #include "windows/other_bar.h"

@@ -5,9 +5,9 @@
 #include <QComboBox>
 #include <QWheelEvent>
 
+#include "panes/result/pixel_values.h"
+#include "panes/result/result_painting.h"
 #include "relief/tracers.h"
-#include "views/pixel_values.h"
-#include "views/result_painting.h"
 #include "window_fixture.h"
 #include "workspace/snapshot_maker.h"
 

@@ -7,10 +7,10 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
-#include "drawings/rows_drawing.h"
+#include "panes/drawing_canvas.h"
+#include "panes/rows/rows_drawing.h"
+#include "panes/rows/rows_view.h"
 #include "scenario/scenario.h"
-#include "views/drawing_canvas.h"
-#include "views/rows_view.h"
 #include "window_fixture.h"
 
 namespace reliefui {

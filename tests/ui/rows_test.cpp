@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <QTranslator>
 
-#include "drawings/rows_drawing.h"
-#include "drawings/style.h"
 #include "measuring/bench/bench_rows.h"
+#include "painting/style.h"
+#include "panes/rows/rows_drawing.h"
 #include "relief/errors.h"
 
 namespace reliefui {

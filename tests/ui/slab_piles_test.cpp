@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "views/slab_piles.h"
-#include "views/turntable.h"
+#include "panes/pyramid/slab_piles.h"
+#include "panes/turntable.h"
 
 namespace reliefui {
 namespace {

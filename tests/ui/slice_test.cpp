@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drawings/distance_slice.h"
+#include "panes/distance/distance_slice.h"
 #include "relief/tracers/map_choice.h"
 #include "traced_ray.h"
 

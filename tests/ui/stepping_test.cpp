@@ -10,7 +10,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
-#include "views/step_table.h"
+#include "panes/steps/step_table.h"
 #include "window_fixture.h"
 #include "windows/breakpoint_bar.h"
 #include "windows/step_bar.h"

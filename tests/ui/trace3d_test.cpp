@@ -5,9 +5,9 @@
 #include <vtkCoordinate.h>
 #include <vtkRenderer.h>
 
-#include "views/result_painting.h"
-#include "views/trace3d_view.h"
-#include "views/turntable.h"
+#include "panes/result/result_painting.h"
+#include "panes/trace/trace3d_view.h"
+#include "panes/turntable.h"
 #include "window_fixture.h"
 
 namespace reliefui {

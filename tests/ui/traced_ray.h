@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "drawings/profile_drawing.h"
-#include "drawings/slice.h"
+#include "panes/profile/profile_drawing.h"
+#include "panes/slice.h"
 #include "relief/reliefs.h"
 #include "relief/tracers.h"
 

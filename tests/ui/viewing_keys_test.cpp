@@ -17,12 +17,12 @@
 #include <QTabBar>
 #include <QWheelEvent>
 
-#include "views/drawing_canvas.h"
-#include "views/drawn_view.h"
-#include "views/profile_view.h"
-#include "views/pyramid_view.h"
+#include "panes/drawing_canvas.h"
+#include "panes/drawn/drawn_view.h"
+#include "panes/number_control.h"
+#include "panes/profile/profile_view.h"
+#include "panes/pyramid/pyramid_view.h"
 #include "window_fixture.h"
-#include "windows/number_control.h"
 #include "windows/top_bar.h"
 
 namespace reliefui {

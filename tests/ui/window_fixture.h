@@ -7,8 +7,8 @@
 #include <QImage>
 #include <QTest>
 
-#include "views/figure_view.h"
-#include "views/result_view.h"
+#include "panes/figure_view.h"
+#include "panes/result/result_view.h"
 #include "windows/main_window.h"
 #include "workspace/workspace.h"
 

@@ -10,9 +10,9 @@
 #include <QTemporaryDir>
 #include <QUrl>
 
+#include "panes/number_control.h"
 #include "window_fixture.h"
 #include "windows/message_bar.h"
-#include "windows/number_control.h"
 #include "windows/top_bar.h"
 #include "workspace/start_scenario.h"
 

@@ -6,8 +6,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "windows/core_texts.h"
-#include "windows/options_form.h"
+#include "panes/core_texts.h"
+#include "panes/options_form.h"
 
 namespace reliefui {
 

@@ -19,7 +19,7 @@
 #include <QObject>
 #include <QPointer>
 
-#include "views/soon.h"
+#include "panes/soon.h"
 
 class QKeyEvent;
 class QMainWindow;

@@ -15,9 +15,10 @@
 #include <QStatusBar>
 #include <QUrl>
 
-#include "views/figure_export.h"
-#include "views/figure_view.h"
-#include "views/result_painting.h"
+#include "panes/figure_export.h"
+#include "panes/figure_view.h"
+#include "panes/result/result_painting.h"
+#include "windows/figure_list.h"
 #include "windows/main_window.h"
 #include "windows/pictures_box.h"
 #include "workspace/aside.h"
@@ -111,14 +112,15 @@ void MainWindow::askView(const QString& view) {
 void MainWindow::saveView(const QString& view, const QString& path, int pixels) {
     const auto shown = workspace_->snapshot();
     if (!shown) return;
-    Snapshot snapshot = *shown;
-    snapshot.scenario.step = workspace_->scenario().step;
-    FigureRequest request;
-    request.view = view.toStdString();
-    request.style = workspace_->style();
+    auto snapshot = std::make_shared<Snapshot>(*shown);
+    snapshot->scenario.step = workspace_->scenario().step;
+    const auto figure = figureKind(view.toStdString()).make(std::move(snapshot), panesOf(workspace_->scenario()));
+    FigurePage page;
+    page.title = view.toStdString();
+    page.style = workspace_->style();
     // Drawn aside, as the panes' are.
-    runAside([this, snapshot, request, path, pixels, back = mailbox_.address()] {
-        const QString problem = saveFigureFile(snapshot, request, {path, pixels});
+    runAside([this, figure, page, path, pixels, back = mailbox_.address()] {
+        const QString problem = saveFigureFile(*figure, page, {path, pixels});
         back.post([this, path, problem] {
             if (!problem.isEmpty()) {
                 Q_EMIT workspace_->problem(problem);

@@ -6,9 +6,9 @@
 #include <QSettings>
 #include <QTimer>
 
-#include "views/drawn_view.h"
-#include "views/figure_view.h"
-#include "views/step_table.h"
+#include "panes/drawn/drawn_view.h"
+#include "panes/figure_view.h"
+#include "panes/steps/step_table.h"
 #include "windows/breakpoint_bar.h"
 #include "windows/main_window.h"
 #include "windows/status_line.h"

@@ -15,12 +15,12 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
-#include "views/charts_view.h"
-#include "views/compare_view.h"
-#include "views/distance_view.h"
-#include "views/duel_view.h"
-#include "views/result_painting.h"
-#include "views/result_view.h"
+#include "panes/charts/charts_view.h"
+#include "panes/compare/compare_view.h"
+#include "panes/distance/distance_view.h"
+#include "panes/duel/duel_view.h"
+#include "panes/result/result_painting.h"
+#include "panes/result/result_view.h"
 #include "windows/breakpoint_bar.h"
 #include "windows/main_window.h"
 #include "windows/scene_panel.h"

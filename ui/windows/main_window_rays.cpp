@@ -5,8 +5,8 @@
 #include <QStatusBar>
 
 #include "lessons/lessons.h"
-#include "views/drawing_canvas.h"
-#include "views/duel_view.h"
+#include "panes/drawing_canvas.h"
+#include "panes/duel/duel_view.h"
 #include "windows/bookmarks.h"
 #include "windows/main_window.h"
 #include "windows/other_bar.h"

@@ -9,8 +9,8 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include "panes/core_texts.h"
 #include "relief/reliefs.h"
-#include "windows/core_texts.h"
 
 namespace reliefui {
 

@@ -8,13 +8,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "panes/core_texts.h"
+#include "panes/number_control.h"
+#include "panes/options_form.h"
+#include "panes/orbit.h"
 #include "rendering/scene.h"
 #include "scenario/row_methods.h"
-#include "views/orbit.h"
-#include "windows/core_texts.h"
 #include "windows/filter_box.h"
-#include "windows/number_control.h"
-#include "windows/options_form.h"
 #include "windows/pictures_box.h"
 #include "workspace/pause_log.h"
 

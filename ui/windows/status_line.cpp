@@ -7,10 +7,10 @@
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "panes/core_texts.h"
+#include "panes/result/result_painting.h"
 #include "relief/messages.h"
 #include "scenario/step_sentence.h"
-#include "views/result_painting.h"
-#include "windows/core_texts.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {

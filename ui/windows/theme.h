@@ -3,7 +3,7 @@
 
 #include <QPalette>
 
-#include "drawings/style.h"
+#include "painting/style.h"
 
 namespace reliefui {
 

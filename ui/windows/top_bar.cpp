@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QStandardItemModel>
 
-#include "windows/core_texts.h"
-#include "windows/number_control.h"
+#include "panes/core_texts.h"
+#include "panes/number_control.h"
 #include "windows/scene_panel.h"
 #include "workspace/pause_log.h"
 

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "base/parallel.h"
-#include "drawings/style.h"
+#include "painting/style.h"
 #include "rendering/display.h"
 
 namespace reliefui {

@@ -16,7 +16,7 @@
 #include <QObject>
 #include <QString>
 
-#include "drawings/style.h"
+#include "painting/style.h"
 #include "workspace/history.h"
 #include "workspace/snapshot.h"
 

@@ -1,0 +1,120 @@
+#include "painting/cell_image.h"
+
+#include <array>
+#include <cmath>
+
+#include "scenario/step_sentence.h"
+
+namespace reliefui {
+
+CellImage cellImage(const Cells& cells, const Style& style, int longest) {
+    const CellRange all{0, 0, cells.values->width(), cells.values->height()};
+    int step = 1;
+    while (std::max(all.i1, all.j1) > longest * step) ++step;
+    return cellImage(cells, style, all, step);
+}
+
+CellImage cellImage(const Cells& cells, const Style& style, const CellRange& part, int step) {
+    constexpr std::size_t kCodes = 1024;
+    std::array<Rgba, kCodes> codes;
+    for (std::size_t c = 0; c < kCodes; ++c) {
+        codes[c] = style.mapped(cells.map, static_cast<double>(c) / (kCodes - 1));
+    }
+    const relief::FloatImage& values = *cells.values;
+    CellImage image;
+    image.i0 = part.i0;
+    image.j0 = part.j0;
+    image.step = step;
+    image.width = (part.i1 - part.i0 + step - 1) / step;
+    image.height = (part.j1 - part.j0 + step - 1) / step;
+    image.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
+    const bool marks = cells.map == ColorMap::Distance || cells.map == ColorMap::Difference;
+    const bool flat = !(cells.high > cells.low);
+    const double range = flat ? 1 : cells.high - cells.low;
+    const auto factor = static_cast<float>((kCodes - 1) / range);
+    const auto low = static_cast<float>(cells.low);
+    std::uint8_t* out = image.rgb.data();
+    for (int y = 0; y < image.height; ++y) {
+        const auto row = values.row(image.j0 + y * image.step);
+        for (int x = 0; x < image.width; ++x) {
+            const float value = row[static_cast<std::size_t>(image.i0 + x * image.step)];
+            const float code = (value - low) * factor + 0.5F;
+            const bool special = cells.map == ColorMap::Picture || (marks && (flat || !(code >= 0.0F)));
+            const Rgba color = special ? style.cell(cells.map, static_cast<double>(value), cells.low, cells.high)
+                                       : codes[static_cast<std::size_t>(std::clamp(code, 0.0F, kCodes - 1.0F))];
+            *out++ = color.r;
+            *out++ = color.g;
+            *out++ = color.b;
+        }
+    }
+    return image;
+}
+
+namespace {
+
+constexpr double kDigitWidth = 0.64;  // of DejaVu Sans, in ems
+
+}  // namespace
+
+CellText cellText(double cellWidth, double cellHeight, const Style& style) {
+    constexpr double kSmallest = 0.72;  // times the text size
+    constexpr double kLargest = 1.7;
+    CellText text;
+    const auto fitting = [&](int characters) {
+        return std::min(cellWidth * 0.84 / (characters * kDigitWidth), cellHeight * 0.45);
+    };
+    if (fitting(5) >= style.textPixels(1.0)) text.decimals = 3;
+    const double pixels = std::min(fitting(text.decimals + 2), style.textPixels(kLargest));
+    if (pixels >= style.textPixels(kSmallest)) text.pixels = pixels;
+    return text;
+}
+
+bool textFits(const CellText& text, double width, double height) {
+    return text.pixels > 0 && width >= text.characters() * kDigitWidth * text.pixels && height >= 1.1 * text.pixels;
+}
+
+namespace {
+
+// Distances and slopes of one grid all with the same decimals, about three figures of the largest.
+CellText measuredText(const Cells& cells, double scale, const Style& style) {
+    CellText text;
+    text.digits = cells.high >= 10 ? 2 : 1;
+    text.decimals = cells.high >= 10 ? 1 : (cells.high >= 1 ? 2 : 3);
+    text.sign = cells.low < 0;
+    const double pixels = std::min({cells.cellWidth * scale * 0.84 / (text.characters() * kDigitWidth),
+                                    cells.cellHeight * scale * 0.45, style.textPixels(1.7)});
+    constexpr double kSmallest = 0.6;  // times the text size
+    if (pixels >= style.textPixels(kSmallest)) text.pixels = pixels;
+    return text;
+}
+
+}  // namespace
+
+CellText cellText(const Cells& cells, const CellRange& range, double scale, const Style& style) {
+    if (!cells.print) return {};
+    if (cells.map == ColorMap::Distance || cells.map == ColorMap::Difference) return measuredText(cells, scale, style);
+    const CellText text = cellText(cells.cellWidth * scale, cells.cellHeight * scale, style);
+    // One decimal alone may be written smaller: fewer digits are easier to read, and figures in a column need it.
+    constexpr double kSmallest = 0.5;  // times the text size: 5 pt in print
+    CellText single;
+    single.decimals = 1;
+    const double pixels = std::min({cells.cellWidth * scale * 0.84 / (single.characters() * kDigitWidth),
+                                    cells.cellHeight * scale * 0.45, style.textPixels(1.7)});
+    if (pixels < style.textPixels(kSmallest)) return text;
+    single.pixels = pixels;
+    for (int j = range.j0; j < range.j1; ++j) {
+        for (int i = range.i0; i < range.i1; ++i) {
+            const float value = (*cells.values)(i, j);
+            if (static_cast<float>(std::round(static_cast<double>(value) * 10) / 10) != value) return text;
+        }
+    }
+    return single;
+}
+
+std::string cellValueText(const Cells& cells, float value, const CellText& text) {
+    const bool mark = std::isnan(value) || (cells.map == ColorMap::Distance && value < 0);
+    if (mark) return {};
+    return relief::fixedText(static_cast<double>(value), text.decimals);
+}
+
+}  // namespace reliefui

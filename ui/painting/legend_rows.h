@@ -1,0 +1,53 @@
+// Entries of a legend, one after the other, in as many rows as it takes. Points.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "painting/drawing.h"
+#include "painting/step_body.h"
+
+namespace reliefui {
+
+class LegendRows {
+  public:
+    LegendRows(double width, relief::Language language) : width_(width), language_(language) {}
+
+    // The place of an entry of this width; the middle of its row.
+    Point place(double width);
+    // About the width of the text.
+    double textRoom(const relief::Message& message) const;
+    void text(Point at, relief::Message message);
+    // A short line of this role, and what it is.
+    void line(Role role, const relief::Message& what, LevelTint tint = {}, double length = 18);
+    // A patch of its colour, and what it is.
+    void swatch(Role role, const relief::Message& what, LevelTint tint = {});
+    // The colours of a map, and what they are of.
+    void ramp(ColorMap map, const relief::Message& what);
+    // What the steps' spheres or cones are, where there are any; and that a promise is broken, where one is that is
+    // `drawn` (all of them, if it is empty). exact: the ray's first hit.
+    void bodies(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& exact,
+                const std::function<bool(const StepBody&)>& drawn = {});
+    // A mark of a decision, and its name; one entry for each that is `seen`.
+    void decisions(const std::array<bool, relief::kDecisionNames.size()>& seen);
+
+    void add(Role role, Primitive primitive, LevelTint tint = {}, Emphasis emphasis = Emphasis::Normal);
+    Drawing take();
+
+    static constexpr double kSign = 14;
+    static constexpr double kBetween = 9;
+
+  private:
+    double width_;
+    relief::Language language_;
+    double x_ = 0;
+    double y_ = 0;
+    double right_ = 0;
+    Drawing drawing_;
+};
+
+// Which decisions occur in the steps, and the hit.
+std::array<bool, relief::kDecisionNames.size()> decisionsSeen(const std::vector<relief::Step>* steps, bool hit);
+
+}  // namespace reliefui

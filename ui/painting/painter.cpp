@@ -1,0 +1,371 @@
+#include "painting/painter.h"
+
+#include <cmath>
+
+#include <QFont>
+#include <QFontMetricsF>
+#include <QImage>
+#include <QPaintEngine>
+
+#include "painting/cell_image.h"
+
+namespace reliefui {
+
+namespace {
+
+QColor qcolor(Rgba c) {
+    return QColor(c.r, c.g, c.b, c.a);
+}
+QPointF qpoint(Point p) {
+    return {p.x, p.y};
+}
+QRectF qrect(const Box& b) {
+    return {b.x0, b.y0, b.width(), b.height()};
+}
+QPen qpen(const Stroke& stroke) {
+    QPen pen(qcolor(stroke.color), stroke.width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
+    if (stroke.dash.empty()) return pen;
+    QVector<qreal> dash;
+    for (const double part : stroke.dash) dash.push_back(part / stroke.width);
+    pen.setDashPattern(dash);
+    return pen;
+}
+
+// Part of a line, and the length of what comes before it, so that its dashes go on.
+struct Run {
+    QPolygonF points;
+    double before = 0;
+};
+
+// What of the segment from a to b lies within the box, as shares of it; false: nothing.
+bool within(Point a, Point b, const Box& box, double& from, double& to) {
+    from = 0;
+    to = 1;
+    const auto cut = [&](double start, double by, double low, double high) {
+        if (by == 0) return start >= low && start <= high;
+        const double t0 = (low - start) / by;
+        const double t1 = (high - start) / by;
+        from = std::max(from, std::min(t0, t1));
+        to = std::min(to, std::max(t0, t1));
+        return from < to;
+    };
+    return cut(a.x, b.x - a.x, box.x0, box.x1) && cut(a.y, b.y - a.y, box.y0, box.y1);
+}
+
+// Far zoomed in, a line is thousands of screens long, and its dashes would be counted out.
+std::vector<Run> runsWithin(const std::vector<Point>& line, const Box& box) {
+    std::vector<Run> runs;
+    double length = 0;
+    bool open = false;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+        const Point a = line[k - 1];
+        const Point b = line[k];
+        const double own = std::hypot(b.x - a.x, b.y - a.y);
+        double from = 0;
+        double to = 1;
+        if (within(a, b, box, from, to)) {
+            const auto at = [&](double t) { return QPointF(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t); };
+            if (!open || from > 0) runs.push_back({QPolygonF({at(from)}), length + from * own});
+            runs.back().points << at(to);
+            open = to == 1;
+        } else {
+            open = false;
+        }
+        length += own;
+    }
+    return runs;
+}
+
+// Paints all but labels, which come last.
+struct ItemPainter {
+    QPainter& painter;
+    const ViewMap& map;
+    const Style& style;
+    const Box& screen;
+    CellPictures* kept;
+    const Item& item;
+
+    Stroke stroke() const { return style.stroke(item); }
+    QPen haloPen(double width) const {
+        return QPen(qcolor(style.halo()), width + 2 * style.screenPixelsPerPoint * 0.7, Qt::SolidLine, Qt::FlatCap,
+                    Qt::MiterJoin);
+    }
+
+    // Where pixels are painted, thin lines lie on whole ones.
+    bool onPixels() const { return painter.paintEngine()->type() == QPaintEngine::Raster; }
+    double middle(double at) const { return onPixels() ? std::round(at) + 0.5 : at; }
+
+    void operator()(const Rectangle& r) const {
+        const Box whole = screenBox(r, map, style.pixelsPerPoint());
+        if (!whole.overlaps(screen.grown(50))) return;
+        const Box box = whole.cut(screen.grown(100));
+        if (r.fill) painter.fillRect(qrect(box), qcolor(style.fill(item)));
+        if (r.fill && item.emphasis != Emphasis::Strong) return;
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(qpen(stroke()));
+        const double inner = onPixels() ? 1 : 0;  // the last pixel of the box
+        painter.drawRect(qrect({middle(box.x0), middle(box.y0), middle(box.x1 - inner), middle(box.y1 - inner)}));
+    }
+
+    void operator()(const Cells& cells) const {
+        const CellRange range = visibleCells(cells, map.toDrawing(screen));
+        if (range.count() <= 0) return;
+        constexpr std::int64_t kMostOnPaper = 4096;
+        constexpr std::int64_t kMostOnScreen = 20000;
+        const double side = std::min(cells.cellWidth, cells.cellHeight) * map.scale;
+        const bool ruled = side >= 8 * style.pixelsPerPoint();
+        if (kept == nullptr ? range.count() <= kMostOnPaper : ruled && range.count() <= kMostOnScreen) {
+            fillCells(cells, range);
+            if (ruled) ruleCells(cells, range);
+            writeCells(cells, range);
+        } else if (kept != nullptr) {
+            kept->draw(painter, cells, map, style, screen);
+        } else {
+            rasterCells(cells);
+        }
+    }
+
+    Rgba colorOf(const Cells& cells, int i, int j) const {
+        return style.cell(cells.map, static_cast<double>((*cells.values)(i, j)), cells.low, cells.high);
+    }
+    Box seenOf(const Cells& cells, int i, int j) const {
+        return map.toScreen(cellBox(cells, i, j)).cut(screen.grown(2));
+    }
+    void fillCells(const Cells& cells, const CellRange& range) const {
+        // Reaches below its neighbours, which are painted later: no ground shines through between them.
+        const double under = onPixels() ? 0 : 0.5;
+        const Box all = map.toScreen(cells.clip);
+        painter.setRenderHint(QPainter::Antialiasing, false);
+        for (int j = range.j0; j < range.j1; ++j) {
+            for (int i = range.i0; i < range.i1; ++i) {
+                Box box = seenOf(cells, i, j);
+                box.x1 = std::min(box.x1 + under, all.x1);
+                box.y1 = std::min(box.y1 + under, all.y1);
+                painter.fillRect(qrect(box), qcolor(colorOf(cells, i, j)));
+            }
+        }
+        painter.setRenderHint(QPainter::Antialiasing, true);
+    }
+    void ruleCells(const Cells& cells, const CellRange& range) const {
+        painter.setPen(qpen(style.stroke(Role::Grid, Emphasis::Normal)));
+        const Box all = map.toScreen(cells.clip).cut(screen.grown(2));
+        for (int j = range.j0; j <= range.j1; ++j) {
+            const double y = map.toScreen(Point{0, cells.y + j * cells.cellHeight}).y;
+            if (y >= all.y0 && y <= all.y1) painter.drawLine(QPointF(all.x0, middle(y)), QPointF(all.x1, middle(y)));
+        }
+        for (int i = range.i0; i <= range.i1; ++i) {
+            const double x = map.toScreen(Point{cells.x + i * cells.cellWidth, 0}).x;
+            if (x >= all.x0 && x <= all.x1) painter.drawLine(QPointF(middle(x), all.y0), QPointF(middle(x), all.y1));
+        }
+    }
+    void writeCells(const Cells& cells, const CellRange& range) const {
+        const CellText text = cellText(cells, range, map.scale, style);
+        if (text.pixels <= 0) return;
+        QFont font("DejaVu Sans");
+        font.setPixelSize(std::max(1, static_cast<int>(text.pixels)));
+        painter.setFont(font);
+        for (int j = range.j0; j < range.j1; ++j) {
+            for (int i = range.i0; i < range.i1; ++i) {
+                const Box box = seenOf(cells, i, j);
+                if (!textFits(text, box.width(), box.height())) continue;
+                painter.setPen(qcolor(Style::textOn(colorOf(cells, i, j))));
+                painter.drawText(qrect(box), Qt::AlignCenter,
+                                 QString::fromStdString(cellValueText(cells, (*cells.values)(i, j), text)));
+            }
+        }
+    }
+
+    void rasterCells(const Cells& cells) const {
+        const CellImage pixels = cellImage(cells, style);
+        const QImage image(pixels.rgb.data(), pixels.width, pixels.height, pixels.width * 3, QImage::Format_RGB888);
+        const Box whole{cells.x, cells.y, cells.x + pixels.width * pixels.step * cells.cellWidth,
+                        cells.y + pixels.height * pixels.step * cells.cellHeight};
+        painter.save();
+        painter.setClipRect(qrect(map.toScreen(cells.clip)), Qt::IntersectClip);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, map.scale * cells.cellWidth * pixels.step < 1);
+        painter.drawImage(qrect(map.toScreen(whole)), image);
+        painter.restore();
+    }
+
+    void operator()(const Area& area) const {
+        if (area.line.size() < 2) return;
+        QPolygonF polygon;
+        polygon << qpoint(map.toScreen(Point{area.line.front().x, area.base}));
+        for (const Point& p : area.line) polygon << qpoint(map.toScreen(p));
+        polygon << qpoint(map.toScreen(Point{area.line.back().x, area.base}));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(qcolor(style.fill(item)));
+        painter.drawPolygon(polygon);
+    }
+
+    void operator()(const Polyline& line) const {
+        if (line.points.size() < 2) return;
+        std::vector<Point> points;
+        for (const Point& p : line.points) points.push_back(map.toScreen(p));
+        const std::vector<Run> runs = runsWithin(points, screen.grown(100));
+        const Stroke s = stroke();
+        painter.setBrush(Qt::NoBrush);
+        if (hasHalo(item)) {
+            painter.setPen(haloPen(s.width));
+            for (const Run& run : runs) painter.drawPolyline(run.points);
+        }
+        for (const Run& run : runs) {
+            QPen pen = qpen(s);
+            if (!s.dash.empty()) pen.setDashOffset(run.before / s.width);
+            painter.setPen(pen);
+            painter.drawPolyline(run.points);
+        }
+        if (!line.arrow) return;
+        const QPointF tip = qpoint(points.back());
+        const QPointF back = tip - qpoint(points[points.size() - 2]);
+        const double angle = std::atan2(back.y(), back.x()) * 180 / M_PI;
+        painter.save();
+        painter.translate(tip);
+        painter.rotate(angle);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(qcolor(s.color));
+        const QPolygonF head(
+            {QPointF(0, 0), QPointF(-5 * s.width, -2.4 * s.width), QPointF(-5 * s.width, 2.4 * s.width)});
+        painter.drawPolygon(head);
+        painter.restore();
+    }
+
+    void operator()(const Circle& c) const {
+        Stroke s = stroke();
+        if (c.rim) s = {Style::rim(), Style::rimWidth(s.width, c.radius * map.scale), {}};
+        painter.setPen(qpen(s));
+        painter.setBrush(c.fill ? QBrush(qcolor(style.fill(item))) : QBrush(Qt::NoBrush));
+        painter.drawEllipse(qpoint(map.toScreen(c.center)), c.radius * map.scale, c.radius * map.scale);
+    }
+
+    void operator()(const Ring& r) const {
+        const Stroke s = stroke();
+        const double radius = r.radius * style.pixelsPerPoint();
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(qcolor(style.halo()), s.width * 2.6));
+        painter.drawEllipse(qpoint(map.toScreen(r.center)), radius, radius);
+        painter.setPen(QPen(qcolor(s.color), s.width));
+        painter.drawEllipse(qpoint(map.toScreen(r.center)), radius, radius);
+    }
+
+    void operator()(const Marker& m) const {
+        const double size = m.size * style.pixelsPerPoint();
+        const QPointF at = qpoint(map.toScreen(m.at));
+        const Stroke s = stroke();
+        const double r = size / 2;
+        painter.setPen(shapeFilled(m.shape) ? QPen(qcolor(style.halo()), s.width * 0.6)
+                                            : QPen(qcolor(s.color), s.width));
+        painter.setBrush(shapeFilled(m.shape) ? QBrush(qcolor(s.color)) : QBrush(Qt::NoBrush));
+        if (m.shape == Shape::Cross) {
+            painter.setPen(QPen(qcolor(s.color), s.width * 1.5));
+            painter.drawLine(at + QPointF(-r, -r), at + QPointF(r, r));
+            painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
+            return;
+        }
+        if (m.shape == Shape::Dot || m.shape == Shape::DotSmall || m.shape == Shape::Ring) {
+            const double radius = m.shape == Shape::DotSmall ? r * 0.6 : r;
+            painter.drawEllipse(at, radius, radius);
+            return;
+        }
+        QPolygonF polygon;
+        for (const Point& p : shapePolygon(m.shape, size)) polygon << at + qpoint(p);
+        painter.drawPolygon(polygon);
+    }
+
+    void operator()(const Hatch& h) const {
+        const Box box = map.toScreen(h.box).cut(screen);
+        if (box.empty()) return;
+        painter.setPen(qpen(style.stroke(item.role, Emphasis::Faint)));
+        const double gap = 5 * style.pixelsPerPoint();
+        for (double c = std::floor((box.x0 + box.y0) / gap) * gap; c < box.x1 + box.y1; c += gap) {
+            const double from = std::max(box.x0, c - box.y1);
+            const double to = std::min(box.x1, c - box.y0);
+            if (from < to) painter.drawLine(QPointF(from, c - from), QPointF(to, c - to));
+        }
+    }
+
+    void operator()(const Label&) const {}
+};
+
+void paintLabel(QPainter& painter, const Item& item, const Label& label, const ViewMap& map, const Style& style,
+                LabelRoom& room, const Box& screen) {
+    QFont font("DejaVu Sans");
+    font.setPixelSize(std::max(1, static_cast<int>(std::lround(style.textPixels(label.size)))));
+    font.setBold(item.emphasis == Emphasis::Strong && !label.plate);
+    const QString text = QString::fromStdString(labelText(label, style.language));
+    const QFontMetricsF metrics(font);
+    const double pad = label.plate ? 0.28 * font.pixelSize() : 0;
+    const double width = metrics.horizontalAdvance(text) + 2 * pad;
+    const double height = metrics.height() * 0.92 + (label.plate ? 0 : 1);
+    const Box box = labelBox(label, map, width, height, style.pixelsPerPoint());
+    if (box.empty() || !box.overlaps(screen)) return;
+    if (!room.place(box) && label.yields) return;
+    Rgba color = style.color(item);
+    if (label.plate && item.emphasis == Emphasis::Faint) color.a = kFaintPlate;
+    if (label.plate) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(qcolor(color));
+        painter.drawRoundedRect(qrect(box), pad, pad);
+        color = Style::textOn(color);
+    }
+    painter.setFont(font);
+    painter.setPen(qcolor(color));
+    painter.drawText(qrect(box), Qt::AlignCenter | Qt::TextDontClip, text);
+}
+
+}  // namespace
+
+void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen,
+           CellPictures* kept) {
+    painter.setRenderHint(QPainter::Antialiasing, true);
+    for (const Item& item : drawing.items) {
+        std::visit(ItemPainter{painter, map, style, screen, kept, item}, item.primitive);
+    }
+    LabelRoom room;
+    for (const bool strong : {true, false}) {
+        for (const Item& item : drawing.items) {
+            const auto* label = std::get_if<Label>(&item.primitive);
+            if (label == nullptr || strong != (item.emphasis == Emphasis::Strong)) continue;
+            paintLabel(painter, item, *label, map, style, room, screen);
+        }
+    }
+}
+
+namespace {
+
+constexpr double kFigureMargin = 6;  // points
+
+// The legend is made in points; it shrinks rather than leave the page.
+double legendScale(const Drawing& legend, const Box& page, const Style& style) {
+    const double room = page.width() - 2 * kFigureMargin * style.pixelsPerPoint();
+    const double scale = style.pixelsPerPoint();
+    return legend.bounds.width() * scale > room ? room / legend.bounds.width() : scale;
+}
+
+double legendHeight(const Drawing& legend, const Box& page, const Style& style) {
+    if (legend.bounds.empty()) return 0;
+    return legend.bounds.height() * legendScale(legend, page, style) + kFigureMargin * style.pixelsPerPoint();
+}
+
+}  // namespace
+
+Box figureRoom(const Drawing& legend, const Box& page, const Style& style) {
+    const double margin = kFigureMargin * style.pixelsPerPoint();
+    return {page.x0 + margin, page.y0 + margin, page.x1 - margin, page.y1 - margin - legendHeight(legend, page, style)};
+}
+
+void paintFigure(QPainter& painter, const std::vector<const Drawing*>& layers, const Drawing& legend, const Box& page,
+                 const Style& style) {
+    painter.fillRect(qrect(page), qcolor(style.background()));
+    ViewMap legendMap;
+    legendMap.scale = legendScale(legend, page, style);
+    legendMap.dx = page.x0 + kFigureMargin * style.pixelsPerPoint() - legend.bounds.x0 * legendMap.scale;
+    legendMap.dy = page.y1 - legendHeight(legend, page, style) - legend.bounds.y0 * legendMap.scale;
+    Box bounds;
+    for (const Drawing* layer : layers) bounds = bounds.joined(layer->bounds);
+    const ViewMap map = ViewMap::fitting(bounds, figureRoom(legend, page, style));
+    for (const Drawing* layer : layers) paint(painter, *layer, map, style, page);
+    paint(painter, legend, legendMap, style, page);
+}
+
+}  // namespace reliefui

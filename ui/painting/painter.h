@@ -1,0 +1,24 @@
+// The painter of all drawings: on the screen, in pictures, SVG (QSvgGenerator) and PDF (QPdfWriter). Needs no display.
+#pragma once
+
+#include <vector>
+
+#include <QPainter>
+
+#include "painting/cell_pictures.h"
+
+namespace reliefui {
+
+// Paints what lies within `screen` (pixels of the painter). `kept`: on a screen, where the same grids of values are
+// painted again and again.
+void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen,
+           CellPictures* kept = nullptr);
+
+// What of the page a figure's drawing gets beside this legend.
+Box figureRoom(const Drawing& legend, const Box& page, const Style& style);
+
+// A figure: the layers one over the other, fitted into the page, and the legend below them.
+void paintFigure(QPainter& painter, const std::vector<const Drawing*>& layers, const Drawing& legend, const Box& page,
+                 const Style& style);
+
+}  // namespace reliefui

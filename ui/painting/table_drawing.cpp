@@ -1,0 +1,181 @@
+#include "painting/table_drawing.h"
+
+#include <algorithm>
+
+namespace reliefui {
+
+namespace {
+
+// Points.
+constexpr double kLine = 13;
+constexpr double kTextSize = 0.85;
+constexpr double kLetter = 6.6 * kTextSize;      // about the width of one
+constexpr double kWordLetter = 5.9 * kTextSize;  // in sentences
+constexpr double kBold = 1.2;                    // times as wide
+constexpr double kPad = 5;
+constexpr double kMarkRoom = 12;
+constexpr double kBelowSize = 1.15;
+constexpr double kBelowLine = 16;
+constexpr double kIndent = 8;  // of rows under a heading
+
+bool continues(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+std::size_t letters(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !continues(c); }));
+}
+
+// Lines of at most so many letters, broken between words.
+std::vector<std::string> wrapped(const std::string& text, double room, double letter) {
+    const auto most = static_cast<std::size_t>(std::max(8.0, room / letter));
+    std::vector<std::string> lines{{}};
+    std::size_t from = 0;
+    while (from <= text.size()) {
+        const std::size_t space = std::min(text.find(' ', from), text.size());
+        const std::string word = text.substr(from, space - from);
+        std::string& line = lines.back();
+        if (!line.empty() && letters(line) + 1 + letters(word) > most) {
+            lines.push_back(word);
+        } else {
+            line += (line.empty() ? "" : " ") + word;
+        }
+        from = space + 1;
+    }
+    return lines;
+}
+
+class Table {
+  public:
+    Table(const TableSource& source, double width) : source_(source), width_(width) { share(); }
+
+    Drawing take() {
+        row(titles(), true);
+        line();
+        const bool headings =
+            std::any_of(source_.rows.begin(), source_.rows.end(), [](const TableRow& r) { return r.heading; });
+        for (const TableRow& r : source_.rows) {
+            if (r.heading) {
+                heading(r);
+            } else {
+                indent_ = headings ? kIndent : 0;
+                row(r, false);
+            }
+        }
+        indent_ = 0;
+        line();
+        below();
+        drawing_.bounds = {0, 0, width_, y_};
+        return std::move(drawing_);
+    }
+
+  private:
+    TableRow titles() const {
+        TableRow row;
+        row.cells = source_.titles;
+        return row;
+    }
+
+    // Each column as its longest text wants; the last one gets the rest.
+    void share() {
+        const std::size_t count = source_.titles.size();
+        for (std::size_t c = 0; c < count; ++c) {
+            // Titles are bold.
+            auto longest = static_cast<std::size_t>(kBold * static_cast<double>(letters(source_.titles[c])));
+            for (const TableRow& r : source_.rows) {
+                if (r.heading || c >= r.cells.size()) continue;
+                const double bold = r.chosen ? kBold : 1;
+                longest = std::max(longest, static_cast<std::size_t>(bold * static_cast<double>(letters(r.cells[c]))));
+            }
+            const double marks = static_cast<int>(c) == source_.marked ? kMarkRoom : 0;
+            widths_.push_back(static_cast<double>(longest) * kLetter + 2 * kPad + marks);
+        }
+        if (widths_.empty()) return;
+        double before = 0;
+        for (std::size_t c = 0; c + 1 < count; ++c) before += widths_[c];
+        // Too narrow a page: drawn larger, and fitted into it.
+        constexpr double kLeastLast = 60;
+        const double last = std::max(std::min(widths_.back(), kLeastLast), width_ - before);
+        widths_.back() = last;
+        width_ = std::max(width_, before + last);
+    }
+
+    void text(Point at, Anchor anchor, const std::string& words, double size, Emphasis emphasis) {
+        if (words.empty()) return;
+        Label label;
+        label.at = at;
+        label.text = plainText(words);
+        label.anchor = anchor;
+        label.size = size;
+        drawing_.add({}, Role::Label, std::move(label), emphasis);
+    }
+
+    void heading(const TableRow& row) {
+        if (!row.cells.empty()) text({kPad, y_ + kLine / 2}, Anchor::Left, row.cells[0], kTextSize, Emphasis::Strong);
+        y_ += kLine;
+    }
+
+    void row(const TableRow& row, bool strong) {
+        const std::size_t count = widths_.size();
+        const std::vector<std::string> last = row.cells.size() == count && count > 0
+                                                  ? wrapped(row.cells.back(), widths_.back() - 2 * kPad, kWordLetter)
+                                                  : std::vector<std::string>{};
+        const double height = kLine * static_cast<double>(std::max<std::size_t>(1, last.size()));
+        if (row.chosen) {
+            drawing_.add({}, Role::Highlight, Rectangle{{0, y_, width_, y_ + height}, true, 0, 0}, Emphasis::Faint);
+            drawing_.add({}, Role::Highlight, Rectangle{{0, y_, width_, y_ + height}, false, 0, 0});
+        }
+        const Emphasis emphasis = strong || row.chosen ? Emphasis::Strong : Emphasis::Normal;
+        double x = 0;
+        for (std::size_t c = 0; c < count && c < row.cells.size(); ++c) {
+            const double y = y_ + kLine / 2;
+            const bool right = c < source_.numbers.size() && source_.numbers[c];
+            double from = x + kPad + (c == 0 ? indent_ : 0);
+            if (static_cast<int>(c) == source_.marked) {
+                if (row.mark) {
+                    drawing_.add({}, roleOf(*row.mark), Marker{{from + 4, y}, shapeOf(*row.mark), 8});
+                }
+                from += kMarkRoom;
+            }
+            if (c + 1 == count && !right) {
+                for (std::size_t l = 0; l < last.size(); ++l) {
+                    text({from, y + kLine * static_cast<double>(l)}, Anchor::Left, last[l], kTextSize, emphasis);
+                }
+            } else {
+                const double at = right ? x + widths_[c] - kPad : from;
+                text({at, y}, right ? Anchor::Right : Anchor::Left, row.cells[c], kTextSize, emphasis);
+            }
+            x += widths_[c];
+        }
+        y_ += height;
+    }
+
+    void line() {
+        drawing_.add({}, Role::Frame, Polyline{{{0, y_ + 1}, {width_, y_ + 1}}, false});
+        y_ += 3;
+    }
+
+    void below() {
+        if (source_.below.empty()) return;
+        y_ += 4;
+        for (const std::string& words : wrapped(source_.below, width_ - 2 * kPad, kLetter * kBelowSize / kTextSize)) {
+            text({kPad, y_ + kBelowLine / 2}, Anchor::Left, words, kBelowSize, Emphasis::Normal);
+            y_ += kBelowLine;
+        }
+    }
+
+    const TableSource& source_;
+    double width_;
+    std::vector<double> widths_;
+    double indent_ = 0;
+    double y_ = 0;
+    Drawing drawing_;
+};
+
+}  // namespace
+
+Drawing tableDrawing(const TableSource& source, double width) {
+    return Table(source, width).take();
+}
+
+}  // namespace reliefui

@@ -1,0 +1,212 @@
+#include "painting/view_map.h"
+
+#include <cmath>
+
+namespace reliefui {
+
+ViewMap ViewMap::fitting(const Box& bounds, const Box& screen) {
+    ViewMap map;
+    if (bounds.width() <= 0 || bounds.height() <= 0 || screen.empty()) return map;
+    map.scale = std::min(screen.width() / bounds.width(), screen.height() / bounds.height());
+    if (!(map.scale > 0)) map.scale = 1;
+    map.dx = screen.center().x - bounds.center().x * map.scale;
+    map.dy = screen.center().y - bounds.center().y * map.scale;
+    return map;
+}
+
+Box screenBox(const Rectangle& rectangle, const ViewMap& map, double pixelsPerPoint) {
+    Box box = map.toScreen(rectangle.box);
+    const double smallest = rectangle.minSide * pixelsPerPoint;
+    const auto grow = [&](double& low, double& high) {
+        const double lack = (smallest - (high - low)) / 2;
+        if (lack > 0) {
+            low -= lack;
+            high += lack;
+        }
+        // An inset never turns a box inside out.
+        const double inset = std::min(rectangle.inset * pixelsPerPoint, (high - low) / 3);
+        low += inset;
+        high -= inset;
+    };
+    grow(box.x0, box.x1);
+    grow(box.y0, box.y1);
+    return box;
+}
+
+CellRange visibleCells(const Cells& cells, const Box& visible) {
+    CellRange range;
+    if (!cells.values) return range;
+    const Box seen = visible.cut(cells.clip);
+    if (seen.empty()) return range;
+    const auto first = [](double low, double start, double side, int count) {
+        return static_cast<int>(std::clamp(std::floor((low - start) / side), 0.0, static_cast<double>(count)));
+    };
+    const auto last = [](double high, double start, double side, int count) {
+        return static_cast<int>(std::clamp(std::ceil((high - start) / side), 0.0, static_cast<double>(count)));
+    };
+    range.i0 = first(seen.x0, cells.x, cells.cellWidth, cells.values->width());
+    range.i1 = last(seen.x1, cells.x, cells.cellWidth, cells.values->width());
+    range.j0 = first(seen.y0, cells.y, cells.cellHeight, cells.values->height());
+    range.j1 = last(seen.y1, cells.y, cells.cellHeight, cells.values->height());
+    return range;
+}
+
+Box cellBox(const Cells& cells, int i, int j) {
+    const Box box{cells.x + i * cells.cellWidth, cells.y + j * cells.cellHeight, cells.x + (i + 1) * cells.cellWidth,
+                  cells.y + (j + 1) * cells.cellHeight};
+    return box.cut(cells.clip);
+}
+
+namespace {
+
+ItemId texelUnder(const Item& item, const Cells& cells, Point p) {
+    if (!cells.clip.contains(p)) return {};
+    const CellRange range = visibleCells(cells, {p.x, p.y, p.x, p.y});
+    const int i = std::min(range.i0, cells.values->width() - 1);
+    const int j = std::min(range.j0, cells.values->height() - 1);
+    ItemId id = item.id;
+    id.kind = ItemKind::Texel;
+    id.i = i + cells.firstI;
+    id.j = j + cells.firstJ;
+    return id;
+}
+
+bool near(Point a, Point b, double distance) {
+    return std::hypot(a.x - b.x, a.y - b.y) <= distance;
+}
+
+double distanceToSegment(Point p, Point a, Point b) {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double length2 = dx * dx + dy * dy;
+    const double along = length2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2, 0.0, 1.0) : 0.0;
+    return std::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy);
+}
+
+struct Picker {
+    const Item& item;
+    const ViewMap& map;
+    Point at;  // screen
+    double pixelsPerPoint;
+    double tolerance;
+
+    ItemId here(bool hit) const { return hit ? item.id : ItemId{}; }
+
+    ItemId operator()(const Rectangle& r) const { return here(screenBox(r, map, pixelsPerPoint).contains(at)); }
+    ItemId operator()(const Cells& c) const { return texelUnder(item, c, map.toDrawing(at)); }
+    ItemId operator()(const Area&) const { return {}; }
+    ItemId operator()(const Polyline& line) const {
+        for (std::size_t k = 1; k < line.points.size(); ++k) {
+            const Point a = map.toScreen(line.points[k - 1]);
+            const Point b = map.toScreen(line.points[k]);
+            if (distanceToSegment(at, a, b) <= tolerance) return item.id;
+        }
+        return {};
+    }
+    ItemId operator()(const Circle& c) const {
+        return here(near(map.toScreen(c.center), at, c.radius * map.scale + tolerance));
+    }
+    ItemId operator()(const Ring& r) const {
+        return here(near(map.toScreen(r.center), at, r.radius * pixelsPerPoint + tolerance));
+    }
+    ItemId operator()(const Marker& m) const {
+        return here(near(map.toScreen(m.at), at, m.size * pixelsPerPoint / 2 + tolerance));
+    }
+    ItemId operator()(const Hatch& h) const { return here(map.toScreen(h.box).contains(at)); }
+    ItemId operator()(const Label&) const { return {}; }
+};
+
+}  // namespace
+
+ItemId pick(const Drawing& drawing, const ViewMap& map, Point at, double pixelsPerPoint, double tolerance) {
+    for (auto item = drawing.items.rbegin(); item != drawing.items.rend(); ++item) {
+        if (!item->id) continue;
+        if (const ItemId id = std::visit(Picker{*item, map, at, pixelsPerPoint, tolerance}, item->primitive)) {
+            return id;
+        }
+    }
+    return {};
+}
+
+bool LabelRoom::place(const Box& box) {
+    for (const Box& other : placed_) {
+        if (other.overlaps(box)) return false;
+    }
+    placed_.push_back(box);
+    return true;
+}
+
+Box labelBox(const Label& label, const ViewMap& map, double width, double height, double pixelsPerPoint) {
+    if (!label.room.empty()) {
+        const Box room = map.toScreen(label.room);
+        const bool fits = room.width() >= width + 2 && room.height() >= height + 2;
+        if (!fits && !label.evades) return {};
+        // To the upper right of a texel that is too small to hold it.
+        if (!fits) {
+            const double x = std::max(room.x1, room.center().x + 3 * pixelsPerPoint) + pixelsPerPoint;
+            const double y = std::min(room.y0, room.center().y - 3 * pixelsPerPoint) - pixelsPerPoint;
+            return {x, y - height, x + width, y};
+        }
+    }
+    Point at = map.toScreen(label.at);
+    at.x += label.offset.x * pixelsPerPoint;
+    at.y += label.offset.y * pixelsPerPoint;
+    double x = at.x;
+    double y = at.y - height / 2;
+    switch (label.anchor) {
+        case Anchor::TopLeft:
+            y = at.y;
+            break;
+        case Anchor::Left:
+            break;
+        case Anchor::BottomLeft:
+            y = at.y - height;
+            break;
+        case Anchor::Center:
+            x = at.x - width / 2;
+            break;
+        case Anchor::Top:
+            x = at.x - width / 2;
+            y = at.y;
+            break;
+        case Anchor::Bottom:
+            x = at.x - width / 2;
+            y = at.y - height;
+            break;
+        case Anchor::Right:
+            x = at.x - width;
+            break;
+    }
+    return {x, y, x + width, y + height};
+}
+
+std::vector<Point> shapePolygon(Shape shape, double size) {
+    const double r = size / 2;
+    switch (shape) {
+        case Shape::Bar:
+            return {{-r * 0.4, -r}, {r * 0.4, -r}, {r * 0.4, r}, {-r * 0.4, r}};
+        case Shape::TriangleRight:
+            return {{-r * 0.8, -r}, {r, 0}, {-r * 0.8, r}};
+        case Shape::TriangleDown:
+            return {{-r, -r * 0.8}, {r, -r * 0.8}, {0, r}};
+        case Shape::TriangleUpHollow:
+            return {{-r, r * 0.8}, {0, -r}, {r, r * 0.8}};
+        case Shape::Diamond:
+            return {{0, -r}, {r, 0}, {0, r}, {-r, 0}};
+        case Shape::SquareHollow:
+            return {{-r, -r}, {r, -r}, {r, r}, {-r, r}};
+        default:
+            return {};
+    }
+}
+
+bool hasHalo(const Item& item) {
+    return item.emphasis != Emphasis::Faint && item.role != Role::Frame && item.role != Role::Plateau &&
+           item.role != Role::Series && item.role != Role::SeriesDashed && item.role != Role::Stream;
+}
+
+bool shapeFilled(Shape shape) {
+    return shape != Shape::TriangleUpHollow && shape != Shape::SquareHollow && shape != Shape::Ring;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,116 @@
+// The controls of the charts pane: measure or cancel, by itself or not, which methods, which error, which charts.
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "panes/charts/charts_view.h"
+#include "panes/drawing_canvas.h"
+
+namespace reliefui {
+
+ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
+    : FigureView(workspace, tr("Charts"), QStringLiteral("charts"), tr("Export the charts"), parent),
+      canvas_(new DrawingCanvas(this)) {
+    setFace(canvas_);
+    LatestJob::Listener listener;
+    listener.failed = [this](const QString& problem) {
+        measuring_ = false;
+        if (!problem.isEmpty()) Q_EMIT workspace_->problem(problem);
+        draw();
+        showBusy();
+    };
+    listener.progress = [this](const QString&, double fraction) {
+        fraction_ = fraction;
+        showBusy();
+    };
+    job_ = std::make_unique<LatestJob>(this, std::move(listener));
+    makeBar();
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(bar_);
+    column->addWidget(canvas_, 1);
+    canvas_->installEventFilter(this);
+    connect(canvas_, &DrawingCanvas::pointed, this, &ChartsView::tell);
+    connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
+    connect(canvas_, &DrawingCanvas::resized, this, &ChartsView::draw);
+    connect(canvas_, &DrawingCanvas::clicked, this, [this] {
+        const ChartsReading at = chartsReading(picture_, canvas_->toDrawing(released_));
+        if (at.point) {
+            choose(*at.point);
+        } else if (at.bar) {
+            chooseOf(*at.bar);
+        }
+    });
+    connect(workspace_, &Workspace::snapshotChanged, this, &ChartsView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &ChartsView::adopt);
+    connect(workspace_, &Workspace::styleChanged, this, &ChartsView::draw);
+    adopt();
+    refresh();
+}
+
+ChartsView::~ChartsView() = default;
+
+QToolButton* ChartsView::addButton(const char* name, const QString& text, const QString& help, bool checkable) {
+    auto* const button = new QToolButton(this);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setText(text);
+    button->setToolTip(help);
+    button->setAccessibleName(help);
+    button->setCheckable(checkable);
+    button->setAutoRaise(true);
+    bar_->layout()->addWidget(button);
+    return button;
+}
+
+QComboBox* ChartsView::addChooser(const char* name, const QString& help) {
+    auto* const box = new QComboBox(this);
+    box->setObjectName(QString::fromLatin1(name));
+    box->setToolTip(help);
+    box->setAccessibleName(help);
+    bar_->layout()->addWidget(box);
+    return box;
+}
+
+void ChartsView::makeBar() {
+    bar_ = new QWidget(this);
+    auto* const bar = new QHBoxLayout(bar_);
+    bar->setContentsMargins(4, 2, 6, 2);
+    measureButton_ =
+        addButton("charts-measure", tr("measure"),
+                  tr("Measure run time and error of the methods on this view's rays; or cancel it (Esc)"), false);
+    live_ = addButton("charts-live", tr("live"), tr("Measure again by itself when the view changes"), true);
+    live_->setChecked(true);
+    maps_ = addButton("charts-maps", tr("with maps"),
+                      tr("Methods with distance and cone maps, too: building these takes its time"), true);
+    error_ = addChooser("charts-error", tr("Which error stands on the vertical axis"));
+    error_->addItem(tr("mean error"));
+    error_->addItem(tr("error of 95%"));
+    error_->addItem(tr("error of 99.99%"));
+    error_->addItem(tr("largest error"));
+    shown_ = addChooser("charts-shown", tr("Which charts are shown"));
+    shown_->addItem(tr("all charts"));
+    shown_->addItem(tr("time and error"));
+    shown_->addItem(tr("histograms"));
+    bar->addStretch(1);
+    connect(measureButton_, &QToolButton::clicked, this, [this] {
+        if (measuring_) {
+            cancel();
+        } else {
+            measure();
+        }
+    });
+    connect(live_, &QToolButton::clicked, this, &ChartsView::setLive);
+    connect(maps_, &QToolButton::clicked, this, &ChartsView::setWithMaps);
+    connect(error_, qOverload<int>(&QComboBox::activated), this,
+            [this](int measure) { setMeasure(static_cast<relief::ErrorMeasure>(measure)); });
+    connect(shown_, qOverload<int>(&QComboBox::activated), this,
+            [this](int shown) { setShown(static_cast<ChartsShown>(shown)); });
+}
+
+void ChartsView::showBusy() {
+    measureButton_->setText(measuring_ ? tr("cancel (%1%)").arg(static_cast<int>(100 * fraction_)) : tr("measure"));
+}
+
+}  // namespace reliefui

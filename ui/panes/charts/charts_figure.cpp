@@ -1,0 +1,47 @@
+#include "panes/charts/charts_figure.h"
+
+#include "painting/painter.h"
+#include "panes/charts/charts_data.h"
+
+namespace reliefui {
+
+namespace {
+
+struct ChartsFigure : Figure {
+    std::shared_ptr<const ChartsSource> source;
+
+    double aspect(const FigurePage&) const override {
+        constexpr double kPareto = 0.68;  // names beside their marks
+        constexpr double kAll = 0.95;     // and histograms below
+        return source->shown == ChartsShown::Pareto ? kPareto : kAll;
+    }
+    void paint(QPainter& painter, const Box& page, const Style& style) const override {
+        const double unit = style.pixelsPerPoint();
+        const Drawing legend = chartsLegend(*source, page.width() / unit - kFigureMargins, style.language);
+        const Box room = figureRoom(legend, page, style);
+        const ChartsPicture picture = chartsPicture(*source, room.width() / unit, room.height() / unit);
+        paintFigure(painter, {&picture.drawing}, legend, page, style);
+    }
+};
+
+}  // namespace
+
+std::shared_ptr<const Figure> chartsFigure(std::shared_ptr<const ChartsSource> source) {
+    auto figure = std::make_shared<ChartsFigure>();
+    figure->source = std::move(source);
+    return figure;
+}
+
+std::shared_ptr<const Figure> measuredCharts(const Snapshot& snapshot, const std::string& error) {
+    relief::Work work;
+    auto charts = std::make_shared<ChartsSource>();
+    charts->histograms = histogramsOf(snapshot, work);
+    charts->chosenSteps = chosenSteps(snapshot);
+    // As the pane begins: building all maps of a large picture takes minutes.
+    constexpr bool kWithMaps = false;
+    charts->pareto =
+        paretoSource(snapshot, measureView(snapshot, kWithMaps, work), relief::parseErrorMeasure(error, "--error"));
+    return chartsFigure(std::move(charts));
+}
+
+}  // namespace reliefui

@@ -1,0 +1,304 @@
+#include "panes/charts/charts_view.h"
+
+#include <QComboBox>
+#include <QMouseEvent>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+
+#include "panes/charts/charts_figure.h"
+#include "panes/drawing_canvas.h"
+#include "workspace/pane_states.h"
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+namespace {
+
+QString number(double value) {
+    return QString::fromStdString(relief::numberText(value, 3));
+}
+
+}  // namespace
+
+bool ChartsView::settled() const {
+    return !stale_ && !job_->busy();
+}
+
+void ChartsView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &ChartsView::refresh);
+}
+
+void ChartsView::refresh() {
+    const PauseLog::Part part("charts");
+    // Out of sight nothing is computed or drawn.
+    stale_ = !inSight();
+    const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
+    if (stale_) {
+        if (snapshot_ && !(snapshot && snapshot->frame == snapshot_->frame)) letGo();
+        return;
+    }
+    if (snapshot && snapshot->coarse) {
+        // What is dragged has the processors for itself; the full picture comes here again.
+        job_->drop();
+        measuring_ = false;
+        return showBusy();
+    }
+    snapshot_ = snapshot;
+    if (!snapshot || !snapshot->request || !snapshot->frame) return showEmpty();
+    draw();
+    if (counted_ == snapshot->frame) return startMeasuring();
+    measuring_ = false;
+    auto made = std::make_shared<std::shared_ptr<const relief::FrameHistograms>>();
+    const auto work = [made, snapshot](relief::Work& w) { *made = histogramsOf(*snapshot, w); };
+    const auto done = [this, made, snapshot] {
+        histograms_ = *made;
+        counted_ = snapshot->frame;
+        draw();
+        startMeasuring();
+    };
+    job_->start({work, done});
+    showBusy();
+}
+
+// What took seconds to measure stays as long as it is of the relief and the view that are open: it is small.
+void ChartsView::letGo() {
+    job_->drop();
+    measuring_ = false;
+    measuredNow_.reset();
+    snapshot_.reset();
+    counted_.reset();
+    histograms_.reset();
+    const std::shared_ptr<const Snapshot> now = workspace_->snapshot();
+    if (measured_ && !(now && now->request && measured_->of(*now))) measured_.reset();
+    picture_ = {};
+    canvas_->letGo();
+    setReadout({});
+    stale_ = true;
+}
+
+// Where it is wanted, and not there yet.
+void ChartsView::startMeasuring() {
+    const relief::MethodChoice& method = snapshot_->request->method;
+    const bool tracer = relief::findTracer(method.name).kind == relief::MethodKind::Tracer;
+    const bool all = !maps_->isChecked() || (measured_ && measured_->withMaps);
+    const bool there = measured_ && all && measured_->of(*snapshot_) && (!tracer || measured_->has(method));
+    // A click on another pixel is no reason to begin anew.
+    const bool underway = measuring_ && sameMeasurement(*measuredNow_, *snapshot_);
+    if (there || underway || !live_->isChecked()) return showBusy();
+    measure();
+}
+
+void ChartsView::measure() {
+    if (!snapshot_ || !snapshot_->frame || !inSight()) return;
+    auto made = std::make_shared<MeasuredView>();
+    const auto work = [made, snapshot = snapshot_, maps = maps_->isChecked()](relief::Work& w) {
+        *made = measureView(*snapshot, maps, w);
+    };
+    const auto done = [this, made] {
+        measured_ = made;
+        measuring_ = false;
+        draw();
+        showBusy();
+    };
+    measuring_ = true;
+    measuredNow_ = snapshot_;
+    fraction_ = 0;
+    job_->start({work, done});
+    draw();
+    showBusy();
+}
+
+void ChartsView::cancel() {
+    if (!job_->busy()) return;
+    setLive(false);  // or it would begin again at once
+    job_->cancel();
+}
+
+void ChartsView::change(const ChartsPane& pane) {
+    PaneStates panes = panesOf(workspace_->scenario());
+    panes.charts = pane;
+    workspace_->setPanes(panes, tr("Charts: other view"));
+    adopt();
+}
+
+void ChartsView::adopt() {
+    const ChartsPane before = std::exchange(pane_, panesOf(workspace_->scenario()).charts);
+    const std::vector<std::string>& names = chartsPaneShown();
+    const auto shown = std::find(names.begin(), names.end(), pane_.shown) - names.begin();
+    shown_->setCurrentIndex(static_cast<int>(shown));
+    error_->setCurrentIndex(static_cast<int>(relief::parseErrorMeasure(pane_.error, "error")));
+    live_->setChecked(pane_.live);
+    maps_->setChecked(pane_.maps);
+    if (pane_.shown != before.shown) canvas_->resetZoom();
+    if (pane_.shown != before.shown || pane_.error != before.error) draw();
+    if (pane_.maps != before.maps) measuring_ = false;  // what is underway is not what is wanted now
+    if (pane_.maps != before.maps || (pane_.live && !before.live)) refresh();
+}
+
+void ChartsView::setLive(bool on) {
+    ChartsPane pane = pane_;
+    pane.live = on;
+    change(pane);
+}
+
+void ChartsView::setWithMaps(bool on) {
+    ChartsPane pane = pane_;
+    pane.maps = on;
+    change(pane);
+}
+
+void ChartsView::setShown(ChartsShown shown) {
+    ChartsPane pane = pane_;
+    pane.shown = chartsPaneShown()[static_cast<std::size_t>(shown)];
+    change(pane);
+}
+
+void ChartsView::setMeasure(relief::ErrorMeasure measure) {
+    ChartsPane pane = pane_;
+    pane.error = std::string(relief::kErrorMeasureNames[static_cast<std::size_t>(measure)]);
+    change(pane);
+}
+
+ChartsSource ChartsView::source() const {
+    ChartsSource source;
+    source.shown = static_cast<ChartsShown>(std::max(shown_->currentIndex(), 0));
+    source.histograms = histograms_;
+    if (!snapshot_) return source;
+    source.chosenSteps = chosenSteps(*snapshot_);
+    const auto measure = static_cast<relief::ErrorMeasure>(std::max(error_->currentIndex(), 0));
+    if (measured_) source.pareto = paretoSource(*snapshot_, *measured_, measure);
+    source.missing = measuring_ ? relief::MessageId::DrawChartMeasuring : relief::MessageId::DrawChartPress;
+    return source;
+}
+
+void ChartsView::draw() {
+    const PauseLog::Part part("charts: drawing");
+    if (!snapshot_ || !snapshot_->request) return;
+    if (!inSight()) {
+        stale_ = true;
+        return;
+    }
+    const Style& style = workspace_->style();
+    canvas_->setStyle(style);
+    const ChartsSource now = source();
+    // The legend first: what it needs is not left to the charts. Where it would take too much it is left out.
+    constexpr double kMostLegend = 0.3;
+    const double unit = style.pixelsPerPoint();
+    Drawing words = chartsLegend(now, canvas_->width() / unit - 12, style.language);
+    if (words.bounds.height() * unit > kMostLegend * canvas_->height()) words = {};
+    const auto legend = std::make_shared<const Drawing>(std::move(words));
+    canvas_->setLayers({}, legend);
+    const QSizeF room = canvas_->room();
+    picture_ = chartsPicture(now, room.width(), room.height());
+    canvas_->setLayers({std::make_shared<const Drawing>(picture_.drawing)}, legend);
+}
+
+void ChartsView::showEmpty() {
+    job_->drop();
+    measuring_ = false;
+    picture_ = {};
+    canvas_->showText(relief::MessageId::DrawNoPicture);
+    setReadout({});
+    showBusy();
+}
+
+bool ChartsView::eventFilter(QObject* object, QEvent* event) {
+    if (object == canvas_ && event->type() == QEvent::MouseButtonRelease) {
+        released_ = static_cast<QMouseEvent*>(event)->localPos();
+    }
+    return QWidget::eventFilter(object, event);
+}
+
+void ChartsView::choose(std::size_t point) {
+    if (!snapshot_ || !measured_ || point >= measured_->table.points.size()) return;
+    const relief::MethodChoice method = measured_->table.points[point].method;
+    auto worst = std::make_shared<std::optional<relief::PixelPlace>>();
+    const auto work = [worst, method, snapshot = snapshot_](relief::Work& w) {
+        *worst = relief::worstPixel(*snapshot->frame, *snapshot->request, method, *snapshot->maps, w);
+    };
+    const auto done = [this, worst, method] {
+        relief::Scenario wanted = workspace_->scenario();
+        wanted.method = method;
+        if (*worst) wanted.pixel = relief::PixelChoice{(*worst)->x, (*worst)->y};
+        workspace_->change(wanted, tr("Choose method and its worst pixel"));
+        refresh();  // what was stopped for this
+    };
+    measuring_ = false;
+    job_->start({work, done});
+    showBusy();
+}
+
+void ChartsView::chooseOf(const HistogramBar& bar) {
+    if (!snapshot_ || !snapshot_->frame || !histograms_ || counted_ != snapshot_->frame || bar.rays == 0) return;
+    auto pixels = std::make_shared<std::vector<relief::PixelPlace>>();
+    const relief::HistogramBin bin{static_cast<relief::HistogramPart>(bar.kind), bar.bin};
+    const auto work = [pixels, bin, data = histograms_, snapshot = snapshot_](relief::Work& w) {
+        *pixels = relief::pixelsOfBin(*snapshot->frame, *snapshot->request, *snapshot->tracer, *data, bin,
+                                      *snapshot->maps, w);
+    };
+    const auto done = [this, pixels] {
+        const std::optional<relief::PixelChoice> now = workspace_->scenario().pixel;
+        const auto at = std::find_if(pixels->begin(), pixels->end(),
+                                     [&](const auto& p) { return now && p.x == now->x && p.y == now->y; });
+        // Another one of the bar that is looked at already.
+        const auto next = at == pixels->end() || at + 1 == pixels->end() ? pixels->begin() : at + 1;
+        if (next != pixels->end()) {
+            workspace_->settle();  // each click is a step of undo by itself
+            workspace_->choosePixel(next->x, next->y);
+        }
+        refresh();  // what was stopped for this
+    };
+    measuring_ = false;
+    job_->start({work, done});
+    showBusy();
+}
+
+// Speed never without its error.
+QString ChartsView::textOf(const relief::ParetoPoint& point) const {
+    QString text =
+        tr("%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps")
+            .arg(QString::fromStdString(point.label(true)), number(point.nanoseconds), number(50 * point.spread),
+                 number(point.error[0]), number(point.error[3]), number(point.steps));
+    if (point.wrongOutcome > 0) text += tr(" · wrong outcome: %1 rays").arg(point.wrongOutcome);
+    return text;
+}
+
+// Its range and count, and that it can be clicked.
+QString ChartsView::textOf(const HistogramBar& bar) const {
+    return bar.rays > 0 ? tr("%1 · click: a pixel of them").arg(rangeOf(bar)) : rangeOf(bar);
+}
+
+QString ChartsView::rangeOf(const HistogramBar& bar) {
+    switch (bar.kind) {
+        case BarKind::Exact:
+            return tr("exact: %1 rays").arg(bar.rays);
+        case BarKind::Wrong:
+            return tr("wrong outcome: %1 rays").arg(bar.rays);
+        case BarKind::Steps:
+            if (bar.high - bar.low <= 1) return tr("%1 steps: %2 rays").arg(number(bar.low)).arg(bar.rays);
+            return tr("%1 to %2 steps: %3 rays").arg(number(bar.low), number(bar.high - 1)).arg(bar.rays);
+        case BarKind::Before:
+            return tr("%1 to %2 texels before the surface: %3 rays")
+                .arg(number(bar.low), number(bar.high))
+                .arg(bar.rays);
+        case BarKind::Behind:
+            return tr("%1 to %2 texels behind it: %3 rays").arg(number(bar.low), number(bar.high)).arg(bar.rays);
+    }
+    return {};
+}
+
+void ChartsView::tell(const QPointF& widget) {
+    const ChartsReading at = chartsReading(picture_, canvas_->toDrawing(widget));
+    if (at.point && measured_ && *at.point < measured_->table.points.size()) {
+        return setReadout(textOf(measured_->table.points[*at.point]));
+    }
+    setReadout(at.bar ? textOf(*at.bar) : QString());
+}
+
+std::shared_ptr<const Figure> ChartsView::figure() const {
+    return histograms_ ? chartsFigure(std::make_shared<const ChartsSource>(source())) : nullptr;
+}
+
+}  // namespace reliefui

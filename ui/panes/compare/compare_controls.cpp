@@ -1,0 +1,188 @@
+// The controls of the compare pane: which methods, how they are shown, against what.
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "panes/compare/compare_view.h"
+#include "panes/narrow_bar.h"
+
+namespace reliefui {
+
+namespace {
+
+// Two rows of controls stand above: the window is to fit on 800 lines.
+constexpr int kLeastPicture = 80;
+
+}  // namespace
+
+CompareView::CompareView(Workspace* workspace, QWidget* parent)
+    : FigureView(workspace, tr("Compare"), QStringLiteral("compare"), tr("Export the comparison"), parent),
+      pictures_(new ComparePictures(workspace, this)) {
+    setFace(pictures_);
+    LatestJob::Listener listener;
+    listener.failed = [this](const QString& problem) {
+        coarseRunning_ = false;
+        if (!problem.isEmpty()) Q_EMIT workspace_->problem(problem);
+    };
+    listener.progress = [](const QString&, double) {};
+    job_ = std::make_unique<LatestJob>(this, std::move(listener));
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    for (const bool first : {true, false}) {
+        auto* const bar = new NarrowBar(this);
+        bar_ = bar->row();
+        column->addWidget(bar);
+        first ? makeMethodBar() : makeModeBar();
+    }
+    column->addWidget(makeOptions());
+    column->addWidget(pictures_, 1);
+    pictures_->setMinimumHeight(kLeastPicture);
+    connect(pictures_, &ComparePictures::hovered, this, &CompareView::setReadout);
+    connect(pictures_, &ComparePictures::flickerStopped, this, [this] { play_->setChecked(false); });
+    connect(&flicker_, &QTimer::timeout, this, &CompareView::tick);
+    connect(workspace, &Workspace::snapshotChanged, this, &CompareView::refresh);
+    connect(workspace, &Workspace::scenarioChanged, this, [this] {
+        showControls();
+        pictures_->relayout();
+    });
+    connect(workspace, &Workspace::styleChanged, pictures_, &ComparePictures::relayout);
+    showControls();
+    refresh();
+}
+
+CompareView::~CompareView() = default;
+
+QComboBox* CompareView::addChooser(const char* name, const QString& help) {
+    auto* const box = new QComboBox(this);
+    box->setObjectName(QString::fromLatin1(name));
+    box->setToolTip(help);
+    box->setAccessibleName(help);
+    bar_->addWidget(box);
+    return box;
+}
+
+QToolButton* CompareView::addButton(const char* name, const QString& text, const QString& help) {
+    auto* const button = new QToolButton(this);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setText(text);
+    button->setToolTip(help);
+    button->setAccessibleName(help);
+    button->setAutoRaise(true);
+    bar_->addWidget(button);
+    return button;
+}
+
+void CompareView::makeMethodBar() {
+    for (std::size_t n = 0; n < relief::kMostCompared; ++n) {
+        const QString letter(QChar(static_cast<char>('A' + n)));
+        QComboBox* const box =
+            addChooser(qPrintable(QStringLiteral("compare-method-") + letter), tr("Method %1").arg(letter));
+        // Narrow panes: the beginning of the name says which.
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(7);
+        box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        box->view()->setMinimumWidth(fontMetrics().horizontalAdvance(QLatin1Char('n')) * 26);
+        for (const relief::MethodDescription& method : relief::tracerList()) {
+            if (method.kind == relief::MethodKind::AnyHit) continue;
+            const QString name = QString::fromStdString(method.name);
+            box->addItem(letter + QLatin1Char(' ') + name, name);
+        }
+        connect(box, qOverload<int>(&QComboBox::activated), this,
+                [this, n, box](int at) { setMethod(n, box->itemData(at).toString()); });
+        methods_.push_back(box);
+    }
+    add_ = addButton("compare-add", QStringLiteral("+"), tr("Set another method beside these"));
+    remove_ = addButton("compare-remove", QStringLiteral("−"), tr("Leave out the last method"));
+    showOptions_ = addButton("compare-options", tr("options"), tr("The options of these methods"));
+    showOptions_->setCheckable(true);
+    connect(showOptions_, &QToolButton::clicked, this, &CompareView::showOptions);
+    bar_->addStretch(1);
+    bar_->setStretch(bar_->count() - 1, 0);
+    connect(add_, &QToolButton::clicked, this, &CompareView::addMethod);
+    connect(remove_, &QToolButton::clicked, this, &CompareView::removeMethod);
+}
+
+void CompareView::makeModeBar() {
+    mode_ = addChooser("compare-mode", tr("How the methods are set against each other"));
+    mode_->addItem(tr("side by side"));
+    mode_->addItem(tr("swipe"));
+    mode_->addItem(tr("flicker"));
+    mode_->addItem(tr("difference"));
+    measure_ = addChooser("compare-measure", tr("Which difference of the colours is shown"));
+    measure_->addItem(QStringLiteral("L1"));
+    measure_->addItem(QStringLiteral("FLIP"));
+    rate_ = new QDoubleSpinBox(this);
+    rate_->setObjectName(QStringLiteral("compare-rate"));
+    rate_->setLocale(QLocale::c());
+    rate_->setRange(relief::kSlowestFlicker, relief::kFastestFlicker);
+    rate_->setSingleStep(0.5);
+    rate_->setDecimals(1);
+    rate_->setSuffix(tr(" a second"));
+    rate_->setToolTip(tr("Pictures a second"));
+    rate_->setAccessibleName(rate_->toolTip());
+    rate_->setKeyboardTracking(false);
+    bar_->addWidget(rate_);
+    play_ = addButton("compare-play", QStringLiteral("▷"), tr("One after the other; A, B, C, D show one alone"));
+    play_->setCheckable(true);
+    play_->setChecked(true);
+    auto* const against = new QLabel(tr("against"), this);
+    bar_->addWidget(against);
+    reference_ = addChooser("compare-reference", tr("What the methods are measured against"));
+    reference_->addItem(tr("exact"));
+    reference_->addItem(tr("method A"));
+    bar_->addStretch(1);
+    QToolButton* const fit =
+        addButton("compare-fit", tr("fit"), tr("The whole pictures (R); Ctrl+wheel zooms, Ctrl+drag moves"));
+    connect(fit, &QToolButton::clicked, pictures_, &PictureView::resetZoom);
+    connect(mode_, qOverload<int>(&QComboBox::activated), this,
+            [this](int mode) { setMode(static_cast<relief::CompareMode>(mode)); });
+    connect(measure_, qOverload<int>(&QComboBox::activated), this,
+            [this](int measure) { setMeasure(static_cast<relief::CompareMeasure>(measure)); });
+    connect(reference_, qOverload<int>(&QComboBox::activated), this,
+            [this](int reference) { setReference(static_cast<relief::CompareReference>(reference)); });
+    connect(play_, &QToolButton::toggled, this, &CompareView::showControls);
+    connect(rate_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double rate) {
+        relief::Comparison comparison = workspace_->scenario().comparison;
+        comparison.rate = rate;
+        change(comparison, tr("Speed of flicker"));
+    });
+}
+
+// As the scenario has it.
+void CompareView::showControls() {
+    const relief::Scenario& scenario = workspace_->scenario();
+    const relief::Comparison& how = scenario.comparison;
+    const std::vector<relief::MethodChoice> methods = comparedMethods(scenario);
+    for (std::size_t n = 0; n < methods_.size(); ++n) {
+        methods_[n]->setVisible(n < methods.size());
+        if (n >= methods.size()) continue;
+        methods_[n]->setCurrentIndex(methods_[n]->findData(QString::fromStdString(methods[n].name)));
+    }
+    refreshOptions();
+    add_->setEnabled(methods.size() < relief::kMostCompared);
+    remove_->setEnabled(methods.size() > 1);
+    mode_->setCurrentIndex(static_cast<int>(how.mode));
+    measure_->setCurrentIndex(static_cast<int>(how.measure));
+    measure_->setVisible(how.mode == relief::CompareMode::Difference);
+    reference_->setCurrentIndex(static_cast<int>(how.reference));
+    const bool flicker = how.mode == relief::CompareMode::Flicker;
+    rate_->setVisible(flicker);
+    play_->setVisible(flicker);
+    const QSignalBlocker quiet(rate_);
+    rate_->setValue(how.rate);
+    constexpr int kSecond = 1000;
+    const int interval = static_cast<int>(kSecond / how.rate);
+    if (!flicker || !play_->isChecked() || stale_) {
+        flicker_.stop();
+    } else if (!flicker_.isActive() || flicker_.interval() != interval) {
+        flicker_.start(interval);
+    }
+}
+
+}  // namespace reliefui

@@ -1,0 +1,298 @@
+#include "panes/compare/compare_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "painting/chart_parts.h"
+#include "painting/legend_rows.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::CompareMode;
+using relief::Message;
+using relief::MessageId;
+
+constexpr double kGap = 6;     // points, between tiles
+constexpr double kTitle = 15;  // a line of text
+constexpr double kLine = 12;
+constexpr const char* kBetween = "   ";  // numbers in a line
+
+std::string figures(double value) {
+    if (std::isinf(value)) return "∞";
+    return relief::numberText(value, 3);
+}
+
+std::vector<std::string> split(const std::string& text) {
+    constexpr std::string_view kPoint = " · ";
+    std::vector<std::string> parts;
+    std::size_t from = 0;
+    while (true) {
+        const std::size_t to = text.find(kPoint, from);
+        parts.push_back(text.substr(from, to - from));
+        if (to == std::string::npos) return parts;
+        from = to + kPoint.size();
+    }
+}
+
+// Between words, where it is too wide.
+std::vector<std::string> broken(const std::string& text, double width) {
+    std::vector<std::string> out{text};
+    while (chart::textWidth(out.back()) > width) {
+        const std::string whole = out.back();
+        std::size_t at = whole.rfind(' ');
+        while (at != std::string::npos && at > 0 && chart::textWidth(whole.substr(0, at)) > width) {
+            const std::size_t before = whole.rfind(' ', at - 1);
+            if (before == std::string::npos) break;
+            at = before;
+        }
+        if (at == std::string::npos || at == 0) break;
+        out.back() = whole.substr(0, at);
+        out.push_back(whole.substr(at + 1));
+    }
+    return out;
+}
+
+// The numbers in as many lines as it takes.
+std::vector<std::string> lines(const std::vector<std::string>& numbers, double width) {
+    std::vector<std::string> out;
+    for (const std::string& number : numbers) {
+        if (out.empty() || chart::textWidth(out.back() + kBetween + number) > width) {
+            for (std::string& line : broken(number, width)) out.push_back(std::move(line));
+        } else {
+            out.back() += kBetween + number;
+        }
+    }
+    return out;
+}
+
+struct Grid {
+    int columns = 1;
+    int rows = 1;
+    double scale = 0;  // width of a picture
+};
+
+std::size_t mostLines(const CompareSource& source, double width, relief::Language language) {
+    std::size_t most = std::max<std::size_t>(source.lines, 1);
+    for (const CompareTile& tile : source.tiles) {
+        most = std::max(most, lines(compareNumbers(tile, language), width).size());
+    }
+    return most;
+}
+
+// The one whose pictures are largest.
+Grid gridOf(const CompareSource& source, double width, double height, relief::Language language) {
+    Grid best;
+    const int count = static_cast<int>(source.tiles.size());
+    for (int columns = 1; columns <= count; ++columns) {
+        const int rows = (count + columns - 1) / columns;
+        const double w = (width - kGap * (columns - 1)) / columns;
+        const double text = kTitle + kLine * static_cast<double>(mostLines(source, w, language));
+        const double h = (height - kGap * (rows - 1)) / rows - text;
+        const double scale = std::min(w, h / source.aspect);
+        if (scale > best.scale) best = {columns, rows, scale};
+    }
+    return best;
+}
+
+void add(Drawing& drawing, Point at, std::string text, double size, Anchor anchor, Role role,
+         Emphasis emphasis = Emphasis::Normal) {
+    Label label;
+    label.at = at;
+    label.text = plainText(std::move(text));
+    label.anchor = anchor;
+    label.size = size;
+    drawing.add({}, role, std::move(label), emphasis);
+}
+
+void addTitle(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
+    std::string name = tile.name;
+    if (tile.reference) name += " · " + relief::sentence(Message(MessageId::DrawCompareReference), language);
+    constexpr double kBold = 1.15;  // of the width of plain letters
+    const double width = kBold * chart::textWidth(name, 1);
+    add(drawing, {box.x0 + 2, box.y0 + kTitle / 2}, name, std::clamp((box.width() - 4) / width, 0.6, 1.0), Anchor::Left,
+        Role::Title, Emphasis::Strong);
+}
+
+void addNumbers(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
+    double y = box.y0 + kLine / 2;
+    for (const std::string& line : lines(compareNumbers(tile, language), box.width())) {
+        add(drawing, {box.x0 + 2, y}, line, chart::kTextSize, Anchor::Left, Role::Legend);
+        y += kLine;
+    }
+}
+
+void addMissing(Drawing& drawing, const CompareTile& tile, const Box& room) {
+    if (!tile.missing) return;
+    Label label;
+    label.at = room.center();
+    label.text = *tile.missing;
+    label.anchor = Anchor::Center;
+    label.size = chart::kTextSize;
+    drawing.add({}, Role::Label, std::move(label));
+}
+
+CompareLayout tiled(const CompareSource& source, double width, double height, relief::Language language) {
+    CompareLayout layout;
+    const Grid grid = gridOf(source, width, height, language);
+    const double w = (width - kGap * (grid.columns - 1)) / grid.columns;
+    const double h = (height - kGap * (grid.rows - 1)) / grid.rows;
+    layout.lines = mostLines(source, w, language);
+    const double text = kLine * static_cast<double>(layout.lines);
+    for (std::size_t n = 0; n < source.tiles.size(); ++n) {
+        const auto column = static_cast<double>(static_cast<int>(n) % grid.columns);
+        const auto row = static_cast<double>(static_cast<int>(n) / grid.columns);
+        const Box cell{column * (w + kGap), row * (h + kGap), column * (w + kGap) + w, row * (h + kGap) + h};
+        Box room{cell.x0, cell.y0 + kTitle, cell.x1, cell.y1 - text};
+        // No higher than the picture: its numbers stand right below it.
+        room.y1 = std::max(room.y0 + 1, std::min(room.y1, room.y0 + room.width() * source.aspect));
+        addTitle(layout.drawing, source.tiles[n], cell, language);
+        addNumbers(layout.drawing, source.tiles[n], {cell.x0, room.y1 + 1, cell.x1, cell.y1}, language);
+        addMissing(layout.drawing, source.tiles[n], room);
+        layout.drawing.add({ItemKind::Layer, 0, static_cast<std::int64_t>(n), 0}, Role::Frame,
+                           Rectangle{room, false, 0, 0});
+        layout.rooms.push_back(room);
+        layout.clips.push_back(room);
+    }
+    return layout;
+}
+
+// All in one place; the numbers of each in a line below.
+CompareLayout stacked(const CompareSource& source, double width, double height, relief::Language language) {
+    CompareLayout layout;
+    const std::size_t count = source.tiles.size();
+    const auto numbers = [&](const CompareTile& tile) {
+        std::vector<std::string> all{tile.name};
+        for (std::string& number : compareNumbers(tile, language)) all.push_back(std::move(number));
+        return lines(all, width);
+    };
+    std::size_t below = 0;
+    for (const CompareTile& tile : source.tiles) below += numbers(tile).size();
+    layout.lines = below = std::max(below, source.lines);
+    // As large as the picture: dividers divide it, not what lies beside it.
+    const double most = std::max(1.0, height - kLine * static_cast<double>(below) - 3);
+    const double side = std::min(width, most / source.aspect);
+    const Box room{(width - side) / 2, 0, (width + side) / 2, side * source.aspect};
+    layout.dividers = source.dividers;
+    for (std::size_t n = 0; n < count; ++n) {
+        Box clip = room;
+        if (source.mode == CompareMode::Swipe) {
+            clip.x0 = n == 0 ? room.x0 : room.x0 + source.dividers[n - 1] * room.width();
+            clip.x1 = n + 1 == count ? room.x1 : room.x0 + source.dividers[n] * room.width();
+        } else if (n != source.shown) {
+            clip = {};
+        }
+        layout.rooms.push_back(room);
+        layout.clips.push_back(clip);
+        if (!clip.empty()) addMissing(layout.drawing, source.tiles[n], clip);
+    }
+    layout.drawing.add({}, Role::Frame, Rectangle{room, false, 0, 0});
+    for (std::size_t n = 0; n < count; ++n) {
+        const Box& clip = layout.clips[n];
+        if (clip.empty()) continue;
+        Label label;
+        label.at = {clip.x0, room.y0};
+        label.text = plainText(clip.width() > chart::textWidth(source.tiles[n].name, 1) + 14
+                                   ? source.tiles[n].name
+                                   : source.tiles[n].name.substr(0, 1));
+        label.anchor = Anchor::TopLeft;
+        label.offset = {5, 5};
+        label.plate = true;
+        layout.drawing.add({}, Role::Background, std::move(label), Emphasis::Strong);
+        if (n == 0 || source.mode != CompareMode::Swipe) continue;
+        const ItemId id{ItemKind::Layer, 0, static_cast<std::int64_t>(n), 0};
+        layout.drawing.add(id, Role::Highlight, Polyline{{{clip.x0, room.y0}, {clip.x0, room.y1}}, false});
+        layout.drawing.add(id, Role::Highlight, Marker{{clip.x0, room.center().y}, Shape::Diamond, 11},
+                           Emphasis::Strong);
+    }
+    double y = room.y1 + 3 + kLine / 2;
+    for (const CompareTile& tile : source.tiles) {
+        const bool strong = source.mode == CompareMode::Flicker && &tile == &source.tiles[source.shown];
+        for (const std::string& line : numbers(tile)) {
+            add(layout.drawing, {2, y}, line, chart::kTextSize, Anchor::Left, Role::Legend,
+                strong ? Emphasis::Strong : Emphasis::Normal);
+            y += kLine;
+        }
+    }
+    return layout;
+}
+
+void addScale(LegendRows& rows, const CompareSource& source) {
+    const bool flip = source.measure == relief::CompareMeasure::Flip;
+    rows.ramp(ColorMap::Count, Message(flip ? MessageId::DrawCompareFlip : MessageId::DrawCompareL1,
+                                       {{"high", (flip ? "" : "≥ ") + figures(source.high)}}));
+}
+
+}  // namespace
+
+std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Language language) {
+    std::vector<std::string> numbers;
+    if (tile.equal) {
+        numbers.push_back(relief::sentence(Message(MessageId::DrawCompareEqual), language));
+    } else if (tile.rmse && tile.psnr && tile.flip) {
+        numbers = split(relief::sentence(
+            Message(MessageId::DrawCompareError,
+                    {{"rmse", figures(*tile.rmse)}, {"psnr", figures(*tile.psnr)}, {"flip", figures(*tile.flip)}}),
+            language));
+    }
+    if (tile.rate && tile.steps) {
+        for (std::string& part : split(relief::sentence(
+                 Message(MessageId::DrawCompareRate, {{"rate", figures(*tile.rate)}, {"steps", figures(*tile.steps)}}),
+                 language))) {
+            numbers.push_back(std::move(part));
+        }
+    } else if (!tile.missing && tile.flip) {
+        numbers.push_back(relief::sentence(
+            Message(tile.traces ? MessageId::DrawCompareMeasuring : MessageId::DrawCompareNoRays), language));
+    }
+    return numbers;
+}
+
+CompareLayout compareLayout(const CompareSource& source, double width, double height, relief::Language language) {
+    const bool beside = source.mode == CompareMode::Tiles || source.mode == CompareMode::Difference;
+    CompareLayout layout = beside ? tiled(source, width, height, language) : stacked(source, width, height, language);
+    layout.bounds = {0, 0, width, height};
+    layout.drawing.bounds = layout.bounds;
+    return layout;
+}
+
+Drawing compareScale(const CompareSource& source, relief::Language language) {
+    LegendRows rows(1, language);
+    addScale(rows, source);
+    return rows.take();
+}
+
+Drawing compareLegend(const CompareSource& source, double width, relief::Language language) {
+    LegendRows rows(width, language);
+    if (source.mode == CompareMode::Difference) addScale(rows, source);
+    const Message note =
+        source.rays > 0 ? Message(MessageId::DrawCompareAgainst,
+                                  {{"reference", source.reference}, {"rays", source.rays}, {"rounds", source.rounds}})
+                        : Message(MessageId::DrawCompareColors, {{"reference", source.reference}});
+    // Sentence by sentence, where all of it does not fit into a row.
+    const std::string all = relief::sentence(note, language);
+    if (rows.textRoom(note) <= width) {
+        rows.text(rows.place(rows.textRoom(note)), note);
+        return rows.take();
+    }
+    std::string line;
+    const auto put = [&] {
+        if (line.empty()) return;
+        const Message part = plainText(line);
+        rows.text(rows.place(std::max(rows.textRoom(part), 0.7 * width)), part);
+        line.clear();
+    };
+    std::size_t from = 0;
+    while (from < all.size()) {
+        const std::size_t to = std::min(all.find(' ', from), all.size());
+        const std::string word = all.substr(from, to - from);
+        if (!line.empty() && rows.textRoom(plainText(line + ' ' + word)) > width) put();
+        line += (line.empty() ? "" : " ") + word;
+        from = to + 1;
+    }
+    put();
+    return rows.take();
+}
+
+}  // namespace reliefui

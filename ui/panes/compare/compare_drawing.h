@@ -1,0 +1,57 @@
+// Where the pictures of several methods lie beside each other, and what is written around them. The pictures
+// themselves are pixels: whoever paints puts them into the rooms.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "painting/drawing.h"
+#include "scenario/comparison.h"
+
+namespace reliefui {
+
+struct CompareTile {
+    std::string name;                        // "A max-pyramid"
+    bool reference = false;                  // of the others
+    std::optional<relief::Message> missing;  // said instead of a picture
+    std::optional<double> rmse, psnr, flip;
+    bool equal = false;           // to the reference, in every bit
+    std::optional<double> rate;   // 10^6 rays a second
+    std::optional<double> steps;  // mean of the rays
+    bool traces = true;           // false: no rays are searched along, no rate is to be expected
+};
+
+struct CompareSource {
+    relief::CompareMode mode = relief::CompareMode::Tiles;
+    relief::CompareMeasure measure = relief::CompareMeasure::Flip;
+    std::vector<CompareTile> tiles;
+    std::vector<double> dividers;  // of swipe: one fewer than tiles
+    std::size_t shown = 0;         // of flicker
+    double aspect = 0.75;          // height over width of the pictures
+    double high = 1;               // of the scale of differences
+    std::string reference;         // its name
+    std::size_t rays = 0;          // that the rates were measured on; 0: not yet
+    int rounds = 0;
+    std::size_t lines = 0;  // of numbers for which there is room at least, so that pictures stay where they were
+};
+
+struct CompareLayout {
+    Box bounds;
+    std::vector<Box> rooms;  // of each tile's picture; one for all of them where they share a place
+    std::vector<Box> clips;  // what of the room shows this tile; empty: nothing
+    std::vector<double> dividers;
+    std::size_t lines = 0;  // of numbers, that there is room for
+    Drawing drawing;        // over the pictures: names, numbers, frames, dividers
+};
+// width, height: points.
+CompareLayout compareLayout(const CompareSource& source, double width, double height, relief::Language language);
+// The scale of differences alone.
+Drawing compareScale(const CompareSource& source, relief::Language language);
+Drawing compareLegend(const CompareSource& source, double width, relief::Language language);
+
+// Its numbers as they stand below a tile, each by itself: "RMSE 0.0123", "PSNR 38.2 dB", ...
+std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Language language);
+
+}  // namespace reliefui

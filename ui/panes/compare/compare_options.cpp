@@ -1,0 +1,89 @@
+// The options of the compared methods, made from their own descriptions, side by side.
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "panes/compare/compare_view.h"
+#include "panes/core_texts.h"
+#include "panes/options_form.h"
+#include "relief/tracers.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kMostHeight = 190;  // pixels: the pictures want the rest
+
+}  // namespace
+
+QWidget* CompareView::makeOptions() {
+    auto* const area = new QScrollArea(this);
+    area->setObjectName(QStringLiteral("compare-options-area"));
+    area->setAccessibleName(accessibleName());
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setMaximumHeight(kMostHeight);
+    auto* const inner = new QWidget(area);
+    auto* const row = new QHBoxLayout(inner);
+    row->setContentsMargins(6, 2, 6, 4);
+    for (std::size_t n = 0; n < relief::kMostCompared; ++n) {
+        OptionsOf one;
+        one.whole = new QWidget(inner);
+        one.whole->setObjectName(QStringLiteral("compare-options-") + QChar(static_cast<char>('A' + n)));
+        auto* const column = new QVBoxLayout(one.whole);
+        column->setContentsMargins(0, 0, 8, 0);
+        one.title = new QLabel(one.whole);
+        one.form = new OptionsForm(one.whole);
+        column->addWidget(one.title);
+        column->addWidget(one.form);
+        column->addStretch(1);
+        row->addWidget(one.whole, 1);
+        connect(one.form, &OptionsForm::settled, workspace_, &Workspace::settle);
+        connect(one.form, &OptionsForm::changed, this,
+                [this, n](const QString& name, const QString& text, bool live) { setOption(n, name, text, live); });
+        options_.push_back(one);
+    }
+    area->setWidget(inner);
+    area->hide();
+    optionsArea_ = area;
+    return area;
+}
+
+void CompareView::showOptions(bool on) {
+    showOptions_->setChecked(on);
+    refreshOptions();
+    optionsArea_->setVisible(on);
+}
+
+void CompareView::refreshOptions() {
+    if (!showOptions_->isChecked()) return;
+    const std::vector<relief::MethodChoice> methods = comparedMethods(workspace_->scenario());
+    for (std::size_t n = 0; n < options_.size(); ++n) {
+        options_[n].whole->setVisible(n < methods.size());
+        if (n >= methods.size()) continue;
+        const relief::MethodDescription& method = relief::findTracer(methods[n].name);
+        options_[n].title->setText(QString::fromStdString(comparedName(n, methods[n])));
+        options_[n].title->setToolTip(coreText(method.help));
+        options_[n].form->show(method, methods[n]);
+    }
+}
+
+void CompareView::setOption(std::size_t number, const QString& name, const QString& text, bool live) {
+    relief::Scenario scenario = workspace_->scenario();
+    if (number > scenario.comparison.others.size()) return;
+    relief::MethodChoice& method = number == 0 ? scenario.method : scenario.comparison.others[number - 1];
+    const std::string key = name.toStdString();
+    const std::string value = text.toStdString();
+    // Another method inside has options of its own.
+    const auto before = method.options.find(key);
+    const bool same = before != method.options.end() && before->second == value;
+    if (!same) std::erase_if(method.options, [&](const auto& option) { return option.first.starts_with(key + "."); });
+    method.options[key] = value;
+    const QChar letter(static_cast<char>('A' + number));
+    workspace_->change(scenario, tr("%1: %2").arg(letter).arg(controlTitle(key)),
+                       QStringLiteral("compare-%1-%2").arg(letter).arg(name), live);
+}
+
+}  // namespace reliefui

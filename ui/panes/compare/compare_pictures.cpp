@@ -1,0 +1,238 @@
+// The pictures of the compare pane: what is seen, and what the mouse does there.
+#include <algorithm>
+#include <cmath>
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include "painting/view_map.h"
+#include "panes/compare/compare_painting.h"
+#include "panes/compare/compare_view.h"
+#include "panes/result/result_painting.h"
+#include "scenario/step_sentence.h"
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr double kReach = 6;  // points to a divider
+
+}  // namespace
+
+ComparePictures::ComparePictures(Workspace* workspace, QWidget* parent) : PictureView(workspace, parent) {
+    setObjectName(QStringLiteral("compare-pictures"));
+    setAccessibleName(tr("Compare: pictures of the methods"));
+}
+
+relief::Comparison ComparePictures::how() const {
+    relief::Comparison how = workspace()->scenario().comparison;
+    if (dragged_) how.dividers = dividers_;
+    return how;
+}
+
+void ComparePictures::show(std::shared_ptr<const ComparedView> view, relief::MessageId why) {
+    view_ = std::move(view);
+    why_ = why;
+    relayout();
+}
+
+void ComparePictures::setShown(std::size_t method) {
+    if (!view_ || view_->methods.empty()) return;
+    shown_ = method % view_->methods.size();
+    relayout();
+}
+
+void ComparePictures::relayout() {
+    if (view_) {
+        const Box page{0, 0, double(width()), double(height())};
+        CompareSource source = compareSource(*view_, how(), shown_);
+        // A coarse picture has no numbers, but comes back to where it had.
+        if (view_->coarse && mode_ == source.mode) source.lines = lines_;
+        ComparePage parts = comparePage(source, page, workspace()->style());
+        mode_ = source.mode;
+        lines_ = parts.layout.lines;
+        layout_ = std::move(parts.layout);
+        legend_ = std::move(parts.legend);
+        room_ = parts.room;
+    } else {
+        layout_ = {};
+    }
+    update();
+}
+
+QRectF ComparePictures::onScreen(const Box& points) const {
+    const Box b = ViewMap{unit(), room_.x0, room_.y0}.toScreen(points);
+    return {b.x0, b.y0, b.width(), b.height()};
+}
+
+std::optional<std::size_t> ComparePictures::methodAt(QPointF widget) const {
+    for (std::size_t n = 0; n < layout_.clips.size(); ++n) {
+        if (!layout_.clips[n].empty() && onScreen(layout_.clips[n]).contains(widget)) return n;
+    }
+    return std::nullopt;
+}
+
+QRectF ComparePictures::roomAt(QPointF widget) const {
+    const auto method = methodAt(widget);
+    return method ? onScreen(layout_.rooms[*method]) : QRectF();
+}
+
+std::optional<QPointF> ComparePictures::pixelIn(std::size_t method, relief::PixelChoice pixel) const {
+    if (method >= layout_.clips.size() || layout_.clips[method].empty()) return std::nullopt;
+    const QPointF at = inRoom({pixel.x + 0.5, pixel.y + 0.5}, onScreen(layout_.rooms[method]));
+    if (!onScreen(layout_.clips[method]).contains(at)) return std::nullopt;
+    return at;
+}
+
+std::optional<std::size_t> ComparePictures::dividerAt(QPointF widget) const {
+    if (layout_.dividers.empty() || layout_.rooms.empty()) return std::nullopt;
+    const QRectF room = onScreen(layout_.rooms.front());
+    if (!room.contains(widget)) return std::nullopt;
+    std::optional<std::size_t> nearest;
+    double distance = kReach * unit();
+    for (std::size_t n = 0; n < layout_.dividers.size(); ++n) {
+        const double x = room.x() + layout_.dividers[n] * room.width();
+        if (std::abs(x - widget.x()) > distance) continue;
+        distance = std::abs(x - widget.x());
+        nearest = n;
+    }
+    return nearest;
+}
+
+void ComparePictures::paintEvent(QPaintEvent*) {
+    const PauseLog::Part part("compare: pictures");
+    QPainter painter(this);
+    const Style& style = workspace()->style();
+    painter.fillRect(rect(), toColor(style.background()));
+    if (!view_) {
+        painter.setPen(toColor(style.text()));
+        const std::string text = relief::sentence(relief::Message(why_), style.language);
+        painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
+                         QString::fromStdString(text));
+    } else {
+        const Box page{0, 0, double(width()), double(height())};
+        paintCompare(painter, *view_, how(), {layout_, legend_, room_}, page, style, workspace()->scenario().pixel,
+                     [this](const QRectF& room) { return pictureIn(room); });
+    }
+    if (!hasFocus()) return;
+    painter.setPen(palette().color(QPalette::Highlight));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+void ComparePictures::resizeEvent(QResizeEvent* event) {
+    PictureView::resizeEvent(event);
+    relayout();
+}
+
+void ComparePictures::mousePressEvent(QMouseEvent* event) {
+    const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+    const auto divider = plain ? dividerAt(event->localPos()) : std::nullopt;
+    if (!divider) return PictureView::mousePressEvent(event);
+    dividers_ = layout_.dividers;
+    dragged_ = divider;
+}
+
+void ComparePictures::mouseMoveEvent(QMouseEvent* event) {
+    if (!dragged_) {
+        const bool over = (event->buttons() == Qt::NoButton) && dividerAt(event->localPos()).has_value();
+        setCursor(over ? Qt::SplitHCursor : Qt::ArrowCursor);
+        return PictureView::mouseMoveEvent(event);
+    }
+    // Undone, or another way of comparing, while the button was down.
+    if (!dragsFit()) return dragged_.reset();
+    const QRectF room = onScreen(layout_.rooms.front());
+    const std::size_t n = *dragged_;
+    const double low = n == 0 ? 0 : dividers_[n - 1];
+    const double high = n + 1 == dividers_.size() ? 1 : dividers_[n + 1];
+    constexpr double kUnit = 1e-4;
+    const double share = (event->localPos().x() - room.x()) / std::max(1.0, room.width());
+    dividers_[n] = std::clamp(std::round(share / kUnit) * kUnit, low, high);
+    relayout();
+}
+
+void ComparePictures::mouseReleaseEvent(QMouseEvent* event) {
+    if (!dragged_) return PictureView::mouseReleaseEvent(event);
+    relief::Scenario scenario = workspace()->scenario();
+    const bool fits = dragsFit();
+    dragged_.reset();
+    if (!fits) return;
+    scenario.comparison.dividers = dividers_;
+    workspace()->settle();
+    workspace()->change(scenario, tr("Move the divider"));
+    relayout();
+}
+
+// Alt with left and right moves the divider, with up and down takes another one; Shift: in larger steps.
+bool ComparePictures::moveDivider(QKeyEvent* event) {
+    constexpr double kStep = 0.01;
+    constexpr double kFarStep = 0.1;
+    const bool shift = (event->modifiers() & Qt::ShiftModifier) != 0;
+    const int key = event->key();
+    if ((event->modifiers() & ~Qt::ShiftModifier) != Qt::AltModifier || layout_.dividers.empty() || dragged_)
+        return false;
+    const std::size_t count = layout_.dividers.size();
+    held_ = std::min(held_, count - 1);
+    if (key == Qt::Key_Up || key == Qt::Key_Down) {
+        held_ = (held_ + (key == Qt::Key_Down ? 1 : count - 1)) % count;
+        Q_EMIT hovered(tr("divider %1 of %2").arg(held_ + 1).arg(count));
+        return true;
+    }
+    if (key != Qt::Key_Left && key != Qt::Key_Right) return false;
+    std::vector<double> dividers = layout_.dividers;
+    const double low = held_ == 0 ? 0 : dividers[held_ - 1];
+    const double high = held_ + 1 == count ? 1 : dividers[held_ + 1];
+    const double by = (key == Qt::Key_Left ? -1 : 1) * (shift ? kFarStep : kStep);
+    dividers[held_] = std::clamp(dividers[held_] + by, low, high);
+    relief::Scenario scenario = workspace()->scenario();
+    scenario.comparison.dividers = dividers;
+    workspace()->change(scenario, tr("Move the divider"), QStringLiteral("divider"));
+    relayout();
+    return true;
+}
+
+// A letter shows that method alone where one is shown at a time.
+void ComparePictures::keyPressEvent(QKeyEvent* event) {
+    if (moveDivider(event)) return;
+    const int number = event->key() - Qt::Key_A;
+    const bool letter = event->modifiers() == Qt::NoModifier && number >= 0 && view_ &&
+                        number < static_cast<int>(view_->methods.size());
+    if (!letter || how().mode != relief::CompareMode::Flicker) return PictureView::keyPressEvent(event);
+    Q_EMIT flickerStopped();
+    setShown(static_cast<std::size_t>(number));
+}
+
+QStringList ComparePictures::readouts(relief::PixelChoice pixel) const {
+    const auto snapshot = workspace()->snapshot();
+    if (!view_ || !snapshot) return {};
+    QStringList lines{tr("pixel (%1, %2)").arg(pixel.x).arg(pixel.y)};
+    for (std::size_t n = 0; n < view_->methods.size(); ++n) lines << compareReadout(*view_, *snapshot, n, pixel);
+    return lines;
+}
+
+void ComparePictures::tellHover(QPointF at) {
+    const auto pixel = pixelAt(at);
+    Q_EMIT hovered(pixel ? readouts(*pixel).join(QStringLiteral(" · ")) : QString());
+}
+
+void ComparePictures::leaveEvent(QEvent*) {
+    Q_EMIT hovered({});
+}
+
+bool ComparePictures::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return PictureView::event(event);
+    const auto* const help = static_cast<QHelpEvent*>(event);
+    const auto pixel = pixelAt(help->pos());
+    if (pixel && view_) {
+        QToolTip::showText(help->globalPos(), readouts(*pixel).join('\n'), this);
+    } else {
+        QToolTip::hideText();
+    }
+    return true;
+}
+
+}  // namespace reliefui

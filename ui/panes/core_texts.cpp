@@ -1,0 +1,40 @@
+#include "panes/core_texts.h"
+
+#include <QCoreApplication>
+
+namespace reliefui {
+
+QString coreText(const std::string& english) {
+    return QCoreApplication::translate("core", english.c_str());
+}
+
+namespace {
+
+std::string capitalised(const std::string& name) {
+    std::string title = name;
+    for (char& c : title) {
+        if (c == '-' || c == '_') c = ' ';
+    }
+    if (!title.empty() && title.front() >= 'a' && title.front() <= 'z') title.front() -= 'a' - 'A';
+    return title;
+}
+
+}  // namespace
+
+QString controlTitle(const std::string& name) {
+    return coreText(capitalised(name));
+}
+
+QString optionTitle(const std::string& name) {
+    // Without a translation of its own it has the word's.
+    return QCoreApplication::translate("core", capitalised(name).c_str(), "option");
+}
+
+QString unitSuffix(const std::string& unit) {
+    if (unit.empty()) return {};
+    if (unit == "degrees") return QStringLiteral("°");
+    if (unit == "pixels") return QStringLiteral(" px");
+    return {};  // stands in the tool tip: the box would be as wide as the panel
+}
+
+}  // namespace reliefui

@@ -1,0 +1,20 @@
+// The slice through a distance map as a figure.
+#pragma once
+
+#include <optional>
+
+#include "panes/distance/distance_drawing.h"
+#include "panes/figure.h"
+#include "workspace/pane_states.h"
+#include "workspace/snapshot.h"
+
+namespace reliefui {
+
+DistanceOptions distanceOptions(const DistancePane& pane);
+DistancePane distancePane(const DistanceOptions& options);
+
+// point: whose distances are shown. Painting throws InputError for a map that there is none of.
+std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, const DistanceOptions& options,
+                                             const std::optional<QueryPoint>& point);
+
+}  // namespace reliefui

@@ -1,0 +1,272 @@
+#include "panes/distance/distance_view.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QFrame>
+#include <QLabel>
+#include <QProgressBar>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+
+#include "panes/core_texts.h"
+#include "panes/distance/distance_figure.h"
+#include "panes/drawing_canvas.h"
+#include "relief/tracers/map_choice.h"
+#include "workspace/discard.h"
+#include "workspace/pane_states.h"
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+void DistanceView::setOptions(const DistanceOptions& options) {
+    change(options);
+}
+
+// drag: what is dragged, one step of undo.
+void DistanceView::change(const DistanceOptions& options, const char* drag) {
+    if (options == options_) return;
+    PaneStates panes = panesOf(workspace_->scenario());
+    panes.distance = distancePane(options);
+    workspace_->setPanes(panes, tr("Distance map: other view"), QString::fromLatin1(drag));
+    showControls();  // where it was refused
+}
+
+void DistanceView::adopt() {
+    const PaneStates& panes = panesOf(workspace_->scenario());
+    const DistanceOptions options = distanceOptions(panes.distance);
+    if (options == options_ && panes.query == query_) return;
+    query_ = panes.query;
+    const bool other = options.kind != options_.kind || options.minus != options_.minus ||
+                       options.axis != options_.axis || options.nearRay != options_.nearRay;
+    if (options != options_) failed_ = {};
+    options_ = options;
+    if (other) canvas_->resetZoom();
+    refresh();
+}
+
+bool DistanceView::ready() const {
+    return snapshot_ && snapshot_->request && snapshot_->maxima && snapshot_->maps;
+}
+
+bool DistanceView::settled() const {
+    return !stale_ && !job_->busy() && !point_.busy();
+}
+
+void DistanceView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &DistanceView::refresh);
+}
+
+DistanceView::MapNames DistanceView::namesNow() const {
+    const relief::HeightField& field = snapshot_->request->field;
+    MapNames now;
+    now.heights = field.sharedHeights();
+    now.names = {std::string(relief::surfaceName(field.surface())), std::string(relief::addressName(field.address())),
+                 relief::numberText(field.reliefDepth())};
+    for (const MapOptions& map : mapOptions(options_, *snapshot_)) {
+        now.names.push_back(map.kind);
+        for (const auto& [name, text] : map.options) now.names.push_back(name + "=" + text);
+    }
+    return now;
+}
+
+void DistanceView::refresh() {
+    const PauseLog::Part part("distance");
+    // Out of sight nothing is built or drawn.
+    stale_ = !inSight();
+    if (stale_) {
+        if (snapshot_ != workspace_->snapshot()) letGo();
+        return;
+    }
+    canvas_->setStyle(workspace_->style());
+    snapshot_ = workspace_->snapshot();
+    if (!ready()) {
+        showEmpty(relief::MessageId::DrawNoPicture);
+        return;
+    }
+    point_.ask(snapshot_, query_);
+    const MapNames now = namesNow();
+    if (now == built_) {
+        building_ = {};
+        draw();
+    } else if (now == failed_) {
+        showControls();
+    } else if (!(now == building_) && !snapshot_->coarse) {
+        // While something is dragged the map would be another one a moment later.
+        build(now);
+    }
+}
+
+// The maps themselves stay in the cache, within its budget.
+void DistanceView::letGo() {
+    job_->drop();
+    point_.drop();
+    snapshot_.reset();
+    discard(std::exchange(maps_, {}));
+    built_ = building_ = failed_ = {};
+    problem_.clear();
+    drawing_.reset();
+    legend_.reset();
+    result_.reset();
+    canvas_->letGo();
+    setReadout({});
+    showWaiting();
+    stale_ = true;
+}
+
+void DistanceView::refreshStep() {
+    if (!inSight()) {
+        stale_ = true;
+        return;
+    }
+    if (!options_.slice) {
+        refresh();
+    } else {
+        showMarks();
+    }
+}
+
+void DistanceView::build(const MapNames& names) {
+    problem_.clear();
+    failed_ = {};
+    building_ = names;
+    auto maps = std::make_shared<DistanceMaps>();
+    const auto work = [snapshot = snapshot_, options = options_, before = maps_, maps](relief::Work& w) {
+        *maps = distanceMaps(*snapshot, options, before, w);
+    };
+    const auto done = [this, maps, names] {
+        discard(std::exchange(maps_, std::move(*maps)));
+        built_ = names;
+        building_ = {};
+        refresh();
+    };
+    job_->start({work, done});
+    showWaiting();
+}
+
+// In points; what the canvas leaves around drawing and legend is its own.
+void DistanceView::draw() {
+    constexpr double kMargin = 6;
+    constexpr double kOneRow = 14;
+    constexpr double kMostLegend = 0.25;
+    const double unit = workspace_->style().pixelsPerPoint();
+    const QSizeF room(canvas_->width() / unit - 2 * kMargin, canvas_->height() / unit - 2 * kMargin);
+    const int step = workspace_->scenario().step;
+    const relief::Language language = workspace_->style().language;
+    problem_.clear();
+    auto result = makeFreedAside<Result>();
+    result->snapshot = snapshot_;
+    result->maps = maps_;
+    result->point = point_.known();
+    const auto work = [result, options = options_, room, step, language](relief::Work&) {
+        const DistanceSource source = result->source();
+        if (source.second != nullptr) result->secondSector = sectorOf(*source.second, source, options);
+        // Twice, where the legend turns out higher than one row.
+        double legend = kOneRow + kMargin / 2;
+        for (int n = 0; n < 2; ++n) {
+            result->picture = distancePicture(source, options, step, room.width(), room.height() - legend, language);
+            result->legend = distanceLegend(source, result->picture, room.width(), language);
+            if (result->legend.bounds.height() > kMostLegend * room.height()) result->legend = {};
+            const bool none = result->legend.bounds.empty();
+            const double needed = none ? 0 : result->legend.bounds.height() + kMargin / 2;
+            if (needed == legend) break;
+            legend = needed;
+        }
+    };
+    job_->start({work, [this, result] { take(result); }});
+    showWaiting();
+}
+
+DistanceSource DistanceView::Result::source() const {
+    DistanceSource source = distanceSource(*snapshot, maps);
+    source.point = point;
+    return source;
+}
+
+void DistanceView::take(std::shared_ptr<const Result> result) {
+    result_ = std::move(result);
+    drawing_ = {result_, &result_->picture.drawing};
+    legend_ = {result_, &result_->legend};
+    showMarks();
+    showControls();
+}
+
+void DistanceView::showMarks() {
+    const PauseLog::Part part("distance: marks");
+    if (!result_) return;
+    const DistanceSource source = result_->source();
+    auto marks =
+        std::make_shared<const Drawing>(distanceMarks(source, result_->picture.frame, workspace_->scenario().step));
+    canvas_->setLayers({drawing_, std::move(marks)}, legend_);
+}
+
+void DistanceView::showEmpty(relief::MessageId why) {
+    result_.reset();
+    canvas_->showText(why);
+    showControls();
+}
+
+void DistanceView::fail(const QString& problem) {
+    problem_ = problem.isEmpty() ? tr("The map was not built: it was cancelled.") : problem;
+    // By then there may be no picture any more.
+    failed_ = ready() ? namesNow() : MapNames{};
+    building_ = {};
+    // What is on the screen is not what was asked for.
+    result_.reset();
+    canvas_->setLayers({}, nullptr);
+    showControls();
+}
+
+void DistanceView::cancel() {
+    job_->cancel();
+}
+
+// The controls say what is shown.
+void DistanceView::showControls() {
+    const QSignalBlocker quietSlider(slider_);
+    const QSignalBlocker quietSector(sector_);
+    follow_->setChecked(!options_.slice);
+    iso_->setChecked(options_.isoLines);
+    near_->setChecked(options_.nearRay);
+    kind_->setCurrentIndex(std::max(0, kind_->findData(QString::fromStdString(options_.kind))));
+    minus_->setCurrentIndex(std::max(0, minus_->findData(QString::fromStdString(options_.minus))));
+    const DistanceFrame frame = result_ ? result_->picture.frame : DistanceFrame{};
+    for (std::size_t a = 0; a < axes_.size(); ++a) {
+        axes_[a]->setChecked(result_ && static_cast<std::size_t>(frame.axis) == a);
+        axes_[a]->setEnabled(!frame.slopes);
+    }
+    slider_->setRange(0, std::max(0, frame.slices - 1));
+    slider_->setValue(frame.slice);
+    slider_->setEnabled(frame.slices > 1);
+    slice_->setText(result_ && frame.slices > 1 ? tr("%1 of %2").arg(frame.slice + 1).arg(frame.slices) : QString());
+    sector_->setVisible(frame.sectors > 1);
+    if (frame.sectors > 1 && sector_->count() != frame.sectors + 1) {
+        sector_->clear();
+        sector_->addItem(tr("the ray's sector"), -1);
+        for (int q = 0; q < frame.sectors; ++q) sector_->addItem(tr("sector %1").arg(q + 1), q);
+    }
+    if (frame.sectors > 1) sector_->setCurrentIndex(options_.sector ? *options_.sector + 1 : 0);
+    showWaiting();
+}
+
+void DistanceView::showWaiting() {
+    const bool busy = job_ && job_->busy() && !building_.names.empty();
+    if (busy && !patience_.isActive() && !waiting_->isVisible()) patience_.start();
+    if (!busy) patience_.stop();
+    const bool problem = !problem_.isEmpty();
+    if (!busy || problem) waiting_->setVisible(problem);
+    if (problem) what_->setText(problem_);
+    bar_->setVisible(!problem);
+    stop_->setVisible(!problem);
+    again_->setVisible(problem);
+    placeWaiting();
+}
+
+std::shared_ptr<const Figure> DistanceView::figure() const {
+    if (!result_) return nullptr;
+    return distanceFigure(atStep(result_->snapshot), options_, panesOf(workspace_->scenario()).query);
+}
+
+}  // namespace reliefui

@@ -1,0 +1,132 @@
+// The distance map's pane: slices through any map, the difference of two, and the chosen ray with the spheres and
+// cones of its steps. Maps are built and slices are cut on a thread of the pane's own; what is waited for says so, and
+// can be cancelled. A click on a step chooses it, Ctrl+click asks for the distances of
+// a point; wheel and drag zoom and move, R shows all again.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QTimer>
+
+#include "panes/distance/distance_maps.h"
+#include "panes/figure_view.h"
+#include "panes/point_asker.h"
+#include "workspace/latest_job.h"
+
+class QComboBox;
+class QFrame;
+class QHBoxLayout;
+class QLabel;
+class QProgressBar;
+class QSlider;
+class QToolButton;
+
+namespace reliefui {
+
+class DrawingCanvas;
+
+class DistanceView : public FigureView {
+    Q_OBJECT
+  public:
+    explicit DistanceView(Workspace* workspace, QWidget* parent = nullptr);
+    ~DistanceView() override;
+
+    DrawingCanvas* canvas() const { return canvas_; }
+    const DistanceOptions& options() const { return options_; }
+    void setOptions(const DistanceOptions& options);
+    // What is on the screen; null before the first.
+    const DistancePicture* shown() const { return result_ ? &result_->picture : nullptr; }
+    // Nothing is waited for: what is on the screen is what was asked for, or a problem is said.
+    bool settled() const;
+    // The point whose distances are shown; null: none.
+    const PointQuery* point() const { return result_ ? result_->point.get() : nullptr; }
+    QString problem() const { return problem_; }
+
+  public slots:
+    void cancel();
+    void resetZoom();
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    std::shared_ptr<const Figure> figure() const override;
+    void tell(const QPointF& widget) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void letGo() override;
+    bool showsPoints() const override { return true; }
+    std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
+    std::optional<QPointF> pointPlace() const override;
+
+  private:
+    // What maps are made from.
+    struct MapNames {
+        std::vector<std::string> names;
+        std::shared_ptr<const relief::FloatImage> heights;
+        bool operator==(const MapNames&) const = default;
+    };
+    struct Result {
+        std::shared_ptr<const Snapshot> snapshot;
+        DistanceMaps maps;
+        DistancePicture picture;
+        Drawing legend;
+        std::shared_ptr<const PointQuery> point;
+        int secondSector = 0;
+
+        DistanceSource source() const;
+    };
+
+    void makeMapBar(QHBoxLayout* bar);
+    void makeSliceBar(QHBoxLayout* bar);
+    void makeWaiting();
+    QToolButton* addButton(QHBoxLayout* bar, const QString& text, const QString& help, bool checkable);
+    void placeWaiting();
+    void refresh();      // another map, slice, ray, room or option
+    void refreshStep();  // another step
+    void build(const MapNames& names);
+    void draw();
+    void take(std::shared_ptr<const Result> result);
+    void showMarks();
+    void showControls();
+    void showEmpty(relief::MessageId why);
+    void fail(const QString& problem);
+    void showWaiting();
+    void change(const DistanceOptions& options, const char* drag = nullptr);
+    void adopt();  // what the scenario says
+    void choose(const ItemId& id);
+    bool ready() const;
+    MapNames namesNow() const;
+
+    DrawingCanvas* canvas_;
+    QComboBox* kind_ = nullptr;
+    QComboBox* minus_ = nullptr;
+    QComboBox* sector_ = nullptr;
+    std::vector<QToolButton*> axes_;
+    QSlider* slider_ = nullptr;
+    QLabel* slice_ = nullptr;
+    QToolButton* iso_ = nullptr;
+    QToolButton* near_ = nullptr;
+    QToolButton* follow_ = nullptr;
+    QFrame* waiting_ = nullptr;
+    QLabel* what_ = nullptr;
+    QProgressBar* bar_ = nullptr;
+    QToolButton* stop_ = nullptr;
+    QToolButton* again_ = nullptr;
+    QTimer patience_;
+
+    DistanceOptions options_;
+    QString problem_;
+    std::shared_ptr<const Snapshot> snapshot_;
+    DistanceMaps maps_;
+    MapNames built_;     // what maps_ are of
+    MapNames building_;  // empty: nothing
+    MapNames failed_;    // not tried again until something changes
+    std::shared_ptr<const Result> result_;
+    std::shared_ptr<const Drawing> drawing_;
+    std::shared_ptr<const Drawing> legend_;
+    std::optional<QueryPoint> query_;
+    bool stale_ = true;  // changed while it was hidden
+    PointAsker point_{this, [this] { refresh(); }};
+    std::unique_ptr<LatestJob> job_;  // last: ends before the rest
+};
+
+}  // namespace reliefui

@@ -1,0 +1,157 @@
+// The duel pane's controls, and how drawing and table share its room.
+#include <algorithm>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTableView>
+#include <QTimer>
+#include <QToolButton>
+
+#include "panes/drawing_canvas.h"
+#include "panes/duel/duel_view.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kPlaces = 3;  // beside the scenario's own method
+constexpr int kShownLetters = 6;
+constexpr int kColumnLetters = 21;
+constexpr int kDrawingLines = 26;
+constexpr int kLowDrawingLines = 16;
+constexpr int kTableLines = 6;
+constexpr int kWideLines = 46;
+
+}  // namespace
+
+void DuelView::makeBar(QHBoxLayout* bar) {
+    own_ = new QLabel(this);
+    bar->addWidget(own_);
+    for (int place = 0; place < kPlaces; ++place) {
+        auto* const box = new QComboBox(this);
+        box->setObjectName(QStringLiteral("duel-method-%1").arg(place));
+        box->setAccessibleName(tr("Method against it, number %1").arg(place + 1));
+        box->setToolTip(tr("A method that is set against it; those of the comparison are the same"));
+        // The names may be long; the pane is not to be as wide as three of them.
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(kShownLetters);
+        box->addItem(QStringLiteral("–"), QString());
+        for (const relief::MethodDescription& method : relief::tracerList()) {
+            if (method.kind != relief::MethodKind::Tracer) continue;
+            box->addItem(QString::fromStdString(method.name), QString::fromStdString(method.name));
+        }
+        connect(box, qOverload<int>(&QComboBox::activated), this,
+                [this, box, place](int row) { setRival(place, box->itemData(row).toString()); });
+        choosers_.push_back(box);
+        bar->addWidget(box);
+    }
+    bar->addStretch(1);
+    makeButtons(bar);
+}
+
+void DuelView::makeButtons(QHBoxLayout* bar) {
+    near_ = new QToolButton(this);
+    near_->setObjectName(QStringLiteral("duel-near"));
+    near_->setText(tr("near the ray"));
+    near_->setToolTip(tr("Only the heights that the ray comes through"));
+    near_->setAccessibleName(near_->toolTip());
+    near_->setAutoRaise(true);
+    near_->setCheckable(true);
+    near_->setChecked(options_.nearRay);
+    connect(near_, &QToolButton::toggled, this, &DuelView::showNearRay);
+    const auto button = [&](const QString& sign, const QString& help, void (DuelView::*slot)()) {
+        auto* const made = new QToolButton(this);
+        made->setText(sign);
+        made->setAutoRaise(true);
+        made->setAccessibleName(help);
+        made->setToolTip(help);
+        connect(made, &QToolButton::clicked, this, slot);
+        bar->addWidget(made);
+        return made;
+    };
+    button(QStringLiteral("|◀"), tr("All at their first step"), &DuelView::first);
+    button(QStringLiteral("◀"), tr("Back in lock step"), &DuelView::back);
+    button(QStringLiteral("▶"), tr("On in lock step: those furthest behind take their next step"), &DuelView::forward);
+    button(QStringLiteral("▶|"), tr("All at their answers"), &DuelView::last);
+    divergence_ = button(tr("first divergence"), tr("To the first step that the exact answer contradicts (Ctrl+D)"),
+                         &DuelView::toDivergence);
+    divergence_->setObjectName(QStringLiteral("duel-divergence"));
+    bar->addWidget(near_);
+}
+
+void DuelView::showChoosers() {
+    const relief::Scenario& scenario = workspace_->scenario();
+    own_->setText(tr("%1  against").arg(QString::fromStdString(scenario.method.name)));
+    const std::vector<relief::MethodChoice> rivals = scenario.comparison.others;
+    for (std::size_t place = 0; place < choosers_.size(); ++place) {
+        const std::string name = place < rivals.size() ? rivals[place].name : std::string();
+        choosers_[place]->setCurrentIndex(std::max(0, choosers_[place]->findData(QString::fromStdString(name))));
+        choosers_[place]->setEnabled(place <= rivals.size());
+    }
+    if (rivals != rivals_) refresh();
+}
+
+void DuelView::setRival(int place, const QString& method) {
+    relief::Scenario wanted = workspace_->scenario();
+    std::vector<relief::MethodChoice>& rivals = wanted.comparison.others;
+    const auto at = std::min(static_cast<std::size_t>(place), rivals.size());
+    const bool there = at < rivals.size();
+    if (method.isEmpty()) {
+        if (there) rivals.erase(rivals.begin() + static_cast<std::ptrdiff_t>(at));
+    } else if (!there) {
+        rivals.push_back({method.toStdString(), {}});
+    } else if (rivals[at].name != method.toStdString()) {
+        rivals[at] = {method.toStdString(), {}};
+    }
+    workspace_->change(wanted, tr("Methods of the duel"));
+}
+
+void DuelView::showNearRay(bool on) {
+    options_.nearRay = on;
+    near_->setChecked(on);
+    canvas_->resetZoom();
+    redraw();
+}
+
+void DuelView::applyFont() {
+    QFont font = this->font();
+    font.setPointSizeF(workspace_->style().projector ? 18 : 10);
+    verdict_->setFont(font);
+    table_->setFont(font);
+    table_->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);
+}
+
+// The drawing comes first: the table stands beside it where the pane is wide, below where it is high, else nowhere.
+void DuelView::shareRoom() {
+    const QFontMetrics letters(table_->font());
+    const int line = letters.height();
+    const int column = kColumnLetters * letters.averageCharWidth();
+    table_->horizontalHeader()->setMinimumSectionSize(column);
+    const int runs = duel_ ? static_cast<int>(duel_->runs.size()) : 1;
+    const int wanted = runs * column + table_->verticalScrollBar()->sizeHint().width() + 4;
+    const bool beside = split_->width() - wanted >= kDrawingLines * line;
+    const bool below = split_->height() >= (kLowDrawingLines + kTableLines) * line;
+    // In the menu as well.
+    for (QWidget* const part : {static_cast<QWidget*>(own_), static_cast<QWidget*>(near_)}) {
+        part->setVisible(width() > kWideLines * line);
+    }
+    table_->setVisible(beside || below);
+    if (duel_) showVerdict();
+    if (!beside && !below) return;
+    split_->setOrientation(beside ? Qt::Horizontal : Qt::Vertical);
+    const int table = beside ? wanted : std::max(kTableLines * line, split_->height() / 4);
+    const int all = beside ? split_->width() : split_->height();
+    split_->setSizes({all - table, table});
+}
+
+void DuelView::resizeEvent(QResizeEvent* event) {
+    FigureView::resizeEvent(event);
+    // When the layout has given everything its place.
+    QTimer::singleShot(0, this, &DuelView::shareRoom);
+}
+
+}  // namespace reliefui

@@ -1,0 +1,226 @@
+#include "panes/duel/duel_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "painting/legend_rows.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::Departure;
+using relief::Message;
+using relief::MessageId;
+
+// Points.
+constexpr double kTrack = 26;
+constexpr double kAboveTracks = 4;
+constexpr double kMark = 6;
+constexpr double kNow = 11;
+constexpr double kRing = 6;
+constexpr double kLeastGap = 4;  // between marks
+constexpr double kNameSize = 0.9;
+constexpr double kNumberSize = 0.8;
+constexpr double kLetter = 6.4;      // about the width of one at this size
+constexpr double kMostNames = 0.26;  // of the width
+constexpr double kLeastWidth = 260;  // with names beside the tracks
+
+// Room for the names of the tracks, left of them.
+double namesWidth(const DuelSource& source, double width) {
+    if (width < kLeastWidth) return 0;
+    std::size_t letters = 0;
+    for (const relief::DuelRun& run : *source.runs) letters = std::max(letters, run.name.size());
+    return std::min(kLetter * kNameSize * static_cast<double>(letters) + 8, kMostNames * width);
+}
+
+double tracksHeight(const DuelSource& source) {
+    return kAboveTracks + kTrack * static_cast<double>(source.count());
+}
+
+LevelTint tintOf(std::size_t run) {
+    return {static_cast<int>(run), 4};
+}
+
+class DuelMarks {
+  public:
+    DuelMarks(const DuelSource& source, const ProfileFrame& frame, const std::vector<std::size_t>& moment)
+        : source_(source), frame_(frame), moment_(moment), unit_(1 / frame.zoom) {
+        drawing_.bounds = frame.whole;
+    }
+
+    Drawing take() {
+        drawing_.add({ItemKind::Ray, 0, 0, 0}, Role::Ray,
+                     Polyline{{frame_.onRay(0), frame_.onRay(frame_.lambdaEnd)}, false});
+        for (std::size_t r = 0; r < source_.count(); ++r) track(r);
+        exactHit();
+        for (std::size_t r = 0; r < source_.count(); ++r) inSlice(r);
+        return std::move(drawing_);
+    }
+
+  private:
+    const relief::DuelRun& run(std::size_t r) const { return (*source_.runs)[r]; }
+    const relief::Judgement& judgement(std::size_t r) const { return (*source_.judgements)[r]; }
+    std::size_t now(std::size_t r) const { return r < moment_.size() ? moment_[r] : 0; }
+    double xAt(double lambda) const { return frame_.xAt(std::clamp(lambda, 0.0, frame_.lambdaEnd)); }
+    // Above the plot, closer together where there is little room.
+    double spacing() const {
+        const double room = frame_.plot.y0 - kTopRoom - kAboveTracks;
+        return std::clamp(room / static_cast<double>(std::max<std::size_t>(source_.count(), 1)), 1.0, kTrack);
+    }
+    double trackY(std::size_t r) const { return kAboveTracks + (static_cast<double>(r) + 0.5) * spacing(); }
+    static ItemId stepId(std::size_t r, std::size_t k) {
+        return {ItemKind::Step, static_cast<int>(r), static_cast<std::int64_t>(k), 0};
+    }
+    void add(std::size_t r, ItemId id, Primitive primitive, Emphasis emphasis = Emphasis::Normal) {
+        drawing_.items.push_back({id, Role::Series, emphasis, std::move(primitive), tintOf(r)});
+    }
+
+    void track(std::size_t r) {
+        const double y = trackY(r);
+        drawing_.add({}, Role::Grid, Polyline{{{xAt(0), y}, {xAt(frame_.lambdaEnd), y}}, false});
+        name(r, y);  // before what is written along the track: that gives way
+        departure(r, y);
+        const auto& steps = run(r).steps;
+        const std::size_t current = now(r);
+        double last = -HUGE_VAL;
+        for (std::size_t k = 0; k < steps.size(); ++k) {
+            const double x = xAt(duelPlace(steps[k]));
+            if (duelPlace(steps[k]) > frame_.lambdaEnd) break;
+            if (k == current || (x - last) * frame_.zoom < kLeastGap) continue;
+            last = x;
+            add(r, stepId(r, k), Marker{{x, y}, runShape(r), kMark}, k > current ? Emphasis::Faint : Emphasis::Normal);
+        }
+        if (run(r).hit.outcome == relief::Outcome::Hit && run(r).hit.lambda <= frame_.lambdaEnd) {
+            drawing_.add({ItemKind::Hit, static_cast<int>(r), 0, 0}, Role::Hit,
+                         Ring{{xAt(run(r).hit.lambda), y}, kRing});
+        }
+        if (current < steps.size()) {
+            const double x = xAt(duelPlace(steps[current]));
+            add(r, stepId(r, current), Marker{{x, y}, runShape(r), kNow}, Emphasis::Strong);
+            // Above the ring where it is the hit.
+            const bool hit = steps[current].decision == relief::Decision::Hit;
+            text({x, y}, plainText(std::to_string(current + 1)), Anchor::Bottom, {0, hit ? -kRing - 1 : 1 - kNow / 2},
+                 kNumberSize);
+        }
+    }
+
+    // Left of the track; over its end where there is no room for that.
+    void name(std::size_t r, double y) {
+        const bool beside = frame_.plot.x0 > kNumbersRoom;
+        const double x = beside ? frame_.plot.x0 : frame_.plot.x1;
+        text({x, y}, plainText(run(r).name), Anchor::Right, {beside ? -8.0 : -2.0, beside ? 0 : -spacing() / 4},
+             kNameSize);
+    }
+
+    // The stretch that its first fault is about.
+    void departure(std::size_t r, double y) {
+        const relief::Judgement& fault = judgement(r);
+        if (fault.kind == Departure::None) return;
+        const double half = 0.26 * spacing() * unit_;
+        const Box box{xAt(fault.from), y - half, xAt(fault.to), y + half};
+        const bool first = source_.first == r;
+        drawing_.add({}, Role::Overshoot, Rectangle{box, true, 0, 3}, Emphasis::Faint);
+        drawing_.add({}, Role::Overshoot, Rectangle{box, false, 0, 3}, first ? Emphasis::Strong : Emphasis::Normal);
+        // Not over the tracks' names, nor beyond the plot.
+        constexpr double kHalfTitle = 45;
+        const double low = frame_.plot.x0 + kHalfTitle * unit_;
+        const double middle =
+            std::clamp((box.x0 + box.x1) / 2, low, std::max(low, frame_.plot.x1 - kHalfTitle * unit_));
+        text({middle, box.y1}, relief::departureTitle(fault.kind), Anchor::Top, {0, 1.5}, kNumberSize);
+    }
+
+    void exactHit() {
+        if (source_.exact.outcome != relief::Outcome::Hit) return;
+        const Point at = frame_.onRay(source_.exact.lambda);
+        const double top = trackY(0) - kTrack / 2;
+        drawing_.add({}, Role::Highlight, Polyline{{{at.x, top}, at}, false}, Emphasis::Faint);
+        drawing_.add({ItemKind::Hit, -1, 0, 0}, Role::Hit, Ring{at, 7});
+    }
+
+    // Where it stands, and where it answers, on the ray itself.
+    void inSlice(std::size_t r) {
+        const auto& steps = run(r).steps;
+        if (now(r) < steps.size()) {
+            const double lambda = std::clamp(duelPlace(steps[now(r)]), 0.0, frame_.lambdaEnd);
+            add(r, stepId(r, now(r)), Marker{frame_.onRay(lambda), runShape(r), kNow}, Emphasis::Strong);
+        }
+        const bool ended = now(r) + 1 >= steps.size();
+        if (!ended || run(r).hit.outcome != relief::Outcome::Hit) return;
+        const Point at = frame_.onRay(std::clamp(run(r).hit.lambda, 0.0, frame_.lambdaEnd));
+        add(r, {ItemKind::Hit, static_cast<int>(r), 0, 0}, Ring{at, 4.5 + 2.5 * static_cast<double>(r)});
+    }
+
+    void text(Point at, Message message, Anchor anchor, Point offset, double size) {
+        Label label;
+        label.at = at;
+        label.text = std::move(message);
+        label.anchor = anchor;
+        label.offset = offset;
+        label.size = size;
+        label.yields = true;
+        drawing_.add({}, Role::Label, std::move(label));
+    }
+
+    static constexpr double kTopRoom = 14;      // for the name of the height axis
+    static constexpr double kNumbersRoom = 30;  // left of the plot, its numbers alone
+
+    const DuelSource& source_;
+    const ProfileFrame& frame_;
+    const std::vector<std::size_t>& moment_;
+    double unit_;
+    Drawing drawing_;
+};
+
+}  // namespace
+
+double duelPlace(const relief::Step& step) {
+    return step.decision == relief::Decision::Start ? step.lambdaIn : step.lambdaAfter;
+}
+
+Shape runShape(std::size_t run) {
+    constexpr std::array kShapes{Shape::Dot, Shape::TriangleDown, Shape::Diamond, Shape::Bar, Shape::Cross};
+    return kShapes[run % kShapes.size()];
+}
+
+ProfileFrame duelFrame(const DuelSource& source, const ProfileOptions& options, double width, double height) {
+    constexpr double kLeastPlot = 58;
+    const double room = std::min(tracksHeight(source), std::max(0.0, height - kLeastPlot));
+    ProfileSource profile = source.profile;
+    if (source.upTo > 0) {
+        profile.hit.outcome = relief::Outcome::Hit;
+        profile.hit.lambda = source.upTo;
+    }
+    ProfileFrame frame = profileFrame(profile, options, width, height - room);
+    frame.plot.x0 = std::max(frame.plot.x0, namesWidth(source, width));
+    frame.plot.y0 += room;
+    frame.plot.y1 += room;
+    frame.whole.y1 += room;
+    // With the tracks it may not be low any more.
+    frame.plot.y1 = std::max(frame.whole.y1 - profileBottom(frame), frame.plot.y0 + 1);
+    frame.visible = frame.whole;
+    return frame;
+}
+
+Drawing duelMarks(const DuelSource& source, const ProfileFrame& frame, const std::vector<std::size_t>& moment) {
+    return DuelMarks(source, frame, moment).take();
+}
+
+Drawing duelLegend(const DuelSource& source, double width, relief::Language language) {
+    LegendRows rows(width, language);
+    for (std::size_t r = 0; r < source.count(); ++r) {
+        const Message name = plainText((*source.runs)[r].name);
+        const Point at = rows.place(LegendRows::kSign + rows.textRoom(name) + LegendRows::kBetween);
+        rows.add(Role::Series, Marker{{at.x + 5, at.y}, runShape(r), 9}, tintOf(r));
+        rows.text({at.x + LegendRows::kSign, at.y}, name);
+    }
+    rows.line(Role::Overshoot, Message(MessageId::StopDisagreement));
+    const Message hit(MessageId::DrawHit);
+    const Point at = rows.place(LegendRows::kSign + rows.textRoom(hit));
+    rows.add(Role::Hit, Ring{{at.x + 5, at.y}, 4.5});
+    rows.text({at.x + LegendRows::kSign, at.y}, hit);
+    return rows.take();
+}
+
+}  // namespace reliefui

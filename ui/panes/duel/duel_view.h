@@ -1,0 +1,106 @@
+// Two to four methods on the ray that is looked at, in lock step: where each stands, which departs from the exact
+// answer first, and what went wrong there. The first one is the scenario's method: its step is the window's.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "panes/duel/duel_data.h"
+#include "panes/figure_view.h"
+#include "workspace/latest_job.h"
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QSplitter;
+class QTableView;
+class QToolButton;
+
+namespace reliefui {
+
+class DrawingCanvas;
+class DuelModel;
+
+class DuelView : public FigureView {
+    Q_OBJECT
+  public:
+    explicit DuelView(Workspace* workspace, QWidget* parent = nullptr);
+    ~DuelView() override;
+
+    DrawingCanvas* canvas() const { return canvas_; }
+    const Duel* duel() const { return duel_.get(); }
+    std::size_t moment() const { return moment_; }
+    QString verdict() const;
+    double shownUpTo() const { return source_.upTo; }
+    // Nothing is waited for.
+    bool settled() const { return !stale_ && !job_->busy(); }
+
+  public slots:
+    // In lock step.
+    void first();
+    void back();
+    void forward();
+    void last();
+    // To the first moment at which a method departs from the exact answer.
+    void toDivergence();
+    // The method in this place beside the scenario's own, 0 to 2; empty: none.
+    void setRival(int place, const QString& method);
+    void cancel();
+
+    // Only the heights that the ray comes through.
+    void showNearRay(bool on);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    std::shared_ptr<const Figure> figure() const override;
+    void tell(const QPointF& widget) override;
+    void letGo() override;
+    void addToMenu(QMenu& menu) override;
+
+  private:
+    void makeBar(QHBoxLayout* bar);
+    void makeButtons(QHBoxLayout* bar);
+    void applyFont();
+    void shareRoom();  // between drawing and table
+    void showLegend();
+    void refresh();  // another ray or other methods
+    void adopt(std::shared_ptr<const Duel> duel);
+    void redraw();       // another part is seen
+    void redrawMarks();  // another moment
+    void goTo(std::size_t moment);
+    void showUpTo(double lambda);  // from near; 0: the whole ray
+    void goToDivergence();
+    void selectMoment();  // in the table
+    void leaveCloseUp();  // where somebody has gone on beyond it
+    void followStep(int step);
+    void showChoosers();
+    void showVerdict();
+    void showEmpty(relief::MessageId why);
+    std::size_t moments() const { return duel_ ? duel_->steps.moments.size() : 0; }
+
+    DrawingCanvas* canvas_;
+    DuelModel* model_;
+    QTableView* table_;
+    QLabel* verdict_;
+    QSplitter* split_ = nullptr;
+    QLabel* own_ = nullptr;
+    QToolButton* near_ = nullptr;
+    QToolButton* divergence_ = nullptr;
+    std::vector<QComboBox*> choosers_;
+    std::shared_ptr<const Duel> duel_;
+    std::vector<relief::MethodChoice> rivals_;  // of the duel that is shown or being made
+    DuelSource source_;
+    ProfileOptions options_;
+    ProfileFrame frame_;
+    std::shared_ptr<const Drawing> relief_;
+    std::shared_ptr<const Drawing> axes_;
+    std::shared_ptr<const Drawing> legend_;
+    std::size_t moment_ = 0;
+    bool following_ = false;
+    bool jump_ = false;               // to the first divergence as soon as the duel is there
+    bool stale_ = true;               // changed while it was hidden
+    std::unique_ptr<LatestJob> job_;  // last: ends before the rest
+};
+
+}  // namespace reliefui

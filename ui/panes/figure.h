@@ -1,0 +1,51 @@
+// What a pane draws for a file: a page, in vectors or pixels, with the drawings of the screen. Needs no display and no
+// window.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <QImage>
+#include <QPainter>
+
+#include "painting/style.h"
+
+namespace reliefui {
+
+struct FigurePage {
+    std::string title;     // of the file: the view's name
+    double widthMm = 160;  // the height follows from the figure
+    double dpi = 300;      // of pixels
+    Style style;           // theme and language; points are the page's
+};
+
+// Immutable: drawn on any thread.
+class Figure {
+  public:
+    virtual ~Figure() = default;
+    // Whether it is made of lines and words, and so can be an SVG or a PDF.
+    virtual bool vectors() const { return true; }
+    // Height over width.
+    virtual double aspect(const FigurePage&) const { return 0.56; }
+    virtual void paint(QPainter& painter, const Box& page, const Style& style) const = 0;
+    virtual QImage image(const FigurePage& page, const QSize& size) const;
+};
+
+inline constexpr double kMmPerPoint = 25.4 / 72;
+inline constexpr double kFigureMargins = 12;  // points, both sides
+
+// Nothing to draw: says why.
+void paintEmpty(QPainter& painter, relief::MessageId why, const Box& page, const Style& style);
+
+// InputError naming `what` if the value lies outside.
+void requireRange(const std::string& what, double value, double low, double high);
+
+// SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown ending, width or resolution, and where a
+// figure without vectors would be an SVG or a PDF.
+void checkPage(const FigurePage& page, const std::string& path, bool vectors);
+// Checks as well; WorkError if it cannot be drawn or written.
+void writeFigure(const Figure& figure, const FigurePage& page, const std::string& path);
+// The same as pixels, `width` of them wide.
+QImage figureImage(const Figure& figure, const FigurePage& page, int width);
+
+}  // namespace reliefui

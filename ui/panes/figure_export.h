@@ -1,0 +1,25 @@
+// How a figure gets from a pane into a file: the question where to, the writing, and what is said if it fails.
+#pragma once
+
+#include <optional>
+
+#include <QString>
+
+#include "panes/figure.h"
+
+class QWidget;
+
+namespace reliefui {
+
+struct FigureFile {
+    QString path;
+    int pixels = 0;  // the width of a PNG; 0: the standard
+};
+
+// name: of the view and of the file. vectors: SVG and PDF, too. Nothing: it was called off.
+std::optional<FigureFile> askFigureFile(QWidget* parent, const QString& title, const QString& name, bool vectors);
+
+// As in print: dark on white. Empty: done; else why not, in a line.
+QString saveFigureFile(const Figure& figure, FigurePage page, const FigureFile& file);
+
+}  // namespace reliefui

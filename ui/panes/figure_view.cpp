@@ -1,0 +1,153 @@
+#include "panes/figure_view.h"
+
+#include <algorithm>
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <QApplication>
+#include <QClipboard>
+#include <QMenu>
+
+#include "panes/figure_export.h"
+#include "panes/gl_release.h"
+#include "workspace/aside.h"
+#include "workspace/pane_states.h"
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kCopiedWidth = 1600;  // pixels
+
+}  // namespace
+
+FigureView::FigureView(Workspace* workspace, const QString& title, const QString& name, const QString& dialog,
+                       QWidget* parent)
+    : QWidget(parent), workspace_(workspace), name_(name), dialog_(dialog) {
+    setAccessibleName(title);
+}
+
+void FigureView::setFace(QWidget* face) {
+    face_ = face;
+    setFocusProxy(face);
+    if (face->accessibleName().isEmpty()) face->setAccessibleName(accessibleName());
+    face->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(face, &QWidget::customContextMenuRequested, this, &FigureView::openMenu);
+}
+
+void FigureView::setReadout(const QString& text) {
+    readout_ = text;
+    Q_EMIT hovered(text);
+}
+
+void FigureView::giveBack() {
+    if (isVisible()) return;
+    letGo();
+    for (QVTKOpenGLNativeWidget* const widget : findChildren<QVTKOpenGLNativeWidget*>()) releaseGl(*widget);
+}
+
+FigurePage FigureView::page() const {
+    FigurePage page;
+    page.title = name_.toStdString();
+    page.style = workspace_->style();
+    return page;
+}
+
+std::shared_ptr<const Snapshot> FigureView::atStep(const std::shared_ptr<const Snapshot>& snapshot) const {
+    auto now = std::make_shared<Snapshot>(*snapshot);
+    now->scenario.step = workspace_->scenario().step;
+    return now;
+}
+
+QImage FigureView::image(int width) const {
+    const auto shown = figure();
+    return shown ? figureImage(*shown, page(), width) : QImage();
+}
+
+void FigureView::openMenu(const QPoint& at) {
+    QMenu menu(this);
+    tell(at);
+    const QString value = readout_;
+    addToMenu(menu);
+    if (showsPoints()) addPointToMenu(menu, at);
+    QAction* const copy =
+        menu.addAction(tr("Copy value"), this, [value] { QApplication::clipboard()->setText(value); });
+    copy->setEnabled(!value.isEmpty());
+    QAction* const picture = menu.addAction(tr("Copy picture"), this, &FigureView::copyPicture);
+    QAction* const save = menu.addAction(tr("Export figure…"), this, &FigureView::askFigure);
+    const bool any = figure() != nullptr;
+    picture->setEnabled(any);
+    save->setEnabled(any);
+    menu.exec(face_->mapToGlobal(at));
+}
+
+void FigureView::addPointToMenu(QMenu& menu, const QPoint& at) {
+    const std::optional<QueryPoint> point = pointAt(at);
+    QAction* const ask = menu.addAction(tr("Distances at this point"), this, [this, point] { setPoint(point); });
+    ask->setEnabled(point.has_value());
+    QAction* const forget = menu.addAction(tr("Forget the point"), this, [this] { setPoint(std::nullopt); });
+    forget->setEnabled(panesOf(workspace_->scenario()).query.has_value());
+    menu.addSeparator();
+}
+
+void FigureView::setPoint(const std::optional<QueryPoint>& point) {
+    PaneStates panes = panesOf(workspace_->scenario());
+    panes.query = point;
+    workspace_->setPanes(panes, point ? tr("Distances at a point") : tr("Forget the point"));
+}
+
+void FigureView::askPoint(const QPointF& widget) {
+    constexpr double kSame = 5;  // pixels
+    const std::optional<QPointF> mark = pointPlace();
+    const bool same = mark && std::abs(mark->x() - widget.x()) <= kSame && std::abs(mark->y() - widget.y()) <= kSame;
+    const std::optional<QueryPoint> point = pointAt(widget);
+    if (same || point) setPoint(same ? std::nullopt : point);
+}
+
+void FigureView::askFigure() {
+    const auto shown = figure();
+    const bool vectors = !shown || shown->vectors();
+    if (const auto file = askFigureFile(this, dialog_, name_, vectors)) saveFigure(file->path, file->pixels);
+}
+
+void FigureView::saveFigure(const QString& path, int pixels) {
+    const auto shown = figure();
+    if (!shown) return;
+    drawAside(*shown, [this, shown, page = page(), file = FigureFile{path, pixels}]() -> std::function<void()> {
+        const QString problem = saveFigureFile(*shown, page, file);
+        if (problem.isEmpty()) return [this, path = file.path] { Q_EMIT saved(path); };
+        return [this, problem] { Q_EMIT workspace_->problem(problem); };
+    });
+}
+
+void FigureView::copyPicture() {
+    const auto shown = figure();
+    if (!shown) return;
+    drawAside(*shown, [shown, page = page()]() -> std::function<void()> {
+        QImage picture;
+        try {
+            picture = figureImage(*shown, page, kCopiedWidth);
+        } catch (const std::exception&) {
+            return [] {};  // a map that there is none of
+        }
+        return [picture] { QApplication::clipboard()->setImage(picture); };
+    });
+}
+
+// draw: on another thread; what it returns is called on the window's, if the pane is still there. VTK draws on the
+// window's alone.
+void FigureView::drawAside(const Figure& figure, std::function<std::function<void()>()> draw) {
+    if (!figure.vectors()) {
+        const DrawingTime drawing("figure");
+        return draw()();
+    }
+    ++saving_;
+    runAside([this, draw = std::move(draw), back = mailbox_.address()] {
+        back.post([this, told = draw()] {
+            --saving_;
+            told();
+        });
+    });
+}
+
+}  // namespace reliefui

@@ -1,0 +1,92 @@
+// What all panes that can be exported have in common: the menu (copy value, copy picture, export), the export dialog,
+// the readout of what is under the pointer, and that nothing is drawn out of sight.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QImage>
+#include <QWidget>
+
+#include "panes/figure.h"
+#include "workspace/mailbox.h"
+#include "workspace/pane_states.h"
+#include "workspace/workspace.h"
+
+class QMenu;
+
+namespace reliefui {
+
+class FigureView : public QWidget {
+    Q_OBJECT
+  public:
+    // What is under the pointer; empty: nothing.
+    QString readout() const { return readout_; }
+    // The pane as a picture, as it is exported, with the options of the screen; null where there is nothing.
+    QImage image(int width) const;
+    // Figures that are being drawn.
+    bool saving() const { return saving_ > 0; }
+    // Closed: lets go of all that it holds to be seen; made again when it is.
+    void giveBack();
+
+  public slots:
+    // SVG, PDF or PNG, by the ending; drawn aside, and said when it is done, or why not. pixels: the width of a PNG; 0:
+    // the standard.
+    void saveFigure(const QString& path, int pixels = 0);
+    // Drawn aside as well.
+    void copyPicture();
+    // Asks where to first.
+    void askFigure();
+
+  signals:
+    void saved(const QString& path);
+    void hovered(const QString& readout);
+
+  protected:
+    // name: of the figure and of the file; dialog: the title of its dialog, "Export the profile".
+    FigureView(Workspace* workspace, const QString& title, const QString& name, const QString& dialog, QWidget* parent);
+
+    // The part of the pane that has the menu.
+    void setFace(QWidget* face);
+    void setReadout(const QString& text);
+    // A pane behind another tab counts as visible for Qt; it only lies outside the window.
+    bool inSight() const { return isVisible() && !visibleRegion().isEmpty(); }
+
+    // What it shows; null: there is nothing to be exported.
+    virtual std::shared_ptr<const Figure> figure() const = 0;
+    // The same snapshot at the step on screen.
+    std::shared_ptr<const Snapshot> atStep(const std::shared_ptr<const Snapshot>& snapshot) const;
+    // Reads out what lies under this point of the face.
+    virtual void tell(const QPointF&) {}
+    // Lets go of what it shows: out of sight, and not what is wanted any more. Shown again, it asks for it again.
+    virtual void letGo() {}
+    // More entries, above the common ones.
+    virtual void addToMenu(QMenu&) {}
+    // Of a pane that shows a point's distances: the point of the slab under this point of the face; none: there is
+    // none.
+    virtual bool showsPoints() const { return false; }
+    virtual std::optional<QueryPoint> pointAt(const QPointF&) const { return std::nullopt; }
+    // Where the point is drawn whose distances are shown; none: it is not seen.
+    virtual std::optional<QPointF> pointPlace() const { return std::nullopt; }
+    // Makes the point there the one whose distances are shown; if it is that already, shows none.
+    void askPoint(const QPointF& widget);
+    void openMenu(const QPoint& at);
+
+    Workspace* const workspace_;
+
+  private:
+    FigurePage page() const;
+    void setPoint(const std::optional<QueryPoint>& point);
+    void addPointToMenu(QMenu& menu, const QPoint& at);
+    void drawAside(const Figure& figure, std::function<std::function<void()>()> draw);
+
+    QString name_;
+    QString dialog_;
+    QWidget* face_ = nullptr;
+    QString readout_;
+    int saving_ = 0;
+    Mailbox mailbox_{this};
+};
+
+}  // namespace reliefui

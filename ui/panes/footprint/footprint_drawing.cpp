@@ -1,0 +1,364 @@
+#include "panes/footprint/footprint_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "painting/axis_ticks.h"
+#include "rendering/display.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::FootprintKind;
+using relief::FootprintTexel;
+using relief::LevelAxis;
+
+// Around the footprint, of its larger side, and at least so many texels.
+constexpr double kAround = 0.18;
+constexpr double kLeastAround = 1.5;
+// Texels of a window along a side: more are not to be told apart on any screen.
+constexpr double kLongestWindow = 4096;
+// Of half the side of a texel, for the heaviest.
+constexpr double kLargestDot = 0.92;
+// Points: smaller dots and texels are not drawn.
+constexpr double kSmallestDot = 0.5;
+constexpr double kSmallestTexel = 4;
+constexpr std::size_t kMostDots = 3000;
+constexpr std::size_t kMostLines = 250;
+
+// Texels of one row or column that lie evenly: of one copy of the picture, or beyond its rim.
+struct Run {
+    double start = 0;  // of the first texel
+    int first = 0;
+    int count = 0;
+    bool rim = false;  // always the same texel
+    double end = 0;    // where the copy ends: its last texel may be narrow
+};
+
+std::vector<Run> runsOf(const LevelAxis& axis, double low, double high) {
+    std::vector<Run> runs;
+    const auto inside = [&](double base) {
+        const int from = static_cast<int>(std::clamp(std::floor(low - base), 0.0, double(axis.size)));
+        const int to = static_cast<int>(std::clamp(std::ceil(high - base), 0.0, double(axis.size)));
+        if (from < to) runs.push_back({base + from, from, to - from, false, base + axis.extent});
+    };
+    if (axis.address == relief::Address::Repeat) {
+        for (double k = std::floor(low / axis.extent); k * axis.extent < high; k += 1) inside(k * axis.extent);
+        return runs;
+    }
+    const auto rim = [&](double from, double to, int texel) {
+        if (from < to) runs.push_back({from, texel, static_cast<int>(std::ceil(to - from)), true, to});
+    };
+    rim(std::floor(low), std::min(0.0, high), 0);
+    inside(0);
+    rim(std::max(axis.extent, axis.extent + std::floor(low - axis.extent)), high, axis.size - 1);
+    return runs;
+}
+
+// The texels of these runs in their colours.
+std::shared_ptr<const relief::FloatImage> codes(const relief::ColorImage& colors, const Run& across, const Run& down) {
+    auto image = std::make_shared<relief::FloatImage>(across.count, down.count);
+    std::vector<relief::Color> row(static_cast<std::size_t>(across.count));
+    std::vector<std::uint32_t> packed(row.size());
+    for (int y = 0; y < down.count; ++y) {
+        for (int x = 0; x < across.count; ++x) {
+            row[static_cast<std::size_t>(x)] =
+                colors(across.first + (across.rim ? 0 : x), down.first + (down.rim ? 0 : y));
+        }
+        relief::toSrgb32(row, packed);
+        for (int x = 0; x < across.count; ++x) {
+            (*image)(x, y) = static_cast<float>(packed[static_cast<std::size_t>(x)] & 0xFFFFFFU);
+        }
+    }
+    return image;
+}
+
+Box circleBox(const relief::Jacobian& j, double radius, Point centre) {
+    const double u = radius * std::hypot(j.ux, j.uy);
+    const double v = radius * std::hypot(j.vx, j.vy);
+    return {centre.x - u, centre.y - v, centre.x + u, centre.y + v};
+}
+
+Point pointOf(glm::dvec2 p) {
+    return {p.x, p.y};
+}
+
+bool isEllipse(const PixelFootprint& f) {
+    return f.log.footprint.kind == FootprintKind::Ellipse && f.listed;
+}
+
+// What has to be seen, without what is around.
+Box extentOf(const PixelFootprint& f) {
+    // Hidden texels and what hides them, where they are no further off than this times the ellipse's size.
+    constexpr double kHiddenReach = 1;
+    const Point centre = pointOf(f.centre());
+    Box box{centre.x - 0.5, centre.y - 0.5, centre.x + 0.5, centre.y + 0.5};
+    if (f.bounded) box = box.joined(circleBox(f.seen, 1, centre));
+    if (isEllipse(f)) box = box.joined(circleBox(f.log.footprint.widened, f.log.footprint.radius, centre));
+    const auto add = [&](const FootprintTexel& texel) {
+        const double half = f.sideOf(texel) / 2;
+        box = box.joined({texel.u - half, texel.v - half, texel.u + half, texel.v + half});
+    };
+    for (const FootprintTexel& texel : f.log.texels) {
+        if (!texel.hidden) add(texel);
+    }
+    const Box near = box.grown(kHiddenReach * std::max(box.width(), box.height()));
+    for (const FootprintTexel& texel : f.log.texels) {
+        if (!texel.hidden || !near.contains({texel.u, texel.v})) continue;
+        add(texel);
+        const Point blocker = blockerPlace(f, texel);
+        if (near.contains(blocker)) box = box.joined({blocker.x, blocker.y, blocker.x, blocker.y});
+    }
+    return box;
+}
+
+// The circle of `radius` pixels as the Jacobian maps it.
+Polyline ellipseLine(const relief::Jacobian& j, double radius, Point centre) {
+    constexpr int kCorners = 96;
+    Polyline line;
+    for (int n = 0; n <= kCorners; ++n) {
+        const double angle = 2 * std::numbers::pi * n / kCorners;
+        const double x = radius * std::cos(angle);
+        const double y = radius * std::sin(angle);
+        line.points.push_back({centre.x + j.ux * x + j.uy * y, centre.y + j.vx * x + j.vy * y});
+    }
+    return line;
+}
+
+class Marks {
+  public:
+    Marks(const PixelFootprint& footprint, const FootprintOptions& options, const Box& seen, double scale)
+        : f_(footprint), options_(options), seen_(seen), scale_(scale), centre_(pointOf(footprint.centre())) {}
+
+    FootprintMarks take(std::optional<std::size_t> chosen) {
+        neighbours();
+        texels();
+        rays();
+        outlines();
+        if (chosen && *chosen < f_.log.texels.size()) highlight(f_.log.texels[*chosen]);
+        numbers();
+        return std::move(out_);
+    }
+
+  private:
+    void add(Role role, Primitive primitive, Emphasis emphasis = Emphasis::Normal) {
+        out_.drawing.add({}, role, std::move(primitive), emphasis);
+    }
+    Box boxOf(const FootprintTexel& t) const {
+        const double half = f_.sideOf(t) / 2;
+        return {t.u - half, t.v - half, t.u + half, t.v + half};
+    }
+
+    void neighbours() {
+        if (options_.neighbours == 0) return;
+        const double shrink = std::ldexp(1.0, -f_.level());
+        for (const PixelCircle& circle : f_.neighbours) {
+            if (options_.neighbours == 4 && !circle.beside) continue;
+            const relief::Jacobian& j = circle.jacobian;
+            Point at{circle.centre.x * shrink, circle.centre.y * shrink};
+            if (f_.across.address == relief::Address::Repeat) {
+                // In the copy of the picture where the pixel's own is.
+                at.x += std::round((centre_.x - at.x) / f_.across.extent) * f_.across.extent;
+                at.y += std::round((centre_.y - at.y) / f_.down.extent) * f_.down.extent;
+            }
+            add(Role::Neighbour,
+                ellipseLine({j.ux * shrink, j.vx * shrink, j.uy * shrink, j.vy * shrink}, circle.radius, at));
+        }
+    }
+
+    void outlines() {
+        const relief::LevelFootprint& f = f_.log.footprint;
+        if (f_.bounded) {
+            const relief::SemiAxes<double> axes = relief::ellipseOf(f_.seen).semiAxes();
+            const auto axis = [&](double length, double u, double v) {
+                add(Role::PixelCircle, Polyline{{{centre_.x - length * u, centre_.y - length * v},
+                                                 {centre_.x + length * u, centre_.y + length * v}},
+                                                false});
+            };
+            axis(axes.major, axes.majorU, axes.majorV);
+            axis(axes.minor, -axes.majorV, axes.majorU);
+            add(Role::PixelCircle, ellipseLine(f_.seen, 1, centre_));
+        }
+        if (isEllipse(f_)) {
+            const Box b = circleBox(f.widened, f.radius, centre_);
+            add(Role::Frame, Polyline{{{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}, {b.x0, b.y0}}, false},
+                Emphasis::Strong);
+            add(Role::Footprint, ellipseLine(f.widened, f.radius, centre_));
+        }
+        add(Role::Hit, Marker{centre_, Shape::Dot, 4});
+    }
+
+    void texels() {
+        std::vector<const FootprintTexel*> seen;
+        std::size_t hidden = 0;
+        for (const FootprintTexel& t : f_.log.texels) {
+            const bool large = f_.sideOf(t) * scale_ >= kSmallestTexel || f_.sideOf(t) < 1;
+            if (!large || !boxOf(t).overlaps(seen_)) continue;
+            seen.push_back(&t);
+            hidden += t.hidden ? 1 : 0;
+        }
+        const bool none = scale_ < kSmallestTexel || seen.size() > kMostDots;
+        out_.weights = f_.log.texels.empty() || !none;
+        if (!out_.weights) return;
+        for (const FootprintTexel* t : seen) {
+            // What is no texel of the level has an outline of its own.
+            if (f_.sideOf(*t) != 1) add(Role::Neighbour, Rectangle{boxOf(*t), false, 0.4, 0}, Emphasis::Faint);
+        }
+        if (hidden <= kMostLines) {
+            for (const FootprintTexel* t : seen) {
+                if (t->hidden) sightLine(*t, Emphasis::Faint);
+            }
+        }
+        for (const FootprintTexel* t : seen) dot(*t);
+    }
+
+    // Where the samples' rays met the relief; the area of a mark is the ray's part of the pixel.
+    void rays() {
+        constexpr double kLargest = 6;  // points
+        if (f_.rays.size() > kMostDots) return;
+        double greatest = 0;
+        for (const RayHit& ray : f_.rays) greatest = std::max(greatest, ray.share);
+        for (const RayHit& ray : f_.rays) {
+            const double size = kLargest * std::sqrt(ray.share / greatest);
+            if (size >= kSmallestDot) add(Role::Sample, Marker{pointOf(ray.at), Shape::Dot, size});
+        }
+    }
+
+    // Which texels of the level these are: along the upper and the left side of what is seen.
+    void numbers() {
+        constexpr double kAcross = 60;  // points between numbers
+        constexpr double kDown = 30;
+        const double unit = 1 / scale_;
+        const auto along = [&](double low, double high, double apart, const LevelAxis& axis, const auto& place) {
+            if (!(high > low)) return;
+            const int step = static_cast<int>(std::max(1.0, niceStep(high - low, (high - low) * scale_ / apart)));
+            for (const Run& run : runsOf(axis, low, high)) {
+                for (int n = 0; n < run.count && !run.rim; ++n) {
+                    const double at = run.start + n + 0.5;
+                    if ((run.first + n) % step != 0 || at < low || at > high) continue;
+                    Label label;
+                    label.text = plainText(std::to_string(run.first + n));
+                    label.size = 0.8;
+                    label.plate = true;
+                    label.yields = true;
+                    place(label, at);
+                    add(Role::Background, std::move(label));
+                }
+            }
+        };
+        along(seen_.x0 + kAcross / 2 * unit, seen_.x1, kAcross, f_.across, [&](Label& label, double at) {
+            label.at = {at, seen_.y0};
+            label.anchor = Anchor::Top;
+            label.offset = {0, 3};
+        });
+        along(seen_.y0 + 2 * kDown / 3 * unit, seen_.y1, kDown, f_.down, [&](Label& label, double at) {
+            label.at = {seen_.x0, at};
+            label.anchor = Anchor::Left;
+            label.offset = {4, 0};
+        });
+    }
+
+    void sightLine(const FootprintTexel& t, Emphasis emphasis) {
+        const Point to = blockerPlace(f_, t);
+        add(Role::Blocker, Polyline{{{t.u, t.v}, to}, false}, emphasis);
+        add(Role::Blocker, Marker{to, Shape::Diamond, emphasis == Emphasis::Faint ? 4.0 : 8.0});
+    }
+
+    void dot(const FootprintTexel& t) {
+        const double weight = PixelFootprint::weightOf(t);
+        const double share = std::min(1.0, weight / std::max(f_.greatest, 1e-300));
+        const double radius = 0.5 * kLargestDot * std::sqrt(share);
+        const bool drawn = radius * scale_ >= kSmallestDot;
+        if (!t.hidden) {
+            if (drawn) add(Role::Weight, Circle{{t.u, t.v}, radius, true, true}, Emphasis::Strong);
+            return;
+        }
+        if (drawn) add(Role::Hidden, Circle{{t.u, t.v}, radius, false}, Emphasis::Faint);
+        const double arm = 0.38 * std::min(1.0, f_.sideOf(t));
+        add(Role::Hidden, Polyline{{{t.u - arm, t.v - arm}, {t.u + arm, t.v + arm}}, false});
+        add(Role::Hidden, Polyline{{{t.u - arm, t.v + arm}, {t.u + arm, t.v - arm}}, false});
+    }
+
+    void highlight(const FootprintTexel& t) {
+        if (t.hidden) sightLine(t, Emphasis::Strong);
+        add(Role::Highlight, Rectangle{boxOf(t), false, 0, 6});
+    }
+
+    const PixelFootprint& f_;
+    const FootprintOptions& options_;
+    Box seen_;
+    double scale_;
+    Point centre_;
+    FootprintMarks out_;
+};
+
+}  // namespace
+
+Drawing footprintTexture(const PixelFootprint& f, double aspect, double beyond) {
+    Box box = extentOf(f);
+    box = box.grown(std::max(kLeastAround, kAround * std::max(box.width(), box.height())));
+    const Point middle = box.center();
+    const double width = std::min(std::max(box.width(), box.height() * aspect), kLongestWindow);
+    const double height = std::min(std::max(box.height(), width / aspect), kLongestWindow);
+    const auto around = [&](double times) {
+        const double w = std::min(width * times, kLongestWindow) / 2;
+        const double h = std::min(height * times, kLongestWindow) / 2;
+        return Box{middle.x - w, middle.y - h, middle.x + w, middle.y + h};
+    };
+    Drawing texture;
+    texture.bounds = around(1);
+    const Box window = around(1 + 2 * beyond);
+    const std::vector<Run> columns = runsOf(f.across, window.x0, window.x1);
+    for (const Run& row : runsOf(f.down, window.y0, window.y1)) {
+        for (const Run& column : columns) {
+            Cells cells;
+            cells.values = codes(*f.colors, column, row);
+            cells.map = ColorMap::Picture;
+            cells.x = column.start;
+            cells.y = row.start;
+            cells.clip = Box{column.start, row.start, column.start + column.count, row.start + row.count}
+                             .cut({column.start, row.start, column.end, row.end})
+                             .cut(window);
+            cells.firstI = column.first;
+            cells.firstJ = row.first;
+            texture.add({ItemKind::Level, f.level(), 0, 0}, Role::HeightFill, std::move(cells));
+        }
+    }
+    if (beyond == 0) texture.add({}, Role::Frame, Rectangle{window, false, -0.5, 0});
+    return texture;
+}
+
+FootprintMarks footprintMarks(const PixelFootprint& footprint, const FootprintOptions& options, const Box& seen,
+                              double pointsPerTexel, std::optional<std::size_t> chosen) {
+    return Marks(footprint, options, seen, pointsPerTexel).take(chosen);
+}
+
+std::optional<std::size_t> footprintTexelAt(const PixelFootprint& f, Point at) {
+    std::optional<std::size_t> found;
+    for (std::size_t n = 0; n < f.log.texels.size(); ++n) {
+        const FootprintTexel& t = f.log.texels[n];
+        const double half = f.sideOf(t) / 2;
+        if (std::abs(at.x - t.u) > half || std::abs(at.y - t.v) > half) continue;
+        if (!found || f.sideOf(t) < f.sideOf(f.log.texels[*found])) found = n;
+    }
+    return found;
+}
+
+const RayHit* footprintRayAt(const PixelFootprint& f, Point at, double reach) {
+    const RayHit* nearest = nullptr;
+    for (const RayHit& ray : f.rays) {
+        const double away = std::hypot(ray.at.x - at.x, ray.at.y - at.y);
+        if (away > reach) continue;
+        nearest = &ray;
+        reach = away;
+    }
+    return nearest;
+}
+
+Point blockerPlace(const PixelFootprint& f, const FootprintTexel& texel) {
+    return {texel.blocker.x * f.perHeight.x, texel.blocker.y * f.perHeight.y};
+}
+
+}  // namespace reliefui

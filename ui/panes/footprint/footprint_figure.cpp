@@ -1,0 +1,43 @@
+#include "panes/footprint/footprint_figure.h"
+
+#include "painting/painter.h"
+
+namespace reliefui {
+
+namespace {
+
+struct FootprintFigure : Figure {
+    std::shared_ptr<const Snapshot> snapshot;
+    FootprintOptions options;
+
+    void paint(QPainter& painter, const Box& page, const Style& style) const override {
+        using relief::MessageId;
+        if (!snapshot->footprint) {
+            const MessageId why = snapshot->trace.onRelief ? MessageId::DrawFootprintNoHit : MessageId::DrawNoRelief;
+            return paintEmpty(painter, snapshot->scenario.pixel ? why : MessageId::DrawFootprintNoPixel, page, style);
+        }
+        const PixelFootprint& footprint = *snapshot->footprint;
+        const double width = page.width() / style.pixelsPerPoint() - kFigureMargins;
+        FootprintOptions named = options;
+        named.numbers = true;
+        Drawing legend = footprintLegend(footprint, named, true, width, style.language);
+        const Box room = figureRoom(legend, page, style);
+        const Drawing texture = footprintTexture(footprint, room.width() / room.height());
+        const double scale = ViewMap::fitting(texture.bounds, room).scale / style.pixelsPerPoint();
+        const FootprintMarks marks = footprintMarks(footprint, options, texture.bounds, scale);
+        if (!marks.weights) legend = footprintLegend(footprint, named, false, width, style.language);
+        paintFigure(painter, {&texture, &marks.drawing}, legend, page, style);
+    }
+};
+
+}  // namespace
+
+std::shared_ptr<const Figure> footprintFigure(std::shared_ptr<const Snapshot> snapshot,
+                                              const FootprintOptions& options) {
+    auto figure = std::make_shared<FootprintFigure>();
+    figure->snapshot = std::move(snapshot);
+    figure->options = options;
+    return figure;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,244 @@
+#include "panes/footprint/footprint_view.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "panes/coefficient_text.h"
+#include "panes/drawing_canvas.h"
+#include "panes/footprint/footprint_figure.h"
+#include "scenario/step_sentence.h"
+#include "workspace/pane_states.h"
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+namespace {
+
+// Of the pane's height: what explains must leave room for what is explained.
+constexpr double kMostLegend = 0.4;
+// Twice as far out as at first, and a little to the side.
+constexpr double kBeyond = 1.5;
+
+QString number(double value, int decimals) {
+    return QString::fromStdString(relief::fixedText(value, decimals));
+}
+
+}  // namespace
+
+FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
+    : FigureView(workspace, tr("Footprint"), QStringLiteral("footprint"), tr("Export the footprint"), parent),
+      canvas_(new DrawingCanvas(this)) {
+    setFace(canvas_);
+    auto* const bar = new QHBoxLayout;
+    makeBar(bar);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(bar);
+    column->addWidget(canvas_, 1);
+    connect(canvas_, &DrawingCanvas::pointed, this, &FootprintView::tell);
+    connect(canvas_, &DrawingCanvas::left, this, [this] {
+        setReadout({});
+        if (!chosen_) return;
+        chosen_.reset();
+        redraw();
+    });
+    connect(canvas_, &DrawingCanvas::resized, this, &FootprintView::refresh);
+    connect(canvas_, &DrawingCanvas::moved, this, &FootprintView::redraw);
+    connect(workspace_, &Workspace::snapshotChanged, this, &FootprintView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &FootprintView::adopt);
+    connect(workspace_, &Workspace::styleChanged, this, &FootprintView::refresh);
+    adopt();
+    refresh();
+}
+
+void FootprintView::makeBar(QHBoxLayout* bar) {
+    bar->setContentsMargins(4, 2, 6, 2);
+    neighbours_ = new QComboBox(this);
+    neighbours_->setObjectName(QStringLiteral("footprint-neighbours"));
+    neighbours_->setToolTip(tr("The ellipses of the pixels around: how they overlap"));
+    neighbours_->setAccessibleName(tr("Neighbours"));
+    neighbours_->addItem(tr("this pixel alone"), 0);
+    neighbours_->addItem(tr("and 4 neighbours"), 4);
+    neighbours_->addItem(tr("and 8 neighbours"), 8);
+    bar->addWidget(neighbours_);
+    bar->addStretch(1);
+    auto* const fit = new QToolButton(this);
+    fit->setText(tr("fit"));
+    fit->setToolTip(tr("Show all of the footprint (R); wheel zooms, drag moves"));
+    fit->setAccessibleName(fit->toolTip());
+    fit->setAutoRaise(true);
+    bar->addWidget(fit);
+    connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
+    connect(neighbours_, qOverload<int>(&QComboBox::activated), this, [this] {
+        FootprintOptions next = options_;
+        next.neighbours = neighbours_->currentData().toInt();
+        setOptions(next);
+    });
+}
+
+void FootprintView::setOptions(const FootprintOptions& options) {
+    if (options == options_) return;
+    PaneStates panes = panesOf(workspace_->scenario());
+    panes.footprint.neighbours = options.neighbours;
+    workspace_->setPanes(panes, tr("Footprint: neighbours"));
+}
+
+void FootprintView::adopt() {
+    const FootprintOptions options{panesOf(workspace_->scenario()).footprint.neighbours};
+    if (options == options_) return;
+    options_ = options;
+    neighbours_->setCurrentIndex(neighbours_->findData(options.neighbours));
+    refresh();
+}
+
+void FootprintView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &FootprintView::refresh);
+}
+
+void FootprintView::resetZoom() {
+    canvas_->resetZoom();
+}
+
+void FootprintView::refresh() {
+    const PauseLog::Part part("footprint");
+    stale_ = !inSight();
+    if (stale_) {
+        if (shown_ != workspace_->snapshot()) letGo();
+        return;
+    }
+    canvas_->setStyle(workspace_->style());
+    shown_ = workspace_->snapshot();
+    const std::shared_ptr<const PixelFootprint> before = footprint_;
+    footprint_ = shown_ ? shown_->footprint : nullptr;
+    if (footprint_ != before) chosen_.reset();
+    if (!footprint_) {
+        using relief::MessageId;
+        const bool hit = shown_ && shown_->trace.onRelief;
+        if (hit && shown_->request && FilteredPicture::tooLarge(*shown_->request)) {
+            showEmpty(MessageId::DrawFootprintTooLarge);
+            return;
+        }
+        showEmpty(!shown_                   ? MessageId::DrawNoPicture
+                  : !shown_->scenario.pixel ? MessageId::DrawFootprintNoPixel
+                                            : (hit ? MessageId::DrawFootprintNoHit : MessageId::DrawNoRelief));
+        return;
+    }
+    // The legend first: what it needs is not left to the texture.
+    const double unit = workspace_->style().pixelsPerPoint();
+    Drawing legend =
+        footprintLegend(*footprint_, options_, true, canvas_->width() / unit - 12, workspace_->style().language);
+    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
+    legend_ = std::make_shared<const Drawing>(std::move(legend));
+    canvas_->setLayers({}, legend_);
+    const QSizeF room = canvas_->room();
+    const double aspect = room.height() > 0 ? room.width() / room.height() : 1;
+    texture_ = std::make_shared<const Drawing>(footprintTexture(*footprint_, aspect, kBeyond));
+    canvas_->setLayers({texture_}, legend_);
+    // Another place of the texture: what was zoomed to is gone.
+    const bool elsewhere =
+        !before || before->level() != footprint_->level() || before->centre() != footprint_->centre();
+    if (elsewhere && !canvas_->atHome()) canvas_->resetZoom();
+    redraw();
+}
+
+void FootprintView::letGo() {
+    shown_.reset();
+    footprint_.reset();
+    texture_.reset();
+    marks_.reset();
+    legend_.reset();
+    chosen_.reset();
+    canvas_->letGo();
+    setReadout({});
+    stale_ = true;
+}
+
+void FootprintView::redraw() {
+    const PauseLog::Part part("footprint: marks");
+    if (!footprint_ || !texture_ || !inSight()) return;
+    FootprintMarks marks = footprintMarks(*footprint_, options_, canvas_->visible(), canvas_->zoom(), chosen_);
+    marks_ = std::make_shared<const Drawing>(std::move(marks.drawing));
+    const bool legend = legend_ && !legend_->bounds.empty();
+    if (legend && !marks.weights) {
+        // One sign less, one hint more: it is as high as before.
+        const double unit = workspace_->style().pixelsPerPoint();
+        Drawing other =
+            footprintLegend(*footprint_, options_, false, canvas_->width() / unit - 12, workspace_->style().language);
+        canvas_->setLayers({texture_, marks_}, std::make_shared<const Drawing>(std::move(other)));
+    } else {
+        canvas_->setLayers({texture_, marks_}, legend_);
+    }
+}
+
+void FootprintView::showEmpty(relief::MessageId why) {
+    texture_.reset();
+    marks_.reset();
+    canvas_->showText(why);
+}
+
+void FootprintView::tell(const QPointF& widget) {
+    if (!footprint_) return setReadout({});
+    const PixelFootprint& f = *footprint_;
+    const QStringList behind = coefficientLines(f.behind);
+    canvas_->setToolTip(behind.join('\n'));
+    const QString more = QStringLiteral(" · ") + behind.join(QStringLiteral(" · "));
+    const auto chosen = footprintTexelAt(f, canvas_->toDrawing(widget));
+    if (chosen != chosen_) {
+        chosen_ = chosen;
+        redraw();
+    }
+    const ItemId id = canvas_->itemAt(widget);
+    if (!chosen) {
+        setReadout(id.kind == ItemKind::Texel
+                       ? tr("level %1, texel (%2, %3): does not count").arg(id.level).arg(id.i).arg(id.j) + more
+                       : QString());
+        return;
+    }
+    const relief::FootprintTexel& texel = f.log.texels[*chosen];
+    QString text = tr("level %1, texel (%2, %3)").arg(texel.level).arg(texel.i).arg(texel.j);
+    const double weight = PixelFootprint::weightOf(texel);
+    const auto share = [&](double w) { return f.weightSum > 0 ? number(100 * w / f.weightSum, 2) : number(0, 2); };
+    if (texel.hidden) {
+        const glm::dvec2 by = texel.blocker;
+        text += tr(": hidden by the relief at (%1, %2), weight %3 left out")
+                    .arg(number(by.x, 1), number(by.y, 1), number(weight, 3));
+    } else {
+        text += tr(": weight %1, %2%").arg(number(weight, 3), share(weight));
+        if (texel.weight.r != texel.weight.g || texel.weight.g != texel.weight.b) {
+            const auto channel = [](float w) { return number(static_cast<double>(w), 2); };
+            text += tr(" (%1, %2, %3)").arg(channel(texel.weight.r), channel(texel.weight.g), channel(texel.weight.b));
+        }
+        if (texel.tested) text += tr(" · seen");
+        // Its hidden part has the same place.
+        const auto same = [&](const relief::FootprintTexel& t) {
+            return t.hidden && t.level == texel.level && t.u == texel.u && t.v == texel.v;
+        };
+        const auto part = std::find_if(f.log.texels.begin(), f.log.texels.end(), same);
+        if (part != f.log.texels.end()) {
+            text += tr(", partly hidden: weight %1 left out").arg(number(PixelFootprint::weightOf(*part), 3));
+        }
+    }
+    constexpr double kNear = 4;  // points
+    const RayHit* const ray = footprintRayAt(f, canvas_->toDrawing(widget), kNear / canvas_->zoom());
+    if (ray != nullptr) text += tr(" · ray: %1% of the pixel").arg(number(100 * ray->share, 2));
+    const relief::LevelFootprint& footprint = f.log.footprint;
+    if (footprint.kind == relief::FootprintKind::Ellipse) {
+        const double square =
+            relief::squaredRadius(footprint.ellipse, texel.u - footprint.centre.x, texel.v - footprint.centre.y);
+        text += tr(" · r² %1").arg(number(square, 3));
+    }
+    setReadout(text + more);
+}
+
+std::shared_ptr<const Figure> FootprintView::figure() const {
+    return footprint_ ? footprintFigure(shown_, options_) : nullptr;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,58 @@
+// The footprint's pane: what the filter reads for the chosen pixel, and how much each texel counts. Wheel and drag zoom
+// and move, R shows all again.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "panes/figure_view.h"
+#include "panes/footprint/footprint_drawing.h"
+
+class QComboBox;
+class QHBoxLayout;
+
+namespace reliefui {
+
+class DrawingCanvas;
+
+class FootprintView : public FigureView {
+    Q_OBJECT
+  public:
+    explicit FootprintView(Workspace* workspace, QWidget* parent = nullptr);
+
+    DrawingCanvas* canvas() const { return canvas_; }
+    const FootprintOptions& options() const { return options_; }
+    void setOptions(const FootprintOptions& options);
+    // What is on the screen; null where there is nothing to show.
+    const PixelFootprint* shown() const { return footprint_.get(); }
+    const Drawing* marks() const { return marks_.get(); }
+
+  public slots:
+    void resetZoom();
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    std::shared_ptr<const Figure> figure() const override;
+    void tell(const QPointF& widget) override;
+    void letGo() override;
+
+  private:
+    void makeBar(QHBoxLayout* bar);
+    void adopt();    // what the scenario says
+    void refresh();  // another footprint, room or option
+    void redraw();   // another part is seen, or another texel is under the pointer
+    void showEmpty(relief::MessageId why);
+
+    DrawingCanvas* canvas_;
+    QComboBox* neighbours_ = nullptr;
+    FootprintOptions options_;
+    std::shared_ptr<const Snapshot> shown_;
+    std::shared_ptr<const PixelFootprint> footprint_;
+    std::shared_ptr<const Drawing> texture_;
+    std::shared_ptr<const Drawing> marks_;
+    std::shared_ptr<const Drawing> legend_;
+    std::optional<std::size_t> chosen_;  // the texel under the pointer
+    bool stale_ = true;                  // changed while it was hidden
+};
+
+}  // namespace reliefui

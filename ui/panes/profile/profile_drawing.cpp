@@ -1,0 +1,283 @@
+#include "panes/profile/profile_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "painting/legend_rows.h"
+#include "panes/ray_geometry.h"
+#include "panes/slice.h"
+#include "scenario/step_sentence.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::Decision;
+using relief::Message;
+using relief::MessageId;
+using relief::Phase;
+
+constexpr double kLeft = 30;  // margins, points
+constexpr double kRight = 14;
+constexpr double kTop = 16;
+constexpr double kBottom = 29;
+constexpr double kLowBottom = 16;      // of a low pane: one row of words
+constexpr double kVerticalRun = 1e-9;  // texels: a ray that runs less is drawn over its descent
+constexpr double kPixelsPerPoint = 2;  // fine enough for print
+
+// Where the ray ends: its hit, or where it was given up.
+double rayEnd(const ProfileSource& source) {
+    if (source.hit.outcome == relief::Outcome::Hit) return source.hit.lambda;
+    if (source.steps != nullptr && !source.steps->empty()) {
+        return std::clamp(source.steps->back().lambdaAfter, 0.0, 1.0);
+    }
+    return 1;
+}
+
+double runOf(const relief::ViewRay& ray) {
+    return std::hypot(ray.a, ray.b);
+}
+
+// How much of the ray is shown: its end, and what lies behind it.
+double shownLambda(const ProfileSource& source) {
+    constexpr double kBehind = 1.15;
+    constexpr double kTexelsBehind = 1.5;
+    constexpr double kLeast = 1e-9;
+    const double run = runOf(source.ray);
+    if (run < kVerticalRun) return 1;
+    const double end = rayEnd(source);
+    return std::clamp(std::max(end * kBehind, end + kTexelsBehind / run), kLeast, 1.0);
+}
+
+SliceRange sliceRange(const ProfileFrame& frame) {
+    const Box seen = frame.seen();
+    SliceRange range;
+    range.from = std::clamp(frame.lambdaAt(seen.x0), 0.0, frame.lambdaEnd);
+    range.to = std::clamp(frame.lambdaAt(seen.x1), 0.0, frame.lambdaEnd);
+    range.columns = std::max(1.0, seen.width() * frame.zoom * kPixelsPerPoint);
+    range.rows = frame.plot.height() / (frame.high - frame.low) * frame.zoom * kPixelsPerPoint;
+    return range;
+}
+
+// The line on the drawing; what is below the plot lies on its lower side.
+std::vector<Point> onPlot(const std::vector<Point>& line, const ProfileFrame& frame) {
+    std::vector<Point> points;
+    Point before;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        const Point p = line[k];
+        if (k > 0 && (p.y < frame.low) != (before.y < frame.low)) {
+            const double w = (frame.low - before.y) / (p.y - before.y);
+            points.push_back(frame.at(before.x + w * (p.x - before.x), frame.low));
+        }
+        points.push_back(frame.at(p.x, std::max(p.y, frame.low)));
+        before = p;
+    }
+    return points;
+}
+
+using TexelName = std::tuple<int, std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
+TexelName nameOf(const relief::Step& s) {
+    return {s.level, s.i, s.j, s.periodX, s.periodY};
+}
+
+void addPlateaus(Drawing& drawing, const ProfileSource& source, const relief::PyramidWalk& walk,
+                 const ProfileOptions& options, const ProfileFrame& frame) {
+    std::set<TexelName> visited;
+    if (source.steps != nullptr) {
+        for (std::size_t k = 0; k < source.steps->size(); ++k) {
+            if (stepShape((*source.steps)[k]) == StepShape::Plateau) visited.insert(nameOf((*source.steps)[k]));
+        }
+    }
+    const SliceRange range = sliceRange(frame);
+    std::vector<int> levels = profileLevels(source, options);
+    // Fine ones lie over coarse ones.
+    std::reverse(levels.begin(), levels.end());
+    for (const bool wanted : {false, true}) {
+        for (const int level : levels) {
+            for (const Plateau& plateau : plateausAlong(walk, source.ray, level, range)) {
+                const relief::Step& s = plateau.texel;
+                const bool known = !plateau.joined && visited.count(nameOf(s)) > 0;
+                if (known != wanted || s.value < frame.low || !(s.lambdaIn < frame.lambdaEnd)) continue;
+                Item item;
+                item.id = {ItemKind::Texel, s.level, s.i, s.j};
+                item.role = Role::Plateau;
+                item.emphasis = !known ? Emphasis::Faint : Emphasis::Normal;
+                item.primitive = Polyline{
+                    {frame.at(s.lambdaIn, s.value), frame.at(std::min(s.lambdaOut, frame.lambdaEnd), s.value)}, false};
+                item.tint = {level, source.maxima->pyramid.levels()};
+                drawing.items.push_back(std::move(item));
+            }
+        }
+    }
+}
+
+void addLayers(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame) {
+    constexpr double kClosest = 5;  // points
+    const int layers = source.layers();
+    const double gap = frame.plot.height() / (frame.high - frame.low) / std::max(layers, 1);
+    const auto every = std::max<std::int64_t>(1, std::llround(std::ceil(kClosest / (gap * frame.zoom))));
+    for (std::int64_t n = 0; n <= layers && layers > 0; n += every) {
+        const double height = 1 - static_cast<double>(n) / layers;
+        if (height < frame.low) break;
+        drawing.add({ItemKind::Layer, 0, n, 0}, Role::Layer,
+                    Polyline{{{frame.plot.x0, frame.yAt(height)}, {frame.plot.x1, frame.yAt(height)}}, false},
+                    Emphasis::Faint);
+    }
+}
+
+}  // namespace
+
+bool ProfileSource::atPoints() const {
+    return steps != nullptr && std::all_of(steps->begin(), steps->end(), [](const relief::Step& s) {
+               return s.as<relief::subject::Point>() != nullptr || s.as<relief::subject::Layer>() != nullptr;
+           });
+}
+
+int ProfileSource::layers() const {
+    if (steps == nullptr) return 0;
+    for (const relief::Step& s : *steps) {
+        if (const auto* const layer = s.as<relief::subject::Layer>()) return layer->count;
+    }
+    return 0;
+}
+
+StepShape stepShape(const relief::Step& s) {
+    if (s.phase == Phase::Refine) return StepShape::Point;
+    if (s.trustsMap()) return StepShape::Body;
+    const bool ends = s.decision == Decision::Start || s.decision == Decision::Miss || s.decision == Decision::Limit;
+    if (ends && s.level == 0) return StepShape::Mark;
+    if (s.as<relief::subject::Voxel>() != nullptr || s.as<relief::subject::Sphere>() != nullptr) return StepShape::Mark;
+    if (!s.atPoint()) return StepShape::Plateau;
+    return s.decision == Decision::Advance ? StepShape::Layer : StepShape::Point;
+}
+
+std::vector<int> profileLevels(const ProfileSource& source, const ProfileOptions& options) {
+    std::set<int> levels;
+    if (options.levels == LevelsShown::All) {
+        for (int l = 0; l < source.maxima->pyramid.levels(); ++l) levels.insert(l);
+    } else if (options.levels == LevelsShown::Visited && source.steps != nullptr && !source.atPoints()) {
+        for (std::size_t k = 0; k < source.steps->size(); ++k) {
+            const relief::Step& step = (*source.steps)[k];
+            // The apex of a cone is the maximum of no texel.
+            const bool maximum = step.as<relief::subject::Texel>() != nullptr;
+            if (maximum && stepShape(step) == StepShape::Plateau) levels.insert(step.level);
+        }
+    }
+    return {levels.begin(), levels.end()};
+}
+
+double profileBottom(const ProfileFrame& frame) {
+    return lowPane(frame) ? kLowBottom : kBottom;
+}
+
+ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& options, double width, double height) {
+    constexpr double kHeadroom = 0.07;
+    constexpr double kLeastSide = 8;
+    ProfileFrame frame;
+    frame.whole = frame.visible = {0, 0, width, height};
+    frame.plot = {kLeft, kTop, std::max(width - kRight, kLeft + kLeastSide),
+                  std::max(height - profileBottom(frame), kTop + kLeastSide)};
+    frame.run = runOf(source.ray);
+    frame.vertical = frame.run < kVerticalRun;
+    frame.lambdaEnd = shownLambda(source);
+    if (options.nearRay) frame.low = std::max(0.0, 1 - frame.lambdaEnd * (1 + 2 * kHeadroom));
+    frame.high = 1 + kHeadroom * (1 - frame.low);
+    if (!options.trueAspect || frame.vertical) return frame;
+    // Points a texel: whatever of both directions has less room for it.
+    const double upwards = (frame.high - frame.low) * source.field->slabTexels();
+    // A ray of a few texels before a deep slab would be a stripe: then more of its surroundings is shown.
+    if (!options.nearRay && upwards > 0) {
+        const double room = upwards * frame.plot.width() / frame.plot.height() / frame.run;
+        frame.lambdaEnd = std::min(std::max(frame.lambdaEnd, room), 1.0);
+    }
+    const double across = frame.lambdaEnd * frame.run;
+    const double scale = std::min(frame.plot.width() / across, upwards > 0 ? frame.plot.height() / upwards : across);
+    const Point middle = frame.plot.center();
+    const double halfX = std::max(across * scale, kLeastSide) / 2;
+    const double halfY = std::max(upwards * scale, kLeastSide) / 2;
+    frame.plot = {middle.x - halfX, middle.y - halfY, middle.x + halfX, middle.y + halfY};
+    return frame;
+}
+
+Drawing profileRelief(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame) {
+    Drawing drawing;
+    drawing.bounds = frame.whole;
+    if (frame.seen().empty()) return drawing;
+    const relief::PyramidWalk walk(*source.field, source.maxima);
+    const SurfaceLine surface = surfaceAlong(walk, source.ray, sliceRange(frame));
+    std::vector<Point> line = onPlot(surface.points, frame);
+    drawing.add({}, Role::HeightFill, Area{line, frame.plot.y1});
+    if (!frame.vertical) addPlateaus(drawing, source, walk, options, frame);
+    addLayers(drawing, source, frame);
+    drawing.add({ItemKind::Surface, 0, 0, 0}, Role::Surface, Polyline{std::move(line), false});
+    if (surface.thinned) {
+        Label note;
+        note.at = {frame.seen().x1 - 3 / frame.zoom, frame.seen().y0 + 2 / frame.zoom};
+        note.text = Message(MessageId::DrawThinned);
+        note.anchor = Anchor::Right;
+        note.offset = {0, 7};
+        note.size = 0.8;
+        drawing.add({}, Role::Legend, std::move(note));
+    }
+    return drawing;
+}
+
+Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options, double width,
+                      relief::Language language) {
+    LegendRows rows(width, language);
+    rows.line(Role::Surface, Message(MessageId::DrawSurface));
+    if (!source.hasRay) return rows.take();
+    if (source.point != nullptr) addPointLegend(rows, *source.point);
+    rows.line(Role::Ray, Message(MessageId::DrawRay));
+    const int levels = source.maxima->pyramid.levels();
+    bool first = true;
+    for (const int level : profileLevels(source, options)) {
+        const Message what =
+            first ? Message(MessageId::DrawMaxima, {{"level", level}}) : plainText(std::to_string(level));
+        constexpr double kShort = 10;
+        rows.line(Role::Plateau, what, {level, levels}, kShort);
+        first = false;
+    }
+    if (source.steps != nullptr && runOf(source.ray) >= kVerticalRun) {
+        rows.bodies(*source.steps, source.ray, source.exact);
+    }
+    if (source.layers() > 0) rows.line(Role::Layer, Message(MessageId::DrawLayer));
+    if (source.atPoints()) {
+        const Message read(MessageId::DrawSample);
+        const Point at = rows.place(LegendRows::kSign + rows.textRoom(read) + LegendRows::kBetween);
+        rows.add(Role::Sample, Marker{{at.x + 5, at.y}, Shape::Dot, 5});
+        rows.text({at.x + LegendRows::kSign, at.y}, read);
+    }
+    if (!options.guessing && source.exact.outcome == relief::Outcome::Hit) {
+        const Message exact(MessageId::DrawExact);
+        const Point at = rows.place(LegendRows::kSign + rows.textRoom(exact) + LegendRows::kBetween);
+        rows.add(Role::Hit, Ring{{at.x + 5, at.y}, 5.5});
+        rows.text({at.x + LegendRows::kSign, at.y}, exact);
+    }
+    rows.decisions(decisionsSeen(source.steps, source.hit.outcome == relief::Outcome::Hit));
+    return rows.take();
+}
+
+ProfileReading profileReading(const ProfileSource& source, const ProfileFrame& frame, Point at) {
+    ProfileReading reading;
+    reading.inside = source.hasRay && frame.plot.contains(at);
+    if (!reading.inside) return reading;
+    reading.lambda = frame.lambdaAt(at.x);
+    reading.across = frame.across(reading.lambda);
+    reading.rayHeight = 1 - reading.lambda;
+    reading.onRelief = reading.lambda <= lambdaInside(relief::PyramidWalk(*source.field, source.maxima), source.ray);
+    reading.surface = surfaceAt(*source.field, source.ray, reading.lambda);
+    const Point texel = RayPath(*source.field, source.ray).at(reading.lambda);
+    reading.i = static_cast<std::int64_t>(std::floor(texel.x));
+    reading.j = static_cast<std::int64_t>(std::floor(texel.y));
+    if (source.steps == nullptr) return reading;
+    for (std::size_t k = 0; k < source.steps->size(); ++k) {
+        const relief::Step& s = (*source.steps)[k];
+        if (s.lambdaIn <= reading.lambda && reading.lambda < s.lambdaOut) reading.step = static_cast<int>(k);
+    }
+    return reading;
+}
+
+}  // namespace reliefui

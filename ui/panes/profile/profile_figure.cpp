@@ -1,0 +1,64 @@
+#include "panes/profile/profile_figure.h"
+
+#include "painting/painter.h"
+#include "panes/point_asker.h"
+
+namespace reliefui {
+
+namespace {
+
+struct ProfileFigure : Figure {
+    std::shared_ptr<const Snapshot> snapshot;
+    ProfileOptions options;
+    std::optional<QueryPoint> point;
+
+    void paint(QPainter& painter, const Box& page, const Style& style) const override {
+        using relief::MessageId;
+        ProfileSource source = profileSource(*snapshot);
+        if (!source.hasRay) {
+            return paintEmpty(painter, snapshot->scenario.pixel ? MessageId::DrawNoRelief : MessageId::DrawNoRay, page,
+                              style);
+        }
+        relief::Work work;
+        source.point = pointOf(*snapshot, point, work);
+        const double unit = style.pixelsPerPoint();
+        const Drawing legend = profileLegend(source, options, page.width() / unit - kFigureMargins, style.language);
+        const Box room = figureRoom(legend, page, style);
+        const ProfileFrame frame = profileFrame(source, options, room.width() / unit, room.height() / unit);
+        const Drawing relief = profileRelief(source, options, frame);
+        const Drawing marks = profileMarks(source, options, frame, snapshot->scenario.step);
+        const Drawing axes = profileAxes(source, frame);
+        paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
+    }
+};
+
+}  // namespace
+
+ProfileSource profileSource(const Snapshot& s) {
+    ProfileSource source;
+    source.field = &s.request->field;
+    source.maxima = s.maxima;
+    source.hasRay = s.trace.onRelief;
+    source.ray = s.trace.ray;
+    source.hit = s.trace.hit;
+    if (!s.trace.hidden) source.exact = s.trace.exact;
+    source.steps = &s.trace.steps;
+    return source;
+}
+
+void takeProfile(ProfileOptions& options, const ProfilePane& pane) {
+    options.levels = pane.allLevels ? LevelsShown::All : LevelsShown::Visited;
+    options.nearRay = pane.nearRay;
+    options.trueAspect = pane.trueAspect;
+}
+
+std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, const ProfileOptions& options,
+                                            const std::optional<QueryPoint>& point) {
+    auto figure = std::make_shared<ProfileFigure>();
+    figure->snapshot = std::move(snapshot);
+    figure->options = options;
+    figure->point = point;
+    return figure;
+}
+
+}  // namespace reliefui

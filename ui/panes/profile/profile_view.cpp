@@ -1,0 +1,289 @@
+#include "panes/profile/profile_view.h"
+
+#include <QHBoxLayout>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "panes/drawing_canvas.h"
+#include "panes/profile/profile_figure.h"
+#include "panes/ray_geometry.h"
+#include "scenario/step_sentence.h"
+#include "workspace/pane_states.h"
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+namespace {
+
+QString number(double value, int decimals) {
+    return QString::fromStdString(relief::fixedText(value, decimals));
+}
+
+}  // namespace
+
+ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
+    : FigureView(workspace, tr("Profile"), QStringLiteral("profile"), tr("Export the profile"), parent),
+      canvas_(new DrawingCanvas(this)) {
+    setFace(canvas_);
+    makeBar();
+    connect(canvas_, &DrawingCanvas::clicked, this, &ProfileView::choose);
+    connect(canvas_, &DrawingCanvas::clickedAt, this, [this](const QPointF& at) {
+        if (options_.guessing && ready()) guessAt(frame_.lambdaAt(canvas_->toDrawing(at).x));
+    });
+    connect(workspace_, &Workspace::guessingChanged, this, &ProfileView::showGuessing);
+    connect(canvas_, &DrawingCanvas::asked, this, &ProfileView::askPoint);
+    connect(canvas_, &DrawingCanvas::pointed, this, &ProfileView::tell);
+    connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
+    connect(canvas_, &DrawingCanvas::resized, this, &ProfileView::refresh);
+    connect(canvas_, &DrawingCanvas::moved, this, &ProfileView::redraw);
+    connect(workspace_, &Workspace::snapshotChanged, this, &ProfileView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &ProfileView::adopt);
+    connect(workspace_, &Workspace::stepChanged, this, &ProfileView::refreshStep);
+    connect(workspace_, &Workspace::styleChanged, this, &ProfileView::refresh);
+    takeProfile(options_, pane_);
+    adopt();
+    refresh();
+}
+
+void ProfileView::makeBar() {
+    auto* const bar = new QHBoxLayout;
+    bar->setContentsMargins(4, 2, 6, 2);
+    const auto add = [&](const QString& text, const QString& help, bool checkable) {
+        auto* const button = new QToolButton(this);
+        button->setText(text);
+        button->setToolTip(help);
+        button->setAccessibleName(help);
+        button->setCheckable(checkable);
+        button->setAutoRaise(true);
+        bar->addWidget(button);
+        return button;
+    };
+    allLevels_ = add(tr("all levels"), tr("The maxima of all levels, not only of those that the ray asked"), true);
+    near_ = add(tr("near the ray"), tr("Only the heights that the ray comes through"), true);
+    aspect_ = add(tr("true aspect"), tr("A texel as long across as upwards: the relief's true shape"), true);
+    guess_ = add(tr("guess"), tr("Hide the answer; a click guesses where the ray hits, then it is shown (G)"), true);
+    guess_->setObjectName(QStringLiteral("guess"));
+    auto* const fit = add(
+        tr("fit"),
+        tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances "
+           "of a point"),
+        false);
+    bar->addStretch(1);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(bar);
+    column->addWidget(canvas_, 1);
+
+    connect(guess_, &QToolButton::toggled, workspace_, &Workspace::setGuessing);
+    connect(allLevels_, &QToolButton::clicked, this, &ProfileView::showAllLevels);
+    connect(near_, &QToolButton::clicked, this, &ProfileView::showNearRay);
+    connect(aspect_, &QToolButton::clicked, this, &ProfileView::setTrueAspect);
+    connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
+}
+
+void ProfileView::change(const ProfilePane& pane) {
+    PaneStates panes = panesOf(workspace_->scenario());
+    panes.profile = pane;
+    workspace_->setPanes(panes, tr("Profile: other view"));
+    adopt();
+}
+
+void ProfileView::adopt() {
+    const ProfilePane& pane = panesOf(workspace_->scenario()).profile;
+    allLevels_->setChecked(pane.allLevels);
+    near_->setChecked(pane.nearRay);
+    aspect_->setChecked(pane.trueAspect);
+    const std::optional<QueryPoint>& query = panesOf(workspace_->scenario()).query;
+    if (pane == pane_ && query == query_) return;
+    pane_ = pane;
+    query_ = query;
+    takeProfile(options_, pane);
+    refresh();
+}
+
+void ProfileView::showAllLevels(bool all) {
+    ProfilePane pane = pane_;
+    pane.allLevels = all;
+    change(pane);
+}
+
+void ProfileView::showNearRay(bool on) {
+    ProfilePane pane = pane_;
+    pane.nearRay = on;
+    change(pane);
+}
+
+void ProfileView::setTrueAspect(bool on) {
+    ProfilePane pane = pane_;
+    pane.trueAspect = on;
+    change(pane);
+}
+
+void ProfileView::resetZoom() {
+    canvas_->resetZoom();
+}
+
+bool ProfileView::ready() const {
+    return shown_ && shown_->request && shown_->maxima && shown_->trace.onRelief;
+}
+
+ProfileSource ProfileView::source() const {
+    ProfileSource source = profileSource(*shown_);
+    source.point = point_.known();
+    return source;
+}
+
+void ProfileView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &ProfileView::refresh);
+}
+
+void ProfileView::refresh() {
+    const PauseLog::Part part("profile");
+    // Out of sight nothing is drawn.
+    stale_ = !inSight();
+    if (stale_) {
+        if (shown_ != workspace_->snapshot()) letGo();
+        return;
+    }
+    canvas_->setStyle(workspace_->style());
+    shown_ = workspace_->snapshot();
+    // A guess is about one ray.
+    if (options_.guess && shown_ && shown_->version != guessed_) options_.guess.reset();
+    if (!ready()) {
+        showEmpty(!shown_ ? relief::MessageId::DrawNoPicture
+                          : (shown_->scenario.pixel ? relief::MessageId::DrawNoRelief : relief::MessageId::DrawNoRay));
+        return;
+    }
+    point_.ask(shown_, query_);
+    const ProfileSource from = source();
+    // The legend first: what it needs is not left to the plot. Where it would take too much it is left out.
+    constexpr double kMostLegend = 0.25;
+    const double unit = workspace_->style().pixelsPerPoint();
+    Drawing legend = profileLegend(from, options_, canvas_->width() / unit - 12, workspace_->style().language);
+    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
+    legend_ = std::make_shared<const Drawing>(std::move(legend));
+    canvas_->setLayers({}, legend_);
+    const QSizeF room = canvas_->room();
+    frame_ = profileFrame(from, options_, room.width(), room.height());
+    // Where it lies, so that the canvas knows what it shows.
+    auto bounds = std::make_shared<Drawing>();
+    bounds->bounds = frame_.whole;
+    canvas_->setLayers({std::move(bounds)}, legend_);
+    redraw();
+}
+
+void ProfileView::letGo() {
+    point_.drop();
+    shown_.reset();
+    relief_.reset();
+    axes_.reset();
+    legend_.reset();
+    canvas_->letGo();
+    setReadout({});
+    stale_ = true;
+}
+
+void ProfileView::redraw() {
+    const PauseLog::Part part("profile: relief");
+    if (!ready() || !inSight()) return;
+    frame_.visible = canvas_->atHome() ? frame_.whole : canvas_->visible();
+    frame_.zoom = canvas_->atHome() ? 1 : canvas_->zoom();
+    const ProfileSource from = source();
+    relief_ = std::make_shared<const Drawing>(profileRelief(from, options_, frame_));
+    axes_ = std::make_shared<const Drawing>(profileAxes(from, frame_));
+    refreshStep();
+}
+
+void ProfileView::refreshStep() {
+    const PauseLog::Part part("profile: marks");
+    if (!inSight()) {
+        stale_ = true;
+        return;
+    }
+    if (!ready() || !relief_) return;
+    auto marks = std::make_shared<const Drawing>(profileMarks(source(), options_, frame_, workspace_->scenario().step));
+    canvas_->setLayers({relief_, axes_, std::move(marks)}, legend_);
+}
+
+void ProfileView::showGuessing(bool on) {
+    guess_->setChecked(on);
+    options_.guessing = on;
+    if (on) options_.guess.reset();
+    canvas_->resetZoom();
+    refresh();
+}
+
+void ProfileView::guessAt(double lambda) {
+    options_.guess = std::clamp(lambda, 0.0, frame_.lambdaEnd);
+    guessed_ = workspace_->version();
+    workspace_->setGuessing(false);
+}
+
+void ProfileView::showEmpty(relief::MessageId why) {
+    relief_.reset();
+    axes_.reset();
+    canvas_->showText(why);
+}
+
+void ProfileView::choose(const ItemId& id) {
+    if (!ready()) return;
+    const auto& steps = shown_->trace.steps;
+    const auto count = static_cast<std::int64_t>(steps.size());
+    if (id.kind == ItemKind::Step && id.i < count) workspace_->chooseStep(static_cast<int>(id.i));
+    if (id.kind == ItemKind::Hit && count > 0) workspace_->chooseStep(static_cast<int>(count - 1));
+    if (id.kind != ItemKind::Texel) return;
+    // Of all steps on this texel, the next one after the current, round and round.
+    const std::int64_t current =
+        std::clamp<std::int64_t>(workspace_->scenario().step, 0, std::max<std::int64_t>(count - 1, 0));
+    for (std::int64_t n = 1; n <= count; ++n) {
+        const std::int64_t k = (current + n) % count;
+        const relief::Step& step = steps[static_cast<std::size_t>(k)];
+        if (step.level == id.level && step.i == id.i && step.j == id.j) {
+            workspace_->chooseStep(static_cast<int>(k));
+            return;
+        }
+    }
+}
+
+void ProfileView::tell(const QPointF& widget) {
+    if (!ready() || !relief_) return setReadout({});
+    const ProfileReading at = profileReading(source(), frame_, canvas_->toDrawing(widget));
+    if (!at.inside) return setReadout({});
+    QString text = frame_.vertical ? tr("λ %1").arg(number(at.lambda, 3))
+                                   : tr("%1 texels, λ %2").arg(number(at.across, 2), number(at.lambda, 3));
+    text += at.onRelief ? tr(" · surface %1").arg(number(at.surface, 3)) : tr(" · beyond the edge");
+    text += tr(" · ray %1 · texel (%2, %3)").arg(number(at.rayHeight, 3)).arg(at.i).arg(at.j);
+    ItemId id = canvas_->itemAt(widget);
+    const int step = id.kind == ItemKind::Step ? static_cast<int>(id.i) : at.step;
+    if (step >= 0) text += tr(" · step %1").arg(step + 1);
+    setReadout(text);
+}
+
+std::optional<QueryPoint> ProfileView::pointAt(const QPointF& widget) const {
+    if (!ready() || frame_.vertical) return std::nullopt;
+    const relief::HeightField& field = shown_->request->field;
+    const Point at = canvas_->toDrawing(widget);
+    const double height = frame_.heightAt(at.y);
+    // Above the slab there is some room.
+    if (!frame_.plot.contains(at) || height > 1 || field.slabTexels() <= 0) return std::nullopt;
+    const Point texel = RayPath(field, shown_->trace.ray).at(frame_.lambdaAt(at.x));
+    const QueryPoint point{texel.x, texel.y, std::max(height, 0.0)};
+    return overPicture(field, point) ? std::optional(point) : std::nullopt;
+}
+
+std::optional<QPointF> ProfileView::pointPlace() const {
+    if (!ready() || point() == nullptr) return std::nullopt;
+    const ProfileSource shown = source();
+    const auto plane = pointPlane(*point(), shown, frame_);
+    const auto at = plane ? pointMarkAt(*plane, *point()) : std::nullopt;
+    return at ? std::optional(canvas_->toWidget(*at)) : std::nullopt;
+}
+
+std::shared_ptr<const Figure> ProfileView::figure() const {
+    return ready() ? profileFigure(atStep(shown_), options_, panesOf(workspace_->scenario()).query) : nullptr;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,76 @@
+// The slice along the chosen pixel's ray: surface, ray, maxima of the pyramid, layers, numbered steps. A click on a
+// step chooses it, Ctrl+click asks for the distances of a point; wheel and drag zoom and move, R shows all again.
+#pragma once
+
+#include <memory>
+
+#include "panes/figure_view.h"
+#include "panes/point_asker.h"
+#include "panes/profile/profile_drawing.h"
+
+class QToolButton;
+
+namespace reliefui {
+
+class DrawingCanvas;
+
+class ProfileView : public FigureView {
+    Q_OBJECT
+  public:
+    explicit ProfileView(Workspace* workspace, QWidget* parent = nullptr);
+
+    DrawingCanvas* canvas() const { return canvas_; }
+    const ProfileFrame& frame() const { return frame_; }
+    const ProfileOptions& options() const { return options_; }
+    // The point whose distances are shown; null: none.
+    const PointQuery* point() const { return point_.known().get(); }
+
+  public slots:
+    void showAllLevels(bool all);
+    void showNearRay(bool on);
+    void setTrueAspect(bool on);
+    void resetZoom();
+    // Somebody guesses where the ray hits, by a click on the profile; then the answer is shown beside the guess.
+    void guessAt(double lambda);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    std::shared_ptr<const Figure> figure() const override;
+    void tell(const QPointF& widget) override;
+    void letGo() override;
+    bool showsPoints() const override { return true; }
+    std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
+    std::optional<QPointF> pointPlace() const override;
+
+  private:
+    void makeBar();
+    void change(const ProfilePane& pane);
+    void adopt();        // what the scenario says
+    void refresh();      // another map, ray, room or option
+    void redraw();       // another part is seen
+    void refreshStep();  // another step
+    void showEmpty(relief::MessageId why);
+    void choose(const ItemId& id);
+    void showGuessing(bool on);
+    bool ready() const;
+    ProfileSource source() const;
+
+    DrawingCanvas* canvas_;
+    QToolButton* allLevels_ = nullptr;
+    QToolButton* near_ = nullptr;
+    QToolButton* aspect_ = nullptr;
+    QToolButton* guess_ = nullptr;
+    std::shared_ptr<const Snapshot> shown_;
+    ProfileOptions options_;
+    ProfilePane pane_;
+    std::uint64_t guessed_ = 0;  // the version that the guess is about
+    ProfileFrame frame_;
+    std::shared_ptr<const Drawing> relief_;
+    std::shared_ptr<const Drawing> axes_;
+    std::shared_ptr<const Drawing> legend_;
+    std::optional<QueryPoint> query_;
+    bool stale_ = true;                              // changed while it was hidden
+    PointAsker point_{this, [this] { refresh(); }};  // last: ends before the rest
+};
+
+}  // namespace reliefui

@@ -1,0 +1,107 @@
+#include "panes/pyramid/pyramid_figure.h"
+
+#include <algorithm>
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include "painting/cell_image.h"
+#include "painting/painter.h"
+#include "panes/pyramid/slab_scene.h"
+#include "panes/space_figure.h"
+
+namespace reliefui {
+
+namespace {
+
+struct Page {
+    Drawing legend;
+    Box room;
+    PyramidParts parts;
+};
+
+Page pageOf(const Snapshot& snapshot, const PyramidOptions& options, const Box& page, const Style& style) {
+    const double unit = style.pixelsPerPoint();
+    Page made;
+    made.legend = pyramidLegend(pyramidSource(snapshot, options), page.width() / unit - kFigureMargins, style.language);
+    made.room = figureRoom(made.legend, page, style);
+    made.parts = pyramidParts(snapshot, options, made.room.width() / unit, made.room.height() / unit);
+    return made;
+}
+
+bool everyValueIsWritten(const Page& page, const Style& style) {
+    const double scale = ViewMap::fitting(page.parts.levels.bounds, page.room).scale;
+    return std::all_of(page.parts.levels.items.begin(), page.parts.levels.items.end(), [&](const Item& item) {
+        const auto* const cells = std::get_if<Cells>(&item.primitive);
+        return cells == nullptr || cellText(*cells, visibleCells(*cells, cells->clip), scale, style).pixels > 0;
+    });
+}
+
+struct PyramidFigure : Figure {
+    std::shared_ptr<const Snapshot> snapshot;
+    PyramidOptions options;
+
+    double aspect(const FigurePage& page) const override {
+        constexpr double kFiner = 8;  // pixels a point: letters are whole pixels high
+        constexpr double kHigher = 0.04;
+        Style style = page.style;
+        style.projector = false;
+        style.screenPixelsPerPoint = kFiner;
+        const double width = page.widthMm / kMmPerPoint * kFiner;
+        const double least = Figure::aspect(page);
+        for (double aspect = least; aspect <= 1; aspect += kHigher) {
+            if (everyValueIsWritten(pageOf(*snapshot, options, {0, 0, width, width * aspect}, style), style)) {
+                return aspect;
+            }
+        }
+        return least;
+    }
+    void paint(QPainter& painter, const Box& page, const Style& style) const override {
+        const Page made = pageOf(*snapshot, options, page, style);
+        const Drawing marks = partsMarks(made.parts, snapshot->scenario.step);
+        paintFigure(painter, {&made.parts.levels, &marks}, made.legend, page, style);
+    }
+};
+
+struct SlabsFigure : SpaceFigure {
+    std::shared_ptr<const Snapshot> snapshot;
+    PyramidOptions options;
+    std::optional<Turntable> camera;
+
+    double aspect(const FigurePage&) const override { return 0.5; }
+    QImage draw(vtkGenericOpenGLRenderWindow& window, const Style& style, const QSize& pixels) const override {
+        SlabScene scene;
+        scene.addTo(&window);
+        const double width = pixels.width() / style.screenPixelsPerPoint;
+        const double height = pixels.height() / style.screenPixelsPerPoint;
+        const PyramidParts parts = pyramidParts(*snapshot, options, width, height);
+        scene.show(parts, style, pixels.width(), pixels.height());
+        scene.showStep(parts, snapshot->scenario.step);
+        if (camera) scene.camera = *camera;
+        // Seen from there; as near as the picture allows.
+        scene.showAll(static_cast<double>(pixels.width()) / std::max(1, pixels.height()));
+        scene.place();
+        const QImage image = rendered(window, pixels);
+        scene.takeFrom(&window);
+        return image;
+    }
+};
+
+}  // namespace
+
+std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snapshot, const PyramidOptions& options) {
+    auto figure = std::make_shared<PyramidFigure>();
+    figure->snapshot = std::move(snapshot);
+    figure->options = options;
+    return figure;
+}
+
+std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapshot, const PyramidOptions& options,
+                                          const std::optional<Turntable>& camera) {
+    auto figure = std::make_shared<SlabsFigure>();
+    figure->snapshot = std::move(snapshot);
+    figure->options = options;
+    figure->camera = camera;
+    return figure;
+}
+
+}  // namespace reliefui

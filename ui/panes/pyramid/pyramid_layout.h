@@ -1,0 +1,34 @@
+// Where the levels of a pyramid stand beside each other: level 0 large, the others in rows of equal blocks, each
+// showing the same part of the texture, so that the ray looks the same on every level.
+#pragma once
+
+#include <vector>
+
+#include "painting/drawing.h"
+
+namespace reliefui {
+
+struct LevelBlock {
+    int level = 0;
+    Box box;      // on the drawing
+    Box domain;   // what of the texture's plane it shows, texels
+    Point title;  // its lower left corner
+
+    double unitX() const { return box.width() / domain.width(); }
+    double unitY() const { return box.height() / domain.height(); }
+    Point toDrawing(Point texel) const {
+        return {box.x0 + (texel.x - domain.x0) * unitX(), box.y0 + (texel.y - domain.y0) * unitY()};
+    }
+    Box toDrawing(const Box& texels) const {
+        const Point low = toDrawing(Point{texels.x0, texels.y0});
+        const Point high = toDrawing(Point{texels.x1, texels.y1});
+        return {low.x, low.y, high.x, high.y};
+    }
+};
+
+inline constexpr double kTitleHeight = 14;
+
+// width, height: room in points.
+std::vector<LevelBlock> pyramidLayout(int levels, const Box& domain, double width, double height);
+
+}  // namespace reliefui

@@ -1,0 +1,344 @@
+#include "panes/pyramid/pyramid_view.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QStackedLayout>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "panes/drawing_canvas.h"
+#include "panes/pyramid/pyramid_figure.h"
+#include "panes/pyramid/pyramid_stack.h"
+#include "scenario/step_sentence.h"
+#include "workspace/pane_states.h"
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+namespace {
+
+QToolButton* switchButton(const QString& text, const QString& help, QWidget* parent) {
+    auto* const button = new QToolButton(parent);
+    button->setText(text);
+    button->setToolTip(help);
+    button->setAccessibleName(help);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    return button;
+}
+
+}  // namespace
+
+PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
+    : FigureView(workspace, tr("Pyramid"), QStringLiteral("pyramid"), tr("Export the pyramid"), parent),
+      canvas_(new DrawingCanvas(this)),
+      stack_(new PyramidStack(this)),
+      faces_(new QStackedLayout) {
+    setFace(canvas_);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(makeBar());
+    column->addLayout(faces_, 1);
+    faces_->addWidget(canvas_);
+    faces_->addWidget(stack_);
+
+    connect(canvas_, &DrawingCanvas::clicked, this, &PyramidView::choose);
+    connect(canvas_, &DrawingCanvas::pointed, this, &PyramidView::tell);
+    connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
+    connect(canvas_, &DrawingCanvas::resized, this, &PyramidView::refresh);
+    connect(stack_, &PyramidStack::resized, this, [this] { refreshSoon_.start(); });
+    connect(stack_, &PyramidStack::clickedAt, this, &PyramidView::chooseAt);
+    connect(stack_, &PyramidStack::hoveredAt, this, [this](const Point& at) { setReadout(reading(at)); });
+    connect(workspace_, &Workspace::snapshotChanged, this, &PyramidView::refresh);
+    connect(workspace_, &Workspace::stepChanged, this, &PyramidView::refreshStep);
+    connect(workspace_, &Workspace::styleChanged, this, &PyramidView::refresh);
+    connect(workspace_, &Workspace::panesChanged, this, &PyramidView::adopt);
+    adopt();
+    refresh();
+}
+
+QHBoxLayout* PyramidView::makeBar() {
+    maxima_ = switchButton(tr("max"), tr("The highest point under each texel: what lets the ray skip"), this);
+    means_ = switchButton(tr("mean"), tr("The mean under each texel: what colours are filtered with"), this);
+    minima_ = switchButton(tr("min"), tr("The lowest point under each texel"), this);
+    all_ = switchButton(tr("all"), tr("Maxima, means and minima beside each other"), this);
+    stacked_ = switchButton(tr("3-D"), tr("The levels as slabs one above the other, and the way of the ray"), this);
+    near_ = switchButton(tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), this);
+    follow_ = switchButton(tr("follow"), tr("Zoom to the level of the current step"), this);
+    auto* const fit =
+        switchButton(tr("fit"), tr("Show all levels (R); wheel zooms, drag moves, click chooses a step"), this);
+    fit->setCheckable(false);
+    auto* const bar = new QHBoxLayout;
+    bar->setContentsMargins(4, 2, 6, 2);
+    for (QToolButton* const button : {maxima_, means_, minima_, all_, stacked_, near_, follow_, fit}) {
+        bar->addWidget(button);
+    }
+    bar->addStretch(1);
+    connect(maxima_, &QToolButton::clicked, this, [this] { showMeans(false); });
+    connect(means_, &QToolButton::clicked, this, [this] { showMeans(true); });
+    connect(minima_, &QToolButton::clicked, this, &PyramidView::showMinima);
+    connect(all_, &QToolButton::clicked, this, &PyramidView::showAllKinds);
+    connect(stacked_, &QToolButton::clicked, this, &PyramidView::setStacked);
+    connect(near_, &QToolButton::clicked, this, &PyramidView::showNearRay);
+    connect(follow_, &QToolButton::clicked, this, &PyramidView::setFollowing);
+    connect(fit, &QToolButton::clicked, this, &PyramidView::resetZoom);
+    return bar;
+}
+
+void PyramidView::change(const PyramidPane& pane) {
+    PaneStates panes = panesOf(workspace_->scenario());
+    panes.pyramid = pane;
+    workspace_->setPanes(panes, tr("Pyramid: other view"));
+    adopt();
+}
+
+void PyramidView::adopt() {
+    const PyramidPane before = std::exchange(pane_, panesOf(workspace_->scenario()).pyramid);
+    maxima_->setChecked(pane_.levels == "max");
+    means_->setChecked(pane_.levels == "mean");
+    minima_->setChecked(pane_.levels == "min");
+    all_->setChecked(pane_.levels == "all");
+    stacked_->setChecked(pane_.stacked);
+    near_->setChecked(pane_.nearRay);
+    follow_->setChecked(pane_.follow);
+    if (pane_ == before) return;
+    faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
+    if (pane_.levels != before.levels) workspace_->setLevels(pyramidOptions(pane_).kind);
+    if (pane_.nearRay != before.nearRay || pane_.levels != before.levels) canvas_->resetZoom();
+    if (before.follow && !pane_.follow) canvas_->resetZoom();
+    refresh();
+}
+
+void PyramidView::showMeans(bool means) {
+    PyramidPane pane = pane_;
+    pane.levels = means ? "mean" : "max";
+    change(pane);
+}
+
+void PyramidView::showMinima() {
+    PyramidPane pane = pane_;
+    pane.levels = "min";
+    change(pane);
+}
+
+void PyramidView::showAllKinds() {
+    PyramidPane pane = pane_;
+    pane.levels = "all";
+    change(pane);
+}
+
+void PyramidView::setStacked(bool on) {
+    PyramidPane pane = pane_;
+    pane.stacked = on;
+    change(pane);
+}
+
+void PyramidView::showNearRay(bool on) {
+    PyramidPane pane = pane_;
+    pane.nearRay = on;
+    change(pane);
+}
+
+void PyramidView::setFollowing(bool on) {
+    PyramidPane pane = pane_;
+    pane.follow = on;
+    change(pane);
+}
+
+void PyramidView::resetZoom() {
+    pane_.stacked ? stack_->fit() : canvas_->resetZoom();
+}
+
+void PyramidView::tell(const QPointF& widget) {
+    setReadout(reading(canvas_->toDrawing(widget)));
+}
+
+void PyramidView::refresh() {
+    const PauseLog::Part part("pyramid");
+    // Out of sight nothing is drawn.
+    stale_ = !inSight();
+    if (stale_) {
+        if (shown_ != workspace_->snapshot()) letGo();
+        return;
+    }
+    canvas_->setStyle(workspace_->style());
+    shown_ = workspace_->snapshot();
+    const PyramidOptions options = pyramidOptions(pane_);
+    const bool ready = shown_ && shown_->request && (options.all || shown_->has(options.kind));
+    if (!ready) {
+        showEmpty(relief::MessageId::DrawNoPicture);
+        return;
+    }
+    // The legend first: what it needs is not left to the levels. Where it would take too much it is left
+    // out: the table of steps tells the decisions, too.
+    constexpr double kMostLegend = 0.25;
+    const double unit = workspace_->style().pixelsPerPoint();
+    Drawing legend =
+        pyramidLegend(pyramidSource(*shown_, options), canvas_->width() / unit - 12, workspace_->style().language);
+    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
+    legend_ = std::make_shared<const Drawing>(std::move(legend));
+    canvas_->setLayers({}, legend_);
+    const QSizeF room = canvas_->room();
+    parts_ = pyramidParts(*shown_, options, room.width(), room.height());
+    if (parts_.parts.empty()) return showEmpty(relief::MessageId::DrawNoPicture);
+    // Where there is no room for all levels, the one of the current step is shown.
+    constexpr double kSmallest = 20;  // points
+    const std::vector<LevelBlock>& blocks = parts_.parts.front().picture.blocks;
+    cramped_ = parts_.parts.size() == 1 && blocks.size() > 1 && blocks.back().box.height() < kSmallest;
+    if (cramped_) parts_ = pyramidParts(*shown_, options, 3 * room.width() + 300, 3 * room.height() + 200);
+    levels_ = std::make_shared<const Drawing>(parts_.levels);
+    faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
+    if (pane_.stacked) stack_->show(parts_, workspace_->style());
+    refreshStep();
+}
+
+void PyramidView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &PyramidView::refresh);
+}
+
+void PyramidView::letGo() {
+    shown_.reset();
+    parts_ = {};
+    levels_.reset();
+    legend_.reset();
+    canvas_->letGo();
+    stack_->letGo();
+    setReadout({});
+    stale_ = true;
+}
+
+void PyramidView::refreshStep() {
+    const PauseLog::Part part("pyramid: marks");
+    if (!inSight()) {
+        stale_ = true;
+        return;
+    }
+    if (!shown_ || !levels_) return;
+    if (pane_.stacked) return stack_->showStep(parts_, workspace_->scenario().step);
+    // A step of a newer ray than the one shown: its snapshot is on the way.
+    auto marks = std::make_shared<const Drawing>(partsMarks(parts_, workspace_->scenario().step));
+    canvas_->setLayers({levels_, std::move(marks)}, legend_);
+    if (pane_.follow || cramped_) {
+        follow();
+    } else if (wasCramped_) {
+        canvas_->resetZoom();
+    }
+    wasCramped_ = cramped_;
+}
+
+void PyramidView::showEmpty(relief::MessageId why) {
+    levels_.reset();
+    parts_ = {};
+    canvas_->showText(why);
+    faces_->setCurrentWidget(canvas_);
+}
+
+void PyramidView::follow() {
+    if (!shown_ || shown_->trace.steps.empty() || parts_.parts.empty()) return;
+    const auto& steps = shown_->trace.steps;
+    const int last = static_cast<int>(steps.size()) - 1;
+    const relief::Step& step = steps[static_cast<std::size_t>(std::clamp(workspace_->scenario().step, 0, last))];
+    if (step.level < 0 || step.level >= static_cast<int>(blocks().size())) return;
+    const Box box = blocks()[static_cast<std::size_t>(step.level)].box;
+    canvas_->zoomTo({box.x0, box.y0 - kTitleHeight, box.x1, box.y1});
+}
+
+const relief::Step* PyramidView::stepOf(const ItemId& id) const {
+    const bool step = shown_ && id.kind == ItemKind::Step;
+    if (!step || id.i < 0 || id.i >= static_cast<std::int64_t>(shown_->trace.steps.size())) return nullptr;
+    return &shown_->trace.steps[static_cast<std::size_t>(id.i)];
+}
+
+void PyramidView::choose(const ItemId& id) {
+    const relief::Step* const at = stepOf(id);
+    if (at == nullptr) return;
+    const auto& steps = shown_->trace.steps;
+    const auto count = static_cast<std::int64_t>(steps.size());
+    // Of all steps on this texel, the next one after the current, round and round.
+    const std::int64_t current = std::clamp<std::int64_t>(workspace_->scenario().step, 0, count - 1);
+    for (std::int64_t n = 1; n <= count; ++n) {
+        const std::int64_t k = (current + n) % count;
+        const relief::Step& step = steps[static_cast<std::size_t>(k)];
+        if (step.level == at->level && step.i == at->i && step.j == at->j && liesInVoxel(step) == liesInVoxel(*at)) {
+            workspace_->chooseStep(static_cast<int>(k));
+            return;
+        }
+    }
+}
+
+// Of the slabs: what the flat drawing would answer there.
+void PyramidView::chooseAt(Point drawing) {
+    if (!levels_) return;
+    choose(pick(partsMarks(parts_, workspace_->scenario().step), ViewMap{}, drawing, 1, 0));
+}
+
+QString PyramidView::reading(Point drawing) const {
+    const PyramidPart* const part = levels_ ? parts_.at(drawing) : nullptr;
+    if (part == nullptr) return {};
+    ItemId id = pick(pyramidMarks(part->source, part->picture, workspace_->scenario().step), ViewMap{}, drawing, 1, 0);
+    if (stepOf(id) == nullptr) id = pick(part->picture.levels, ViewMap{}, drawing, 1, 0);
+    // The tool tip of a step says it in its sentence.
+    QString tip;
+    if (stepOf(id) != nullptr) {
+        const PixelTrace& trace = shown_->trace;
+        tip = QString::fromStdString(
+            relief::sentence(relief::stepSentence(trace.steps, static_cast<std::size_t>(id.i), trace.ray, trace.exact),
+                             workspace_->style().language));
+    }
+    canvas_->setToolTip(tip);
+    return textOf(*part, id);
+}
+
+QString PyramidView::textOf(const PyramidPart& part, const ItemId& id) const {
+    ItemId texel = id;
+    if (const relief::Step* const step = stepOf(id)) {
+        if (liesInVoxel(*step)) {
+            return tr("step %1 · voxel (%2, %3, %4)").arg(id.i + 1).arg(step->i).arg(step->j).arg(step->k);
+        }
+        texel = {ItemKind::Texel, step->level, step->i, step->j};
+    }
+    if (texel.kind != ItemKind::Texel) return {};
+    const PyramidSource& from = part.source;
+    if (texel.level < 0 || texel.level >= from.pyramid->levels()) return {};
+    const relief::FloatImage& level = from.pyramid->level(texel.level);
+    const relief::CellGrid grid(*from.field);
+    const bool named = from.overCells && texel.level == 0;
+    const auto i = static_cast<int>(texel.i - (named ? grid.x.firstName : 0));
+    const auto j = static_cast<int>(texel.j - (named ? grid.y.firstName : 0));
+    if (i < 0 || j < 0 || i >= level.width() || j >= level.height()) return {};
+    const double value = static_cast<double>(level(i, j));
+    const auto number = [](double v, int decimals) { return QString::fromStdString(relief::fixedText(v, decimals)); };
+    QString text = tr("level %1 (%2, %3): %4 · %5 texels")
+                       .arg(texel.level)
+                       .arg(texel.i)
+                       .arg(texel.j)
+                       .arg(number(value, 3), number(value * from.field->slabTexels(), 1));
+    if (parts_.parts.size() > 1) {
+        const relief::PyramidKind kind = from.pyramid->kind();
+        const QString name = kind == relief::PyramidKind::Max    ? tr("max")
+                             : kind == relief::PyramidKind::Mean ? tr("mean")
+                                                                 : tr("min");
+        text = name + QStringLiteral(" · ") + text;
+    }
+    if (const relief::Step* const step = stepOf(id)) {
+        const auto* const descent = step->as<relief::subject::Texel>();
+        if (descent != nullptr && descent->ray) {
+            const relief::subject::LevelPoint at = *descent->ray;
+            text += QStringLiteral(" · V(i+1) = 2 V(i) = 2 × (%1, %2) = (%3, %4)")
+                        .arg(number(at.x, 3), number(at.y, 3), number(2 * at.x, 2), number(2 * at.y, 2));
+        }
+    }
+    return id.kind == ItemKind::Step ? tr("step %1 · %2").arg(id.i + 1).arg(text) : text;
+}
+
+std::shared_ptr<const Figure> PyramidView::figure() const {
+    if (!levels_) return nullptr;
+    const PyramidOptions options = pyramidOptions(pane_);
+    return pane_.stacked ? slabsFigure(atStep(shown_), options, stack_->camera())
+                         : pyramidFigure(atStep(shown_), options);
+}
+
+}  // namespace reliefui

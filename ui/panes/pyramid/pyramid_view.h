@@ -1,0 +1,86 @@
+// The pyramid of the height map: every level side by side, and where the chosen ray went on each; maxima, means, minima
+// or all three; on request as slabs in space. A click on a visited texel chooses that step; where there are several,
+// one after the other.
+#pragma once
+
+#include <memory>
+
+#include "panes/figure_view.h"
+#include "panes/pyramid/pyramid_drawing.h"
+#include "panes/pyramid/pyramid_parts.h"
+#include "panes/soon.h"
+
+class QHBoxLayout;
+class QStackedLayout;
+class QToolButton;
+
+namespace reliefui {
+
+class DrawingCanvas;
+class PyramidStack;
+
+class PyramidView : public FigureView {
+    Q_OBJECT
+  public:
+    explicit PyramidView(Workspace* workspace, QWidget* parent = nullptr);
+
+    DrawingCanvas* canvas() const { return canvas_; }
+    PyramidStack* stack() const { return stack_; }
+    // What is shown; those of the first of several.
+    const std::vector<PyramidPart>& parts() const { return parts_.parts; }
+    const std::vector<LevelBlock>& blocks() const { return parts_.parts.front().picture.blocks; }
+    // What is under a point of the flat drawing, in words.
+    QString reading(Point drawing) const;
+
+  public slots:
+    void showMeans(bool means);
+    void showMinima();
+    void showAllKinds();
+    // The levels as slabs in space.
+    void setStacked(bool on);
+    // Only the surroundings of the ray, the same on every level, or all of the texture.
+    void showNearRay(bool on);
+    void setFollowing(bool on);
+    void resetZoom();
+
+  protected:
+    std::shared_ptr<const Figure> figure() const override;
+    void tell(const QPointF& widget) override;
+    void paintEvent(QPaintEvent* event) override;
+    void letGo() override;
+
+  private:
+    void refresh();      // another map, ray or room
+    void refreshStep();  // another step
+    void change(const PyramidPane& pane);
+    void adopt();  // what the scenario says
+    void chooseAt(Point drawing);
+    QHBoxLayout* makeBar();
+    void showEmpty(relief::MessageId why);
+    void follow();
+    void choose(const ItemId& id);
+    QString textOf(const PyramidPart& part, const ItemId& id) const;
+    const relief::Step* stepOf(const ItemId& id) const;
+
+    DrawingCanvas* canvas_;
+    QToolButton* maxima_;
+    QToolButton* means_;
+    QToolButton* minima_;
+    QToolButton* all_;
+    QToolButton* stacked_;
+    QToolButton* near_;
+    QToolButton* follow_;
+    PyramidStack* stack_;
+    QStackedLayout* faces_;
+    PyramidPane pane_;
+    std::shared_ptr<const Snapshot> shown_;
+    PyramidParts parts_;
+    bool cramped_ = false;     // no room for all levels
+    bool wasCramped_ = false;  // when it was last drawn
+    std::shared_ptr<const Drawing> levels_;
+    std::shared_ptr<const Drawing> legend_;
+    bool stale_ = true;  // changed while it was hidden
+    Soon refreshSoon_{this, [this] { refresh(); }};
+};
+
+}  // namespace reliefui

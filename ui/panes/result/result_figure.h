@@ -1,0 +1,12 @@
+// The result as a figure.
+#pragma once
+
+#include "panes/figure.h"
+#include "workspace/snapshot.h"
+
+namespace reliefui {
+
+// The legend of its layer, if it has one, stands below the picture.
+std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snapshot);
+
+}  // namespace reliefui

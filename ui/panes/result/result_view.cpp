@@ -1,0 +1,104 @@
+#include "panes/result/result_view.h"
+
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include "panes/result/pixel_values.h"
+#include "panes/result/result_painting.h"
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+ResultView::ResultView(Workspace* workspace, QWidget* parent) : PictureView(workspace, parent) {
+    setObjectName(QStringLiteral("result"));
+    setAccessibleName(tr("Result: the rendered picture"));
+    connect(workspace, &Workspace::snapshotChanged, this, qOverload<>(&QWidget::update));
+    connect(workspace, &Workspace::styleChanged, this, qOverload<>(&QWidget::update));
+}
+
+void ResultView::paintEvent(QPaintEvent*) {
+    const PauseLog::Part part("result");
+    QPainter painter(this);
+    painter.fillRect(rect(), toColor(workspace()->style().background()));
+    if (!workspace()->snapshot()) {
+        paintEmpty(painter);
+        return;
+    }
+    paintPicture(painter);
+    paintOverlays(painter);
+    if (hasFocus()) {
+        painter.setPen(palette().color(QPalette::Highlight));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void ResultView::paintEmpty(QPainter& painter) const {
+    painter.setPen(toColor(workspace()->style().text()));
+    const QString text = workspace()->busy() ? tr("Drawing the first picture…")
+                                             : tr("No picture yet: open a height map, or drop one here.");
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+void ResultView::paintPicture(QPainter& painter) const {
+    const auto snapshot = workspace()->snapshot();
+    const QImage& image = snapshot->layer.image;
+    // Texels stay sharp when enlarged; a smaller picture is a picture of something smooth.
+    const bool smaller = image.width() < pictureSize().width();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale() < 1 || smaller);
+    painter.drawImage(pictureIn(rect()), image);
+}
+
+void ResultView::paintOverlays(QPainter& painter) const {
+    const auto snapshot = workspace()->snapshot();
+    const Style& style = workspace()->style();
+    const int margin = 8;
+    paintPixelValues(painter, *snapshot, pictureIn(rect()), rect(), style);
+    paintLegend(&painter, snapshot->layer, QPoint(margin, height() - margin), style);
+    if (!snapshot->scenario.pixel) return;
+    const relief::PixelChoice pixel = *snapshot->scenario.pixel;
+    const QPointF at = toWidget({pixel.x + 0.5, pixel.y + 0.5});
+    paintChosenPixel(painter, at, scale(), style);
+
+    // In the upper corner that is further from the pixel.
+    const QSize magnifier = magnifierSize(style, width());
+    if (scale() * kMagnified > magnifier.width()) return;  // larger already
+    if (magnifier.width() * 2 > width() || magnifier.height() * 2 > height()) return;
+    const bool left = at.x() > width() / 2.0;
+    const QPoint corner(left ? margin : width() - margin - magnifier.width(), margin);
+    const QSize full = pictureSize();
+    const QImage& image = snapshot->layer.image;
+    const QPoint center(pixel.x * image.width() / full.width(), pixel.y * image.height() / full.height());
+    paintMagnifier(painter, image, center, QRect(corner, magnifier), style);
+}
+
+void ResultView::tellHover(QPointF at) {
+    const auto snapshot = workspace()->snapshot();
+    const auto pixel = pixelAt(at);
+    Q_EMIT hovered(snapshot && pixel ? pixelReadout(*snapshot, *pixel, true).join(QStringLiteral("   ")) : QString());
+}
+
+void ResultView::leaveEvent(QEvent*) {
+    Q_EMIT hovered({});
+}
+
+void ResultView::contextMenuEvent(QContextMenuEvent* event) {
+    Q_EMIT menuRequested(event->globalPos());
+}
+
+bool ResultView::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    const auto* const help = static_cast<QHelpEvent*>(event);
+    const auto snapshot = workspace()->snapshot();
+    const auto pixel = pixelAt(help->pos());
+    if (snapshot && pixel) {
+        QToolTip::showText(help->globalPos(), pixelReadout(*snapshot, *pixel).join('\n'), this);
+    } else {
+        QToolTip::hideText();
+    }
+    return true;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,38 @@
+// The rendered picture, where the question arises: why does this pixel look like that? The pointer reads values out.
+#pragma once
+
+#include "panes/picture_view.h"
+
+namespace reliefui {
+
+class ResultView : public PictureView {
+    Q_OBJECT
+  public:
+    explicit ResultView(Workspace* workspace, QWidget* parent = nullptr);
+
+    // The point of the full-size picture (pixel (i, j) is [i, i+1) x [j, j+1)) on this widget, and back.
+    QPointF toWidget(QPointF picture) const { return inRoom(picture, rect()); }
+    QPointF toPicture(QPointF widget) const { return fromRoom(widget, rect()); }
+
+    QSize sizeHint() const override { return {800, 600}; }
+
+  signals:
+    void hovered(const QString& readout);      // one line; empty when the pointer has left the picture
+    void menuRequested(const QPoint& global);  // the context menu is the window's
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    bool event(QEvent* event) override;
+    QRectF roomAt(QPointF) const override { return rect(); }
+    void tellHover(QPointF at) override;
+
+  private:
+    double scale() const { return scaleIn(rect()); }
+    void paintPicture(QPainter& painter) const;
+    void paintOverlays(QPainter& painter) const;
+    void paintEmpty(QPainter& painter) const;
+};
+
+}  // namespace reliefui

@@ -1,0 +1,21 @@
+// The row of the chosen pixel, computed in several ways: where it lies, and the figure.
+#pragma once
+
+#include <optional>
+
+#include "panes/figure.h"
+#include "panes/rows/rows_drawing.h"
+#include "workspace/pane_states.h"
+#include "workspace/snapshot.h"
+
+namespace reliefui {
+
+// Nothing where the chosen pixel shows the sky, or there is none. Not of coarse snapshots.
+std::optional<RowsPlace> rowsPlace(const Snapshot& snapshot);
+RowsOptions rowsOptions(const RowsPane& pane);
+RowsPane rowsPane(const RowsOptions& options);
+
+std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapshot, const RowsOptions& options,
+                                         const RowsRange& range);
+
+}  // namespace reliefui

@@ -1,0 +1,361 @@
+#include "panes/steps/step_table.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QPixmap>
+#include <QSortFilterProxyModel>
+#include <QTableView>
+#include <QTimer>
+
+#include "scenario/ray_files.h"
+#include "scenario/step_sentence.h"
+#include "workspace/language.h"
+#include "workspace/pause_log.h"
+
+namespace reliefui {
+
+namespace {
+
+QColor toColor(Rgba c) {
+    return {c.r, c.g, c.b, c.a};
+}
+
+// The decision's colour with its shape: colour is never alone.
+QPixmap symbol(relief::Decision decision, const Style& style, int side) {
+    QPixmap pixmap(side, side);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor color = toColor(style.color(roleOf(decision)));
+    painter.setPen(QPen(color, side / 8.0));
+    painter.setBrush(color);
+    const double m = side * 0.2;
+    const double n = side - m;
+    const double c = side / 2.0;
+    switch (shapeOf(decision)) {
+        case Shape::Bar:
+            painter.drawRect(QRectF(m, c - side * 0.12, n - m, side * 0.24));
+            break;
+        case Shape::TriangleRight:
+            painter.drawPolygon(QPolygonF(QVector<QPointF>{{m, m}, {n, c}, {m, n}}));
+            break;
+        case Shape::TriangleDown:
+            painter.drawPolygon(QPolygonF(QVector<QPointF>{{m, m}, {n, m}, {c, n}}));
+            break;
+        case Shape::TriangleUpHollow:
+            painter.setBrush(Qt::NoBrush);
+            painter.drawPolygon(QPolygonF(QVector<QPointF>{{m, n}, {n, n}, {c, m}}));
+            break;
+        case Shape::Diamond:
+            painter.drawPolygon(QPolygonF(QVector<QPointF>{{c, m}, {n, c}, {c, n}, {m, c}}));
+            break;
+        case Shape::Cross:
+            painter.drawLine(QPointF(m, m), QPointF(n, n));
+            painter.drawLine(QPointF(m, n), QPointF(n, m));
+            break;
+        case Shape::Ring:
+            painter.setBrush(Qt::NoBrush);
+            painter.drawEllipse(QPointF(c, c), c - m, c - m);
+            break;
+        case Shape::SquareHollow:
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRect(QRectF(m, m, n - m, n - m));
+            break;
+        case Shape::Dot:
+        case Shape::DotSmall:
+            painter.drawEllipse(QPointF(c, c), side * 0.25, side * 0.25);
+            break;
+    }
+    return pixmap;
+}
+
+}  // namespace
+
+void StepModel::show(std::shared_ptr<const Snapshot> snapshot, const Style& style) {
+    beginResetModel();
+    snapshot_ = std::move(snapshot);
+    style_ = style;
+    endResetModel();
+}
+
+int StepModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() || !snapshot_ ? 0 : static_cast<int>(snapshot_->trace.steps.size());
+}
+
+int StepModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : Columns;
+}
+
+QString StepModel::text(const relief::Step& step, int row, int column) const {
+    const QString arrow = QStringLiteral(" → ");
+    const auto number = [this](double value) { return text(value); };
+    switch (column) {
+        case Number:
+            return QString::number(row + 1);
+        case Level:
+            return QString::number(step.level);
+        case Texel:
+            return QStringLiteral("(%1, %2)").arg(step.i).arg(step.j);
+        case Lambda:
+            return number(step.lambdaIn) + arrow + number(step.lambdaOut);
+        case Height:
+            return number(step.zIn()) + arrow + number(step.zOut());
+        case Value:
+            return number(step.value);
+        case Decision:
+            return QString::fromStdString(relief::sentence(relief::decisionTitle(step.decision), style_.language));
+        default:
+            return number(step.lambdaAfter);
+    }
+}
+
+// Large type has no room for the fourth.
+QString StepModel::text(double value) const {
+    return QString::fromStdString(relief::fixedText(value, style_.projector ? 3 : 4));
+}
+
+double StepModel::sortKey(const relief::Step& step, int row, int column) const {
+    switch (column) {
+        case Number:
+            return row;
+        case Level:
+            return step.level;
+        case Texel:
+            // Row by row.
+            return static_cast<double>(step.j) * 0x1p26 + static_cast<double>(step.i);
+        case Lambda:
+            return step.lambdaIn;
+        case Height:
+            return step.zIn();
+        case Value:
+            return step.value;
+        case Decision:
+            return static_cast<double>(step.decision);
+        default:
+            return step.lambdaAfter;
+    }
+}
+
+QVariant StepModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) return {};
+    const relief::Step& step = snapshot_->trace.steps[static_cast<std::size_t>(index.row())];
+    if (role == Qt::DisplayRole) return text(step, index.row(), index.column());
+    if (role == kSortRole) return sortKey(step, index.row(), index.column());
+    if (role == Qt::DecorationRole && index.column() == Decision) return symbol(step.decision, style_, 14);
+    if (role == Qt::TextAlignmentRole) {
+        return static_cast<int>((index.column() == Decision ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    }
+    return {};
+}
+
+QVariant StepModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) return {};
+    const QString titles[Columns] = {
+        tr("#"),     tr("level"),    tr("texel"),  tr("λ in → out"), tr("ray height in → out"),
+        tr("value"), tr("decision"), tr("λ after")};
+    if (role == Qt::DisplayRole) return titles[section];
+    if (role != Qt::ToolTipRole) return {};
+    const QString help[Columns] = {tr("number of the step"),
+                                   tr("level of the pyramid, 0 the finest"),
+                                   tr("texel of that level (cell of the surface on level 0)"),
+                                   tr("descent of the ray, 0 the top of the slab, 1 its bottom"),
+                                   tr("height of the ray, 1 the top of the slab"),
+                                   tr("the stored value that decided, here the maximum of the texel"),
+                                   tr("what the tracer decided"),
+                                   tr("where it went on")};
+    return help[section];
+}
+
+StepTable::StepTable(Workspace* workspace, QWidget* parent)
+    : QWidget(parent),
+      workspace_(workspace),
+      model_(new StepModel(this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      table_(new QTableView(this)),
+      sentence_(new QLabel(this)) {
+    setAccessibleName(tr("Steps"));
+    sorted_->setSourceModel(model_);
+    sorted_->setSortRole(StepModel::kSortRole);
+    table_->setModel(sorted_);
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(StepModel::Number, Qt::AscendingOrder);
+    table_->setAccessibleName(tr("Table of steps"));
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    table_->setAlternatingRowColors(true);
+    table_->setShowGrid(false);
+    table_->setWordWrap(false);
+    table_->verticalHeader()->hide();
+    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->horizontalHeader()->setHighlightSections(false);
+    table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    auto* const copy = new QAction(tr("Copy rows"), table_);
+    copy->setShortcut(QKeySequence::Copy);
+    copy->setShortcutContext(Qt::WidgetShortcut);
+    copy->setToolTip(QStringLiteral("%1 (%2)").arg(copy->text(), copy->shortcut().toString(QKeySequence::NativeText)));
+    auto* const save = new QAction(tr("Export steps as CSV..."), table_);
+    table_->addActions({copy, save});
+    connect(copy, &QAction::triggered, this, &StepTable::copyRows);
+    connect(save, &QAction::triggered, this, &StepTable::exportRows);
+    sentence_->setWordWrap(true);
+    sentence_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    sentence_->setMargin(10);
+    sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    sentence_->setAccessibleName(tr("The chosen step in words"));
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(table_, 3);
+    row->addWidget(sentence_, 2);
+    connect(workspace_, &Workspace::snapshotChanged, this, &StepTable::refresh);
+    connect(workspace_, &Workspace::stepChanged, this, &StepTable::followStep);
+    connect(workspace_, &Workspace::styleChanged, this, &StepTable::refresh);
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& current, const QModelIndex&) {
+                if (!following_ && current.isValid()) workspace_->chooseStep(stepOf(current));
+            });
+    refresh();
+}
+
+QString StepTable::sentence() const {
+    return sentence_->text();
+}
+
+void StepTable::applyStyle() {
+    QFont font = this->font();
+    const double points = workspace_->style().projector ? 18 : 10;
+    font.setPointSizeF(points);
+    table_->setFont(font);
+    table_->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);
+    font.setPointSizeF(points * 1.4);
+    sentence_->setFont(font);
+}
+
+void StepTable::refresh() {
+    const PauseLog::Part part("steps");
+    following_ = true;
+    applyStyle();
+    model_->show(workspace_->snapshot(), workspace_->style());
+    following_ = false;
+    shareColumns();
+    followStep(workspace_->scenario().step);
+}
+
+// As wide as their texts (not measured: there may be hundreds of thousands) and titles. What has no room is left out,
+// beginning with what the next row, the profile or the sentence tells as well: nothing is cut.
+void StepTable::shareColumns() {
+    const QFontMetrics metrics(table_->font());
+    const int letter = metrics.horizontalAdvance(QLatin1Char('0'));
+    const int shorter = workspace_->style().projector ? 1 : 0;  // a digit less in each number
+    const int letters[StepModel::Columns] = {4,           4,  12,         15 - 2 * shorter, 15 - 2 * shorter,
+                                             7 - shorter, 12, 7 - shorter};
+    int widths[StepModel::Columns] = {};
+    int all = 0;
+    for (int c = 0; c < StepModel::Columns; ++c) {
+        const QString title = model_->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
+        widths[c] = std::max(letters[c] * letter, metrics.horizontalAdvance(title)) + 2 * letter;
+        all += widths[c];
+    }
+    const int room = table_->viewport()->width();
+    bool shown[StepModel::Columns];
+    std::fill(std::begin(shown), std::end(shown), true);
+    for (const int least : {StepModel::After, StepModel::Height, StepModel::Value, StepModel::Texel}) {
+        if (all <= room) break;
+        shown[least] = false;
+        all -= widths[least];
+    }
+    for (int c = 0; c < StepModel::Columns; ++c) {
+        table_->setColumnHidden(c, !shown[c]);
+        table_->setColumnWidth(c, widths[c]);
+    }
+}
+
+void StepTable::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    QTimer::singleShot(0, this, &StepTable::shareColumns);  // when the table has its part of it
+}
+
+void StepTable::followStep(int step) {
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot) {
+        sentence_->setText(tr("The steps of the chosen pixel's ray will stand here."));
+        return;
+    }
+    const relief::Language language = workspace_->style().language;
+    if (snapshot->trace.hidden) {
+        const std::string text = relief::sentence(relief::Message(relief::MessageId::DrawHidden), language);
+        sentence_->setText(QString::fromStdString(text));
+        return;
+    }
+    const PixelTrace& trace = snapshot->trace;
+    if (trace.steps.empty()) {
+        sentence_->setText(trace.onRelief ? tr("This method logged no step.")
+                                          : tr("No polygon covers the chosen pixel: click on the relief."));
+        return;
+    }
+    const int row = std::clamp(step, 0, static_cast<int>(trace.steps.size()) - 1);
+    const auto at = static_cast<std::size_t>(row);
+    following_ = true;
+    table_->setCurrentIndex(indexOf(row));
+    table_->scrollTo(indexOf(row));
+    following_ = false;
+    const relief::Message message = relief::stepSentence(trace.steps, at, trace.ray, trace.exact);
+    QString text = QString::fromStdString(relief::sentence(message, language));
+    // At the end, and all along where the answer is another one.
+    const bool last = at + 1 == trace.steps.size();
+    if (last || relief::answerError(trace.hit, trace.exact, trace.ray) > relief::kSameAnswer) {
+        const relief::Message answer = relief::answerSentence(trace.hit, trace.exact, trace.ray);
+        text += QStringLiteral("\n\n") + QString::fromStdString(relief::sentence(answer, language));
+    }
+    sentence_->setText(text);
+}
+
+QModelIndex StepTable::indexOf(int step) const {
+    return sorted_->mapFromSource(model_->index(step, 0));
+}
+
+int StepTable::stepOf(const QModelIndex& index) const {
+    return sorted_->mapToSource(index).row();
+}
+
+void StepTable::copyRows() {
+    QModelIndexList rows = table_->selectionModel()->selectedRows();
+    std::sort(rows.begin(), rows.end());
+    QString text;
+    for (const QModelIndex& row : rows) {
+        QStringList cells;
+        for (int c = 0; c < StepModel::Columns; ++c) {
+            cells << sorted_->data(sorted_->index(row.row(), c), Qt::DisplayRole).toString();
+        }
+        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
+    }
+    QApplication::clipboard()->setText(text);
+}
+
+void StepTable::exportRows() {
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot) return;
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Export steps"), QStringLiteral("steps.csv"), tr("Tables (*.csv)"));
+    if (path.isEmpty()) return;
+    relief::StepLog log;
+    log.steps = snapshot->trace.steps;
+    log.begin.push_back(log.steps.size());
+    std::string text = std::string(relief::kStepsHeader) + "\n";
+    relief::appendStepLines(text, log, 0, 0);
+    try {
+        relief::writeTextFile(path.toStdString(), text);
+    } catch (const relief::InputError& error) {
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
+    }
+}
+
+}  // namespace reliefui

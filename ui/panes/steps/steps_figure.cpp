@@ -1,0 +1,58 @@
+#include "panes/steps/steps_figure.h"
+
+#include <algorithm>
+
+#include "panes/steps/step_table.h"
+#include "scenario/step_sentence.h"
+
+namespace reliefui {
+
+namespace {
+
+std::string text(const QVariant& value) {
+    return value.toString().toStdString();
+}
+
+}  // namespace
+
+TableSource stepTable(const Snapshot& snapshot, relief::Language language) {
+    Style style;
+    style.language = language;
+    StepModel model;
+    model.show(std::make_shared<const Snapshot>(snapshot), style);
+    TableSource table;
+    for (int c = 0; c < StepModel::Columns; ++c) {
+        table.titles.push_back(text(model.headerData(c, Qt::Horizontal, Qt::DisplayRole)));
+        table.numbers.push_back(c != StepModel::Decision);
+    }
+    table.marked = StepModel::Decision;
+    const auto& steps = snapshot.trace.steps;
+    if (steps.empty() || snapshot.trace.hidden) return table;
+    const auto chosen =
+        static_cast<std::size_t>(std::clamp(snapshot.scenario.step, 0, static_cast<int>(steps.size()) - 1));
+    const std::size_t first = steps.size() <= kMostTableRows ? 0
+                                                             : std::min(chosen - std::min(chosen, kMostTableRows / 2),
+                                                                        steps.size() - kMostTableRows);
+    for (std::size_t k = first; k < std::min(steps.size(), first + kMostTableRows); ++k) {
+        TableRow row;
+        for (int c = 0; c < StepModel::Columns; ++c) {
+            row.cells.push_back(text(model.data(model.index(static_cast<int>(k), c), Qt::DisplayRole)));
+        }
+        row.chosen = k == chosen;
+        row.mark = steps[k].decision;
+        table.rows.push_back(std::move(row));
+    }
+    const PixelTrace& trace = snapshot.trace;
+    table.below = relief::sentence(relief::stepSentence(steps, chosen, trace.ray, trace.exact), language);
+    if (relief::answerError(trace.hit, trace.exact, trace.ray) > relief::kSameAnswer) {
+        table.below += ' ' + relief::sentence(relief::answerSentence(trace.hit, trace.exact, trace.ray), language);
+    }
+    return table;
+}
+
+std::shared_ptr<const Figure> stepsFigure(std::shared_ptr<const Snapshot> snapshot) {
+    return tableFigure(
+        [snapshot = std::move(snapshot)](relief::Language language) { return stepTable(*snapshot, language); });
+}
+
+}  // namespace reliefui

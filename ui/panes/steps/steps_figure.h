@@ -1,0 +1,14 @@
+// The table of steps as a figure.
+#pragma once
+
+#include "panes/table_figure.h"
+#include "workspace/snapshot.h"
+
+namespace reliefui {
+
+// Of long logs the steps around the chosen one.
+inline constexpr std::size_t kMostTableRows = 48;
+TableSource stepTable(const Snapshot& snapshot, relief::Language language);
+std::shared_ptr<const Figure> stepsFigure(std::shared_ptr<const Snapshot> snapshot);
+
+}  // namespace reliefui

@@ -1,0 +1,15 @@
+// A pane that is a table as a figure.
+#pragma once
+
+#include <functional>
+
+#include "painting/table_drawing.h"
+#include "panes/figure.h"
+
+namespace reliefui {
+
+// What it shows in a language.
+using TableMaker = std::function<TableSource(relief::Language language)>;
+std::shared_ptr<const Figure> tableFigure(TableMaker table);
+
+}  // namespace reliefui

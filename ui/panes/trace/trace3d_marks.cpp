@@ -1,0 +1,265 @@
+#include "panes/trace/trace3d_marks.h"
+
+#include <cmath>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDiskSource.h>
+#include <vtkFollower.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "painting/vtk_text.h"
+#include "panes/trace/tubes.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr double kRadius = 0.0035;  // of the ray, as a share of the scene's diagonal
+constexpr double kSleeve = 2.1;     // times the ray
+constexpr double kChosen = 3.2;
+constexpr double kLater = 0.45;  // opacity of the steps after the chosen one
+
+}  // namespace
+
+TraceMarks::TraceMarks(const TraceScene& scene, const relief::HeightField& field, const Style& style,
+                       const StepPaint& paint)
+    : scene_(scene),
+      field_(field),
+      style_(style),
+      paint_(paint),
+      radius_(kRadius * scene.diagonal() * (style.projector ? 1.7 : 1)) {}
+
+vtkSmartPointer<vtkActor> TraceMarks::line(vtkSmartPointer<vtkPolyData> data, Role role, double width) const {
+    auto actor = actorOf(data);
+    actor->GetProperty()->SetLighting(false);
+    const double fine = style_.screenPixelsPerPoint / Style().screenPixelsPerPoint;
+    actor->GetProperty()->SetLineWidth(static_cast<float>(width * fine * (style_.projector ? 3 : 1)));
+    paintIn(actor, style_.color(role));
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::ray() const {
+    constexpr double kAbove = 0.14;  // of the scene's diagonal: seen also where the hit is just under the top
+    const double speed = std::hypot(scene_.path.run.x, scene_.path.run.y, scene_.scale);
+    const double before = -kAbove * scene_.diagonal() / speed;
+    Tubes tubes;
+    tubes.add(scene_.onRay(before), scene_.onRay(scene_.end), radius_, style_.color(Role::Ray));
+    auto actor = actorOf(tubes.take());
+    lightLittle(actor);
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>& steps, std::size_t chosen,
+                                                bool later) const {
+    constexpr std::size_t kMost = 400;
+    constexpr double kGap = 0.04;  // between two sleeves the ray itself is seen
+    // Narrower and narrower brackets lie around each other.
+    constexpr int kMostNested = 5;
+    constexpr double kWiden = 0.3;
+    int nested = 0;
+    Tubes tubes;
+    const std::size_t first = later ? chosen + 1 : (chosen > kMost ? chosen - kMost : 0);
+    const std::size_t last = std::min(steps.size(), later ? chosen + kMost : chosen + 1);
+    for (std::size_t k = first; k < last; ++k) {
+        const relief::Step& step = steps[k];
+        if (!coversStretch(step.decision)) continue;
+        const bool after = k > 0 && steps[k - 1].decision == relief::Decision::Refine;
+        nested = after ? std::min(nested + 1, kMostNested) : 0;
+        // What was narrowed down is not covered again by the hit that it led to.
+        if (after && step.decision == relief::Decision::Hit) continue;
+        const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
+        const Place from = scene_.onRay(std::min(step.lambdaIn, scene_.end));
+        const Place to = scene_.onRay(step.decision == relief::Decision::Refine ? out : std::min(out, scene_.end));
+        tubes.add(between(from, to, kGap), between(from, to, 1 - kGap), (kSleeve + kWiden * nested) * radius_,
+                  paint_.color(step, style_));
+    }
+    auto actor = actorOf(tubes.take());
+    lightLittle(actor);
+    if (later) actor->GetProperty()->SetOpacity(kLater);
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::stretch(const relief::Step& step) const {
+    const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
+    Tubes tubes;
+    tubes.add(scene_.onRay(step.lambdaIn), scene_.onRay(out), kChosen * radius_, paint_.color(step, style_));
+    auto actor = actorOf(tubes.take());
+    lightLittle(actor);
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::curtain() const {
+    constexpr int kSamples = 256;
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (int k = 0; k <= kSamples; ++k) {
+        const double lambda = scene_.end * k / kSamples;
+        points->InsertNextPoint(scene_.onRay(lambda).data());
+        points->InsertNextPoint(scene_.underRay(lambda).data());
+    }
+    for (vtkIdType k = 0; k < 2 * kSamples; k += 2) {
+        const vtkIdType quad[4] = {k, k + 1, k + 3, k + 2};
+        cells->InsertNextCell(4, quad);
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    auto actor = actorOf(data);
+    actor->GetProperty()->SetLighting(false);
+    actor->GetProperty()->SetOpacity(0.16);
+    paintIn(actor, style_.color(Role::Ray));
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::shadow() const {
+    constexpr int kSamples = 256;
+    std::vector<Place> places;
+    for (int k = 0; k <= kSamples; ++k) {
+        places.push_back(scene_.underRay(scene_.end * k / kSamples));
+        places.back()[2] += radius_;
+    }
+    auto actor = line(lineThrough(places, false), Role::Ray, 2);
+    actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
+    actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0, -300);
+    return actor;
+}
+
+TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const relief::MaxPyramidMap& maxima) const {
+    const auto z = [&](double height) { return std::max(scene_.bottom, std::min(height, 1.0) * scene_.scale); };
+    const Box sides = stepBox(field_, step, scene_.baseLevel);
+    if (liesInVoxel(step)) {
+        const VoxelHeights heights = voxelHeights(step);
+        return {sides, z(heights.low), z(heights.high), paint_.color(step, style_)};
+    }
+    double height = step.value;
+    if (const auto* const texel = step.as<relief::subject::Texel>()) {
+        height = texel->maximum;
+    } else if (!valueIsHeight(step)) {
+        const relief::CellGrid grid(field_);
+        const relief::FloatImage& cells = maxima.pyramid.level(0);
+        const auto i = static_cast<int>(std::clamp<std::int64_t>(step.i - grid.x.firstName, 0, cells.width() - 1));
+        const auto j = static_cast<int>(std::clamp<std::int64_t>(step.j - grid.y.firstName, 0, cells.height() - 1));
+        height = static_cast<double>(cells(i, j));
+    }
+    return {sides, scene_.bottom, z(height), paint_.color(step, style_)};
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::box(const Prism& prism) const {
+    // A face in the very plane of the block's cut side would flicker.
+    constexpr double kOutside = 0.0015;
+    const Box inside = prism.sides.cut(scene_.patch);
+    const Box b = inside.grown(kOutside * scene_.diagonal());
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    if (inside.width() > 0 && inside.height() > 0) {
+        for (const double z : {prism.low, prism.high}) {
+            points->InsertNextPoint(b.x0, -b.y0, z);
+            points->InsertNextPoint(b.x1, -b.y0, z);
+            points->InsertNextPoint(b.x1, -b.y1, z);
+            points->InsertNextPoint(b.x0, -b.y1, z);
+        }
+        constexpr vtkIdType kFaces[5][4] = {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+        for (const auto& face : kFaces) cells->InsertNextCell(4, face);
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    auto actor = actorOf(data);
+    actor->GetProperty()->SetLighting(false);
+    actor->GetProperty()->SetOpacity(0.26);
+    paintIn(actor, prism.color);
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const Prism& prism) const {
+    const Box& whole = prism.sides;
+    const Box b = whole.cut(scene_.patch);
+    Tubes tubes;
+    if (b.width() > 0 && b.height() > 0) {
+        const Rgba color = prism.color;
+        // A side where the patch ends is no side of the texel.
+        const bool left = b.x0 == whole.x0;
+        const bool right = b.x1 == whole.x1;
+        const bool far = b.y0 == whole.y0;
+        const bool near = b.y1 == whole.y1;
+        const double low = prism.low;
+        const double high = prism.high;
+        const auto edge = [&](bool there, const Place& from, const Place& to) {
+            if (there) tubes.add(from, to, 0.7 * radius_, color);
+        };
+        for (const double z : {low, high}) {
+            edge(far, {b.x0, -b.y0, z}, {b.x1, -b.y0, z});
+            edge(near, {b.x0, -b.y1, z}, {b.x1, -b.y1, z});
+            edge(left, {b.x0, -b.y0, z}, {b.x0, -b.y1, z});
+            edge(right, {b.x1, -b.y0, z}, {b.x1, -b.y1, z});
+        }
+        edge(left && far, {b.x0, -b.y0, low}, {b.x0, -b.y0, high});
+        edge(right && far, {b.x1, -b.y0, low}, {b.x1, -b.y0, high});
+        edge(left && near, {b.x0, -b.y1, low}, {b.x0, -b.y1, high});
+        edge(right && near, {b.x1, -b.y1, low}, {b.x1, -b.y1, high});
+    }
+    auto actor = actorOf(tubes.take());
+    lightLittle(actor);
+    return actor;
+}
+
+std::vector<vtkSmartPointer<vtkActor>> TraceMarks::hitRing(vtkCamera* camera, double lambda) const {
+    struct Disk {
+        double inner;
+        double outer;
+        Rgba color;
+        double nearer;
+    };
+    constexpr Disk kDisks[2] = {{0, 4.6, {255, 255, 255, 255}, -40000}, {2.1, 3.6, {0, 0, 0, 255}, -60000}};
+    std::vector<vtkSmartPointer<vtkActor>> ring;
+    const Place at = scene_.onRay(lambda);
+    for (const Disk& disk : kDisks) {
+        auto source = vtkSmartPointer<vtkDiskSource>::New();
+        source->SetInnerRadius(disk.inner * radius_);
+        source->SetOuterRadius(disk.outer * radius_);
+        source->SetCircumferentialResolution(36);
+        source->Update();
+        auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+        mapper->SetInputData(source->GetOutput());
+        mapper->SetResolveCoincidentTopologyToPolygonOffset();
+        mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, disk.nearer);
+        auto actor = vtkSmartPointer<vtkFollower>::New();
+        actor->SetMapper(mapper);
+        actor->SetCamera(camera);
+        actor->SetPosition(at[0], at[1], at[2]);
+        actor->GetProperty()->SetLighting(false);
+        paintIn(actor, disk.color);
+        ring.push_back(actor);
+    }
+    return ring;
+}
+
+vtkSmartPointer<vtkTextActor> TraceMarks::words(const Place& at, const std::string& text, Role role,
+                                                double size) const {
+    auto actor = vtkSmartPointer<vtkTextActor>::New();
+    // Spaces keep it off the place it is about.
+    std::string spaced = " ";
+    spaced += text;
+    spaced += ' ';
+    actor->SetInput(spaced.c_str());
+    actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    actor->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
+    setText(actor->GetTextProperty(), style_.color(role), style_.textPixels(size));
+    const Rgba ground = style_.background();
+    actor->GetTextProperty()->SetBackgroundColor(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
+    actor->GetTextProperty()->SetBackgroundOpacity(0.7);
+    return actor;
+}
+
+Place TraceMarks::labelPlace(const relief::Step& step) const {
+    const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, scene_.end);
+    return scene_.onRay((step.lambdaIn + out) / 2);
+}
+
+}  // namespace reliefui

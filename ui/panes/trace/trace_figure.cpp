@@ -1,0 +1,46 @@
+#include "panes/trace/trace_figure.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include "panes/space_figure.h"
+#include "panes/trace/trace3d_picture.h"
+
+namespace reliefui {
+
+namespace {
+
+struct TraceFigure : SpaceFigure {
+    std::shared_ptr<const Snapshot> snapshot;
+    TraceOptions options;
+
+    double aspect(const FigurePage&) const override { return 0.75; }
+    QImage draw(vtkGenericOpenGLRenderWindow& window, const Style& style, const QSize& pixels) const override {
+        TracePicture picture;
+        picture.addTo(&window);
+        picture.setSize(pixels);
+        picture.setColors(options.colors);
+        picture.show(snapshot, style, options.exaggeration);
+        picture.showStep(snapshot->scenario.step);
+        if (options.camera) {
+            picture.camera = *options.camera;
+        } else {
+            constexpr double kRoom = 0.85;  // for words at the sides
+            picture.fit(kRoom);
+        }
+        picture.place();
+        const QImage image = rendered(window, pixels);
+        picture.takeFrom(&window);
+        return image;
+    }
+};
+
+}  // namespace
+
+std::shared_ptr<const Figure> traceFigure(std::shared_ptr<const Snapshot> snapshot, const TraceOptions& options) {
+    auto figure = std::make_shared<TraceFigure>();
+    figure->snapshot = std::move(snapshot);
+    figure->options = options;
+    return figure;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,23 @@
+// The 3-D trace as a figure.
+#pragma once
+
+#include <optional>
+
+#include "panes/figure.h"
+#include "panes/step_colors.h"
+#include "panes/turntable.h"
+#include "workspace/snapshot.h"
+
+namespace reliefui {
+
+// The heights are drawn so many times as high; without a camera it is seen from the side of the ray.
+struct TraceOptions {
+    double exaggeration = 1;
+    StepColors colors = StepColors::Decision;
+    std::optional<Turntable> camera;
+};
+
+// By OpenGL: WorkError where there is none.
+std::shared_ptr<const Figure> traceFigure(std::shared_ptr<const Snapshot> snapshot, const TraceOptions& options);
+
+}  // namespace reliefui
