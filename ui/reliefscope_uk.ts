@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="uk_UA">
 <context>
+    <name>CoefficientText</name>
+    <message>
+        <source>ellipse: </source>
+        <translation>еліпс: </translation>
+    </message>
+</context>
+<context>
     <name>reliefui::BookmarkDialog</name>
     <message>
         <source>Bookmarks</source>
@@ -800,13 +807,6 @@
     </message>
 </context>
 <context>
-    <name>CoefficientText</name>
-    <message>
-        <source>ellipse: </source>
-        <translation>еліпс: </translation>
-    </message>
-</context>
-<context>
     <name>reliefui::FootprintView</name>
     <message>
         <source>Footprint: neighbours</source>
@@ -964,7 +964,7 @@
     </message>
     <message>
         <source>The slice shows how far each voxel is from the surface. At every stop the ray goes on by that distance: five steps to the floor, and with the refined map of the next lesson four. The last circle reaches below the floor: between the middles of voxels distances are interpolated.</source>
-        <translation>Переріз показує, як далеко від поверхні лежить кожен воксель. У кожній зупинці промінь просувається на цю відстань: п'ять кроків до дна, а з уточненою картою з наступного уроку — чотири. Останнє коло сягає нижче дна: між серединами вокселів відстані інтерпольовано.</translation>
+        <translation>Переріз показує, як далеко від поверхні лежить кожен воксель. У кожній зупинці промінь просувається на цю відстань: п&apos;ять кроків до дна, а з уточненою картою з наступного уроку — чотири. Останнє коло сягає нижче дна: між серединами вокселів відстані інтерпольовано.</translation>
     </message>
     <message>
         <source>Refined distance: 3 texels or 4</source>
@@ -1200,10 +1200,6 @@
     <message>
         <source>&amp;Go to</source>
         <translation>П&amp;ерейти</translation>
-    </message>
-    <message>
-        <source>Go to this pane</source>
-        <translation>Перейти до цієї панелі</translation>
     </message>
     <message>
         <source>&amp;Panes</source>
@@ -1775,6 +1771,62 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>go to a control, change it; Enter in a number: back to the view</source>
         <translation>перейти до елемента керування, змінити його; Enter у числі: назад до зображення</translation>
+    </message>
+    <message>
+        <source>The picture, or a layer of it: choose a pixel to see how it came about</source>
+        <translation>Зображення або його шар: виберіть піксель, щоб побачити, як він виник</translation>
+    </message>
+    <message>
+        <source>The ray through the relief, in space</source>
+        <translation>Видовий промінь крізь рельєф у просторі</translation>
+    </message>
+    <message>
+        <source>The levels of the pyramid and the texels that the ray looked at</source>
+        <translation>Рівні піраміди й тексели, які переглянув промінь</translation>
+    </message>
+    <message>
+        <source>The steps of the ray, one by one, and what each of them means</source>
+        <translation>Кроки променя один за одним і що кожен із них означає</translation>
+    </message>
+    <message>
+        <source>Pictures, method, filter, camera and light</source>
+        <translation>Зображення, метод, фільтр, камера та світло</translation>
+    </message>
+    <message>
+        <source>The relief under the ray, cut along it</source>
+        <translation>Рельєф під променем, розрізаний уздовж нього</translation>
+    </message>
+    <message>
+        <source>A slice through what the method has stored</source>
+        <translation>Зріз того, що метод обчислив наперед</translation>
+    </message>
+    <message>
+        <source>The part of the texture that the pixel covers, and the weight of each texel</source>
+        <translation>Проєкція пікселя на текстуру та ваговий коефіцієнт кожного тексела</translation>
+    </message>
+    <message>
+        <source>Texture coordinates along the pixel&apos;s row, computed in several ways</source>
+        <translation>Текстурні координати вздовж рядка пікселя, обчислені кількома способами</translation>
+    </message>
+    <message>
+        <source>Run time against error, steps and errors of all pixels</source>
+        <translation>Час виконання проти похибки; кроки й похибки всіх пікселів</translation>
+    </message>
+    <message>
+        <source>Pictures of several methods beside each other</source>
+        <translation>Зображення кількох методів поруч</translation>
+    </message>
+    <message>
+        <source>A small relief, drawn texel by texel</source>
+        <translation>Невеликий рельєф, намальований тексел за текселом</translation>
+    </message>
+    <message>
+        <source>Several methods on one ray, step by step</source>
+        <translation>Кілька методів на одному промені, крок за кроком</translation>
+    </message>
+    <message>
+        <source>What the picture did without, and why</source>
+        <translation>Що для зображення не обчислювалося і чому</translation>
     </message>
 </context>
 <context>

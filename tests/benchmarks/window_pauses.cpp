@@ -23,6 +23,7 @@
 #include "windows/main_window.h"
 #include "windows/program.h"
 #include "windows/step_bar.h"
+#include "windows/time_pane.h"
 #include "workspace/pause_log.h"
 #include "workspace/start_scenario.h"
 
@@ -76,10 +77,10 @@ class Session {
     }
     void step() {
         part("stepping through the ray", [&] {
-            window_.stepBar()->first();
+            window_.time()->bar()->first();
             const auto steps = static_cast<int>(workspace_.snapshot()->trace.steps.size());
             for (int k = 0; k < std::min(steps, 40); ++k) {
-                window_.stepBar()->next();
+                window_.time()->bar()->next();
                 QTest::qWait(30);
             }
         });
@@ -173,11 +174,12 @@ class Session {
         pane("distance-pane", "pane distance map");
         if (workspace_.scenario().pictures.recipeWidth <= kLargest)
             part("distance: refined map", [&] {
-                reliefui::DistanceOptions options = window_.distance()->options();
+                reliefui::DistanceOptions options = window_.pane<reliefui::DistanceView>()->options();
                 options.kind = "refined";
-                window_.distance()->setOptions(options);
+                window_.pane<reliefui::DistanceView>()->setOptions(options);
                 wait();
-                static_cast<void>(QTest::qWaitFor([&] { return window_.distance()->settled(); }, kPatienceMs));
+                static_cast<void>(
+                    QTest::qWaitFor([&] { return window_.pane<reliefui::DistanceView>()->settled(); }, kPatienceMs));
             });
         step();
         pane("footprint-pane", "pane footprint");
@@ -190,10 +192,10 @@ class Session {
         });
         pane("pyramid-pane", "pane pyramid");
         part("pyramid: means, all of it", [&] {
-            window_.pyramid()->showNearRay(false);
-            window_.pyramid()->showMeans(true);
+            window_.pane<reliefui::PyramidView>()->showNearRay(false);
+            window_.pane<reliefui::PyramidView>()->showMeans(true);
         });
-        part("pyramid: minima", [&] { window_.pyramid()->showMinima(); });
+        part("pyramid: minima", [&] { window_.pane<reliefui::PyramidView>()->showMinima(); });
         step();
         pane("duel-pane", "pane duel");
         QTest::qWait(2000);

@@ -30,13 +30,13 @@ class BarsAndOptions : public WindowTest {
         return most;
     }
     void click(const HistogramBar& bar) {
-        DrawingCanvas* const canvas = window_->charts()->canvas();
+        DrawingCanvas* const canvas = window_->pane<ChartsView>()->canvas();
         const QPoint at = canvas->toWidget(bar.box.center()).toPoint();
         QTest::mouseMove(canvas, at);
         QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
-        settle(window_->charts());
+        settle(window_->pane<ChartsView>());
         waitForFull();
-        settle(window_->charts());
+        settle(window_->pane<ChartsView>());
     }
 };
 
@@ -48,7 +48,7 @@ TEST_F(BarsAndOptions, AClickOnABarChoosesOneOfItsPixels) {
     setPanesOf(scenario, panes);
     openWindow(scenario);
     QTest::keyClick(window_.get(), Qt::Key_0);
-    ChartsView* const view = window_->charts();
+    ChartsView* const view = window_->pane<ChartsView>();
     settle(view);
     ASSERT_TRUE(view->picture().errors && view->picture().steps);
     relief::Work work;
@@ -92,7 +92,7 @@ TEST_F(BarsAndOptions, ABarOfStepsChoosesARayOfSoMany) {
     setPanesOf(scenario, panes);
     openWindow(scenario);
     QTest::keyClick(window_.get(), Qt::Key_0);
-    ChartsView* const view = window_->charts();
+    ChartsView* const view = window_->pane<ChartsView>();
     settle(view);
     const HistogramBar* const bar = fullest(*view->picture().steps, BarKind::Steps);
     ASSERT_NE(bar, nullptr);
@@ -108,7 +108,7 @@ TEST_F(BarsAndOptions, OptionsOfAllComparedMethodsAreTurned) {
     scenario.comparison.others = {{"layers", {{"layers", "8"}}}, {"cone", {}}};
     openWindow(scenario);
     QTest::keyClick(window_.get(), Qt::Key_1, Qt::AltModifier);
-    CompareView* const pane = window_->compare();
+    CompareView* const pane = window_->pane<CompareView>();
     settle(pane);
     auto* const button = pane->findChild<QToolButton*>(QStringLiteral("compare-options"));
     ASSERT_NE(button, nullptr);

@@ -12,7 +12,7 @@ namespace {
 
 TEST_F(WindowTest, AClickOnAVisitedTexelChoosesItsStep) {
     openWindow(deepRay());
-    PyramidView* const view = window_->pyramid();
+    PyramidView* const view = window_->pane<PyramidView>();
     grab(view->canvas());
     const auto steps = snapshot()->trace.steps;
     int clicked = 0;
@@ -35,8 +35,8 @@ TEST_F(WindowTest, AClickOnAVisitedTexelChoosesItsStep) {
 
 TEST_F(WindowTest, TheCanvasZoomsAtThePointerAndComesBack) {
     openWindow(smallScenario());
-    DrawingCanvas* const canvas = window_->pyramid()->canvas();
-    const Box box = window_->pyramid()->blocks().front().box;
+    DrawingCanvas* const canvas = window_->pane<PyramidView>()->canvas();
+    const Box box = window_->pane<PyramidView>()->blocks().front().box;
     const Point corner{box.x0 + box.width() / 4, box.y0 + box.height() / 4};
     const QImage before = grab(canvas);
     const QPointF at = canvas->toWidget(corner);
@@ -61,7 +61,7 @@ TEST_F(WindowTest, TheCanvasZoomsAtThePointerAndComesBack) {
 
 TEST_F(WindowTest, HoverReadsValuesOut) {
     openWindow(smallScenario());
-    PyramidView* const view = window_->pyramid();
+    PyramidView* const view = window_->pane<PyramidView>();
     const LevelBlock top = view->blocks().back();
     const QPointF at = view->canvas()->toWidget({top.box.x0 + 3, top.box.y1 - 3});
     QMouseEvent move(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton, Qt::NoModifier);

@@ -31,7 +31,7 @@ class ChartsPane : public WindowTest {
         QTest::qWait(100);
         ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled() && !workspace_->busy(); }, kPatienceMs));
     }
-    ChartsView* view() { return window_->charts(); }
+    ChartsView* view() { return window_->pane<ChartsView>(); }
     DrawingCanvas* canvas() { return view()->canvas(); }
     std::size_t pointOf(const std::string& name) {
         const auto& points = view()->measured()->table.points;

@@ -50,7 +50,9 @@ TEST_F(ClosedPanes, AreEmptyAndTheSameAgain) {
         ASSERT_NO_FATAL_FAILURE(bringUp(pane));
         const QImage before = grab(view);
         EXPECT_GT(colorsIn(before), 10);
-        EXPECT_GE(contexts(view), 1);
+        // Those that show something in space; the others are painted.
+        const bool space = pane == QStringLiteral("trace-pane") || pane == QStringLiteral("pyramid-pane");
+        EXPECT_EQ(contexts(view), space ? 1 : 0);
         ASSERT_NO_FATAL_FAILURE(close(pane));
         EXPECT_EQ(contexts(view), 0);
         ASSERT_NO_FATAL_FAILURE(bringUp(pane));
@@ -65,15 +67,15 @@ TEST_F(ClosedPanes, WhatIsComputedAnewIsThereAgain) {
     openWindow(scenario);
     ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("compare-pane")));
     ASSERT_NO_FATAL_FAILURE(close(QStringLiteral("compare-pane")));
-    EXPECT_EQ(window_->compare()->view(), nullptr);
-    EXPECT_EQ(window_->compare()->pictures()->view(), nullptr);
+    EXPECT_EQ(window_->pane<CompareView>()->view(), nullptr);
+    EXPECT_EQ(window_->pane<CompareView>()->pictures()->view(), nullptr);
     ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("compare-pane")));
-    EXPECT_EQ(window_->compare()->view()->methods.size(), 2U);
+    EXPECT_EQ(window_->pane<CompareView>()->view()->methods.size(), 2U);
     ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("charts-pane")));
     ASSERT_NO_FATAL_FAILURE(close(QStringLiteral("charts-pane")));
-    EXPECT_EQ(window_->charts()->histograms(), nullptr);
+    EXPECT_EQ(window_->pane<ChartsView>()->histograms(), nullptr);
     ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("charts-pane")));
-    EXPECT_NE(window_->charts()->histograms(), nullptr);
+    EXPECT_NE(window_->pane<ChartsView>()->histograms(), nullptr);
 }
 
 // The software OpenGL that the tests draw with keeps textures in this process's memory: what a context that ends leaves
@@ -105,25 +107,22 @@ TEST_F(ClosedPanes, LeaveNothingBehindHoweverOften) {
 // Emptied, then shown again where there is no room for its face yet, as happens while the window lays out many panes.
 TEST_F(ClosedPanes, ComeBackWithoutRoom) {
     openWindow(smallScenario());
-    for (const char* const name : {"profile-pane", "trace-pane"}) {
-        SCOPED_TRACE(name);
-        const QString pane = QString::fromLatin1(name);
-        FigureView* const view = viewOf(pane);
-        ASSERT_NO_FATAL_FAILURE(bringUp(pane));
-        auto* const face = view->findChild<QVTKOpenGLNativeWidget*>();
-        ASSERT_NO_FATAL_FAILURE(close(pane));
-        ASSERT_FALSE(face->isValid());
-        view->setMaximumHeight(1);
-        dock(pane)->show();
-        dock(pane)->raise();
-        QTest::qWait(kDrawnMs);
-        EXPECT_EQ(face->height(), 0);
-        EXPECT_TRUE(face->isValid());
-        view->setMaximumHeight(QWIDGETSIZE_MAX);
-        ASSERT_NO_FATAL_FAILURE(bringUp(pane));
-        EXPECT_GT(face->height(), 0);
-        EXPECT_GT(colorsIn(grab(view)), 10);
-    }
+    const QString pane = QStringLiteral("trace-pane");
+    FigureView* const view = viewOf(pane);
+    ASSERT_NO_FATAL_FAILURE(bringUp(pane));
+    auto* const face = view->findChild<QVTKOpenGLNativeWidget*>();
+    ASSERT_NO_FATAL_FAILURE(close(pane));
+    ASSERT_FALSE(face->isValid());
+    view->setMaximumHeight(1);
+    dock(pane)->show();
+    dock(pane)->raise();
+    QTest::qWait(kDrawnMs);
+    EXPECT_EQ(face->height(), 0);
+    EXPECT_TRUE(face->isValid());
+    view->setMaximumHeight(QWIDGETSIZE_MAX);
+    ASSERT_NO_FATAL_FAILURE(bringUp(pane));
+    EXPECT_GT(face->height(), 0);
+    EXPECT_GT(colorsIn(grab(view)), 10);
 }
 
 // Another exaggeration while it is out of sight, then steps before it could draw itself.

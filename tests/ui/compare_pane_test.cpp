@@ -36,7 +36,7 @@ class ComparePane : public WindowTest {
         QTest::qWait(100);
         ASSERT_TRUE(QTest::qWaitFor([&] { return pane()->settled() && !workspace_->busy(); }, kPatienceMs));
     }
-    CompareView* pane() { return window_->compare(); }
+    CompareView* pane() { return window_->pane<CompareView>(); }
     ComparePictures* pictures() { return pane()->pictures(); }
     const ComparedMethod& method(std::size_t n) { return pane()->view()->methods[n]; }
     // A pixel of which two methods show clearly different colours, away from the ring around the chosen one.

@@ -7,6 +7,7 @@
 #include "distance_fixture.h"
 #include "panes/distance/distance_view.h"
 #include "panes/steps/step_table.h"
+#include "windows/time_pane.h"
 
 namespace reliefui {
 
@@ -147,7 +148,7 @@ TEST_F(DistanceTest, StepsAreToldByTheirDistances) {
     for (std::size_t k = 0; k < snapshot()->trace.steps.size(); ++k) {
         const relief::Step& step = snapshot()->trace.steps[k];
         workspace_->chooseStep(static_cast<int>(k));
-        const QString sentence = window_->steps()->sentence();
+        const QString sentence = window_->time()->table()->sentence();
         if (step.decision == relief::Decision::Advance) {
             const QString distance = QString::number(step.value, 'f', 2) + QStringLiteral(" texels");
             EXPECT_TRUE(sentence.contains(distance)) << sentence.toStdString();

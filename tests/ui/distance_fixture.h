@@ -29,7 +29,7 @@ class DistanceTest : public WindowTest {
         view()->setOptions(options);
         ASSERT_NO_FATAL_FAILURE(settle());
     }
-    DistanceView* view() { return window_->distance(); }
+    DistanceView* view() { return window_->pane<DistanceView>(); }
     DrawingCanvas* canvas() { return view()->canvas(); }
     template <class Widget>
     Widget* control(const char* name) {

@@ -102,7 +102,7 @@ class DrawnPane : public WindowTest {
         QTest::keyClick(window_.get(), Qt::Key_2, Qt::AltModifier);
         QTest::qWait(100);
     }
-    DrawnView* view() { return window_->drawn(); }
+    DrawnView* view() { return window_->pane<DrawnView>(); }
     DrawnGrid* grid() { return view()->grid(); }
     const relief::DrawnRelief drawn() { return scenario().pictures.drawn; }
     void drag(QPointF from, QPointF to, int moves = 4) {

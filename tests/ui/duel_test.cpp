@@ -20,22 +20,22 @@ class DuelTest : public WindowTest {
     void openDuel(relief::Scenario scenario) {
         scenario.comparison.others.clear();
         openWindow(scenario);
-        window_->duel()->window()->activateWindow();
+        window_->pane<DuelView>()->window()->activateWindow();
         for (QDockWidget* const dock : window_->findChildren<QDockWidget*>()) {
-            if (dock->widget() == window_->duel()) dock->raise();
+            if (dock->widget() == window_->pane<DuelView>()) dock->raise();
         }
         waitForDuel();
     }
     void waitForDuel() {
         waitForFull();
         const auto ready = [&] {
-            return window_->duel()->settled() && window_->duel()->duel() != nullptr &&
-                   window_->duel()->duel()->snapshot == snapshot();
+            return window_->pane<DuelView>()->settled() && window_->pane<DuelView>()->duel() != nullptr &&
+                   window_->pane<DuelView>()->duel()->snapshot == snapshot();
         };
         ASSERT_TRUE(QTest::qWaitFor(ready, 20000));
     }
     void choose(int place, const QString& method) {
-        auto* const box = window_->duel()->findChild<QComboBox*>(QStringLiteral("duel-method-%1").arg(place));
+        auto* const box = window_->pane<DuelView>()->findChild<QComboBox*>(QStringLiteral("duel-method-%1").arg(place));
         const int row = box->findData(method);
         ASSERT_GE(row, 0);
         box->setCurrentIndex(row);
@@ -48,10 +48,10 @@ TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "4"}}};
     openDuel(scenario);
-    EXPECT_EQ(window_->duel()->duel()->runs.size(), 1U);
+    EXPECT_EQ(window_->pane<DuelView>()->duel()->runs.size(), 1U);
     choose(0, QStringLiteral("max-pyramid"));
     choose(1, QStringLiteral("offset"));
-    const Duel* duel = window_->duel()->duel();
+    const Duel* duel = window_->pane<DuelView>()->duel();
     ASSERT_EQ(duel->runs.size(), 3U);
     EXPECT_EQ(duel->runs[0].steps, snapshot()->trace.steps);
     EXPECT_EQ(duel->runs[1].hit.lambda, duel->exact.lambda) << "max-pyramid is exact";
@@ -61,15 +61,15 @@ TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
     EXPECT_EQ(duel->runs[1].name, "max-pyramid");
     // Every method is told of.
     for (const relief::DuelRun& run : duel->runs) {
-        EXPECT_TRUE(window_->duel()->verdict().contains(QString::fromStdString(run.name))) << run.name;
+        EXPECT_TRUE(window_->pane<DuelView>()->verdict().contains(QString::fromStdString(run.name))) << run.name;
     }
-    EXPECT_GT(colorsIn(grab(window_->duel()->canvas())), 20);
+    EXPECT_GT(colorsIn(grab(window_->pane<DuelView>()->canvas())), 20);
     // One less.
     choose(0, QString());
-    EXPECT_EQ(window_->duel()->duel()->runs.size(), 2U);
+    EXPECT_EQ(window_->pane<DuelView>()->duel()->runs.size(), 2U);
     choose(0, QStringLiteral("layers"));
-    ASSERT_EQ(window_->duel()->duel()->runs.size(), 2U);
-    EXPECT_EQ(window_->duel()->duel()->runs[0].name, "layers:layers=4");
+    ASSERT_EQ(window_->pane<DuelView>()->duel()->runs.size(), 2U);
+    EXPECT_EQ(window_->pane<DuelView>()->duel()->runs[0].name, "layers:layers=4");
 }
 
 TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
@@ -77,7 +77,7 @@ TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
     scenario.method = {"layers", {{"layers", "4"}}};
     openDuel(scenario);
     choose(0, QStringLiteral("max-pyramid"));
-    DuelView* const view = window_->duel();
+    DuelView* const view = window_->pane<DuelView>();
     const Duel* duel = view->duel();
     ASSERT_TRUE(duel->firstMoment()) << "four layers and yet exact: nothing is tested";
     view->first();
@@ -128,11 +128,11 @@ TEST_F(DuelTest, WhatIsSeenFromNearHoldsTheDivergenceAndNothingBeyond) {
     choose(1, QStringLiteral("offset"));
     // A ray that comes deep enough for a part of it to be shown.
     constexpr double kDeep = 0.35;
-    for (int x = 20; x < 190 && !(window_->duel()->duel()->exact.lambda > kDeep); x += 12) {
+    for (int x = 20; x < 190 && !(window_->pane<DuelView>()->duel()->exact.lambda > kDeep); x += 12) {
         workspace_->choosePixel(x, 40 + x / 2);
         waitForDuel();
     }
-    const Duel& duel = *window_->duel()->duel();
+    const Duel& duel = *window_->pane<DuelView>()->duel();
     ASSERT_GT(duel.exact.lambda, kDeep);
     ASSERT_TRUE(duel.firstMoment());
     DuelSource source = duel.source();

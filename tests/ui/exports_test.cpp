@@ -14,6 +14,7 @@
 #include "relief/files.h"
 #include "window_fixture.h"
 #include "windows/figure_list.h"
+#include "windows/time_pane.h"
 
 namespace reliefui {
 
@@ -282,7 +283,7 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     openWindow(scenario);
     const QTemporaryDir folder;
     const QString trace = folder.filePath(QStringLiteral("trace.png"));
-    window_->trace()->saveFigure(trace, 900);
+    window_->pane<Trace3dView>()->saveFigure(trace, 900);
     const QImage solid(trace);
     ASSERT_EQ(solid.width(), 900);
     Style style = workspace_->style();
@@ -291,10 +292,10 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     // Shaded by the light, yet the ray's hue is there in a line of it.
     EXPECT_GT(like(solid, {170, 74, 0, 255}), 100) << "the ray";
     // The slabs of the pyramid, from where they are seen.
-    window_->pyramid()->setStacked(true);
-    grab(window_->pyramid());
+    window_->pane<PyramidView>()->setStacked(true);
+    grab(window_->pane<PyramidView>());
     const QString slabs = folder.filePath(QStringLiteral("slabs.png"));
-    window_->pyramid()->saveFigure(slabs, 900);
+    window_->pane<PyramidView>()->saveFigure(slabs, 900);
     EXPECT_EQ(QImage(slabs).width(), 900);
     EXPECT_GT(colorsIn(QImage(slabs)), 30);
     // They fill the page.
@@ -312,7 +313,7 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     EXPECT_GT(inked, 0.35 * page.width() * page.height());
     EXPECT_TRUE(page.rect().adjusted(2, 2, -2, -2).contains(ink));
     // The pane itself goes on drawing.
-    EXPECT_GT(colorsIn(grab(window_->trace())), 30);
+    EXPECT_GT(colorsIn(grab(window_->pane<Trace3dView>())), 30);
     for (const QString& view : {QStringLiteral("result"), QStringLiteral("steps"), QStringLiteral("skipped")}) {
         const QString path = folder.filePath(view + QStringLiteral(".png"));
         window_->saveView(view, path, 640);
@@ -330,7 +331,7 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     window_->saveView(QStringLiteral("steps"), third);
     ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(third); }, 10000));
     EXPECT_NE(contents(first), contents(third));
-    EXPECT_TRUE(contents(third).contains(window_->steps()->sentence().left(12).toUtf8()));
+    EXPECT_TRUE(contents(third).contains(window_->time()->table()->sentence().left(12).toUtf8()));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class FootprintTest : public WindowTest {
         ASSERT_TRUE(view()->isVisible());
         ASSERT_NE(view()->shown(), nullptr);
     }
-    FootprintView* view() { return window_->footprint(); }
+    FootprintView* view() { return window_->pane<FootprintView>(); }
     DrawingCanvas* canvas() { return view()->canvas(); }
     // A pixel whose footprint holds what is asked for, chosen; false: there is none.
     template <class Wanted>

@@ -21,6 +21,7 @@
 #include "panes/duel/duel_view.h"
 #include "window_fixture.h"
 #include "windows/step_bar.h"
+#include "windows/time_pane.h"
 
 namespace reliefui {
 
@@ -101,7 +102,8 @@ class KeyboardTest : public WindowTest {
             {QStringLiteral("Shift+S"), says},
             {QStringLiteral("Shift+O"), says},
             {QStringLiteral("Shift+D"), says},
-            {QStringLiteral("Ctrl+D"), [this] { return QApplication::focusWidget() == window_->duel()->canvas(); }},
+            {QStringLiteral("Ctrl+D"),
+             [this] { return QApplication::focusWidget() == window_->pane<DuelView>()->canvas(); }},
             {QStringLiteral("Ctrl+B"), [this] { return scenario().bookmarks.size() == 1; }},
             {QStringLiteral("Ctrl+Shift+B"), [this] { return scenario().pixel == bookmarked_; }},
             {QStringLiteral("G"), [this] { return workspace_->guessing(); }},
@@ -119,7 +121,7 @@ class KeyboardTest : public WindowTest {
     }
 
     double speed() const {
-        return window_->stepBar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"))->value();
+        return window_->time()->bar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"))->value();
     }
     bool closeDialog() const {
         const auto* const dialog = window_->findChild<QDialog*>();
@@ -135,7 +137,7 @@ class KeyboardTest : public WindowTest {
         QApplication::clipboard()->clear();
         before_ = scenario().step;
         if (key == QStringLiteral("[") || key == QStringLiteral("]")) {
-            window_->stepBar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"))->setValue(2);
+            window_->time()->bar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"))->setValue(2);
         }
         if (key == QStringLiteral("Ctrl+Z") || key == QStringLiteral("Ctrl+Shift+Z")) {
             depth_ = scenario().reliefDepth;
@@ -169,7 +171,7 @@ class KeyboardTest : public WindowTest {
     // After it: as it was.
     void restore(const QString& key) {
         if (key == QStringLiteral("F11")) window_->setProjector(false);
-        if (key == QStringLiteral("Space")) window_->stepBar()->togglePlay();
+        if (key == QStringLiteral("Space")) window_->time()->bar()->togglePlay();
         if (key == QStringLiteral("F1")) delete window_->findChild<QDialog*>();
         if (key == QStringLiteral("Esc")) {
             workspace_->change(small_, QStringLiteral("small"));
@@ -272,9 +274,10 @@ TEST_F(KeyboardTest, DividersAreMovedByKeys) {
     scenario.comparison.mode = relief::CompareMode::Swipe;
     openWindow(scenario);
     window_->findChild<QDockWidget*>(QStringLiteral("compare-pane"))->raise();
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return window_->compare()->view() != nullptr && window_->compare()->settled(); }, 20000));
-    ComparePictures* const pictures = window_->compare()->pictures();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window_->pane<CompareView>()->view() != nullptr && window_->pane<CompareView>()->settled(); },
+        20000));
+    ComparePictures* const pictures = window_->pane<CompareView>()->pictures();
     pictures->setFocus();
     const auto dividers = [&] { return relief::dividersOf(this->scenario().comparison); };
     const std::vector<double> first = dividers();

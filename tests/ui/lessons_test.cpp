@@ -93,7 +93,7 @@ TEST_F(WindowTest, EveryLessonShowsWhatItSays) {
         EXPECT_EQ(relief::scenarioText(scenario()), relief::scenarioText(wanted));
         ASSERT_NO_FATAL_FAILURE(showsWhatItSays(lesson, *snapshot()));
         EXPECT_EQ(window_->messages()->text(), lesson.about);
-        auto* const pane = window_->findChild<QDockWidget*>(lesson.pane);
+        auto* const pane = window_->findChild<QDockWidget*>(lesson.pane + QStringLiteral("-pane"));
         ASSERT_NE(pane, nullptr);
         EXPECT_FALSE(pane->visibleRegion().isEmpty()) << "its pane is in front";
     }

@@ -19,6 +19,7 @@
 #include "relief/tracers.h"
 #include "window_fixture.h"
 #include "windows/step_bar.h"
+#include "windows/time_pane.h"
 #include "windows/top_bar.h"
 
 namespace reliefui {
@@ -69,10 +70,10 @@ TEST_F(WindowTest, EveryMethodIsOfferedAndShown) {
         EXPECT_FALSE(steps.empty()) << method.name;
         for (std::size_t k = 0; k < steps.size(); ++k) {
             workspace_->chooseStep(static_cast<int>(k));
-            EXPECT_GT(window_->steps()->sentence().size(), 10) << method.name;
-            EXPECT_FALSE(window_->steps()->sentence().contains(QLatin1Char('{'))) << method.name;
+            EXPECT_GT(window_->time()->table()->sentence().size(), 10) << method.name;
+            EXPECT_FALSE(window_->time()->table()->sentence().contains(QLatin1Char('{'))) << method.name;
         }
-        EXPECT_GT(colorsIn(grab(window_->trace())), 50) << method.name;
+        EXPECT_GT(colorsIn(grab(window_->pane<Trace3dView>())), 50) << method.name;
     }
 }
 
@@ -219,7 +220,7 @@ TEST_F(WindowTest, ALongLogIsAModelNotWidgets) {
     scenario.pixel = relief::PixelChoice{12, 12};
     openWindow(scenario);
     ASSERT_GT(snapshot()->trace.steps.size(), 10000U);
-    const QTableView* const table = window_->steps()->table();
+    const QTableView* const table = window_->time()->table()->table();
     EXPECT_EQ(table->model()->rowCount(), static_cast<int>(snapshot()->trace.steps.size()));
     EXPECT_LT(table->findChildren<QWidget*>().size(), 40);
     for (const int step : {0, 5000, 9999}) {

@@ -29,38 +29,38 @@ class PaneChoices : public WindowTest {
   protected:
     // Another choice in every pane, as its controls would make it.
     void turnAll() {
-        DistanceOptions distance = window_->distance()->options();
+        DistanceOptions distance = window_->pane<DistanceView>()->options();
         distance.kind = "euclidean";
         distance.axis = SliceAxis::Z;
         distance.slice = 2;
         distance.isoLines = false;
-        window_->distance()->setOptions(distance);
-        RowsOptions rows = window_->rows()->options();
+        window_->pane<DistanceView>()->setOptions(distance);
+        RowsOptions rows = window_->pane<RowsView>()->options();
         rows.methods = {"direct", "subspan:span=8"};
         rows.pixels = 3840;
-        window_->rows()->setOptions(rows);
-        window_->footprint()->setOptions({8});
-        window_->profile()->showAllLevels(true);
-        window_->profile()->setTrueAspect(true);
-        window_->pyramid()->showAllKinds();
-        window_->pyramid()->showNearRay(false);
-        window_->charts()->setShown(ChartsShown::Histograms);
-        window_->charts()->setMeasure(relief::ErrorMeasure::Max);
-        window_->charts()->setLive(false);
-        window_->trace()->setExaggeration(2);
-        window_->trace()->setColors(QStringLiteral("level"));
+        window_->pane<RowsView>()->setOptions(rows);
+        window_->pane<FootprintView>()->setOptions({8});
+        window_->pane<ProfileView>()->showAllLevels(true);
+        window_->pane<ProfileView>()->setTrueAspect(true);
+        window_->pane<PyramidView>()->showAllKinds();
+        window_->pane<PyramidView>()->showNearRay(false);
+        window_->pane<ChartsView>()->setShown(ChartsShown::Histograms);
+        window_->pane<ChartsView>()->setMeasure(relief::ErrorMeasure::Max);
+        window_->pane<ChartsView>()->setLive(false);
+        window_->pane<Trace3dView>()->setExaggeration(2);
+        window_->pane<Trace3dView>()->setColors(QStringLiteral("level"));
     }
     // What the panes themselves go by.
     void expectPanesAsTheScenarioSays() {
         const PaneStates& panes = panesOf(workspace_->scenario());
-        EXPECT_EQ(window_->distance()->options(), distanceOptions(panes.distance));
-        EXPECT_EQ(window_->rows()->options(), rowsOptions(panes.rows));
-        EXPECT_EQ(window_->footprint()->options().neighbours, panes.footprint.neighbours);
-        EXPECT_EQ(window_->profile()->options().levels == LevelsShown::All, panes.profile.allLevels);
-        EXPECT_EQ(window_->profile()->options().trueAspect, panes.profile.trueAspect);
-        const auto* const colors = window_->trace()->findChild<QComboBox*>(QStringLiteral("trace-colors"));
+        EXPECT_EQ(window_->pane<DistanceView>()->options(), distanceOptions(panes.distance));
+        EXPECT_EQ(window_->pane<RowsView>()->options(), rowsOptions(panes.rows));
+        EXPECT_EQ(window_->pane<FootprintView>()->options().neighbours, panes.footprint.neighbours);
+        EXPECT_EQ(window_->pane<ProfileView>()->options().levels == LevelsShown::All, panes.profile.allLevels);
+        EXPECT_EQ(window_->pane<ProfileView>()->options().trueAspect, panes.profile.trueAspect);
+        const auto* const colors = window_->pane<Trace3dView>()->findChild<QComboBox*>(QStringLiteral("trace-colors"));
         EXPECT_EQ(colors->currentData().toString().toStdString(), panes.trace.colors);
-        EXPECT_EQ(window_->pyramid()->parts().size(), panes.pyramid.levels == "all" ? 3U : 1U);
+        EXPECT_EQ(window_->pane<PyramidView>()->parts().size(), panes.pyramid.levels == "all" ? 3U : 1U);
     }
 };
 
@@ -122,10 +122,10 @@ TEST_F(PaneChoices, SavedAndOpenedTheyAreTheSame) {
 // A slider that is dragged is one step back.
 TEST_F(PaneChoices, ADragIsOneStepOfUndo) {
     openWindow(smallScenario());
-    window_->distance()->window()->findChild<QWidget*>(QStringLiteral("distance-pane"))->raise();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->distance()->settled(); }, 10000));
+    window_->pane<DistanceView>()->window()->findChild<QWidget*>(QStringLiteral("distance-pane"))->raise();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->pane<DistanceView>()->settled(); }, 10000));
     const relief::Scenario before = scenario();
-    auto* const slider = window_->distance()->findChild<QSlider*>(QStringLiteral("distance-slice"));
+    auto* const slider = window_->pane<DistanceView>()->findChild<QSlider*>(QStringLiteral("distance-slice"));
     ASSERT_NE(slider, nullptr);
     ASSERT_GT(slider->maximum(), 3);
     const int start = slider->value() > 2 ? 0 : 2;
@@ -143,7 +143,7 @@ TEST_F(PaneChoices, ThePyramidStandsInSpace) {
     relief::Scenario columns = smallScenario();
     columns.surface = relief::Surface::Columns;
     openWindow(columns);
-    PyramidView* const view = window_->pyramid();
+    PyramidView* const view = window_->pane<PyramidView>();
     view->showNearRay(false);
     view->setStacked(true);
     const QImage shown = grab(view->stack());
@@ -180,7 +180,7 @@ TEST_F(PaneChoices, ThePyramidStandsInSpace) {
 
 TEST_F(PaneChoices, AClickOnASlabChoosesTheStep) {
     openWindow(smallScenario());
-    PyramidView* const view = window_->pyramid();
+    PyramidView* const view = window_->pane<PyramidView>();
     view->setStacked(true);
     grab(view->stack());
     const auto& steps = snapshot()->trace.steps;
@@ -210,7 +210,7 @@ TEST_F(PaneChoices, AClickOnASlabChoosesTheStep) {
 
 TEST_F(PaneChoices, AllThreePyramidsStandBesideEachOther) {
     openWindow(smallScenario());
-    PyramidView* const view = window_->pyramid();
+    PyramidView* const view = window_->pane<PyramidView>();
     view->showAllKinds();
     const QImage shown = grab(view->canvas());
     ASSERT_EQ(view->parts().size(), 3U);

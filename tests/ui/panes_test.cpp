@@ -15,6 +15,7 @@
 #include "scenario/step_sentence.h"
 #include "window_fixture.h"
 #include "windows/step_bar.h"
+#include "windows/time_pane.h"
 
 namespace reliefui {
 
@@ -38,7 +39,7 @@ TEST_F(WindowTest, TheTableIsTheTraceOfThePixel) {
         QTest::mouseClick(window_->result(), Qt::LeftButton, Qt::NoModifier, onScreen(pixel.x(), pixel.y()));
         waitForFull();
         const std::vector<relief::Step>& steps = snapshot()->trace.steps;
-        const QTableView* const table = window_->steps()->table();
+        const QTableView* const table = window_->time()->table()->table();
         ASSERT_EQ(table->model()->rowCount(), static_cast<int>(steps.size()));
         for (int row = 0; row < table->model()->rowCount(); ++row) {
             const relief::Step& step = steps[static_cast<std::size_t>(row)];
@@ -58,18 +59,18 @@ TEST_F(WindowTest, StepsAreChosenInTheTableAndByKeys) {
     const int opened = scenario().step;
     const auto last = static_cast<int>(snapshot()->trace.steps.size()) - 1;
     ASSERT_GT(last, 4);
-    auto* const table = window_->steps()->findChild<QTableView*>();
+    auto* const table = window_->time()->table()->findChild<QTableView*>();
     const QModelIndex second = table->model()->index(1, 0);
     table->scrollTo(second);
     QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(second).center());
     EXPECT_EQ(scenario().step, 1);
-    const QString sentence = window_->steps()->sentence();
+    const QString sentence = window_->time()->table()->sentence();
     EXPECT_FALSE(sentence.isEmpty());
     window_->result()->setFocus();
     QTest::keyClick(window_->result(), Qt::Key_Period);
     EXPECT_EQ(scenario().step, 2);
     EXPECT_EQ(table->currentIndex().row(), 2);
-    EXPECT_NE(window_->steps()->sentence(), sentence);
+    EXPECT_NE(window_->time()->table()->sentence(), sentence);
     QTest::keyClick(window_->result(), Qt::Key_Comma);
     EXPECT_EQ(scenario().step, 1);
     QTest::keyClick(window_->result(), Qt::Key_End);
@@ -89,7 +90,7 @@ TEST_F(WindowTest, StepsAreChosenInTheTableAndByKeys) {
 // What has no room is left out; what is shown is whole, titles and numbers.
 TEST_F(WindowTest, NoColumnOfTheStepsIsCut) {
     openWindow(smallScenario());
-    const QTableView* const table = window_->steps()->table();
+    const QTableView* const table = window_->time()->table()->table();
     const auto check = [&] {
         QTest::qWait(300);
         const QFontMetrics metrics(table->font());
@@ -119,7 +120,8 @@ TEST_F(WindowTest, NoColumnOfTheStepsIsCut) {
 
 TEST_F(WindowTest, DigitsGoToPanes) {
     openWindow(smallScenario());
-    const std::vector<QWidget*> panes{window_->result(), window_->trace(), window_->pyramid(), window_->steps()};
+    const std::vector<QWidget*> panes{window_->result(), window_->pane<Trace3dView>(), window_->pane<PyramidView>(),
+                                      window_->time()->table()};
     for (std::size_t i = panes.size(); i-- > 0;) {
         QTest::keyClick(window_.get(), static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i)));
         QWidget* const focus = QApplication::focusWidget();
@@ -132,7 +134,7 @@ TEST_F(WindowTest, ThePyramidShowsItsTexels) {
     relief::Scenario columns = smallScenario();
     columns.surface = relief::Surface::Columns;
     openWindow(columns);
-    PyramidView* const view = window_->pyramid();
+    PyramidView* const view = window_->pane<PyramidView>();
     view->showNearRay(false);
     const QImage shown = grab(view->canvas());
     EXPECT_GT(colorsIn(shown), 10);
@@ -164,7 +166,7 @@ TEST_F(WindowTest, ThePyramidShowsItsTexels) {
 
 TEST_F(WindowTest, TheTraceIsDrawnAndFollowsTheStep) {
     openWindow(smallScenario());
-    auto* const canvas = window_->trace()->findChild<QVTKOpenGLNativeWidget*>();
+    auto* const canvas = window_->pane<Trace3dView>()->findChild<QVTKOpenGLNativeWidget*>();
     ASSERT_NE(canvas, nullptr);
     const QImage atEnd = grab(canvas);
     EXPECT_GT(colorsIn(atEnd), 50);
@@ -182,17 +184,17 @@ TEST_F(WindowTest, APaneFillsTheWindowAndComesBack) {
     QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(20, title->height() / 2));
     QTest::qWait(100);
     EXPECT_GT(window_->result()->width(), window_->width() - 20);
-    EXPECT_FALSE(window_->pyramid()->isVisible());
+    EXPECT_FALSE(window_->pane<PyramidView>()->isVisible());
     // Only time stays below.
-    EXPECT_TRUE(window_->stepBar()->isVisible());
-    EXPECT_FALSE(window_->steps()->isVisible());
+    EXPECT_TRUE(window_->time()->bar()->isVisible());
+    EXPECT_FALSE(window_->time()->table()->isVisible());
     EXPECT_GT(window_->result()->height(), window_->height() * 3 / 4);
     QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(20, title->height() / 2));
     QTest::qWait(100);
-    EXPECT_TRUE(window_->pyramid()->isVisible());
-    EXPECT_TRUE(window_->steps()->isVisible());
+    EXPECT_TRUE(window_->pane<PyramidView>()->isVisible());
+    EXPECT_TRUE(window_->time()->table()->isVisible());
     EXPECT_EQ(window_->result()->size(), before);
-    EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
+    EXPECT_GT(colorsIn(grab(window_->pane<PyramidView>()->canvas())), 10);
 }
 
 TEST_F(WindowTest, TheProjectorEnlargesEverything) {
@@ -204,13 +206,13 @@ TEST_F(WindowTest, TheProjectorEnlargesEverything) {
     EXPECT_TRUE(window_->isFullScreen());
     EXPECT_LE(window_->minimumSizeHint().width(), 1280) << "wider than a projector";
     // One pane beside the result, as high as it.
-    EXPECT_GT(window_->pyramid()->height(), window_->result()->height() / 2);
-    EXPECT_TRUE(window_->trace()->visibleRegion().isEmpty()) << "it waits in a tab";
-    EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
+    EXPECT_GT(window_->pane<PyramidView>()->height(), window_->result()->height() / 2);
+    EXPECT_TRUE(window_->pane<Trace3dView>()->visibleRegion().isEmpty()) << "it waits in a tab";
+    EXPECT_GT(colorsIn(grab(window_->pane<PyramidView>()->canvas())), 10);
     window_->setProjector(false);
     QTest::qWait(200);
     EXPECT_EQ(window_->fontMetrics().height(), before);
-    EXPECT_FALSE(window_->trace()->visibleRegion().isEmpty()) << "as it was";
+    EXPECT_FALSE(window_->pane<Trace3dView>()->visibleRegion().isEmpty()) << "as it was";
 }
 
 TEST_F(WindowTest, PanesAreClosedAndOpenedAgain) {
@@ -239,29 +241,29 @@ TEST_F(WindowTest, PanesLeaveTheWindowAndComeBack) {
         for (QDockWidget* const dock : {pyramid, trace}) dock->setFloating(true);
         QTest::qWait(100);
         EXPECT_NE(pyramid->window(), window_.get());
-        const QImage before = grab(window_->trace());
-        EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
+        const QImage before = grab(window_->pane<Trace3dView>());
+        EXPECT_GT(colorsIn(grab(window_->pane<PyramidView>()->canvas())), 10);
         EXPECT_GT(colorsIn(before), 30);
         workspace_->chooseStep(scenario().step > 2 ? 1 : 4);
-        EXPECT_NE(grab(window_->trace()), before) << "it follows the step";
+        EXPECT_NE(grab(window_->pane<Trace3dView>()), before) << "it follows the step";
         // Shortcuts are the window's.
         const int step = scenario().step;
         pyramid->activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(pyramid));
-        QTest::keyClick(window_->pyramid()->canvas(), Qt::Key_Period);
+        QTest::keyClick(window_->pane<PyramidView>()->canvas(), Qt::Key_Period);
         EXPECT_EQ(scenario().step, step + 1);
         for (QDockWidget* const dock : {pyramid, trace}) dock->setFloating(false);
         QTest::qWait(100);
         EXPECT_EQ(pyramid->window(), window_.get());
-        EXPECT_GT(colorsIn(grab(window_->pyramid()->canvas())), 10);
-        EXPECT_GT(colorsIn(grab(window_->trace())), 30);
+        EXPECT_GT(colorsIn(grab(window_->pane<PyramidView>()->canvas())), 10);
+        EXPECT_GT(colorsIn(grab(window_->pane<Trace3dView>())), 30);
     }
     // One that fills the window is in it, and goes where it was.
     trace->setFloating(true);
     trace->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"))->click();
     QTest::qWait(100);
     EXPECT_FALSE(trace->isFloating());
-    EXPECT_GT(window_->trace()->width(), window_->width() - 20);
+    EXPECT_GT(window_->pane<Trace3dView>()->width(), window_->width() - 20);
     trace->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"))->click();
     QTest::qWait(100);
     EXPECT_TRUE(trace->isFloating());
@@ -273,7 +275,7 @@ TEST_F(WindowTest, TheDuelLeavesItsDrawingTheRoom) {
     relief::Scenario scenario = smallScenario();
     scenario.comparison.others = {{"layers", {}}, {"offset", {}}};
     openWindow(scenario);
-    DuelView* const duel = window_->duel();
+    DuelView* const duel = window_->pane<DuelView>();
     auto* const dock = window_->findChild<QDockWidget*>(QStringLiteral("duel-pane"));
     dock->raise();
     ASSERT_TRUE(QTest::qWaitFor([&] { return duel->settled() && duel->duel() != nullptr; }, 20000));
@@ -293,7 +295,7 @@ TEST_F(WindowTest, TheLightThemeIsLight) {
     window_->setLightTheme(true);
     const QImage shown = grab(window_.get());
     EXPECT_GT(shown.pixelColor(3, shown.height() - 3).lightness(), 200);
-    EXPECT_GT(grab(window_->pyramid()->canvas()).pixelColor(2, 2).lightness(), 200);
+    EXPECT_GT(grab(window_->pane<PyramidView>()->canvas()).pixelColor(2, 2).lightness(), 200);
     window_->setLightTheme(false);
 }
 

@@ -165,7 +165,7 @@ TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
 TEST_F(WindowTest, TheProfileShowsThePointAndAsksForAnother) {
     openWindow(walls());
     QTest::keyClick(window_.get(), Qt::Key_6);
-    ProfileView* const view = window_->profile();
+    ProfileView* const view = window_->pane<ProfileView>();
     ASSERT_TRUE(QTest::qWaitFor([&] { return view->point() != nullptr; }, kDistancePatienceMs));
     EXPECT_NEAR(view->point()->distances.refined, 4, kRounding);
     // Next to the ray, before it comes to C.

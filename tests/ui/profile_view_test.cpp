@@ -24,7 +24,7 @@ class ProfileTest : public WindowTest {
         QTest::qWait(100);
         ASSERT_TRUE(view()->isVisible());
     }
-    ProfileView* view() { return window_->profile(); }
+    ProfileView* view() { return window_->pane<ProfileView>(); }
     DrawingCanvas* canvas() { return view()->canvas(); }
     QPointF onRay(double lambda) { return canvas()->toWidget(view()->frame().onRay(lambda)); }
 };

@@ -18,6 +18,7 @@
 #include "window_fixture.h"
 #include "windows/bookmarks.h"
 #include "windows/other_bar.h"
+#include "windows/time_pane.h"
 #include "workspace/pixel_finder.h"
 
 namespace reliefui {
@@ -142,12 +143,12 @@ TEST_F(WindowTest, WhoGuessesSeesNoAnswerUntilTheClick) {
     EXPECT_TRUE(workspace_->guessing());
     EXPECT_TRUE(snapshot()->trace.steps.empty());
     EXPECT_NE(snapshot()->trace.hit.outcome, relief::Outcome::Hit);
-    EXPECT_EQ(window_->steps()->table()->model()->rowCount(), 0);
+    EXPECT_EQ(window_->time()->table()->table()->model()->rowCount(), 0);
     const auto* const status = window_->findChild<QLabel*>(QStringLiteral("status-pixel"));
     EXPECT_FALSE(status->text().contains(QString::number(hit.lambda, 'f', 3)));
     workspace_->chooseStep(0);
     EXPECT_EQ(scenario().step, step);
-    ProfileView* const profile = window_->profile();
+    ProfileView* const profile = window_->pane<ProfileView>();
     QTest::qWait(200);
     // A click a third of the way before the hit.
     const double guess = hit.lambda * 2 / 3;
@@ -206,18 +207,18 @@ TEST_F(WindowTest, AnotherTracersStepsFillThePanes) {
     const relief::Scenario before = scenario();
     const std::vector<relief::Step> own = snapshot()->trace.steps;
     const OtherFilesOnDisk files(*snapshot());
-    EXPECT_FALSE(window_->other()->isVisible());
-    window_->other()->open(files.rays, files.steps);
+    EXPECT_FALSE(window_->time()->other()->isVisible());
+    window_->time()->other()->open(files.rays, files.steps);
     waitForFull();
     ASSERT_TRUE(snapshot()->other);
     EXPECT_EQ(snapshot()->trace.steps, files.logs[0]);
     EXPECT_TRUE(snapshot()->trace.fromFile);
-    EXPECT_TRUE(window_->other()->isVisible());
-    EXPECT_EQ(window_->steps()->table()->model()->rowCount(), static_cast<int>(files.logs[0].size()));
+    EXPECT_TRUE(window_->time()->other()->isVisible());
+    EXPECT_EQ(window_->time()->table()->table()->model()->rowCount(), static_cast<int>(files.logs[0].size()));
     EXPECT_EQ(snapshot()->trace.hit.lambda, files.logs[0].back().lambdaAfter);
-    EXPECT_GT(colorsIn(grab(window_->trace())), 50);
+    EXPECT_GT(colorsIn(grab(window_->pane<Trace3dView>())), 50);
     // The next ray of the file, then our own steps on it.
-    window_->other()->findChild<QSpinBox*>(QStringLiteral("other-ray"))->setValue(1);
+    window_->time()->other()->findChild<QSpinBox*>(QStringLiteral("other-ray"))->setValue(1);
     waitForFull();
     EXPECT_EQ(snapshot()->trace.steps, files.logs[1]);
     EXPECT_EQ(snapshot()->trace.ray, (relief::ViewRay{10.5, 20.25, 31, -7}));
@@ -236,7 +237,7 @@ TEST_F(WindowTest, AnotherTracersStepsFillThePanes) {
     waitForFull();
     EXPECT_EQ(scenario(), before);
     EXPECT_EQ(snapshot()->trace.steps, own);
-    EXPECT_FALSE(window_->other()->isVisible());
+    EXPECT_FALSE(window_->time()->other()->isVisible());
     workspace_->open(path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == set; }, 5000));
     waitForFull();
@@ -251,7 +252,7 @@ TEST_F(WindowTest, BadStepsOfAnotherTracerAreRefusedWithTheLine) {
     QSignalSpy problems(workspace_.get(), &Workspace::problem);
     const auto refused = [&](const QString& rays, const QString& steps) {
         problems.clear();
-        window_->other()->open(rays, steps);
+        window_->time()->other()->open(rays, steps);
         EXPECT_TRUE(QTest::qWaitFor([&] { return !problems.empty(); }, 5000));
         EXPECT_TRUE(QTest::qWaitFor([&] { return !workspace_->busy(); }, 5000));
         EXPECT_EQ(scenario(), before);

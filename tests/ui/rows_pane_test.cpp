@@ -34,7 +34,7 @@ class RowsPane : public WindowTest {
         QTest::qWait(100);
         ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled(); }, kPatienceMs));
     }
-    RowsView* view() { return window_->rows(); }
+    RowsView* view() { return window_->pane<RowsView>(); }
     DrawingCanvas* canvas() { return view()->canvas(); }
 };
 

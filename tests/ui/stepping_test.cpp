@@ -14,6 +14,7 @@
 #include "window_fixture.h"
 #include "windows/breakpoint_bar.h"
 #include "windows/step_bar.h"
+#include "windows/time_pane.h"
 
 namespace reliefui {
 
@@ -34,7 +35,7 @@ TEST_F(WindowTest, BreakpointsStopRunningAndPlaying) {
     ASSERT_GT(steps.size(), 6U);
     workspace_->chooseStep(0);
     ASSERT_GT(steps.front().level, 1) << "the ray has no levels: nothing is tested";
-    BreakpointBar* const bar = window_->breakpoints();
+    BreakpointBar* const bar = window_->time()->breakpoints();
     bar->findChild<QSpinBox*>(QStringLiteral("breakpoint-level"))->setValue(1);
     addBreakpoint(bar, kLevelBelow);
     ASSERT_EQ(scenario().breakpoints.size(), 1U);
@@ -44,13 +45,13 @@ TEST_F(WindowTest, BreakpointsStopRunningAndPlaying) {
     while (steps[first].level >= 1) ++first;
     QTest::keyClick(window_.get(), Qt::Key_F5);
     EXPECT_EQ(scenario().step, static_cast<int>(first));
-    const auto* const label = window_->stepBar()->findChild<QLabel*>();
+    const auto* const label = window_->time()->bar()->findChild<QLabel*>();
     EXPECT_TRUE(label->text().contains(QStringLiteral("level < 1"))) << label->text().toStdString();
     // Playing stops there, too.
     workspace_->chooseStep(0);
-    auto* const speed = window_->stepBar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"));
+    auto* const speed = window_->time()->bar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"));
     speed->setValue(30);
-    window_->stepBar()->togglePlay();
+    window_->time()->bar()->togglePlay();
     const int wanted = static_cast<int>(first);
     ASSERT_TRUE(QTest::qWaitFor([&] { return scenario().step == wanted; }, 5000));
     QTest::qWait(300);
@@ -71,7 +72,7 @@ TEST_F(WindowTest, BreakpointsAreUndoneSavedAndOpenedAgain) {
     openWindow(deepRay());
     const QImage picture = snapshot()->picture;
     const std::uint64_t version = snapshot()->version;
-    BreakpointBar* const bar = window_->breakpoints();
+    BreakpointBar* const bar = window_->time()->breakpoints();
     bar->findChild<QDoubleSpinBox*>(QStringLiteral("breakpoint-height"))->setValue(0.35);
     addBreakpoint(bar, kRayBelow);
     workspace_->chooseStep(2);
@@ -120,7 +121,7 @@ TEST_F(WindowTest, LevelsAreSteppedOverByKeys) {
 
 TEST_F(WindowTest, ASortedTableStaysInStep) {
     openWindow(deepRay());
-    QTableView* const table = window_->steps()->table();
+    QTableView* const table = window_->time()->table()->table();
     const std::vector<relief::Step>& steps = snapshot()->trace.steps;
     workspace_->chooseStep(3);
     table->sortByColumn(StepModel::Value, Qt::DescendingOrder);
@@ -139,9 +140,9 @@ TEST_F(WindowTest, ASortedTableStaysInStep) {
     QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(top).center());
     EXPECT_EQ(scenario().step, top.data().toInt() - 1);
     // The kinds of a texel's breakpoint follow the chosen step.
-    window_->breakpoints()->findChild<QComboBox*>(QStringLiteral("breakpoint-kind"))->setCurrentIndex(kTexel);
+    window_->time()->breakpoints()->findChild<QComboBox*>(QStringLiteral("breakpoint-kind"))->setCurrentIndex(kTexel);
     const relief::Step& step = steps[static_cast<std::size_t>(scenario().step)];
-    EXPECT_EQ(window_->breakpoints()->edited(),
+    EXPECT_EQ(window_->time()->breakpoints()->edited(),
               (relief::Breakpoint{relief::StopKind::Texel, step.level, step.i, step.j}));
 }
 

@@ -29,7 +29,7 @@ int pixelsLike(const QImage& image, QColor color) {
 }
 
 QVTKOpenGLNativeWidget* canvasOf(MainWindow& window) {
-    return window.trace()->findChild<QVTKOpenGLNativeWidget*>();
+    return window.pane<Trace3dView>()->findChild<QVTKOpenGLNativeWidget*>();
 }
 
 TEST_F(WindowTest, TheTraceIsColouredByDecision) {
@@ -81,7 +81,7 @@ int litPixels(const QImage& image, Rgba color) {
 // On the chosen step's stretch of the ray, beside its words.
 QPoint onStretch(MainWindow& window, const Snapshot& snapshot, const relief::Step& step) {
     const TraceScene scene(snapshot, 1);
-    vtkRenderer* const renderer = window.trace()->renderer();
+    vtkRenderer* const renderer = window.pane<Trace3dView>()->renderer();
     const Place at = scene.onRay(step.lambdaIn + 0.25 * (step.lambdaOut - step.lambdaIn));
     auto place = vtkSmartPointer<vtkCoordinate>::New();
     place->SetCoordinateSystemToWorld();
@@ -100,7 +100,7 @@ TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseAndSaysWhatIsWhich) {
         const Style& style = workspace_->style();
         constexpr Role kOfPhase[] = {Role::Start, Role::Searched, Role::Refined};
         for (const char* const by : {"level", "phase"}) {
-            window_->trace()->setColors(QString::fromLatin1(by));
+            window_->pane<Trace3dView>()->setColors(QString::fromLatin1(by));
             const int levels = snapshot()->maxima->pyramid.levels();
             int right = 0;
             int probes = 0;
@@ -130,9 +130,9 @@ TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseAndSaysWhatIsWhich) {
 TEST_F(WindowTest, TheTraceIsExportedInTheColoursOfThePane) {
     openWindow(smallScenario());
     const auto& steps = snapshot()->trace.steps;
-    const QImage byDecision = window_->trace()->image(900);
-    window_->trace()->setColors(QStringLiteral("level"));
-    const QImage byLevel = window_->trace()->image(900);
+    const QImage byDecision = window_->pane<Trace3dView>()->image(900);
+    window_->pane<Trace3dView>()->setColors(QStringLiteral("level"));
+    const QImage byLevel = window_->pane<Trace3dView>()->image(900);
     const Rgba color = workspace_->style().levelLine({steps.front().level, snapshot()->maxima->pyramid.levels()});
     EXPECT_EQ(pixelsOf(byDecision, color), 0);
     EXPECT_GT(pixelsOf(byLevel, color), 40);
@@ -156,7 +156,7 @@ TEST_F(WindowTest, TheTraceTurnsZoomsAndFitsAgain) {
     EXPECT_NE(grab(canvas), turned);
     QTest::keyClick(canvas, Qt::Key_R);
     EXPECT_EQ(grab(canvas), fitted);
-    window_->trace()->setExaggeration(2);
+    window_->pane<Trace3dView>()->setExaggeration(2);
     EXPECT_NE(grab(canvas), fitted);
 }
 

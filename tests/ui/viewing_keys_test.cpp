@@ -194,7 +194,7 @@ TEST_F(ViewingKeys, nothingOutOfSightHasTheFocus) {
     window_->resetLayout();
     press(Qt::Key_6);
     idle();
-    EXPECT_EQ(QApplication::focusWidget(), window_->profile()->canvas());
+    EXPECT_EQ(QApplication::focusWidget(), window_->pane<ProfileView>()->canvas());
     EXPECT_EQ(whatStays(scenario()), before);
     // The pane of the box that is typed into goes behind another.
     press(Qt::Key_5);
@@ -230,7 +230,7 @@ TEST_F(ViewingKeys, digitsAreTypedWhereSomebodyTypes) {
     clickUp(box);
     press(Qt::Key_3);
     idle();
-    EXPECT_EQ(QApplication::focusWidget(), window_->pyramid()->canvas());
+    EXPECT_EQ(QApplication::focusWidget(), window_->pane<PyramidView>()->canvas());
     EXPECT_EQ(scenario().height, 161);
 }
 
@@ -254,7 +254,7 @@ TEST_F(ViewingKeys, everythingIsReachedByTab) {
     activate();
     EXPECT_EQ(QApplication::focusWidget(), method) << "who uses the keyboard goes on from here";
     press(Qt::Key_3);
-    EXPECT_EQ(QApplication::focusWidget(), window_->pyramid()->canvas());
+    EXPECT_EQ(QApplication::focusWidget(), window_->pane<PyramidView>()->canvas());
     ASSERT_NO_FATAL_FAILURE(tabTo(control<QCheckBox>("shadows")));
     const bool shadows = scenario().shadows;
     press(Qt::Key_Space);
@@ -304,7 +304,7 @@ TEST_F(ViewingKeys, theWheelTurnsOnlyWhatWasChosen) {
 TEST_F(ViewingKeys, digitsByHandAreTheTexelsHeight) {
     open();
     press(Qt::Key_2, Qt::AltModifier);
-    DrawnView* const view = window_->drawn();
+    DrawnView* const view = window_->pane<DrawnView>();
     view->startFlat(0.25);
     waitForFull();
     fill("drawn-pane");
@@ -326,7 +326,7 @@ TEST_F(ViewingKeys, digitsByHandAreTheTexelsHeight) {
     // Where no texel is chosen, they choose panes.
     view->grid()->choose(std::nullopt);
     press(Qt::Key_3);
-    EXPECT_EQ(QApplication::focusWidget(), window_->pyramid()->canvas());
+    EXPECT_EQ(QApplication::focusWidget(), window_->pane<PyramidView>()->canvas());
 }
 
 // Random actions with the mouse, after each random viewing keys.

@@ -27,12 +27,12 @@ Lesson lesson(const char* name, const QString& title, const QString& about, cons
 
 std::vector<Lesson> lessons() {
     using relief::Departure;
-    constexpr const char* kDuel = "duel-pane";
+    constexpr const char* kDuel = "duel";
     return {
         lesson("vain_descent", Texts::tr("A descent in vain: the maximum pyramid"),
                Texts::tr("The maximum of a coarse texel lies above the ray, so it goes down; none of the finer texels "
                          "holds it, and it comes up again. Step through it with , and ."),
-               "profile-pane"),
+               "profile"),
         lesson("missed_spike", Texts::tr("Missed spike: layers against the maximum pyramid"),
                Texts::tr("Sixteen layers look at the surface at sixteen places; a spike that stands between two of "
                          "them is passed. The maximum pyramid passes nothing."),
@@ -60,23 +60,23 @@ std::vector<Lesson> lessons() {
         lesson("grazing_rays", Texts::tr("Grazing rays: steps grow, layers tear"),
                Texts::tr("Six degrees above the ground the layers lie many texels apart along the ray. Compare the "
                          "methods, and look at the layer of steps in the result."),
-               "compare-pane", Departure::MissedSpike),
+               "compare", Departure::MissedSpike),
         lesson("hidden_texels", Texts::tr("Footprint: texels that the relief hides"),
                Texts::tr("A pixel's ellipse on a slanted relief covers texels that the eye does not see; the filter "
                          "elliptical-visible leaves them out."),
-               "footprint-pane"),
+               "footprint"),
         lesson(
             "paper_march", Texts::tr("Distance map: on by the distance that it stores"),
             Texts::tr("The slice shows how far each voxel is from the surface. At every stop the ray goes on by that "
                       "distance: five steps to the floor, and with the refined map of the next lesson four. The "
                       "last circle reaches below the floor: between the middles of voxels distances are "
                       "interpolated."),
-            "distance-pane"),
+            "distance"),
         lesson("paper_walls", Texts::tr("Refined distance: 3 texels or 4"),
                Texts::tr("Point C is 3 texels from the left wall. Rays from above that would meet that wall within "
                          "4 texels of C hit the right wall before they reach C; the nearest hit of all others is on "
                          "the floor, 4 texels below: the refined distance. Ctrl+click asks about another point."),
-               "distance-pane"),
+               "distance"),
     };
 }
 

@@ -16,7 +16,7 @@ struct Lesson {
     QString name;   // of its file, without the ending
     QString title;  // in the language of the window
     QString about;  // what is to be seen, in a sentence or two
-    QString pane;   // the object name of the pane that shows it
+    QString pane;   // the name of the pane that shows it
     // How the scenario's method goes wrong at the chosen pixel; nothing: it does not.
     std::optional<relief::Departure> departure;
 };

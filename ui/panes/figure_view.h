@@ -39,6 +39,9 @@ class FigureView : public QWidget {
     // Asks where to first.
     void askFigure();
 
+    // What it computes.
+    virtual void cancel() {}
+
   signals:
     void saved(const QString& path);
     void hovered(const QString& readout);

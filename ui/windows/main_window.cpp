@@ -1,44 +1,28 @@
 #include "windows/main_window.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QScreen>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTableView>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "panes/charts/charts_view.h"
-#include "panes/compare/compare_view.h"
-#include "panes/distance/distance_view.h"
-#include "panes/drawing_canvas.h"
-#include "panes/drawn/drawn_view.h"
-#include "panes/duel/duel_view.h"
-#include "panes/footprint/footprint_view.h"
-#include "panes/profile/profile_view.h"
-#include "panes/pyramid/pyramid_view.h"
+#include "panes/figure_view.h"
 #include "panes/result/result_painting.h"
 #include "panes/result/result_view.h"
-#include "panes/rows/rows_view.h"
-#include "panes/skipped/skipped_panel.h"
 #include "panes/steps/step_table.h"
-#include "panes/trace/trace3d_view.h"
-#include "windows/breakpoint_bar.h"
 #include "windows/key_policy.h"
 #include "windows/message_bar.h"
-#include "windows/other_bar.h"
 #include "windows/pane_title.h"
-#include "windows/scene_panel.h"
 #include "windows/status_line.h"
-#include "windows/step_bar.h"
 #include "windows/theme.h"
+#include "windows/time_pane.h"
 #include "windows/top_bar.h"
 
 namespace reliefui {
@@ -81,8 +65,9 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     status_ = new StatusLine(workspace_, this);
     setStatusBar(status_);
     makeResult();
-    makePanes();
-    makeSkipped();
+    for (const PaneKind& kind : paneList()) addPane(kind);
+    time_ = pane<TimePane>();
+    addTableMenus();
     makeMenus();
     topBar_ = new TopBar(workspace_, open_, {undo_, redo_, projector_}, this);
     addToolBar(topBar_);
@@ -108,8 +93,9 @@ MainWindow::~MainWindow() {
     }
 }
 
-PaneTitle* MainWindow::titleOf(const QString& title, QWidget* whole) {
-    auto* const bar = new PaneTitle(title, paneKey(panes_.size()), this);
+PaneTitle* MainWindow::titleOf(const PaneKind& kind, QWidget* whole) {
+    auto* const bar = new PaneTitle(kind.title, paneKey(panes_.size()), this);
+    bar->setToolTip(kind.help);
     connect(bar, &PaneTitle::fillRequested, this, [this, whole] { fill(whole); });
     return bar;
 }
@@ -119,103 +105,67 @@ void MainWindow::makeResult() {
     auto* const column = new QVBoxLayout(whole);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    auto* const title = titleOf(tr("Result"), whole);
+    PaneKind kind;
+    kind.name = QStringLiteral("result");
+    kind.title = tr("Result");
+    kind.help = tr("The picture, or a layer of it: choose a pixel to see how it came about");
+    auto* const title = titleOf(kind, whole);
     title->addControl(makeLayerChooser(workspace_, title));
     result_ = new ResultView(workspace_, whole);
     whole->setFocusProxy(result_);
     column->addWidget(title);
     column->addWidget(result_, 1);
     setCentralWidget(whole);
-    panes_.push_back({tr("Result"), whole, result_, nullptr});
+    panes_.push_back({kind, whole, result_, nullptr});
     connect(result_, &ResultView::hovered, title, &PaneTitle::setNote);
     connect(result_, &ResultView::menuRequested, this, &MainWindow::resultMenu);
 }
 
-QDockWidget* MainWindow::addPane(const PaneName& name, const QString& objectName, QWidget* whole, QWidget* focus,
-                                 Qt::DockWidgetArea area) {
-    auto* const dock = new QDockWidget(name.tab, this);
-    dock->setObjectName(objectName);
+void MainWindow::addPane(const PaneKind& kind) {
+    auto* const dock = new QDockWidget(kind.tab, this);
+    dock->setObjectName(kind.name + QStringLiteral("-pane"));
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                       QDockWidget::DockWidgetFloatable);
-    PaneTitle* const title = titleOf(name.title, dock);
+    PaneTitle* const title = titleOf(kind, dock);
     title->setClosable();
     connect(title, &PaneTitle::closeRequested, this, [this, dock] { closePane(dock); });
     dock->setTitleBarWidget(title);
+    QWidget* const whole = kind.make(workspace_, this);
     dock->setWidget(whole);
-    addDockWidget(area, dock);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
     connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
         if (!visible) closed_->start();
         keys_->panesMoved();
     });
-    panes_.push_back({name.title, dock, focus, dock});
-    return dock;
+    QWidget* const focus = whole->focusProxy() != nullptr ? whole->focusProxy() : whole;
+    panes_.push_back({kind, dock, focus, dock});
+    if (auto* const view = qobject_cast<FigureView*>(whole)) {
+        // Its readout stands in the title, what it saved in the last line.
+        connect(view, &FigureView::hovered, title, &PaneTitle::setNote);
+        connect(view, &FigureView::saved, this,
+                [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); });
+    }
 }
 
-void MainWindow::makePanes() {
-    pyramid_ = new PyramidView(workspace_, this);
-    profile_ = new ProfileView(workspace_, this);
-    distance_ = new DistanceView(workspace_, this);
-    rows_ = new RowsView(workspace_, this);
-    trace_ = new Trace3dView(workspace_, this);
-    auto* const time = new QWidget(this);
-    auto* const column = new QVBoxLayout(time);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    stepBar_ = new StepBar(workspace_, time);
-    breakpoints_ = new BreakpointBar(workspace_, time);
-    steps_ = new StepTable(workspace_, time);
-    column->addWidget(stepBar_);
-    column->addWidget(breakpoints_);
-    other_ = new OtherBar(workspace_, time);
-    column->addWidget(other_);
-    column->addWidget(steps_, 1);
-    auto* const scroll = new QScrollArea(this);
-    auto* const panel = new ScenePanel(workspace_, scroll);
-    scroll->setWidget(panel);
-    scroll->setAccessibleName(tr("Scene"));
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(panel->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
-
-    addPane({tr("Trace 3-D"), tr("Trace 3-D", "tab")}, QStringLiteral("trace-pane"), trace_,
-            trace_->findChild<QVTKOpenGLNativeWidget*>(), Qt::RightDockWidgetArea);
-    addPane(tr("Pyramid"), QStringLiteral("pyramid-pane"), pyramid_, pyramid_->canvas(), Qt::RightDockWidgetArea);
-    linkFigure(pyramid_);
-    addPane(tr("Steps"), QStringLiteral("steps-pane"), time, steps_->findChild<QTableView*>(),
-            Qt::BottomDockWidgetArea);
-    addPane(tr("Scene"), QStringLiteral("scene-pane"), scroll, scroll, Qt::LeftDockWidgetArea);
-    addPane(tr("Profile"), QStringLiteral("profile-pane"), profile_, profile_->canvas(), Qt::RightDockWidgetArea);
-    linkFigure(profile_);
-    addPane({tr("Distance map"), tr("Distance map", "tab")}, QStringLiteral("distance-pane"), distance_,
-            distance_->canvas(), Qt::RightDockWidgetArea);
-    linkFigure(distance_);
-    footprint_ = new FootprintView(workspace_, this);
-    addPane({tr("Footprint"), tr("Footprint", "tab")}, QStringLiteral("footprint-pane"), footprint_,
-            footprint_->canvas(), Qt::RightDockWidgetArea);
-    linkFigure(footprint_);
-    addPane(tr("Rows"), QStringLiteral("rows-pane"), rows_, rows_->canvas(), Qt::RightDockWidgetArea);
-    linkFigure(rows_);
-    charts_ = new ChartsView(workspace_, this);
-    addPane(tr("Charts"), QStringLiteral("charts-pane"), charts_, charts_->canvas(), Qt::RightDockWidgetArea);
-    linkFigure(charts_);
-    compare_ = new CompareView(workspace_, this);
-    addPane(tr("Compare"), QStringLiteral("compare-pane"), compare_, compare_->pictures(), Qt::RightDockWidgetArea);
-    linkFigure(compare_);
-    drawn_ = new DrawnView(workspace_, this);
-    addPane(tr("By hand"), QStringLiteral("drawn-pane"), drawn_, drawn_->grid(), Qt::RightDockWidgetArea);
-    linkFigure(drawn_);
-    duel_ = new DuelView(workspace_, this);
-    addPane(tr("Duel"), QStringLiteral("duel-pane"), duel_, duel_->canvas(), Qt::RightDockWidgetArea);
-    linkFigure(duel_);
+QDockWidget* MainWindow::dockOf(const QString& pane) const {
+    return findChild<QDockWidget*>(pane + QStringLiteral("-pane"));
 }
 
-// Of the pane that was added last: its readout stands in the title, what it saved in the last line.
-void MainWindow::linkFigure(FigureView* view) {
-    connect(view, &FigureView::hovered, qobject_cast<PaneTitle*>(panes_.back().dock->titleBarWidget()),
-            &PaneTitle::setNote);
-    connect(view, &FigureView::saved, this,
-            [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); });
+QDockWidget* MainWindow::front(Home home) const {
+    return std::find_if(panes_.begin(), panes_.end(),
+                        [&](const Pane& pane) { return pane.dock != nullptr && pane.kind.home == home; })
+        ->dock;
+}
+
+// Qt makes a bar of tabs where docks lie behind each other, and knows their titles alone.
+void MainWindow::tipTabs() {
+    for (QTabBar* const bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+        for (int n = 0; n < bar->count(); ++n) {
+            for (const Pane& pane : panes_) {
+                if (pane.kind.tab == bar->tabText(n)) bar->setTabToolTip(n, pane.kind.help);
+            }
+        }
+    }
 }
 
 // 1 to 9 and 0; panes after the tenth have Alt and the same again.
@@ -225,29 +175,25 @@ QString MainWindow::paneKey(std::size_t pane) {
     return pane < kPlain ? digit : QStringLiteral("Alt+") + digit;
 }
 
-// Closed at first: it is opened from the menu, by its key or from the bottom line.
-void MainWindow::makeSkipped() {
-    auto* const panel = new SkippedPanel(workspace_, this);
-    skipped_ = addPane(tr("Skipped"), QStringLiteral("skipped-pane"), panel, panel, Qt::BottomDockWidgetArea);
-    skipped_->hide();
-    // Tables have no drawing to click on: their menus are made of actions.
+// Tables have no drawing to click on: their menus are made of actions.
+void MainWindow::addTableMenus() {
     const auto addExport = [this](QWidget* table, const QString& view) {
         auto* const action = new QAction(tr("Export figure…"), table);
         connect(action, &QAction::triggered, this, [this, view] { askView(view); });
         table->addAction(action);
         table->setContextMenuPolicy(Qt::ActionsContextMenu);
     };
-    addExport(panel, QStringLiteral("skipped"));
-    addExport(steps_->table(), QStringLiteral("steps"));
-    connect(status_, &StatusLine::ledgerWanted, skipped_, [this] { skipped_->setVisible(skipped_->isHidden()); });
+    QDockWidget* const skipped = dockOf(QStringLiteral("skipped"));
+    addExport(skipped->widget(), QStringLiteral("skipped"));
+    addExport(time_->table()->table(), QStringLiteral("steps"));
+    connect(status_, &StatusLine::ledgerWanted, skipped, [skipped] { skipped->setVisible(skipped->isHidden()); });
     // Its reasons are sentences: as wide as the steps, over which it comes up.
-    connect(skipped_->toggleViewAction(), &QAction::toggled, skipped_, [this](bool shown) {
-        const auto steps = std::find_if(panes_.begin(), panes_.end(), [](const auto& pane) {
-            return pane.dock != nullptr && pane.dock->objectName() == QStringLiteral("steps-pane");
-        });
-        if (!shown || steps == panes_.end()) return;
-        if (!skipped_->isFloating() && tabifiedDockWidgets(skipped_).isEmpty()) tabifyDockWidget(steps->dock, skipped_);
-        skipped_->raise();
+    connect(skipped->toggleViewAction(), &QAction::toggled, skipped, [this, skipped](bool shown) {
+        if (!shown) return;
+        if (!skipped->isFloating() && tabifiedDockWidgets(skipped).isEmpty()) {
+            tabifyDockWidget(front(Home::Time), skipped);
+        }
+        skipped->raise();
     });
 }
 

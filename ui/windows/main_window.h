@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QVariantMap>
 
+#include "windows/pane_list.h"
 #include "workspace/mailbox.h"
 #include "workspace/workspace.h"
 
@@ -16,30 +17,17 @@ class QToolBar;
 
 namespace reliefui {
 
-class BreakpointBar;
-class ChartsView;
-class CompareView;
-class DistanceView;
-class DrawnView;
 class FigureView;
 class KeyPolicy;
-class DuelView;
-class FootprintView;
 class BookmarkMenu;
 class MessageBar;
 struct Lesson;
-class OtherBar;
 class PaneTitle;
 class PixelFinder;
-class ProfileView;
-class PyramidView;
 class ResultView;
-class RowsView;
 class StatusLine;
-class StepBar;
-class StepTable;
+class TimePane;
 class TopBar;
-class Trace3dView;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -49,20 +37,12 @@ class MainWindow : public QMainWindow {
     ~MainWindow() override;
 
     ResultView* result() { return result_; }
-    PyramidView* pyramid() { return pyramid_; }
-    ProfileView* profile() { return profile_; }
-    DistanceView* distance() { return distance_; }
-    RowsView* rows() { return rows_; }
-    FootprintView* footprint() { return footprint_; }
-    ChartsView* charts() { return charts_; }
-    DuelView* duel() { return duel_; }
-    CompareView* compare() { return compare_; }
-    DrawnView* drawn() { return drawn_; }
-    Trace3dView* trace() { return trace_; }
-    StepTable* steps() { return steps_; }
-    StepBar* stepBar() { return stepBar_; }
-    BreakpointBar* breakpoints() { return breakpoints_; }
-    OtherBar* other() { return other_; }
+    // One of the panes around it, by its class.
+    template <class Pane>
+    Pane* pane() const {
+        return findChild<Pane*>();
+    }
+    TimePane* time() { return time_; }
     PixelFinder* finder() { return finder_; }
     BookmarkMenu* bookmarks() { return bookmarks_; }
     MessageBar* messages() { return messages_; }
@@ -105,28 +85,22 @@ class MainWindow : public QMainWindow {
 
   private:
     struct Pane {
-        QString title;
+        PaneKind kind;
         QWidget* whole = nullptr;  // the dock, or the middle
         QWidget* focus = nullptr;
         QDockWidget* dock = nullptr;
     };
 
-    // The whole title, and a short one for the tab.
-    struct PaneName {
-        QString title;
-        QString tab;
-        PaneName(const QString& whole) : title(whole), tab(whole) {}
-        PaneName(const QString& whole, const QString& shorter) : title(whole), tab(shorter) {}
-    };
-
     void makeResult();
     void makePanes();
-    void makeSkipped();
-    QDockWidget* addPane(const PaneName& title, const QString& name, QWidget* whole, QWidget* focus,
-                         Qt::DockWidgetArea area);
-    void linkFigure(FigureView* view);
+    void addPane(const PaneKind& kind);
+    void addTableMenus();
+    void tipTabs();
+    QDockWidget* dockOf(const QString& pane) const;
+    // The dock that stands in front there at first.
+    QDockWidget* front(Home home) const;
     static QString paneKey(std::size_t pane);
-    PaneTitle* titleOf(const QString& title, QWidget* whole);
+    PaneTitle* titleOf(const PaneKind& kind, QWidget* whole);
     void makeMessages();
     void shareRoom();
     void gatherPanes();
@@ -136,6 +110,7 @@ class MainWindow : public QMainWindow {
     void showTimeOnly(bool only);
     void restorePanes(const QByteArray& state);
     void focusPane(std::size_t number);
+    void focusPane(const QString& name);
     // Of the pane that fills the window; else the result.
     QWidget* frontView() const;
 
@@ -173,20 +148,7 @@ class MainWindow : public QMainWindow {
     QString datasets_;
     KeyPolicy* keys_ = nullptr;
     ResultView* result_ = nullptr;
-    PyramidView* pyramid_ = nullptr;
-    ProfileView* profile_ = nullptr;
-    DistanceView* distance_ = nullptr;
-    RowsView* rows_ = nullptr;
-    FootprintView* footprint_ = nullptr;
-    ChartsView* charts_ = nullptr;
-    DuelView* duel_ = nullptr;
-    CompareView* compare_ = nullptr;
-    DrawnView* drawn_ = nullptr;
-    Trace3dView* trace_ = nullptr;
-    StepTable* steps_ = nullptr;
-    StepBar* stepBar_ = nullptr;
-    BreakpointBar* breakpoints_ = nullptr;
-    OtherBar* other_ = nullptr;
+    TimePane* time_ = nullptr;
     PixelFinder* finder_ = nullptr;
     BookmarkMenu* bookmarks_ = nullptr;
     MessageBar* messages_ = nullptr;
@@ -194,7 +156,6 @@ class MainWindow : public QMainWindow {
     QToolBar* messageRow_ = nullptr;
     QAction* messageHolder_ = nullptr;
     StatusLine* status_ = nullptr;
-    QDockWidget* skipped_ = nullptr;
     TopBar* topBar_ = nullptr;
     std::vector<Pane> panes_;
     QWidget* filled_ = nullptr;  // the pane that fills the window

@@ -137,8 +137,13 @@ void MainWindow::exportFocused() {
     for (; at != nullptr; at = at->parentWidget()) {
         if (auto* const figure = qobject_cast<FigureView*>(at)) return figure->askFigure();
         const auto* const dock = qobject_cast<QDockWidget*>(at);
-        if (dock != nullptr && dock == skipped_) return askView(QStringLiteral("skipped"));
-        if (dock != nullptr && dock == panes_[3].dock) return askView(QStringLiteral("steps"));
+        for (const Pane& pane : panes_) {
+            const auto& figures = figureList();
+            const bool has = std::any_of(figures.begin(), figures.end(), [&](const FigureKind& figure) {
+                return figure.name == pane.kind.name.toStdString();
+            });
+            if (dock != nullptr && dock == pane.dock && has) return askView(pane.kind.name);
+        }
     }
     askView(QStringLiteral("result"));
 }

@@ -1,4 +1,6 @@
 // Where the panes are: the layout at first, one pane that fills the window, the projector's layout.
+#include <map>
+
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
@@ -6,14 +8,11 @@
 #include <QSettings>
 #include <QTimer>
 
-#include "panes/drawn/drawn_view.h"
 #include "panes/figure_view.h"
-#include "panes/steps/step_table.h"
-#include "windows/breakpoint_bar.h"
 #include "windows/main_window.h"
 #include "windows/status_line.h"
-#include "windows/step_bar.h"
 #include "windows/theme.h"
+#include "windows/time_pane.h"
 
 namespace reliefui {
 
@@ -42,31 +41,23 @@ QString themeKey() {
 
 void MainWindow::resetLayout() {
     if (filled_ != nullptr) fill(filled_);
-    QDockWidget* const trace = panes_[1].dock;
-    QDockWidget* const pyramid = panes_[2].dock;
-    QDockWidget* const steps = panes_[3].dock;
-    QDockWidget* const scene = panes_[4].dock;
     for (const Pane& pane : panes_) {
         if (pane.dock != nullptr) pane.dock->setFloating(false);
     }
-    addDockWidget(Qt::RightDockWidgetArea, trace);
-    addDockWidget(Qt::RightDockWidgetArea, pyramid);
-    addDockWidget(Qt::BottomDockWidgetArea, steps);
-    addDockWidget(Qt::LeftDockWidgetArea, scene);
-    splitDockWidget(trace, pyramid, Qt::Vertical);
-    tabifyDockWidget(pyramid, panes_[5].dock);
-    QDockWidget* last = panes_[5].dock;
-    for (std::size_t i = 6; i < panes_.size(); ++i) {
-        QDockWidget* const dock = panes_[i].dock;
-        if (dock == skipped_) continue;
-        // Pictures want height; who draws by hand looks at all that follows.
-        const bool high = dock->objectName() == QStringLiteral("compare-pane");
-        const bool beside = dock->objectName() == QStringLiteral("drawn-pane");
-        tabifyDockWidget(high ? trace : (beside ? scene : last), dock);
-        if (!high && !beside) last = dock;
+    addDockWidget(Qt::RightDockWidgetArea, front(Home::High));
+    addDockWidget(Qt::RightDockWidgetArea, front(Home::Low));
+    addDockWidget(Qt::BottomDockWidgetArea, front(Home::Time));
+    addDockWidget(Qt::LeftDockWidgetArea, front(Home::Side));
+    splitDockWidget(front(Home::High), front(Home::Low), Qt::Vertical);
+    std::map<Home, QDockWidget*> last;
+    for (const Pane& pane : panes_) {
+        if (pane.dock == nullptr || !pane.kind.open) continue;
+        if (last.contains(pane.kind.home)) tabifyDockWidget(last[pane.kind.home], pane.dock);
+        last[pane.kind.home] = pane.dock;
     }
-    for (const Pane& pane : panes_) pane.whole->setVisible(pane.whole != skipped_);
-    for (QDockWidget* const front : {trace, scene, pyramid}) front->raise();
+    for (const Pane& pane : panes_) pane.whole->setVisible(pane.kind.open);
+    for (const Home home : {Home::High, Home::Side, Home::Low}) front(home)->raise();
+    tipTabs();
     shareRoom();
     // Again when the window has its size: before that, docks are as small as they can be.
     QTimer::singleShot(0, this, &MainWindow::shareRoom);
@@ -74,19 +65,20 @@ void MainWindow::resetLayout() {
 
 // On a projector one pane beside the result, as high as it can be; the others wait in its tabs.
 void MainWindow::gatherPanes() {
-    QDockWidget* const trace = panes_[1].dock;
-    QDockWidget* front = trace;
+    QDockWidget* const trace = front(Home::High);
+    QDockWidget* chosen = trace;
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden() || pane.dock->isFloating()) continue;
         if (dockWidgetArea(pane.dock) != Qt::RightDockWidgetArea) continue;
         const bool seen = !pane.dock->visibleRegion().isEmpty();
-        if (seen && (front == trace || pane.dock->isAncestorOf(QApplication::focusWidget()))) front = pane.dock;
+        if (seen && (chosen == trace || pane.dock->isAncestorOf(QApplication::focusWidget()))) chosen = pane.dock;
     }
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden() || pane.dock->isFloating()) continue;
         if (dockWidgetArea(pane.dock) == Qt::RightDockWidgetArea) tabifyDockWidget(trace, pane.dock);
     }
-    front->raise();
+    chosen->raise();
+    tipTabs();
 }
 
 void MainWindow::closePane(QWidget* whole) {
@@ -104,10 +96,10 @@ void MainWindow::emptyClosed() {
 }
 
 void MainWindow::shareRoom() {
-    QDockWidget* const trace = panes_[1].dock;
-    QDockWidget* const pyramid = panes_[2].dock;
-    QDockWidget* const steps = panes_[3].dock;
-    QDockWidget* const scene = panes_[4].dock;
+    QDockWidget* const trace = front(Home::High);
+    QDockWidget* const pyramid = front(Home::Low);
+    QDockWidget* const steps = front(Home::Time);
+    QDockWidget* const scene = front(Home::Side);
     const auto part = [](double of, double share) { return static_cast<int>(of * share); };
     resizeDocks({scene, trace}, {part(width(), kSceneWidth), part(width(), kTraceWidth)}, Qt::Horizontal);
     resizeDocks({steps}, {part(height(), kStepsHeight)}, Qt::Vertical);
@@ -118,7 +110,7 @@ void MainWindow::shareRoom() {
 
 // A pane fills the window; only time stays below it, so that one can go on stepping.
 void MainWindow::fill(QWidget* pane) {
-    QDockWidget* const steps = panes_[3].dock;
+    QDockWidget* const steps = front(Home::Time);
     if (filled_ == nullptr) {
         beforeFill_ = saveState();
         filled_ = pane;
@@ -150,17 +142,20 @@ QWidget* MainWindow::frontView() const {
 }
 
 void MainWindow::showTimeOnly(bool only) {
-    QDockWidget* const steps = panes_[3].dock;
-    for (QWidget* const part :
-         {steps->titleBarWidget(), static_cast<QWidget*>(breakpoints_), static_cast<QWidget*>(steps_)}) {
-        part->setVisible(!only);
-    }
-    steps->widget()->setMaximumHeight(only ? stepBar_->sizeHint().height() : QWIDGETSIZE_MAX);
+    QDockWidget* const steps = front(Home::Time);
+    steps->titleBarWidget()->setVisible(!only);
+    const int height = time_->showBarOnly(only);
     if (!only) return;
     // The room that it does not need any more is the pane's; when the layout knows of it.
-    QTimer::singleShot(0, this, [this, steps] {
-        if (filled_ != nullptr) resizeDocks({steps}, {stepBar_->sizeHint().height()}, Qt::Vertical);
+    QTimer::singleShot(0, this, [this, steps, height] {
+        if (filled_ != nullptr) resizeDocks({steps}, {height}, Qt::Vertical);
     });
+}
+
+void MainWindow::focusPane(const QString& name) {
+    for (std::size_t n = 0; n < panes_.size(); ++n) {
+        if (panes_[n].kind.name == name) focusPane(n);
+    }
 }
 
 void MainWindow::focusPane(std::size_t number) {
@@ -186,16 +181,18 @@ void MainWindow::setProjector(bool on) {
     if (on) {
         beforeProjector_ = saveState();
         // Nobody reads controls from the last row; the panes need the room.
-        const bool byHand = !drawn_->visibleRegion().isEmpty();
-        panes_[4].whole->hide();
-        if (!byHand) drawn_->parentWidget()->hide();
+        for (const Pane& pane : panes_) {
+            if (pane.dock == nullptr || pane.kind.home != Home::Side) continue;
+            const bool worked = pane.dock != front(Home::Side) && !pane.dock->visibleRegion().isEmpty();
+            if (!worked) pane.dock->hide();
+        }
         if (filled_ == nullptr) gatherPanes();
         showFullScreen();
         // The large type of the panes at the right wants half of the window.
         QTimer::singleShot(0, this, [this] {
             if (!workspace_->style().projector) return;
-            resizeDocks({panes_[1].dock}, {static_cast<int>(width() * kProjectorTraceWidth)}, Qt::Horizontal);
-            resizeDocks({panes_[3].dock}, {static_cast<int>(height() * kProjectorStepsHeight)}, Qt::Vertical);
+            resizeDocks({front(Home::High)}, {static_cast<int>(width() * kProjectorTraceWidth)}, Qt::Horizontal);
+            resizeDocks({front(Home::Time)}, {static_cast<int>(height() * kProjectorStepsHeight)}, Qt::Vertical);
         });
     } else {
         showNormal();
@@ -206,6 +203,7 @@ void MainWindow::setProjector(bool on) {
 // Messages are where they are now, whatever was there when the state was kept.
 void MainWindow::restorePanes(const QByteArray& state) {
     restoreState(state);
+    tipTabs();
     showMessages();
 }
 

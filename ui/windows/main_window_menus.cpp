@@ -15,10 +15,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
-#include "panes/charts/charts_view.h"
-#include "panes/compare/compare_view.h"
-#include "panes/distance/distance_view.h"
-#include "panes/duel/duel_view.h"
+#include "panes/figure_view.h"
 #include "panes/result/result_painting.h"
 #include "panes/result/result_view.h"
 #include "windows/breakpoint_bar.h"
@@ -26,6 +23,7 @@
 #include "windows/scene_panel.h"
 #include "windows/status_line.h"
 #include "windows/step_bar.h"
+#include "windows/time_pane.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -106,17 +104,16 @@ void MainWindow::makeEditMenu() {
     menu->addSeparator();
     auto* const cancel = addAction(menu, tr("C&ancel"), QKeySequence(Qt::Key_Escape), tr("Cancel what is running"));
     connect(cancel, &QAction::triggered, workspace_, &Workspace::cancel);
-    connect(cancel, &QAction::triggered, distance_, &DistanceView::cancel);
-    connect(cancel, &QAction::triggered, charts_, &ChartsView::cancel);
-    connect(cancel, &QAction::triggered, duel_, &DuelView::cancel);
-    connect(cancel, &QAction::triggered, compare_, &CompareView::cancel);
+    for (FigureView* const view : findChildren<FigureView*>()) {
+        connect(cancel, &QAction::triggered, view, &FigureView::cancel);
+    }
 }
 
 void MainWindow::makeViewMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&View"));
     QMenu* const go = menu->addMenu(tr("&Go to"));
     for (std::size_t i = 0; i < panes_.size(); ++i) {
-        auto* const action = addAction(go, panes_[i].title, QKeySequence(paneKey(i)), tr("Go to this pane"));
+        auto* const action = addAction(go, panes_[i].kind.title, QKeySequence(paneKey(i)), panes_[i].kind.help);
         connect(action, &QAction::triggered, this, [this, i] { focusPane(i); });
     }
     QMenu* const shown = menu->addMenu(tr("&Panes"));
@@ -140,7 +137,7 @@ void MainWindow::makeViewMenu() {
 void MainWindow::makeRayMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&Ray"));
     const auto add = [&](const QString& text, const QKeySequence& keys, const QString& help, void (StepBar::*slot)()) {
-        connect(addAction(menu, text, keys, help), &QAction::triggered, stepBar_, slot);
+        connect(addAction(menu, text, keys, help), &QAction::triggered, time_->bar(), slot);
     };
     add(tr("&First step"), QKeySequence(Qt::Key_Home), tr("To the first step of the ray"), &StepBar::first);
     add(tr("&Previous step"), QKeySequence(Qt::Key_Comma), tr("One step back"), &StepBar::previous);
@@ -159,7 +156,7 @@ void MainWindow::makeRayMenu() {
         &StepBar::runBack);
     connect(addAction(menu, tr("&Stop at this texel"), QKeySequence(Qt::Key_F9),
                       tr("Set a breakpoint at the texel of the chosen step, or take it away")),
-            &QAction::triggered, breakpoints_, &BreakpointBar::toggleHere);
+            &QAction::triggered, time_->breakpoints(), &BreakpointBar::toggleHere);
     menu->addSeparator();
     makeWorthMenu(menu);
     makeDuelMenu(menu);

@@ -5,12 +5,12 @@
 #include <QStatusBar>
 
 #include "lessons/lessons.h"
-#include "panes/drawing_canvas.h"
 #include "panes/duel/duel_view.h"
 #include "windows/bookmarks.h"
 #include "windows/main_window.h"
 #include "windows/other_bar.h"
 #include "windows/status_line.h"
+#include "windows/time_pane.h"
 #include "workspace/pixel_finder.h"
 
 namespace reliefui {
@@ -50,10 +50,8 @@ void MainWindow::makeDuelMenu(QMenu* menu) {
                                    tr("To the first step that the exact answer contradicts"));
     connect(action, &QAction::triggered, this, [this] {
         // The pane is looked at, wherever it was.
-        for (std::size_t i = 0; i < panes_.size(); ++i) {
-            if (panes_[i].focus == duel_->canvas()) focusPane(i);
-        }
-        duel_->toDivergence();
+        focusPane(QStringLiteral("duel"));
+        pane<DuelView>()->toDivergence();
     });
 }
 
@@ -83,9 +81,7 @@ void MainWindow::openLesson(const QString& name) {
 
 void MainWindow::showLesson(const Lesson& lesson) {
     Q_EMIT workspace_->notice(lesson.about);
-    for (std::size_t i = 0; i < panes_.size(); ++i) {
-        if (panes_[i].whole->objectName() == lesson.pane) focusPane(i);
-    }
+    focusPane(lesson.pane);
 }
 
 void MainWindow::showLesson() {
@@ -119,7 +115,7 @@ void MainWindow::askOtherTracer() {
     if (rays.isEmpty()) return;
     const QString steps =
         QFileDialog::getOpenFileName(this, tr("Its steps on them"), rays, tr("Steps (*.csv *.json);;All files (*)"));
-    if (!steps.isEmpty()) other_->open(rays, steps);
+    if (!steps.isEmpty()) time_->other()->open(rays, steps);
 }
 
 }  // namespace reliefui

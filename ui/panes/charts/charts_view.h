@@ -35,7 +35,7 @@ class ChartsView : public FigureView {
 
   public slots:
     void measure();
-    void cancel();
+    void cancel() override;
     // Measures again by itself when the view changes.
     void setLive(bool on);
     void setWithMaps(bool on);

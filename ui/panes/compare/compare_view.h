@@ -102,7 +102,7 @@ class CompareView : public FigureView {
     void setMode(relief::CompareMode mode);
     void setMeasure(relief::CompareMeasure measure);
     void setReference(relief::CompareReference reference);
-    void cancel();
+    void cancel() override;
 
   protected:
     void paintEvent(QPaintEvent* event) override;

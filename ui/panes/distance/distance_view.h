@@ -44,7 +44,7 @@ class DistanceView : public FigureView {
     QString problem() const { return problem_; }
 
   public slots:
-    void cancel();
+    void cancel() override;
     void resetZoom();
 
   protected:

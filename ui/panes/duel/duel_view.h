@@ -45,7 +45,7 @@ class DuelView : public FigureView {
     void toDivergence();
     // The method in this place beside the scenario's own, 0 to 2; empty: none.
     void setRival(int place, const QString& method);
-    void cancel();
+    void cancel() override;
 
     // Only the heights that the ray comes through.
     void showNearRay(bool on);
