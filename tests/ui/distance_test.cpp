@@ -37,7 +37,8 @@ TEST_F(DistanceTest, EachPixelHasTheColourOfItsVoxel) {
         ASSERT_EQ(frame.axis, axis);
         ASSERT_EQ(frame.slice, *options.slice);
         // From near, so that lines cover little of the cells.
-        canvas()->zoomTo(frame.plot.grown(-0.25 * std::min(frame.plot.width(), frame.plot.height())));
+        const Point middle = frame.plot.center();
+        canvas()->zoomTo(Box{middle.x, middle.y, middle.x, middle.y}.grown(0.35 * frame.plot.height()));
         const QImage shown = grab(canvas());
         float most = 0;
         for (int k = 0; k < distances.layers(); ++k) {
