@@ -113,7 +113,7 @@ TEST_F(WindowTest, ALessonOpenedAsAFileShowsItsPane) {
             std::find_if(all.begin(), all.end(), [&](const auto& l) { return l.name == QLatin1String(name); });
         ASSERT_NE(lesson, all.end());
         workspace_->open(QStringLiteral(RELIEF_SOURCE "/ui/lessons/%1.json").arg(QLatin1String(name)));
-        auto* const pane = window_->findChild<QDockWidget*>(lesson->pane);
+        auto* const pane = window_->findChild<QDockWidget*>(lesson->pane + QStringLiteral("-pane"));
         EXPECT_TRUE(QTest::qWaitFor([&] { return !pane->visibleRegion().isEmpty(); }, 10000)) << "its pane is in front";
         EXPECT_EQ(window_->messages()->text(), lesson->about);
         ASSERT_NO_FATAL_FAILURE(waitForFull());
