@@ -255,6 +255,10 @@
         <source>Export the charts</source>
         <translation>Експорт діаграм</translation>
     </message>
+    <message>
+        <source>Run time against error, steps and errors of all pixels</source>
+        <translation>Час виконання проти похибки; кроки й похибки всіх пікселів</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::ComparePictures</name>
@@ -415,6 +419,10 @@
     <message>
         <source>Make %1 the method A</source>
         <translation>Зробити %1 методом A</translation>
+    </message>
+    <message>
+        <source>Pictures of several methods beside each other</source>
+        <translation>Зображення кількох методів поруч</translation>
     </message>
 </context>
 <context>
@@ -579,6 +587,15 @@
         <source>sector %1</source>
         <translation>сектор %1</translation>
     </message>
+    <message>
+        <source>Distance map</source>
+        <comment>tab</comment>
+        <translation>Відстані</translation>
+    </message>
+    <message>
+        <source>A slice through what the method has stored</source>
+        <translation>Зріз того, що метод обчислив наперед</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::DrawnGrid</name>
@@ -668,6 +685,10 @@
     <message>
         <source>Height of the chosen texel, 0 to 1: digits, Enter or a double click there</source>
         <translation>Висота вибраного текселя, від 0 до 1: цифри, Enter або подвійне клацання на ньому</translation>
+    </message>
+    <message>
+        <source>A small relief, drawn texel by texel</source>
+        <translation>Невеликий рельєф, намальований тексел за текселом</translation>
     </message>
 </context>
 <context>
@@ -762,6 +783,10 @@
     <message>
         <source>λ %1 · surface %2 · ray %3</source>
         <translation>λ %1 · поверхня %2 · промінь %3</translation>
+    </message>
+    <message>
+        <source>Several methods on one ray, step by step</source>
+        <translation>Кілька методів на одному промені, крок за кроком</translation>
     </message>
 </context>
 <context>
@@ -883,6 +908,15 @@
     <message>
         <source>Export the footprint</source>
         <translation>Експортувати слід пікселя</translation>
+    </message>
+    <message>
+        <source>Footprint</source>
+        <comment>tab</comment>
+        <translation>Слід</translation>
+    </message>
+    <message>
+        <source>The part of the texture that the pixel covers, and the weight of each texel</source>
+        <translation>Проєкція пікселя на текстуру та ваговий коефіцієнт кожного тексела</translation>
     </message>
 </context>
 <context>
@@ -1020,26 +1054,6 @@
     <message>
         <source>Reliefscope</source>
         <translation>Reliefscope</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Результат</translation>
-    </message>
-    <message>
-        <source>Trace 3-D</source>
-        <translation>Шлях променя 3-D</translation>
-    </message>
-    <message>
-        <source>Pyramid</source>
-        <translation>Піраміда</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Кроки</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Сцена</translation>
     </message>
     <message>
         <source>Messages</source>
@@ -1446,32 +1460,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 Рельєфне текстурування за картами висот у вікні, яке пояснює, чому піксель має саме такий вигляд.</translation>
     </message>
     <message>
-        <source>Profile</source>
-        <translation>Профіль</translation>
-    </message>
-    <message>
         <source>Save picture with its legend…</source>
         <translation>Зберегти зображення з легендою…</translation>
-    </message>
-    <message>
-        <source>Distance map</source>
-        <translation>Карта відстаней</translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation>Рядки</translation>
-    </message>
-    <message>
-        <source>Footprint</source>
-        <translation>Слід пікселя</translation>
-    </message>
-    <message>
-        <source>Skipped</source>
-        <translation>Пропущене</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Діаграми</translation>
     </message>
     <message>
         <source>Open another &amp;tracer&apos;s steps…</source>
@@ -1650,20 +1640,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Кроки (*.csv *.json);;Усі файли (*)</translation>
     </message>
     <message>
-        <source>Compare</source>
-        <translation>Порівняння</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>Вручну</translation>
-    </message>
-    <message>
         <source>drawn by hand</source>
         <translation>накреслений вручну</translation>
-    </message>
-    <message>
-        <source>Duel</source>
-        <translation>Двобій</translation>
     </message>
     <message>
         <source>first divergence of the duel</source>
@@ -1676,21 +1654,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>To the first step that the exact answer contradicts</source>
         <translation>До першого кроку, якому суперечить точна відповідь</translation>
-    </message>
-    <message>
-        <source>Trace 3-D</source>
-        <comment>tab</comment>
-        <translation>Шлях 3-D</translation>
-    </message>
-    <message>
-        <source>Distance map</source>
-        <comment>tab</comment>
-        <translation>Відстані</translation>
-    </message>
-    <message>
-        <source>Footprint</source>
-        <comment>tab</comment>
-        <translation>Слід</translation>
     </message>
     <message>
         <source>Export figure…</source>
@@ -1771,62 +1734,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>go to a control, change it; Enter in a number: back to the view</source>
         <translation>перейти до елемента керування, змінити його; Enter у числі: назад до зображення</translation>
-    </message>
-    <message>
-        <source>The picture, or a layer of it: choose a pixel to see how it came about</source>
-        <translation>Зображення або його шар: виберіть піксель, щоб побачити, як він виник</translation>
-    </message>
-    <message>
-        <source>The ray through the relief, in space</source>
-        <translation>Видовий промінь крізь рельєф у просторі</translation>
-    </message>
-    <message>
-        <source>The levels of the pyramid and the texels that the ray looked at</source>
-        <translation>Рівні піраміди й тексели, які переглянув промінь</translation>
-    </message>
-    <message>
-        <source>The steps of the ray, one by one, and what each of them means</source>
-        <translation>Кроки променя один за одним і що кожен із них означає</translation>
-    </message>
-    <message>
-        <source>Pictures, method, filter, camera and light</source>
-        <translation>Зображення, метод, фільтр, камера та світло</translation>
-    </message>
-    <message>
-        <source>The relief under the ray, cut along it</source>
-        <translation>Рельєф під променем, розрізаний уздовж нього</translation>
-    </message>
-    <message>
-        <source>A slice through what the method has stored</source>
-        <translation>Зріз того, що метод обчислив наперед</translation>
-    </message>
-    <message>
-        <source>The part of the texture that the pixel covers, and the weight of each texel</source>
-        <translation>Проєкція пікселя на текстуру та ваговий коефіцієнт кожного тексела</translation>
-    </message>
-    <message>
-        <source>Texture coordinates along the pixel&apos;s row, computed in several ways</source>
-        <translation>Текстурні координати вздовж рядка пікселя, обчислені кількома способами</translation>
-    </message>
-    <message>
-        <source>Run time against error, steps and errors of all pixels</source>
-        <translation>Час виконання проти похибки; кроки й похибки всіх пікселів</translation>
-    </message>
-    <message>
-        <source>Pictures of several methods beside each other</source>
-        <translation>Зображення кількох методів поруч</translation>
-    </message>
-    <message>
-        <source>A small relief, drawn texel by texel</source>
-        <translation>Невеликий рельєф, намальований тексел за текселом</translation>
-    </message>
-    <message>
-        <source>Several methods on one ray, step by step</source>
-        <translation>Кілька методів на одному промені, крок за кроком</translation>
-    </message>
-    <message>
-        <source>What the picture did without, and why</source>
-        <translation>Що для зображення не обчислювалося і чому</translation>
     </message>
 </context>
 <context>
@@ -2177,6 +2084,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>Hide the answer; a click guesses where the ray hits, then it is shown (G)</source>
         <translation>Приховати відповідь; клацання вгадує, куди влучить промінь, потім її показано (G)</translation>
     </message>
+    <message>
+        <source>The relief under the ray, cut along it</source>
+        <translation>Рельєф під променем, розрізаний уздовж нього</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::PyramidStack</name>
@@ -2274,6 +2185,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Export the pyramid</source>
         <translation>Експорт піраміди</translation>
+    </message>
+    <message>
+        <source>The levels of the pyramid and the texels that the ray looked at</source>
+        <translation>Рівні піраміди й тексели, які переглянув промінь</translation>
     </message>
 </context>
 <context>
@@ -2491,6 +2406,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>No picture yet: open a height map, or drop one here.</source>
         <translation>Картинки ще немає: відкрийте карту висот або перетягніть її сюди.</translation>
     </message>
+    <message>
+        <source>Result</source>
+        <translation>Результат</translation>
+    </message>
+    <message>
+        <source>The picture, or a layer of it: choose a pixel to see how it came about</source>
+        <translation>Зображення або його шар: виберіть піксель, щоб побачити, як він виник</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::RowsView</name>
@@ -2605,6 +2528,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Export the rows</source>
         <translation>Експорт рядків</translation>
+    </message>
+    <message>
+        <source>Texture coordinates along the pixel&apos;s row, computed in several ways</source>
+        <translation>Текстурні координати вздовж рядка пікселя, обчислені кількома способами</translation>
     </message>
 </context>
 <context>
@@ -2733,6 +2660,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>Filter</source>
         <translation>Фільтр</translation>
     </message>
+    <message>
+        <source>Pictures, method, filter, camera and light</source>
+        <translation>Зображення, метод, фільтр, камера та світло</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::SkippedPanel</name>
@@ -2779,6 +2710,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Lossless: off</source>
         <translation>Без втрат: вимкнено</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Пропущене</translation>
+    </message>
+    <message>
+        <source>What the picture did without, and why</source>
+        <translation>Що для зображення не обчислювалося і чому</translation>
     </message>
 </context>
 <context>
@@ -3097,6 +3036,10 @@ Click to switch the method to %1</source>
         <source>Tables (*.csv)</source>
         <translation>Таблиці (*.csv)</translation>
     </message>
+    <message>
+        <source>The steps of the ray, one by one, and what each of them means</source>
+        <translation>Кроки променя один за одним і що кожен із них означає</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::TopBar</name>
@@ -3202,6 +3145,19 @@ Click to switch the method to %1</source>
     <message>
         <source>Show the whole patch (R); drag or arrows turn, right drag or Shift+arrows move, wheel or + − zoom</source>
         <translation>Показати всю ділянку (R); перетягування або стрілки повертають, праве перетягування або Shift зі стрілками пересувають, коліщатко або + − масштабують</translation>
+    </message>
+    <message>
+        <source>Trace 3-D</source>
+        <translation>Шлях променя 3-D</translation>
+    </message>
+    <message>
+        <source>Trace 3-D</source>
+        <comment>tab</comment>
+        <translation>Шлях 3-D</translation>
+    </message>
+    <message>
+        <source>The ray through the relief, in space</source>
+        <translation>Видовий промінь крізь рельєф у просторі</translation>
     </message>
 </context>
 <context>

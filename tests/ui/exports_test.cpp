@@ -13,7 +13,7 @@
 #include "panes/trace/trace3d_view.h"
 #include "relief/files.h"
 #include "window_fixture.h"
-#include "windows/figure_list.h"
+#include "windows/pane_list.h"
 #include "windows/time_pane.h"
 
 namespace reliefui {

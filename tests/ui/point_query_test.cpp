@@ -8,7 +8,7 @@
 #include "lessons/lessons.h"
 #include "panes/point_asker.h"
 #include "panes/profile/profile_view.h"
-#include "windows/figure_list.h"
+#include "windows/pane_list.h"
 #include "workspace/pane_states.h"
 
 namespace reliefui {

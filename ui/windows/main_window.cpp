@@ -32,6 +32,10 @@ namespace {
 constexpr int kMessageMs = 4000;
 constexpr int kEmptyMs = 2000;  // a pane that was closed by mistake is back at once
 
+QString tabOf(const PaneKind& kind) {
+    return kind.tab.isEmpty() ? kind.title : kind.tab;
+}
+
 QComboBox* makeLayerChooser(Workspace* workspace, QWidget* parent) {
     auto* const box = new QComboBox(parent);
     box->setObjectName(QStringLiteral("layer"));
@@ -64,8 +68,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     connect(closed_, &QTimer::timeout, this, &MainWindow::emptyClosed);
     status_ = new StatusLine(workspace_, this);
     setStatusBar(status_);
-    makeResult();
-    for (const PaneKind& kind : paneList()) addPane(kind);
+    for (const PaneKind& kind : paneList()) kind.home == Home::Middle ? addResult(kind) : addPane(kind);
     time_ = pane<TimePane>();
     addTableMenus();
     makeMenus();
@@ -100,18 +103,15 @@ PaneTitle* MainWindow::titleOf(const PaneKind& kind, QWidget* whole) {
     return bar;
 }
 
-void MainWindow::makeResult() {
+void MainWindow::addResult(const PaneKind& kind) {
     auto* const whole = new QWidget(this);
     auto* const column = new QVBoxLayout(whole);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    PaneKind kind;
-    kind.name = QStringLiteral("result");
-    kind.title = tr("Result");
-    kind.help = tr("The picture, or a layer of it: choose a pixel to see how it came about");
     auto* const title = titleOf(kind, whole);
     title->addControl(makeLayerChooser(workspace_, title));
-    result_ = new ResultView(workspace_, whole);
+    auto* const view = kind.make(workspace_, whole);
+    result_ = qobject_cast<ResultView*>(view);
     whole->setFocusProxy(result_);
     column->addWidget(title);
     column->addWidget(result_, 1);
@@ -122,7 +122,7 @@ void MainWindow::makeResult() {
 }
 
 void MainWindow::addPane(const PaneKind& kind) {
-    auto* const dock = new QDockWidget(kind.tab, this);
+    auto* const dock = new QDockWidget(tabOf(kind), this);
     dock->setObjectName(kind.name + QStringLiteral("-pane"));
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                       QDockWidget::DockWidgetFloatable);
@@ -162,7 +162,7 @@ void MainWindow::tipTabs() {
     for (QTabBar* const bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
         for (int n = 0; n < bar->count(); ++n) {
             for (const Pane& pane : panes_) {
-                if (pane.kind.tab == bar->tabText(n)) bar->setTabToolTip(n, pane.kind.help);
+                if (tabOf(pane.kind) == bar->tabText(n)) bar->setTabToolTip(n, pane.kind.help);
             }
         }
     }

@@ -91,9 +91,9 @@ class MainWindow : public QMainWindow {
         QDockWidget* dock = nullptr;
     };
 
-    void makeResult();
     void makePanes();
     void addPane(const PaneKind& kind);
+    void addResult(const PaneKind& kind);
     void addTableMenus();
     void tipTabs();
     QDockWidget* dockOf(const QString& pane) const;

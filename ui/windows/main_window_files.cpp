@@ -18,8 +18,8 @@
 #include "panes/figure_export.h"
 #include "panes/figure_view.h"
 #include "panes/result/result_painting.h"
-#include "windows/figure_list.h"
 #include "windows/main_window.h"
+#include "windows/pane_list.h"
 #include "windows/pictures_box.h"
 #include "workspace/aside.h"
 #include "workspace/start_scenario.h"
@@ -138,11 +138,8 @@ void MainWindow::exportFocused() {
         if (auto* const figure = qobject_cast<FigureView*>(at)) return figure->askFigure();
         const auto* const dock = qobject_cast<QDockWidget*>(at);
         for (const Pane& pane : panes_) {
-            const auto& figures = figureList();
-            const bool has = std::any_of(figures.begin(), figures.end(), [&](const FigureKind& figure) {
-                return figure.name == pane.kind.name.toStdString();
-            });
-            if (dock != nullptr && dock == pane.dock && has) return askView(pane.kind.name);
+            const bool here = dock != nullptr && dock == pane.dock && !pane.kind.figures.empty();
+            if (here) return askView(QString::fromStdString(pane.kind.figures.front().name));
         }
     }
     askView(QStringLiteral("result"));

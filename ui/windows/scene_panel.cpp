@@ -5,6 +5,8 @@
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -295,6 +297,27 @@ void ScenePanel::refreshMethod() {
     guarantee_->setToolTip(
         tr("What the method promises with these options, the surfaces it can work on, and the "
            "memory of its maps beside the heights"));
+}
+
+// As many controls as there are: they scroll.
+PaneKind scenePane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("scene");
+    kind.title = ScenePanel::tr("Scene");
+    kind.help = ScenePanel::tr("Pictures, method, filter, camera and light");
+    kind.home = Home::Side;
+    kind.make = [](Workspace* workspace, QWidget* parent) -> QWidget* {
+        auto* const scroll = new QScrollArea(parent);
+        auto* const panel = new ScenePanel(workspace, scroll);
+        scroll->setWidget(panel);
+        scroll->setAccessibleName(ScenePanel::tr("Scene"));
+        scroll->setWidgetResizable(true);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        scroll->setMinimumWidth(panel->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+        return scroll;
+    };
+    return kind;
 }
 
 }  // namespace reliefui

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+#include "panes/pane.h"
 #include "workspace/workspace.h"
 
 class QCheckBox;
@@ -65,5 +66,7 @@ class ScenePanel : public QWidget {
     QLabel* help_ = nullptr;       // of the method
     QLabel* guarantee_ = nullptr;  // what it promises, where, and what it keeps in memory
 };
+
+PaneKind scenePane();
 
 }  // namespace reliefui

@@ -4,11 +4,23 @@
 #include <QVBoxLayout>
 
 #include "panes/steps/step_table.h"
+#include "panes/steps/steps_figure.h"
 #include "windows/breakpoint_bar.h"
 #include "windows/other_bar.h"
 #include "windows/step_bar.h"
 
 namespace reliefui {
+
+PaneKind timePane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("steps");
+    kind.title = StepTable::tr("Steps");
+    kind.help = StepTable::tr("The steps of the ray, one by one, and what each of them means");
+    kind.home = Home::Time;
+    kind.make = makePane<TimePane>;
+    kind.figures = {{"steps", true, plainFigure<stepsFigure>}};
+    return kind;
+}
 
 TimePane::TimePane(Workspace* workspace, QWidget* parent)
     : QWidget(parent),

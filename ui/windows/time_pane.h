@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include "panes/pane.h"
+
 namespace reliefui {
 
 class BreakpointBar;
@@ -10,6 +12,8 @@ class OtherBar;
 class StepBar;
 class StepTable;
 class Workspace;
+
+PaneKind timePane();
 
 class TimePane : public QWidget {
     Q_OBJECT

@@ -46,7 +46,7 @@ DistanceOptions distanceOptions(const DistancePane& pane) {
     return options;
 }
 
-DistancePane distancePane(const DistanceOptions& options) {
+DistancePane paneOf(const DistanceOptions& options) {
     DistancePane pane;
     pane.map = options.kind;
     pane.minus = options.minus;

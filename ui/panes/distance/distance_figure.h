@@ -11,7 +11,7 @@
 namespace reliefui {
 
 DistanceOptions distanceOptions(const DistancePane& pane);
-DistancePane distancePane(const DistanceOptions& options);
+DistancePane paneOf(const DistanceOptions& options);
 
 // point: whose distances are shown. Painting throws InputError for a map that there is none of.
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, const DistanceOptions& options,

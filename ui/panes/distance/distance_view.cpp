@@ -28,7 +28,7 @@ void DistanceView::setOptions(const DistanceOptions& options) {
 void DistanceView::change(const DistanceOptions& options, const char* drag) {
     if (options == options_) return;
     PaneStates panes = panesOf(workspace_->scenario());
-    panes.distance = distancePane(options);
+    panes.distance = paneOf(options);
     workspace_->setPanes(panes, tr("Distance map: other view"), QString::fromLatin1(drag));
     showControls();  // where it was refused
 }

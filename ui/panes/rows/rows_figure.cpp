@@ -57,7 +57,7 @@ RowsOptions rowsOptions(const RowsPane& pane) {
     return {pane.variants, pane.pixels, pane.inDouble, pane.logarithmic};
 }
 
-RowsPane rowsPane(const RowsOptions& options) {
+RowsPane paneOf(const RowsOptions& options) {
     return {options.methods, options.pixels, options.inDouble, options.logarithmic};
 }
 

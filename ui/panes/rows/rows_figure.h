@@ -13,7 +13,7 @@ namespace reliefui {
 // Nothing where the chosen pixel shows the sky, or there is none. Not of coarse snapshots.
 std::optional<RowsPlace> rowsPlace(const Snapshot& snapshot);
 RowsOptions rowsOptions(const RowsPane& pane);
-RowsPane rowsPane(const RowsOptions& options);
+RowsPane paneOf(const RowsOptions& options);
 
 std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapshot, const RowsOptions& options,
                                          const RowsRange& range);

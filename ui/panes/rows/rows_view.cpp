@@ -34,7 +34,7 @@ void RowsView::setOptions(const RowsOptions& options) {
 void RowsView::change(const RowsOptions& options) {
     if (options == options_) return;
     PaneStates panes = panesOf(workspace_->scenario());
-    panes.rows = rowsPane(options);
+    panes.rows = paneOf(options);
     workspace_->setPanes(panes, tr("Rows: other variants"));
     showControls();  // where it was refused
 }

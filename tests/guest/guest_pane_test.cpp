@@ -1,0 +1,48 @@
+// The guest among the panes, as a user of the window meets it: a folder of its own and a line in the list are enough.
+#include <QAction>
+#include <QDockWidget>
+#include <QTemporaryDir>
+
+#include "panes/drawing_canvas.h"
+#include "window_fixture.h"
+#include "windows/pane_list.h"
+
+namespace reliefui {
+namespace {
+
+TEST_F(WindowTest, TheGuestPaneIsEverywhere) {
+    EXPECT_EQ(paneList().back().name, QStringLiteral("numbers"));
+    openWindow(smallScenario());
+    auto* const dock = window_->findChild<QDockWidget*>(QStringLiteral("numbers-pane"));
+    ASSERT_NE(dock, nullptr);
+    auto* const view = qobject_cast<FigureView*>(dock->widget());
+    ASSERT_NE(view, nullptr);
+    // By its key, which is the next that is free.
+    QAction* go = nullptr;
+    for (QAction* const action : window_->findChildren<QAction*>()) {
+        if (action->text() == QStringLiteral("Numbers") && !action->shortcut().isEmpty()) go = action;
+    }
+    ASSERT_NE(go, nullptr);
+    EXPECT_EQ(go->shortcut(), QKeySequence(QStringLiteral("Alt+5")));
+    go->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !dock->visibleRegion().isEmpty(); }, 5000));
+    workspace_->choosePixel(91, 80);
+    ASSERT_NO_FATAL_FAILURE(waitForFull());
+    auto* const canvas = view->findChild<DrawingCanvas*>();
+    EXPECT_TRUE(canvas->hasFocus());
+    EXPECT_GT(colorsIn(grab(canvas)), 10);
+    // From the window and by name, as the program exports it.
+    const QTemporaryDir folder;
+    saveFigure(view, folder.filePath(QStringLiteral("numbers.pdf")));
+    EXPECT_TRUE(validFigure(folder.filePath(QStringLiteral("numbers.pdf"))));
+    const QImage image = figureImage(*figureKind("numbers").make(snapshot(), {}), {}, 400);
+    EXPECT_GT(colorsIn(image), 10);
+    // Closed and gone from sight, then where panes stand at first.
+    dock->hide();
+    window_->resetLayout();
+    EXPECT_FALSE(dock->isHidden());
+    EXPECT_FALSE(window_->tabifiedDockWidgets(dock).isEmpty());
+}
+
+}  // namespace
+}  // namespace reliefui

@@ -1,0 +1,22 @@
+#include "panes/charts/charts_pane.h"
+
+#include "panes/charts/charts_figure.h"
+#include "panes/charts/charts_view.h"
+
+namespace reliefui {
+
+PaneKind chartsPane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("charts");
+    kind.title = ChartsView::tr("Charts");
+    kind.help = ChartsView::tr("Run time against error, steps and errors of all pixels");
+    kind.home = Home::Low;
+    kind.make = makePane<ChartsView>;
+    kind.figures = {
+        {"charts", true,
+         [](std::shared_ptr<const Snapshot> s, const PaneStates& p) { return measuredCharts(*s, p.charts.error); }},
+        {"pareto", true, {}}};
+    return kind;
+}
+
+}  // namespace reliefui

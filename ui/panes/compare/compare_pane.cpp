@@ -1,0 +1,19 @@
+#include "panes/compare/compare_pane.h"
+
+#include "panes/compare/compare_figure.h"
+#include "panes/compare/compare_view.h"
+
+namespace reliefui {
+
+PaneKind comparePane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("compare");
+    kind.title = CompareView::tr("Compare");
+    kind.help = CompareView::tr("Pictures of several methods beside each other");
+    kind.home = Home::High;
+    kind.make = makePane<CompareView>;
+    kind.figures = {{"compare", true, plainFigure<measuredComparison>}};
+    return kind;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,22 @@
+#include "panes/distance/distance_pane.h"
+
+#include "panes/distance/distance_figure.h"
+#include "panes/distance/distance_view.h"
+
+namespace reliefui {
+
+PaneKind distancePane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("distance");
+    kind.title = DistanceView::tr("Distance map");
+    kind.tab = DistanceView::tr("Distance map", "tab");
+    kind.help = DistanceView::tr("A slice through what the method has stored");
+    kind.home = Home::Low;
+    kind.make = makePane<DistanceView>;
+    kind.figures = {{"distance", true, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+                         return distanceFigure(std::move(s), distanceOptions(p.distance), p.query);
+                     }}};
+    return kind;
+}
+
+}  // namespace reliefui

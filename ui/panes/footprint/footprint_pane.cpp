@@ -1,0 +1,24 @@
+#include "panes/footprint/footprint_pane.h"
+
+#include "panes/footprint/footprint_figure.h"
+#include "panes/footprint/footprint_view.h"
+
+namespace reliefui {
+
+PaneKind footprintPane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("footprint");
+    kind.title = FootprintView::tr("Footprint");
+    kind.tab = FootprintView::tr("Footprint", "tab");
+    kind.help = FootprintView::tr("The part of the texture that the pixel covers, and the weight of each texel");
+    kind.home = Home::Low;
+    kind.make = makePane<FootprintView>;
+    kind.figures = {{"footprint", true, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+                         FootprintOptions options;
+                         options.neighbours = p.footprint.neighbours;
+                         return footprintFigure(std::move(s), options);
+                     }}};
+    return kind;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,57 @@
+// What a pane is to the window, its menus and layouts, and to `reliefscope --export`: an entry of the list of panes.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <QString>
+
+#include "panes/figure.h"
+#include "workspace/pane_states.h"
+#include "workspace/snapshot.h"
+
+class QWidget;
+
+namespace reliefui {
+
+class Workspace;
+
+// Where a pane stands at first: in the middle, right of it above or below, under it, left of it. The first pane of a
+// home stands in front, the others behind it in tabs.
+enum class Home : std::uint8_t { Middle, High, Low, Time, Side };
+
+struct FigureKind {
+    std::string name;
+    bool vectors = true;
+    // As the panes' states say; may take seconds. Throws InputError. Empty: not of a snapshot ("pareto", of a table of
+    // measurements).
+    std::function<std::shared_ptr<const Figure>(std::shared_ptr<const Snapshot>, const PaneStates&)> make;
+};
+
+struct PaneKind {
+    QString name;   // "profile": its dock is "profile-pane"
+    QString title;  // in the pane
+    QString tab;    // shorter, where there are many; empty: the title
+    QString help;   // what it shows, in a line
+    Home home = Home::Low;
+    // A FigureView, or a widget whose focus proxy, if it has one, gets the keyboard.
+    std::function<QWidget*(Workspace* workspace, QWidget* parent)> make;
+    std::vector<FigureKind> figures{};
+    bool open = true;  // at first
+};
+
+// As PaneKind::make.
+template <class View>
+QWidget* makePane(Workspace* workspace, QWidget* parent) {
+    return new View(workspace, parent);
+}
+
+// As FigureKind::make, of panes without a state that figures show.
+template <std::shared_ptr<const Figure> (*make)(std::shared_ptr<const Snapshot>)>
+std::shared_ptr<const Figure> plainFigure(std::shared_ptr<const Snapshot> snapshot, const PaneStates&) {
+    return make(std::move(snapshot));
+}
+
+}  // namespace reliefui

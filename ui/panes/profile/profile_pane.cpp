@@ -1,0 +1,23 @@
+#include "panes/profile/profile_pane.h"
+
+#include "panes/profile/profile_figure.h"
+#include "panes/profile/profile_view.h"
+
+namespace reliefui {
+
+PaneKind profilePane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("profile");
+    kind.title = ProfileView::tr("Profile");
+    kind.help = ProfileView::tr("The relief under the ray, cut along it");
+    kind.home = Home::Low;
+    kind.make = makePane<ProfileView>;
+    kind.figures = {{"profile", true, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+                         ProfileOptions options;
+                         takeProfile(options, p.profile);
+                         return profileFigure(std::move(s), options, p.query);
+                     }}};
+    return kind;
+}
+
+}  // namespace reliefui

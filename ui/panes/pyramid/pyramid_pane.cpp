@@ -1,0 +1,25 @@
+#include "panes/pyramid/pyramid_pane.h"
+
+#include "panes/pyramid/pyramid_figure.h"
+#include "panes/pyramid/pyramid_view.h"
+
+namespace reliefui {
+
+PaneKind pyramidPane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("pyramid");
+    kind.title = PyramidView::tr("Pyramid");
+    kind.help = PyramidView::tr("The levels of the pyramid and the texels that the ray looked at");
+    kind.home = Home::Low;
+    kind.make = makePane<PyramidView>;
+    kind.figures = {{"pyramid", true,
+                     [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+                         return pyramidFigure(std::move(s), pyramidOptions(p.pyramid));
+                     }},
+                    {"slabs", false, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+                         return slabsFigure(std::move(s), pyramidOptions(p.pyramid), {});
+                     }}};
+    return kind;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,19 @@
+#include "panes/result/result_pane.h"
+
+#include "panes/result/result_figure.h"
+#include "panes/result/result_view.h"
+
+namespace reliefui {
+
+PaneKind resultPane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("result");
+    kind.title = ResultView::tr("Result");
+    kind.help = ResultView::tr("The picture, or a layer of it: choose a pixel to see how it came about");
+    kind.home = Home::Middle;
+    kind.make = makePane<ResultView>;
+    kind.figures = {{"result", true, plainFigure<resultFigure>}};
+    return kind;
+}
+
+}  // namespace reliefui

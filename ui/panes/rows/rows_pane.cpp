@@ -1,0 +1,21 @@
+#include "panes/rows/rows_pane.h"
+
+#include "panes/rows/rows_figure.h"
+#include "panes/rows/rows_view.h"
+
+namespace reliefui {
+
+PaneKind rowsPane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("rows");
+    kind.title = RowsView::tr("Rows");
+    kind.help = RowsView::tr("Texture coordinates along the pixel's row, computed in several ways");
+    kind.home = Home::Low;
+    kind.make = makePane<RowsView>;
+    kind.figures = {{"rows", true, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+                         return rowsFigure(std::move(s), rowsOptions(p.rows), {});
+                     }}};
+    return kind;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,20 @@
+#include "panes/skipped/skipped_pane.h"
+
+#include "panes/skipped/skipped_figure.h"
+#include "panes/skipped/skipped_panel.h"
+
+namespace reliefui {
+
+PaneKind skippedPane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("skipped");
+    kind.title = SkippedPanel::tr("Skipped");
+    kind.help = SkippedPanel::tr("What the picture did without, and why");
+    kind.home = Home::Time;
+    kind.make = makePane<SkippedPanel>;
+    kind.figures = {{"skipped", true, plainFigure<skippedFigure>}};
+    kind.open = false;  // until it is opened from the menu, by its key or from the bottom line
+    return kind;
+}
+
+}  // namespace reliefui

@@ -1,0 +1,22 @@
+#include "panes/trace/trace_pane.h"
+
+#include "panes/trace/trace3d_view.h"
+#include "panes/trace/trace_figure.h"
+
+namespace reliefui {
+
+PaneKind tracePane() {
+    PaneKind kind;
+    kind.name = QStringLiteral("trace");
+    kind.title = Trace3dView::tr("Trace 3-D");
+    kind.tab = Trace3dView::tr("Trace 3-D", "tab");
+    kind.help = Trace3dView::tr("The ray through the relief, in space");
+    kind.home = Home::High;
+    kind.make = makePane<Trace3dView>;
+    kind.figures = {{"trace", false, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+                         return traceFigure(std::move(s), {p.trace.heights, stepColors(p.trace.colors), {}});
+                     }}};
+    return kind;
+}
+
+}  // namespace reliefui
