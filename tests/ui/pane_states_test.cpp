@@ -212,7 +212,7 @@ TEST_F(PaneChoices, AllThreePyramidsStandBesideEachOther) {
     openWindow(smallScenario());
     PyramidView* const view = window_->pane<PyramidView>();
     view->showAllKinds();
-    const QImage shown = grab(view->canvas());
+    grab(view->canvas());
     ASSERT_EQ(view->parts().size(), 3U);
     const std::array<const relief::Pyramid*, 3> pyramids{&snapshot()->maxima->pyramid, snapshot()->means.get(),
                                                          snapshot()->minima.get()};
@@ -226,7 +226,9 @@ TEST_F(PaneChoices, AllThreePyramidsStandBesideEachOther) {
         EXPECT_TRUE(view->reading(middle).contains(QString::fromStdString(relief::fixedText(value, 3))))
             << view->reading(middle).toStdString();
         const Rgba color = workspace_->style().mapped(ColorMap::Height, value);
-        // Marks of steps and the number lie over some of it.
+        // From near: marks of steps and the number lie over some of it.
+        view->canvas()->zoomTo(block.box);
+        const QImage shown = grab(view->canvas());
         int same = 0;
         for (int at = 0; at < 81; ++at) {
             const Point probe{block.box.x0 + (at % 9 + 0.5) / 9 * block.box.width(),
