@@ -197,7 +197,7 @@ TEST(Charts, HistogramsCountEveryRay) {
             ++said;
             for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
                 const std::string text = labelText(*label, language);
-                EXPECT_GE(label->at.x + label->offset.x - chart::textWidth(text, label->size), -1) << text;
+                EXPECT_GE(label->at.x + label->offset.x - textWidth(text, label->size), -1) << text;
             }
         }
         EXPECT_EQ(said, 1);

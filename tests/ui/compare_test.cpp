@@ -70,7 +70,7 @@ TEST(Compare, NumbersStayBelowTheirPicture) {
                     return label->at.x >= box.x0 && label->at.x <= box.x1 && label->at.y >= box.y1;
                 });
                 ASSERT_NE(room, layout.rooms.end()) << text;
-                EXPECT_LE(label->at.x + chart::textWidth(text), room->x1 + 4) << text << ", " << width;
+                EXPECT_LE(label->at.x + textWidth(text), room->x1 + 4) << text << ", " << width;
                 ++numbers;
             }
             EXPECT_GE(numbers, 4) << width;

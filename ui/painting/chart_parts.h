@@ -5,19 +5,12 @@
 #include <string>
 
 #include "painting/drawing.h"
+#include "painting/text_width.h"
 
 namespace reliefui::chart {
 
-inline constexpr double kTextSize = 0.85;
+inline constexpr double kTextSize = kChartText;
 inline constexpr double kTick = 3;
-
-// About the width of a text of this size, in the letters of UTF-8.
-inline double textWidth(const std::string& text, double size = kTextSize) {
-    constexpr double kLetter = 6.1;
-    std::size_t letters = 0;
-    for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
-    return static_cast<double>(letters) * kLetter * size;
-}
 
 inline void text(Drawing& drawing, Point at, relief::Message message, Anchor anchor, Point offset,
                  Role role = Role::Legend, Emphasis emphasis = Emphasis::Normal) {

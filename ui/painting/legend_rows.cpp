@@ -1,5 +1,7 @@
 #include "painting/legend_rows.h"
 
+#include "painting/text_width.h"
+
 #include "scenario/step_sentence.h"
 
 namespace reliefui {
@@ -35,12 +37,7 @@ Point LegendRows::place(double width) {
 }
 
 double LegendRows::textRoom(const Message& message) const {
-    constexpr double kLetter = 6.1;
-    std::size_t letters = 0;
-    for (const char c : relief::sentence(message, language_)) {
-        letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;  // not inside a UTF-8 letter
-    }
-    return static_cast<double>(letters) * kLetter * kTextSize;
+    return textWidth(relief::sentence(message, language_), kTextSize);
 }
 
 void LegendRows::add(Role role, Primitive primitive, LevelTint tint, Emphasis emphasis) {

@@ -2,40 +2,30 @@
 
 #include <algorithm>
 
+#include "painting/text_width.h"
+
 namespace reliefui {
 
 namespace {
 
 // Points.
 constexpr double kLine = 13;
-constexpr double kTextSize = 0.85;
-constexpr double kLetter = 6.6 * kTextSize;      // about the width of one
-constexpr double kWordLetter = 5.9 * kTextSize;  // in sentences
-constexpr double kBold = 1.2;                    // times as wide
+constexpr double kTextSize = kChartText;
 constexpr double kPad = 5;
 constexpr double kMarkRoom = 12;
 constexpr double kBelowSize = 1.15;
 constexpr double kBelowLine = 16;
 constexpr double kIndent = 8;  // of rows under a heading
 
-bool continues(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
-std::size_t letters(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !continues(c); }));
-}
-
-// Lines of at most so many letters, broken between words.
-std::vector<std::string> wrapped(const std::string& text, double room, double letter) {
-    const auto most = static_cast<std::size_t>(std::max(8.0, room / letter));
+// Lines of at most this width, broken between words.
+std::vector<std::string> wrapped(const std::string& text, double room, double size, bool bold = false) {
     std::vector<std::string> lines{{}};
     std::size_t from = 0;
     while (from <= text.size()) {
         const std::size_t space = std::min(text.find(' ', from), text.size());
         const std::string word = text.substr(from, space - from);
         std::string& line = lines.back();
-        if (!line.empty() && letters(line) + 1 + letters(word) > most) {
+        if (!line.empty() && textWidth(line + " " + word, size, bold) > room) {
             lines.push_back(word);
         } else {
             line += (line.empty() ? "" : " ") + word;
@@ -47,7 +37,7 @@ std::vector<std::string> wrapped(const std::string& text, double room, double le
 
 class Table {
   public:
-    Table(const TableSource& source, double width) : source_(source), width_(width) { share(); }
+    Table(const TableSource& source, double width) : source_(source), given_(width), width_(width) { share(); }
 
     Drawing take() {
         row(titles(), true);
@@ -66,6 +56,7 @@ class Table {
         line();
         below();
         drawing_.bounds = {0, 0, width_, y_};
+        shrink(std::min(1.0, given_ / width_));
         return std::move(drawing_);
     }
 
@@ -76,24 +67,29 @@ class Table {
         return row;
     }
 
+    // A page narrower than the table shows all of it smaller: what is measured in points, too.
+    void shrink(double by) {
+        for (Item& item : drawing_.items) {
+            if (auto* const label = std::get_if<Label>(&item.primitive)) label->size *= by;
+            if (auto* const marker = std::get_if<Marker>(&item.primitive)) marker->size *= by;
+        }
+    }
+
     // Each column as its longest text wants; the last one gets the rest.
     void share() {
         const std::size_t count = source_.titles.size();
         for (std::size_t c = 0; c < count; ++c) {
-            // Titles are bold.
-            auto longest = static_cast<std::size_t>(kBold * static_cast<double>(letters(source_.titles[c])));
+            double longest = textWidth(source_.titles[c], kTextSize, true);
             for (const TableRow& r : source_.rows) {
                 if (r.heading || c >= r.cells.size()) continue;
-                const double bold = r.chosen ? kBold : 1;
-                longest = std::max(longest, static_cast<std::size_t>(bold * static_cast<double>(letters(r.cells[c]))));
+                longest = std::max(longest, textWidth(r.cells[c], kTextSize, r.chosen));
             }
             const double marks = static_cast<int>(c) == source_.marked ? kMarkRoom : 0;
-            widths_.push_back(static_cast<double>(longest) * kLetter + 2 * kPad + marks);
+            widths_.push_back(longest + 2 * kPad + marks);
         }
         if (widths_.empty()) return;
         double before = 0;
         for (std::size_t c = 0; c + 1 < count; ++c) before += widths_[c];
-        // Too narrow a page: drawn larger, and fitted into it.
         constexpr double kLeastLast = 60;
         const double last = std::max(std::min(widths_.back(), kLeastLast), width_ - before);
         widths_.back() = last;
@@ -117,9 +113,10 @@ class Table {
 
     void row(const TableRow& row, bool strong) {
         const std::size_t count = widths_.size();
-        const std::vector<std::string> last = row.cells.size() == count && count > 0
-                                                  ? wrapped(row.cells.back(), widths_.back() - 2 * kPad, kWordLetter)
-                                                  : std::vector<std::string>{};
+        const std::vector<std::string> last =
+            row.cells.size() == count && count > 0
+                ? wrapped(row.cells.back(), widths_.back() - 2 * kPad, kTextSize, strong || row.chosen)
+                : std::vector<std::string>{};
         const double height = kLine * static_cast<double>(std::max<std::size_t>(1, last.size()));
         if (row.chosen) {
             drawing_.add({}, Role::Highlight, Rectangle{{0, y_, width_, y_ + height}, true, 0, 0}, Emphasis::Faint);
@@ -158,14 +155,15 @@ class Table {
     void below() {
         if (source_.below.empty()) return;
         y_ += 4;
-        for (const std::string& words : wrapped(source_.below, width_ - 2 * kPad, kLetter * kBelowSize / kTextSize)) {
+        for (const std::string& words : wrapped(source_.below, width_ - 2 * kPad, kBelowSize)) {
             text({kPad, y_ + kBelowLine / 2}, Anchor::Left, words, kBelowSize, Emphasis::Normal);
             y_ += kBelowLine;
         }
     }
 
     const TableSource& source_;
-    double width_;
+    double given_;
+    double width_;  // at full size
     std::vector<double> widths_;
     double indent_ = 0;
     double y_ = 0;

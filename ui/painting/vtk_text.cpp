@@ -5,8 +5,6 @@
 
 #include <QDirIterator>
 #include <QFile>
-#include <QFont>
-#include <QFontMetricsF>
 #include <QStandardPaths>
 
 namespace reliefui {
@@ -54,12 +52,6 @@ vtkSmartPointer<vtkTextProperty> makeText(Rgba color, double pixels) {
     auto property = vtkSmartPointer<vtkTextProperty>::New();
     setText(property, color, pixels);
     return property;
-}
-
-double textWidth(const std::string& text, double pixels) {
-    QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
-    return QFontMetricsF(font).horizontalAdvance(QString::fromStdString(text));
 }
 
 }  // namespace reliefui

@@ -17,7 +17,4 @@ const std::string& fontFile();
 void setText(vtkTextProperty* property, Rgba color, double pixels);
 vtkSmartPointer<vtkTextProperty> makeText(Rgba color, double pixels);
 
-// Width of a text in pixels, as both painters set it.
-double textWidth(const std::string& text, double pixels);
-
 }  // namespace reliefui

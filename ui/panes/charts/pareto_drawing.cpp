@@ -213,7 +213,7 @@ class Names {
     void placeOne(ParetoMark& mark) {
         const ParetoPoint& point = source_.table.points[mark.point];
         const std::string name = point.label(source_.table.bothForms());
-        const double width = chart::textWidth(name);
+        const double width = textWidth(name);
         constexpr double kNone = 1e9;
         constexpr double kCrossing = 26;  // points that a name goes farther to stand clear
         double best = kNone;

@@ -39,10 +39,10 @@ std::vector<std::string> split(const std::string& text) {
 // Between words, where it is too wide.
 std::vector<std::string> broken(const std::string& text, double width) {
     std::vector<std::string> out{text};
-    while (chart::textWidth(out.back()) > width) {
+    while (textWidth(out.back()) > width) {
         const std::string whole = out.back();
         std::size_t at = whole.rfind(' ');
-        while (at != std::string::npos && at > 0 && chart::textWidth(whole.substr(0, at)) > width) {
+        while (at != std::string::npos && at > 0 && textWidth(whole.substr(0, at)) > width) {
             const std::size_t before = whole.rfind(' ', at - 1);
             if (before == std::string::npos) break;
             at = before;
@@ -58,7 +58,7 @@ std::vector<std::string> broken(const std::string& text, double width) {
 std::vector<std::string> lines(const std::vector<std::string>& numbers, double width) {
     std::vector<std::string> out;
     for (const std::string& number : numbers) {
-        if (out.empty() || chart::textWidth(out.back() + kBetween + number) > width) {
+        if (out.empty() || textWidth(out.back() + kBetween + number) > width) {
             for (std::string& line : broken(number, width)) out.push_back(std::move(line));
         } else {
             out.back() += kBetween + number;
@@ -109,8 +109,7 @@ void add(Drawing& drawing, Point at, std::string text, double size, Anchor ancho
 void addTitle(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
     std::string name = tile.name;
     if (tile.reference) name += " · " + relief::sentence(Message(MessageId::DrawCompareReference), language);
-    constexpr double kBold = 1.15;  // of the width of plain letters
-    const double width = kBold * chart::textWidth(name, 1);
+    const double width = textWidth(name, 1, true);
     add(drawing, {box.x0 + 2, box.y0 + kTitle / 2}, name, std::clamp((box.width() - 4) / width, 0.6, 1.0), Anchor::Left,
         Role::Title, Emphasis::Strong);
 }
@@ -193,9 +192,9 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
         if (clip.empty()) continue;
         Label label;
         label.at = {clip.x0, room.y0};
-        label.text = plainText(clip.width() > chart::textWidth(source.tiles[n].name, 1) + 14
-                                   ? source.tiles[n].name
-                                   : source.tiles[n].name.substr(0, 1));
+        label.text =
+            plainText(clip.width() > textWidth(source.tiles[n].name, 1) + 14 ? source.tiles[n].name
+                                                                             : source.tiles[n].name.substr(0, 1));
         label.anchor = Anchor::TopLeft;
         label.offset = {5, 5};
         label.plate = true;

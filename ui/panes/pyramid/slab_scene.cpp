@@ -15,6 +15,7 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include "painting/text_width.h"
 #include "painting/vtk_text.h"
 #include "panes/pyramid/slab_actors.h"
 #include "panes/pyramid/slab_piles.h"
@@ -89,7 +90,8 @@ void SlabScene::layOut(const PyramidParts& parts, double width, double height) {
         sizes.emplace_back();
         for (const LevelBlock& block : part.picture.blocks) {
             const double unit = unitOf(block);
-            const double wide = textWidth(titleOf(block, part.picture.levels, style_.language), text);
+            const double wide =
+                style_.pixelsPerPoint() * textWidth(titleOf(block, part.picture.levels, style_.language), kTitleSize);
             sizes.back().push_back(
                 {block.box.width() * unit, block.box.height() * unit, wide + text / 2, kLine * text});
         }
