@@ -1849,8 +1849,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 <context>
     <name>reliefui::PauseLog</name>
     <message>
-        <source>%1 ms, of them %2 ms drawn by OpenGL: %3</source>
-        <translation>%1 мс, з них %2 мс малював OpenGL: %3</translation>
+        <source>%1 ms, of them %2 ms of painting: %3</source>
+        <translation>%1 мс, з них %2 мс на рисування: %3</translation>
     </message>
     <message>
         <source>longest pause of the window: </source>

@@ -142,6 +142,8 @@ void checkArguments(const Arguments& arguments) {
         if (!kind.empty()) methodOfMap(kind);  // throws
     }
     if (!arguments.variants.empty()) reliefui::rowMethods({betweenCommas(arguments.variants)}, "--variants");  // throws
+    if (!arguments.error.empty()) parseErrorMeasure(arguments.error, "--error");                               // throws
+    chosenLayer(arguments.layer);                                                                              // throws
     reliefui::requireRange("--row-width", arguments.rowWidth, 0, static_cast<double>(kWidestRow));
 }
 

@@ -1,5 +1,5 @@
 // A session in the window, driven by hand as it were, and what held the window's thread meanwhile: for each part of it
-// the longest computation of ours in one event, and the longest pause with the drawing of OpenGL and VTK.
+// the longest computation of ours in one event, and the longest pause with painting.
 //
 //     relief_window_pauses [--picture FILE | --recipe NAME --size N] [--only 1|2|3]
 #include <cstdio>

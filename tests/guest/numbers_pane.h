@@ -53,7 +53,7 @@ class NumbersView : public FigureView {
         auto* const column = new QVBoxLayout(this);
         column->addWidget(canvas_);
         connect(workspace, &Workspace::snapshotChanged, this, &NumbersView::refresh);
-        refresh();
+        connect(workspace, &Workspace::styleChanged, this, &NumbersView::refresh);
     }
 
   protected:
@@ -62,10 +62,17 @@ class NumbersView : public FigureView {
         return shown ? numbersFigure(shown) : nullptr;
     }
 
+    // It has come into sight.
+    void showEvent(QShowEvent* event) override {
+        FigureView::showEvent(event);
+        refresh();
+    }
+    void letGo() override { canvas_->letGo(); }
+
   private:
     void refresh() {
         const auto shown = workspace_->snapshot();
-        if (!shown || !inSight()) return;
+        if (!shown || !isVisible()) return;
         canvas_->setStyle(workspace_->style());
         canvas_->setLayers({std::make_shared<const Drawing>(numbersDrawing(*shown))}, nullptr);
     }

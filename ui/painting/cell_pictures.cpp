@@ -13,9 +13,9 @@ bool CellPictures::Picture::serves(const Cells& cells, const Style& style) const
 }
 
 // With something around what is seen, so that not every move makes it anew; a large part of a large grid alone.
-void CellPictures::Picture::make(const Cells& cells, const Style& style, const CellRange& seen, int everyOther) {
+void CellPictures::Picture::make(const Cells& cells, const Style& style, const CellRange& seen, int cellsAPixel) {
     constexpr int kMostAround = 384;  // pixels
-    step = everyOther;
+    step = cellsAPixel;
     const int around = std::min(kMostAround * step, std::max(seen.i1 - seen.i0, seen.j1 - seen.j0) / 2);
     // Begins at whole pixels, whatever is seen: a move does not make the picture crawl.
     const auto first = [&](int at) { return std::max(0, at - around) / step * step; };

@@ -1,5 +1,5 @@
-// Pictures of big grids of values: of what is seen of each as much as the screen can show, made anew where something
-// else is seen, and kept from one painting to the next.
+// Cached images of large grids of values: of the visible part, at the resolution of the screen. An image is made anew
+// when another part comes into view.
 #pragma once
 
 #include <vector>

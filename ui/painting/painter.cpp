@@ -31,13 +31,13 @@ QPen qpen(const Stroke& stroke) {
     return pen;
 }
 
-// Part of a line, and the length of what comes before it, so that its dashes go on.
+// A visible run of a polyline; before: the length up to it, pixels, so that the dash pattern continues.
 struct Run {
     QPolygonF points;
     double before = 0;
 };
 
-// What of the segment from a to b lies within the box, as shares of it; false: nothing.
+// Clips the segment from a to b to the box: fractions of it, from and to; false if nothing remains.
 bool within(Point a, Point b, const Box& box, double& from, double& to) {
     from = 0;
     to = 1;
@@ -52,7 +52,7 @@ bool within(Point a, Point b, const Box& box, double& from, double& to) {
     return cut(a.x, b.x - a.x, box.x0, box.x1) && cut(a.y, b.y - a.y, box.y0, box.y1);
 }
 
-// Far zoomed in, a line is thousands of screens long, and its dashes would be counted out.
+// Far zoomed in, a line is thousands of screens long: clipped, because dashing it all is slow.
 std::vector<Run> runsWithin(const std::vector<Point>& line, const Box& box) {
     std::vector<Run> runs;
     double length = 0;
@@ -132,7 +132,8 @@ struct ItemPainter {
         return map.toScreen(cellBox(cells, i, j)).cut(screen.grown(2));
     }
     void fillCells(const Cells& cells, const CellRange& range) const {
-        // Reaches below its neighbours, which are painted later: no ground shines through between them.
+        // In vectors each cell extends under its neighbours, which are painted later: viewers smooth edges, and the
+        // ground would show as hair lines.
         const double under = onPixels() ? 0 : 0.5;
         const Box all = map.toScreen(cells.clip);
         painter.setRenderHint(QPainter::Antialiasing, false);
@@ -218,6 +219,7 @@ struct ItemPainter {
         if (!line.arrow) return;
         const QPointF tip = qpoint(points.back());
         const QPointF back = tip - qpoint(points[points.size() - 2]);
+        if (back.isNull()) return;
         const double angle = std::atan2(back.y(), back.x()) * 180 / M_PI;
         painter.save();
         painter.translate(tip);

@@ -9,8 +9,8 @@
 
 namespace reliefui {
 
-// Paints what lies within `screen` (pixels of the painter). `kept`: on a screen, where the same grids of values are
-// painted again and again.
+// Paints what lies within `screen` (pixels of the painter). `kept`: on a screen, the cache of images for repeated
+// painting; null for files.
 void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen,
            CellPictures* kept = nullptr);
 

@@ -19,7 +19,7 @@ struct FigurePage {
     Style style;           // theme and language; points are the page's
 };
 
-// Immutable: drawn on any thread.
+// Immutable. With vectors it may be painted on any thread; without, on the window's alone (OpenGL).
 class Figure {
   public:
     virtual ~Figure() = default;

@@ -18,15 +18,15 @@ namespace reliefui {
 
 class Workspace;
 
-// Where a pane stands at first: in the middle, right of it above or below, under it, left of it. The first pane of a
-// home stands in front, the others behind it in tabs.
+// Where a pane stands at first: in the middle (the result alone), right of it above or below, under it, left of it. The
+// first pane of a home stands in front, the others behind it in tabs.
 enum class Home : std::uint8_t { Middle, High, Low, Time, Side };
 
 struct FigureKind {
     std::string name;
     bool vectors = true;
-    // As the panes' states say; may take seconds. Throws InputError. Empty: not of a snapshot ("pareto", of a table of
-    // measurements).
+    // As the panes' states say; may take seconds, of what a pane measures. Throws InputError. Empty: not of a snapshot
+    // ("pareto", of a table of measurements).
     std::function<std::shared_ptr<const Figure>(std::shared_ptr<const Snapshot>, const PaneStates&)> make;
 };
 
@@ -36,8 +36,9 @@ struct PaneKind {
     QString tab;    // shorter, where there are many; empty: the title
     QString help;   // what it shows, in a line
     Home home = Home::Low;
-    // A FigureView, or a widget whose focus proxy, if it has one, gets the keyboard.
     std::function<QWidget*(Workspace* workspace, QWidget* parent)> make;
+    // The part of it that gets the keyboard; empty: its focus proxy, as FigureView::setFace() sets it, or all of it.
+    std::function<QWidget*(QWidget* pane)> focus{};
     std::vector<FigureKind> figures{};
     bool open = true;  // at first
 };

@@ -1,4 +1,4 @@
-// A figure in space, drawn by OpenGL without a window, and without a display.
+// A 3-D figure, rendered off-screen by OpenGL: without a window, and without a display.
 #pragma once
 
 #include "panes/figure.h"

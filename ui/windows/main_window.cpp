@@ -21,7 +21,6 @@
 #include "windows/message_bar.h"
 #include "windows/pane_title.h"
 #include "windows/status_line.h"
-#include "windows/theme.h"
 #include "windows/time_pane.h"
 #include "windows/top_bar.h"
 
@@ -97,8 +96,7 @@ MainWindow::~MainWindow() {
 }
 
 PaneTitle* MainWindow::titleOf(const PaneKind& kind, QWidget* whole) {
-    auto* const bar = new PaneTitle(kind.title, paneKey(panes_.size()), this);
-    bar->setToolTip(kind.help);
+    auto* const bar = new PaneTitle(kind.title, paneKey(panes_.size()), kind.help, this);
     connect(bar, &PaneTitle::fillRequested, this, [this, whole] { fill(whole); });
     return bar;
 }
@@ -136,8 +134,12 @@ void MainWindow::addPane(const PaneKind& kind) {
     connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
         if (!visible) closed_->start();
         keys_->panesMoved();
+        QTimer::singleShot(0, this, &MainWindow::tipTabs);
     });
-    QWidget* const focus = whole->focusProxy() != nullptr ? whole->focusProxy() : whole;
+    connect(dock, &QDockWidget::dockLocationChanged, this,
+            [this] { QTimer::singleShot(0, this, &MainWindow::tipTabs); });
+    QWidget* const proxy = kind.focus ? kind.focus(whole) : whole->focusProxy();
+    QWidget* const focus = proxy != nullptr ? proxy : whole;
     panes_.push_back({kind, dock, focus, dock});
     if (auto* const view = qobject_cast<FigureView*>(whole)) {
         // Its readout stands in the title, what it saved in the last line.
@@ -171,6 +173,7 @@ void MainWindow::tipTabs() {
 // 1 to 9 and 0; panes after the tenth have Alt and the same again.
 QString MainWindow::paneKey(std::size_t pane) {
     constexpr std::size_t kPlain = 10;
+    if (pane >= 2 * kPlain) return {};
     const QString digit = QString::number((pane + 1) % kPlain);
     return pane < kPlain ? digit : QStringLiteral("Alt+") + digit;
 }

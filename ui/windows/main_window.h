@@ -91,7 +91,6 @@ class MainWindow : public QMainWindow {
         QDockWidget* dock = nullptr;
     };
 
-    void makePanes();
     void addPane(const PaneKind& kind);
     void addResult(const PaneKind& kind);
     void addTableMenus();

@@ -138,8 +138,9 @@ void MainWindow::exportFocused() {
         if (auto* const figure = qobject_cast<FigureView*>(at)) return figure->askFigure();
         const auto* const dock = qobject_cast<QDockWidget*>(at);
         for (const Pane& pane : panes_) {
-            const bool here = dock != nullptr && dock == pane.dock && !pane.kind.figures.empty();
-            if (here) return askView(QString::fromStdString(pane.kind.figures.front().name));
+            if (dock == nullptr || dock != pane.dock) continue;
+            if (auto* const figure = qobject_cast<FigureView*>(dock->widget())) return figure->askFigure();
+            if (!pane.kind.figures.empty()) return askView(pane.kind.name);
         }
     }
     askView(QStringLiteral("result"));

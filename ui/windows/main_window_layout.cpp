@@ -51,12 +51,12 @@ void MainWindow::resetLayout() {
     splitDockWidget(front(Home::High), front(Home::Low), Qt::Vertical);
     std::map<Home, QDockWidget*> last;
     for (const Pane& pane : panes_) {
-        if (pane.dock == nullptr || !pane.kind.open) continue;
+        if (pane.dock == nullptr) continue;
         if (last.contains(pane.kind.home)) tabifyDockWidget(last[pane.kind.home], pane.dock);
         last[pane.kind.home] = pane.dock;
     }
     for (const Pane& pane : panes_) pane.whole->setVisible(pane.kind.open);
-    for (const Home home : {Home::High, Home::Side, Home::Low}) front(home)->raise();
+    for (const Home home : {Home::High, Home::Side, Home::Low, Home::Time}) front(home)->raise();
     tipTabs();
     shareRoom();
     // Again when the window has its size: before that, docks are as small as they can be.

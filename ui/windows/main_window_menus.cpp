@@ -20,8 +20,6 @@
 #include "panes/result/result_view.h"
 #include "windows/breakpoint_bar.h"
 #include "windows/main_window.h"
-#include "windows/scene_panel.h"
-#include "windows/status_line.h"
 #include "windows/step_bar.h"
 #include "windows/time_pane.h"
 #include "workspace/pause_log.h"
@@ -274,7 +272,7 @@ void MainWindow::showShortcuts() {
         {QStringLiteral("Ctrl+B   Ctrl+Shift+B"), tr("add a bookmark, go to the next one")},
         {QStringLiteral("G"), tr("guess where the ray hits, by a click in the profile")},
         {tr("Ctrl + click in the profile or the distance map"), tr("distances at that point; there again: forget it")},
-        {QStringLiteral("1 – 9, 0, Alt+1 – Alt+4"), tr("go to a pane")},
+        {QStringLiteral("1 – 9, 0, Alt+1 – %1").arg(paneKey(panes_.size() - 1)), tr("go to a pane")},
         {tr("Double click on a title"), tr("fill the window with the pane, and back")},
         {tr("Arrows in the trace (with Shift: move), + −"), tr("turn the trace, zoom")},
         {tr("Alt + arrows in the comparison"), tr("move the divider, take the next one")},

@@ -9,7 +9,6 @@
 #include "windows/bookmarks.h"
 #include "windows/main_window.h"
 #include "windows/other_bar.h"
-#include "windows/status_line.h"
 #include "windows/time_pane.h"
 #include "workspace/pixel_finder.h"
 

@@ -5,10 +5,10 @@
 
 namespace reliefui {
 
-// In the window's language, once the application is dressed.
+// In the window's language: after dressApplication().
 std::vector<PaneKind> paneList();
 
-// Of all panes, by name.
+// Of all panes, sorted by name.
 std::vector<FigureKind> figureList();
 // Throws InputError for a name that is not in the list.
 FigureKind figureKind(const std::string& name);

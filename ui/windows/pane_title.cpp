@@ -7,7 +7,7 @@
 
 namespace reliefui {
 
-PaneTitle::PaneTitle(const QString& title, const QString& shortcut, QWidget* parent)
+PaneTitle::PaneTitle(const QString& title, const QString& shortcut, const QString& help, QWidget* parent)
     : QWidget(parent), title_(title), row_(new QHBoxLayout(this)), note_(new QLabel(this)) {
     setObjectName(QStringLiteral("pane-title"));
     auto* const name = new QLabel(title, this);
@@ -26,7 +26,7 @@ PaneTitle::PaneTitle(const QString& title, const QString& shortcut, QWidget* par
     row_->addWidget(name);
     row_->addWidget(note_, 1);
     row_->addWidget(fill);
-    setToolTip(tr("%1: press %2 to go there, double-click to fill the window").arg(title, shortcut));
+    setToolTip(help + '\n' + tr("%1: press %2 to go there, double-click to fill the window").arg(title, shortcut));
     connect(fill, &QToolButton::clicked, this, &PaneTitle::fillRequested);
 }
 

@@ -12,7 +12,7 @@ namespace reliefui {
 class PaneTitle : public QWidget {
     Q_OBJECT
   public:
-    PaneTitle(const QString& title, const QString& shortcut, QWidget* parent = nullptr);
+    PaneTitle(const QString& title, const QString& shortcut, const QString& help, QWidget* parent = nullptr);
 
     // Controls of the pane, at the right.
     void addControl(QWidget* control);

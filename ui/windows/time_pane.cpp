@@ -18,6 +18,7 @@ PaneKind timePane() {
     kind.help = StepTable::tr("The steps of the ray, one by one, and what each of them means");
     kind.home = Home::Time;
     kind.make = makePane<TimePane>;
+    kind.focus = [](QWidget* pane) -> QWidget* { return qobject_cast<TimePane*>(pane)->table()->table(); };
     kind.figures = {{"steps", true, plainFigure<stepsFigure>}};
     return kind;
 }
@@ -35,7 +36,6 @@ TimePane::TimePane(Workspace* workspace, QWidget* parent)
     column->addWidget(breakpoints_);
     column->addWidget(other_);
     column->addWidget(table_, 1);
-    setFocusProxy(table_->table());
 }
 
 int TimePane::showBarOnly(bool only) {

@@ -1,5 +1,6 @@
-// How long the window's thread was held: from one look at its queue of events to the next, and with what. What OpenGL
-// and VTK take for putting pictures on the screen is told apart from what is computed there. The window's thread only.
+// How long the window's thread was held: from one look at its queue of events to the next, and with what. What
+// QPainter, OpenGL and VTK take for putting pictures on the screen is told apart from what is computed there. The
+// window's thread only.
 #pragma once
 
 #include <chrono>
@@ -21,7 +22,7 @@ class PauseLog {
     struct Pause {
         QString what;        // "Workspace MetaCall › trace 3-D"
         double ms = 0;       // in all
-        double drawing = 0;  // of them ms of OpenGL and VTK
+        double drawing = 0;  // of them ms of painting
         int times = 0;       // that it took kWorthTelling or longer
         double ours() const { return ms - drawing; }
     };
@@ -65,7 +66,7 @@ class PauseLog {
         const char* name = nullptr;  // of the class or the part
         QString object;
         int type = 0;          // of the event; 0: a part
-        bool drawing = false;  // its own time is OpenGL's
+        bool drawing = false;  // its own time is that of painting
         bool outermost = false;
         int loop = 0;
         Clock::time_point start;
@@ -92,7 +93,7 @@ class PauseLog {
     std::map<QString, Pause> worst_;
 };
 
-// VTK and OpenGL put a picture on the screen.
+// A picture is painted, by QPainter or by VTK and OpenGL.
 class DrawingTime {
   public:
     explicit DrawingTime(const char* name) : part_(name, true) {}

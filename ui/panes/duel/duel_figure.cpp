@@ -50,7 +50,7 @@ std::shared_ptr<const Figure> duelFigure(std::shared_ptr<const Snapshot> snapsho
     return figure;
 }
 
-std::shared_ptr<const Figure> foughtDuel(std::shared_ptr<const Snapshot> snapshot) {
+std::shared_ptr<const Figure> computedDuel(std::shared_ptr<const Snapshot> snapshot) {
     ProfileOptions options;
     options.nearRay = true;
     if (!snapshot->trace.onRelief) return duelFigure(std::move(snapshot), nullptr, options, 0, 0);

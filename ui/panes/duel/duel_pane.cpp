@@ -12,7 +12,7 @@ PaneKind duelPane() {
     kind.help = DuelView::tr("Several methods on one ray, step by step");
     kind.home = Home::Low;
     kind.make = makePane<DuelView>;
-    kind.figures = {{"duel", true, plainFigure<foughtDuel>}};
+    kind.figures = {{"duel", true, plainFigure<computedDuel>}};
     return kind;
 }
 
