@@ -148,7 +148,7 @@ void checkArguments(const Arguments& arguments) {
 }
 
 int exportFigure(int count, char** values, const Arguments& arguments) {
-    const reliefui::FigureKind& kind = reliefui::figureKind(arguments.figure);
+    const reliefui::FigureKind kind = reliefui::figureKind(arguments.figure);
     reliefui::FigurePage page;
     page.title = arguments.figure;
     page.widthMm = arguments.widthMm;
@@ -176,7 +176,8 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     order.scenario = start.scenario;
     order.layer = chosenLayer(arguments.layer);
     Work work;
-    reliefui::writeFigure(*kind.make(maker.make(order, work), panes), page, arguments.output);
+    const auto figure = kind.make(maker.make(order, work), start.scenario.step, panes);
+    reliefui::writeFigure(*figure, page, arguments.output);
     return 0;
 }
 

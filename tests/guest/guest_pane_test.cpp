@@ -33,7 +33,7 @@ TEST_F(WindowTest, TheGuestPaneIsEverywhere) {
     const QTemporaryDir folder;
     saveFigure(view, folder.filePath(QStringLiteral("numbers.pdf")));
     EXPECT_TRUE(validFigure(folder.filePath(QStringLiteral("numbers.pdf"))));
-    const QImage image = figureImage(*figureKind("numbers").make(snapshot(), {}), {}, 400);
+    const QImage image = figureImage(*figureKind("numbers").make(snapshot(), 0, {}), {}, 400);
     EXPECT_GT(colorsIn(image), 10);
     // Closed and gone from sight, then where panes stand at first.
     dock->hide();

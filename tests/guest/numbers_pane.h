@@ -28,19 +28,11 @@ inline Drawing numbersDrawing(const Snapshot& snapshot) {
     return drawing;
 }
 
-struct NumbersFigure : Figure {
-    std::shared_ptr<const Snapshot> snapshot;
-
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
+inline std::shared_ptr<const Figure> numbersFigure(std::shared_ptr<const Snapshot> snapshot) {
+    return paintedFigure([snapshot](QPainter& painter, const Box& page, const Style& style) {
         const Drawing drawing = numbersDrawing(*snapshot);
         paintFigure(painter, {&drawing}, {}, page, style);
-    }
-};
-
-inline std::shared_ptr<const Figure> numbersFigure(std::shared_ptr<const Snapshot> snapshot) {
-    auto figure = std::make_shared<NumbersFigure>();
-    figure->snapshot = std::move(snapshot);
-    return figure;
+    });
 }
 
 class NumbersView : public FigureView {
@@ -52,7 +44,6 @@ class NumbersView : public FigureView {
         setFace(canvas_);
         auto* const column = new QVBoxLayout(this);
         column->addWidget(canvas_);
-        connect(workspace, &Workspace::snapshotChanged, this, &NumbersView::refresh);
         connect(workspace, &Workspace::styleChanged, this, &NumbersView::refresh);
     }
 
@@ -62,21 +53,15 @@ class NumbersView : public FigureView {
         return shown ? numbersFigure(shown) : nullptr;
     }
 
-    // It has come into sight.
-    void showEvent(QShowEvent* event) override {
-        FigureView::showEvent(event);
-        refresh();
+    void showSnapshot() override {
+        const auto shown = workspace_->snapshot();
+        if (!shown) return;
+        canvas_->setStyle(workspace_->style());
+        canvas_->setLayers({std::make_shared<const Drawing>(numbersDrawing(*shown))}, nullptr);
     }
     void letGo() override { canvas_->letGo(); }
 
   private:
-    void refresh() {
-        const auto shown = workspace_->snapshot();
-        if (!shown || !isVisible()) return;
-        canvas_->setStyle(workspace_->style());
-        canvas_->setLayers({std::make_shared<const Drawing>(numbersDrawing(*shown))}, nullptr);
-    }
-
     DrawingCanvas* canvas_;
 };
 

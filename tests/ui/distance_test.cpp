@@ -7,10 +7,10 @@
 #include <QToolButton>
 
 #include "distance_fixture.h"
+#include "painting/painter.h"
 #include "panes/distance/distance_view.h"
 #include "panes/drawing_canvas.h"
 #include "panes/ray_geometry.h"
-#include "panes/result/result_painting.h"
 #include "relief/tracers/map_choice.h"
 
 namespace reliefui {

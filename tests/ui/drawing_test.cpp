@@ -185,7 +185,7 @@ TEST(PyramidDrawing, nearTheRayEveryStepIsInTheBlocks) {
     EXPECT_TRUE(pyramidPicture(source, 600, 400).wraps);
 }
 
-TEST(QPainterPainter, cellsHaveTheColoursOfTheirValues) {
+TEST(Painter, cellsHaveTheColoursOfTheirValues) {
     if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
     Traced t("paper8x8", 8, 8, Surface::Columns, Address::Repeat);
     t.trace({1.2, 5.1, 5, -2});
@@ -212,7 +212,7 @@ TEST(QPainterPainter, cellsHaveTheColoursOfTheirValues) {
     }
 }
 
-TEST(QPainterPainter, figuresHoldWordsInBothLanguages) {
+TEST(Painter, figuresHoldWordsInBothLanguages) {
     if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
     Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
     t.trace({12, 40, 20, -9});

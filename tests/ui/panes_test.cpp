@@ -6,6 +6,7 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "painting/painter.h"
 #include "panes/drawing_canvas.h"
 #include "panes/duel/duel_view.h"
 #include "panes/pyramid/pyramid_view.h"

@@ -155,7 +155,9 @@ TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
     for (const char* const name : {"distance", "profile"}) {
         PaneStates panes = panesOf(walls());
         ASSERT_TRUE(panes.query);
-        const auto picture = [&] { return figureImage(*figureKind(name).make(snapshot(), panes), {}, 500); };
+        const auto picture = [&] {
+            return figureImage(*figureKind(name).make(snapshot(), scenario().step, panes), {}, 500);
+        };
         const QImage with = picture();
         panes.query.reset();
         EXPECT_NE(picture(), with) << name;

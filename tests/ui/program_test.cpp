@@ -178,7 +178,7 @@ TEST_F(WindowTest, AFineScreenShowsTheSameTwiceAsLarge) {
     const QImage& plain = pictures[0];
     ASSERT_EQ(pictures[1].size(), 2 * plain.size());
     const QImage fine = pictures[1].scaled(plain.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    // The pyramid's pane, whose text is drawn by VTK: right, below the middle.
+    // The pyramid's pane: right, below the middle.
     const QRect pane(plain.width() * 65 / 100, plain.height() * 48 / 100, plain.width() * 34 / 100,
                      plain.height() * 22 / 100);
     double sum = 0;

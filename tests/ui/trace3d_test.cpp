@@ -5,7 +5,7 @@
 #include <vtkCoordinate.h>
 #include <vtkRenderer.h>
 
-#include "panes/result/result_painting.h"
+#include "painting/painter.h"
 #include "panes/trace/trace3d_view.h"
 #include "panes/turntable.h"
 #include "window_fixture.h"

@@ -1,4 +1,4 @@
-// A grid of values, or a part of one, as a picture of colours, for painters; big ones are thinned out first.
+// A grid of values, or a part of one, as a picture of colours, for the painter; big ones are thinned out first.
 #pragma once
 
 #include <cstdint>

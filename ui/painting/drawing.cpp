@@ -97,6 +97,17 @@ Shape shapeOf(relief::Decision decision) {
     return Shape::Dot;
 }
 
+Drawing messageDrawing(relief::MessageId message) {
+    Drawing drawing;
+    drawing.bounds = {0, 0, 300, 100};
+    Label label;
+    label.at = drawing.bounds.center();
+    label.text = relief::Message(message);
+    label.anchor = Anchor::Center;
+    drawing.add({}, Role::Label, std::move(label));
+    return drawing;
+}
+
 relief::Message plainText(std::string text) {
     return relief::Message(relief::MessageId::DrawPlain, {{"text", std::move(text)}});
 }

@@ -1,4 +1,4 @@
-// A two-dimensional picture as plain data: a display list that painters put on a screen, into an SVG or a PDF.
+// A two-dimensional picture as plain data: a display list that the painter puts on a screen, into an SVG or a PDF.
 // No Qt, no VTK: items have stable ids (for picking), roles instead of colours, message ids with values instead of
 // text. Lengths are in drawing units, y downwards; what must stay readable at any zoom is in points.
 #pragma once
@@ -233,5 +233,7 @@ struct Drawing {
 };
 
 relief::Message plainText(std::string text);
+// Nothing but these words, in the middle: what would fill the drawing, and how.
+Drawing messageDrawing(relief::MessageId message);
 
 }  // namespace reliefui

@@ -13,67 +13,24 @@ namespace reliefui {
 
 namespace {
 
-QColor qcolor(Rgba c) {
-    return QColor(c.r, c.g, c.b, c.a);
-}
 QPointF qpoint(Point p) {
     return {p.x, p.y};
+}
+QPolygonF qpolygon(const std::vector<Point>& points) {
+    QPolygonF polygon;
+    for (const Point& p : points) polygon << qpoint(p);
+    return polygon;
 }
 QRectF qrect(const Box& b) {
     return {b.x0, b.y0, b.width(), b.height()};
 }
 QPen qpen(const Stroke& stroke) {
-    QPen pen(qcolor(stroke.color), stroke.width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
+    QPen pen(toColor(stroke.color), stroke.width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
     if (stroke.dash.empty()) return pen;
     QVector<qreal> dash;
     for (const double part : stroke.dash) dash.push_back(part / stroke.width);
     pen.setDashPattern(dash);
     return pen;
-}
-
-// A visible run of a polyline; before: the length up to it, pixels, so that the dash pattern continues.
-struct Run {
-    QPolygonF points;
-    double before = 0;
-};
-
-// Clips the segment from a to b to the box: fractions of it, from and to; false if nothing remains.
-bool within(Point a, Point b, const Box& box, double& from, double& to) {
-    from = 0;
-    to = 1;
-    const auto cut = [&](double start, double by, double low, double high) {
-        if (by == 0) return start >= low && start <= high;
-        const double t0 = (low - start) / by;
-        const double t1 = (high - start) / by;
-        from = std::max(from, std::min(t0, t1));
-        to = std::min(to, std::max(t0, t1));
-        return from < to;
-    };
-    return cut(a.x, b.x - a.x, box.x0, box.x1) && cut(a.y, b.y - a.y, box.y0, box.y1);
-}
-
-// Far zoomed in, a line is thousands of screens long: clipped, because dashing it all is slow.
-std::vector<Run> runsWithin(const std::vector<Point>& line, const Box& box) {
-    std::vector<Run> runs;
-    double length = 0;
-    bool open = false;
-    for (std::size_t k = 1; k < line.size(); ++k) {
-        const Point a = line[k - 1];
-        const Point b = line[k];
-        const double own = std::hypot(b.x - a.x, b.y - a.y);
-        double from = 0;
-        double to = 1;
-        if (within(a, b, box, from, to)) {
-            const auto at = [&](double t) { return QPointF(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t); };
-            if (!open || from > 0) runs.push_back({QPolygonF({at(from)}), length + from * own});
-            runs.back().points << at(to);
-            open = to == 1;
-        } else {
-            open = false;
-        }
-        length += own;
-    }
-    return runs;
 }
 
 // Paints all but labels, which come last.
@@ -87,7 +44,7 @@ struct ItemPainter {
 
     Stroke stroke() const { return style.stroke(item); }
     QPen haloPen(double width) const {
-        return QPen(qcolor(style.halo()), width + 2 * style.screenPixelsPerPoint * 0.7, Qt::SolidLine, Qt::FlatCap,
+        return QPen(toColor(style.halo()), width + 2 * style.screenPixelsPerPoint * 0.7, Qt::SolidLine, Qt::FlatCap,
                     Qt::MiterJoin);
     }
 
@@ -99,7 +56,7 @@ struct ItemPainter {
         const Box whole = screenBox(r, map, style.pixelsPerPoint());
         if (!whole.overlaps(screen.grown(50))) return;
         const Box box = whole.cut(screen.grown(100));
-        if (r.fill) painter.fillRect(qrect(box), qcolor(style.fill(item)));
+        if (r.fill) painter.fillRect(qrect(box), toColor(style.fill(item)));
         if (r.fill && item.emphasis != Emphasis::Strong) return;
         painter.setBrush(Qt::NoBrush);
         painter.setPen(qpen(stroke()));
@@ -142,7 +99,7 @@ struct ItemPainter {
                 Box box = seenOf(cells, i, j);
                 box.x1 = std::min(box.x1 + under, all.x1);
                 box.y1 = std::min(box.y1 + under, all.y1);
-                painter.fillRect(qrect(box), qcolor(colorOf(cells, i, j)));
+                painter.fillRect(qrect(box), toColor(colorOf(cells, i, j)));
             }
         }
         painter.setRenderHint(QPainter::Antialiasing, true);
@@ -169,7 +126,7 @@ struct ItemPainter {
             for (int i = range.i0; i < range.i1; ++i) {
                 const Box box = seenOf(cells, i, j);
                 if (!textFits(text, box.width(), box.height())) continue;
-                painter.setPen(qcolor(Style::textOn(colorOf(cells, i, j))));
+                painter.setPen(toColor(Style::textOn(colorOf(cells, i, j))));
                 painter.drawText(qrect(box), Qt::AlignCenter,
                                  QString::fromStdString(cellValueText(cells, (*cells.values)(i, j), text)));
             }
@@ -195,7 +152,7 @@ struct ItemPainter {
         for (const Point& p : area.line) polygon << qpoint(map.toScreen(p));
         polygon << qpoint(map.toScreen(Point{area.line.back().x, area.base}));
         painter.setPen(Qt::NoPen);
-        painter.setBrush(qcolor(style.fill(item)));
+        painter.setBrush(toColor(style.fill(item)));
         painter.drawPolygon(polygon);
     }
 
@@ -203,18 +160,20 @@ struct ItemPainter {
         if (line.points.size() < 2) return;
         std::vector<Point> points;
         for (const Point& p : line.points) points.push_back(map.toScreen(p));
-        const std::vector<Run> runs = runsWithin(points, screen.grown(100));
+        // Far zoomed in, a line is thousands of screens long: clipped, because dashing it all is slow.
+        std::vector<double> before;
+        const std::vector<std::vector<Point>> runs = clippedTo(points, screen.grown(100), &before);
         const Stroke s = stroke();
         painter.setBrush(Qt::NoBrush);
         if (hasHalo(item)) {
             painter.setPen(haloPen(s.width));
-            for (const Run& run : runs) painter.drawPolyline(run.points);
+            for (const auto& run : runs) painter.drawPolyline(qpolygon(run));
         }
-        for (const Run& run : runs) {
+        for (std::size_t n = 0; n < runs.size(); ++n) {
             QPen pen = qpen(s);
-            if (!s.dash.empty()) pen.setDashOffset(run.before / s.width);
+            if (!s.dash.empty()) pen.setDashOffset(before[n] / s.width);
             painter.setPen(pen);
-            painter.drawPolyline(run.points);
+            painter.drawPolyline(qpolygon(runs[n]));
         }
         if (!line.arrow) return;
         const QPointF tip = qpoint(points.back());
@@ -225,7 +184,7 @@ struct ItemPainter {
         painter.translate(tip);
         painter.rotate(angle);
         painter.setPen(Qt::NoPen);
-        painter.setBrush(qcolor(s.color));
+        painter.setBrush(toColor(s.color));
         const QPolygonF head(
             {QPointF(0, 0), QPointF(-5 * s.width, -2.4 * s.width), QPointF(-5 * s.width, 2.4 * s.width)});
         painter.drawPolygon(head);
@@ -236,7 +195,7 @@ struct ItemPainter {
         Stroke s = stroke();
         if (c.rim) s = {Style::rim(), Style::rimWidth(s.width, c.radius * map.scale), {}};
         painter.setPen(qpen(s));
-        painter.setBrush(c.fill ? QBrush(qcolor(style.fill(item))) : QBrush(Qt::NoBrush));
+        painter.setBrush(c.fill ? QBrush(toColor(style.fill(item))) : QBrush(Qt::NoBrush));
         painter.drawEllipse(qpoint(map.toScreen(c.center)), c.radius * map.scale, c.radius * map.scale);
     }
 
@@ -244,9 +203,9 @@ struct ItemPainter {
         const Stroke s = stroke();
         const double radius = r.radius * style.pixelsPerPoint();
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(qcolor(style.halo()), s.width * 2.6));
+        painter.setPen(QPen(toColor(style.halo()), s.width * 2.6));
         painter.drawEllipse(qpoint(map.toScreen(r.center)), radius, radius);
-        painter.setPen(QPen(qcolor(s.color), s.width));
+        painter.setPen(QPen(toColor(s.color), s.width));
         painter.drawEllipse(qpoint(map.toScreen(r.center)), radius, radius);
     }
 
@@ -255,11 +214,11 @@ struct ItemPainter {
         const QPointF at = qpoint(map.toScreen(m.at));
         const Stroke s = stroke();
         const double r = size / 2;
-        painter.setPen(shapeFilled(m.shape) ? QPen(qcolor(style.halo()), s.width * 0.6)
-                                            : QPen(qcolor(s.color), s.width));
-        painter.setBrush(shapeFilled(m.shape) ? QBrush(qcolor(s.color)) : QBrush(Qt::NoBrush));
+        painter.setPen(shapeFilled(m.shape) ? QPen(toColor(style.halo()), s.width * 0.6)
+                                            : QPen(toColor(s.color), s.width));
+        painter.setBrush(shapeFilled(m.shape) ? QBrush(toColor(s.color)) : QBrush(Qt::NoBrush));
         if (m.shape == Shape::Cross) {
-            painter.setPen(QPen(qcolor(s.color), s.width * 1.5));
+            painter.setPen(QPen(toColor(s.color), s.width * 1.5));
             painter.drawLine(at + QPointF(-r, -r), at + QPointF(r, r));
             painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
             return;
@@ -306,12 +265,12 @@ void paintLabel(QPainter& painter, const Item& item, const Label& label, const V
     if (label.plate && item.emphasis == Emphasis::Faint) color.a = kFaintPlate;
     if (label.plate) {
         painter.setPen(Qt::NoPen);
-        painter.setBrush(qcolor(color));
+        painter.setBrush(toColor(color));
         painter.drawRoundedRect(qrect(box), pad, pad);
         color = Style::textOn(color);
     }
     painter.setFont(font);
-    painter.setPen(qcolor(color));
+    painter.setPen(toColor(color));
     painter.drawText(qrect(box), Qt::AlignCenter | Qt::TextDontClip, text);
 }
 
@@ -335,8 +294,6 @@ void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const 
 
 namespace {
 
-constexpr double kFigureMargin = 6;  // points
-
 // The legend is made in points; it shrinks rather than leave the page.
 double legendScale(const Drawing& legend, const Box& page, const Style& style) {
     const double room = page.width() - 2 * kFigureMargin * style.pixelsPerPoint();
@@ -358,7 +315,7 @@ Box figureRoom(const Drawing& legend, const Box& page, const Style& style) {
 
 void paintFigure(QPainter& painter, const std::vector<const Drawing*>& layers, const Drawing& legend, const Box& page,
                  const Style& style) {
-    painter.fillRect(qrect(page), qcolor(style.background()));
+    painter.fillRect(qrect(page), toColor(style.background()));
     ViewMap legendMap;
     legendMap.scale = legendScale(legend, page, style);
     legendMap.dx = page.x0 + kFigureMargin * style.pixelsPerPoint() - legend.bounds.x0 * legendMap.scale;

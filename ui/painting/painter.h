@@ -9,6 +9,13 @@
 
 namespace reliefui {
 
+inline QColor toColor(const Rgba& c) {
+    return {c.r, c.g, c.b, c.a};
+}
+
+// Around drawings, on screen and on pages; points.
+inline constexpr double kFigureMargin = 6;
+
 // Paints what lies within `screen` (pixels of the painter). `kept`: on a screen, the cache of images for repeated
 // painting; null for files.
 void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen,

@@ -180,6 +180,46 @@ Box labelBox(const Label& label, const ViewMap& map, double width, double height
     return {x, y, x + width, y + height};
 }
 
+bool clip(Segment& segment, const Box& box) {
+    double from = 0;
+    double to = 1;
+    const double dx = segment.second.x - segment.first.x;
+    const double dy = segment.second.y - segment.first.y;
+    const auto slab = [&](double origin, double run, double low, double high) {
+        if (run == 0) return origin >= low && origin <= high;
+        const double a = (low - origin) / run;
+        const double b = (high - origin) / run;
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+        return from <= to;
+    };
+    if (!slab(segment.first.x, dx, box.x0, box.x1) || !slab(segment.first.y, dy, box.y0, box.y1)) return false;
+    const Point origin = segment.first;
+    if (to < 1) segment.second = {origin.x + to * dx, origin.y + to * dy};
+    if (from > 0) segment.first = {origin.x + from * dx, origin.y + from * dy};
+    return true;
+}
+
+std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const Box& box, std::vector<double>* before) {
+    std::vector<std::vector<Point>> runs;
+    double length = 0;
+    bool open = false;  // the last run goes on
+    for (std::size_t k = 1; k < line.size(); ++k) {
+        const Point a = line[k - 1];
+        const Point b = line[k];
+        Segment piece{a, b};
+        const bool seen = clip(piece, box);
+        if (seen && (!open || !(piece.first == a))) {
+            runs.push_back({piece.first});
+            if (before != nullptr) before->push_back(length + std::hypot(piece.first.x - a.x, piece.first.y - a.y));
+        }
+        if (seen) runs.back().push_back(piece.second);
+        open = seen && piece.second == b;
+        if (before != nullptr) length += std::hypot(b.x - a.x, b.y - a.y);
+    }
+    return runs;
+}
+
 std::vector<Point> shapePolygon(Shape shape, double size) {
     const double r = size / 2;
     switch (shape) {

@@ -1,6 +1,7 @@
 // How a drawing lies on a screen, what is under the pointer, and which labels have room.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "painting/drawing.h"
@@ -60,6 +61,14 @@ class LabelRoom {
 
 // The box of a text of this size (pixels) at its anchor; empty: it is not drawn.
 Box labelBox(const Label& label, const ViewMap& map, double width, double height, double pixelsPerPoint);
+
+using Segment = std::pair<Point, Point>;
+
+// Cuts the segment to the box; false: nothing of it lies within. An end that lies within keeps its bits.
+bool clip(Segment& segment, const Box& box);
+// The parts of a line that lie within the box; before: the length of the line up to each of them.
+std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const Box& box,
+                                          std::vector<double>* before = nullptr);
 
 // Outlines of marker shapes, in pixels around the origin, y downwards; closed polygons. Empty for Ring and Dot, which
 // are round, and for Cross, which is two strokes.

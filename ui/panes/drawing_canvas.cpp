@@ -14,7 +14,6 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kMargin = 6;      // points
 constexpr double kNear = 20000;    // most times the home scale
 constexpr double kFar = 0.5;       // least
 constexpr double kClickReach = 4;  // pixels that a click may move
@@ -41,15 +40,19 @@ void DrawingCanvas::setLayers(std::vector<std::shared_ptr<const Drawing>> layers
     update();
 }
 
+std::shared_ptr<const Drawing> DrawingCanvas::showLegend(Drawing legend, double most) {
+    if (legend.bounds.height() * style_.pixelsPerPoint() > most * height()) legend = {};
+    auto shown = std::make_shared<const Drawing>(std::move(legend));
+    setLayers({}, shown);
+    return shown;
+}
+
+double DrawingCanvas::legendWidth() const {
+    return width() / style_.pixelsPerPoint() - 2 * kFigureMargin;
+}
+
 void DrawingCanvas::showText(relief::MessageId why) {
-    auto drawing = std::make_shared<Drawing>();
-    drawing->bounds = {0, 0, 100, 100};
-    Label label;
-    label.at = drawing->bounds.center();
-    label.text = relief::Message(why);
-    label.anchor = Anchor::Center;
-    drawing->add({}, Role::Label, std::move(label));
-    setLayers({std::move(drawing)}, nullptr);
+    setLayers({std::make_shared<const Drawing>(messageDrawing(why))}, nullptr);
 }
 
 void DrawingCanvas::letGo() {
@@ -76,7 +79,7 @@ double DrawingCanvas::legendHeight() const {
 }
 
 Box DrawingCanvas::screenRoom() const {
-    const double margin = kMargin * deviceStyle().pixelsPerPoint();
+    const double margin = kFigureMargin * deviceStyle().pixelsPerPoint();
     const double legend = legendHeight();
     return {margin, margin, width() * devicePixelRatioF() - margin,
             height() * devicePixelRatioF() - margin - (legend > 0 ? legend + margin / 2 : 0)};
@@ -99,7 +102,7 @@ Point DrawingCanvas::toDrawing(QPointF widget) const {
 }
 
 Box DrawingCanvas::visible() const {
-    const double margin = kMargin * deviceStyle().pixelsPerPoint();
+    const double margin = kFigureMargin * deviceStyle().pixelsPerPoint();
     return map_.toDrawing(screenRoom().grown(margin / 2));
 }
 
@@ -151,14 +154,13 @@ void DrawingCanvas::paintEvent(QPaintEvent*) {
     const Box screen{0, 0, width() * ratio, height() * ratio};
     QPainter painter(this);
     painter.scale(1 / ratio, 1 / ratio);
-    const Rgba ground = style.background();
-    painter.fillRect(QRectF(0, 0, screen.x1, screen.y1), QColor(ground.r, ground.g, ground.b));
+    painter.fillRect(QRectF(0, 0, screen.x1, screen.y1), toColor(style.background()));
     cells_.begin();
     for (const auto& layer : layers_) reliefui::paint(painter, *layer, map_, style, screen, &cells_);
     cells_.end();
     if (!legend_) return;
     const double unit = style.pixelsPerPoint();
-    const ViewMap legendMap{unit, kMargin * unit, screen.y1 - legendHeight() - kMargin * unit / 2};
+    const ViewMap legendMap{unit, kFigureMargin * unit, screen.y1 - legendHeight() - kFigureMargin * unit / 2};
     reliefui::paint(painter, *legend_, legendMap, style, screen);
 }
 

@@ -19,6 +19,10 @@ class DrawingCanvas : public QWidget {
     // From the lowest to the topmost. The legend stands at the lower edge, whatever the zoom.
     void setLayers(std::vector<std::shared_ptr<const Drawing>> layers, std::shared_ptr<const Drawing> legend);
     void setStyle(const Style& style);
+    // Shows the legend alone, so that room() is what it leaves; an empty one where it would take more than this part of
+    // the height.
+    std::shared_ptr<const Drawing> showLegend(Drawing legend, double most);
+    double legendWidth() const;  // at most, points
     // Nothing to show but what would fill the pane, and how.
     void showText(relief::MessageId why);
     // Holds nothing any more; where it was zoomed to stays.

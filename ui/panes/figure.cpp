@@ -76,20 +76,32 @@ void requireRange(const std::string& what, double value, double low, double high
 }
 
 void paintEmpty(QPainter& painter, MessageId why, const Box& page, const Style& style) {
-    Drawing drawing;
-    drawing.bounds = {0, 0, 300, 100};
-    Label label;
-    label.at = drawing.bounds.center();
-    label.text = Message(why);
-    label.anchor = Anchor::Center;
-    drawing.add({}, Role::Label, std::move(label));
+    const Drawing drawing = messageDrawing(why);
     paintFigure(painter, {&drawing}, {}, page, style);
+}
+
+namespace {
+
+class PaintedFigure : public Figure {
+  public:
+    PaintedFigure(PagePainter paint, PageAspect aspect) : paint_(std::move(paint)), aspect_(std::move(aspect)) {}
+    double aspect(const FigurePage& page) const override { return aspect_ ? aspect_(page) : Figure::aspect(page); }
+    void paint(QPainter& painter, const Box& page, const Style& style) const override { paint_(painter, page, style); }
+
+  private:
+    PagePainter paint_;
+    PageAspect aspect_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Figure> paintedFigure(PagePainter paint, PageAspect aspect) {
+    return std::make_shared<PaintedFigure>(std::move(paint), std::move(aspect));
 }
 
 QImage Figure::image(const FigurePage& page, const QSize& size) const {
     QImage image(size, QImage::Format_RGB32);
-    const Rgba ground = page.style.background();
-    image.fill(QColor(ground.r, ground.g, ground.b));
+    image.fill(toColor(page.style.background()));
     const double dpi = size.width() / page.widthMm * kMmPerInch;
     const auto dots = static_cast<int>(std::lround(dpi / kMmPerInch * 1000));
     image.setDotsPerMeterX(dots);

@@ -2,13 +2,13 @@
 // window.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
 #include <QImage>
-#include <QPainter>
 
-#include "painting/style.h"
+#include "painting/painter.h"
 
 namespace reliefui {
 
@@ -19,6 +19,8 @@ struct FigurePage {
     Style style;           // theme and language; points are the page's
 };
 
+inline constexpr double kFigureAspect = 0.56;
+
 // Immutable. With vectors it may be painted on any thread; without, on the window's alone (OpenGL).
 class Figure {
   public:
@@ -26,13 +28,18 @@ class Figure {
     // Whether it is made of lines and words, and so can be an SVG or a PDF.
     virtual bool vectors() const { return true; }
     // Height over width.
-    virtual double aspect(const FigurePage&) const { return 0.56; }
+    virtual double aspect(const FigurePage&) const { return kFigureAspect; }
     virtual void paint(QPainter& painter, const Box& page, const Style& style) const = 0;
     virtual QImage image(const FigurePage& page, const QSize& size) const;
 };
 
+using PagePainter = std::function<void(QPainter&, const Box& page, const Style&)>;
+using PageAspect = std::function<double(const FigurePage&)>;
+// Of lines and words. aspect: empty: as Figure::aspect().
+std::shared_ptr<const Figure> paintedFigure(PagePainter paint, PageAspect aspect = {});
+
 inline constexpr double kMmPerPoint = 25.4 / 72;
-inline constexpr double kFigureMargins = 12;  // points, both sides
+inline constexpr double kFigureMargins = 2 * kFigureMargin;  // both sides
 
 // Nothing to draw: says why.
 void paintEmpty(QPainter& painter, relief::MessageId why, const Box& page, const Style& style);

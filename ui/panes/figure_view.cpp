@@ -1,11 +1,13 @@
 #include "panes/figure_view.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
+#include <QTimer>
 
 #include "panes/figure_export.h"
 #include "panes/gl_release.h"
@@ -25,6 +27,7 @@ FigureView::FigureView(Workspace* workspace, const QString& title, const QString
                        QWidget* parent)
     : QWidget(parent), workspace_(workspace), name_(name), dialog_(dialog) {
     setAccessibleName(title);
+    connect(workspace_, &Workspace::snapshotChanged, this, &FigureView::refresh);
 }
 
 void FigureView::setFace(QWidget* face) {
@@ -40,9 +43,26 @@ void FigureView::setReadout(const QString& text) {
     Q_EMIT hovered(text);
 }
 
+void FigureView::refresh() {
+    cameIntoSight_ = std::exchange(stale_, !inSight());
+    if (!stale_) return showSnapshot();
+    if (outdated()) letGo();
+}
+
+bool FigureView::outOfSight() {
+    if (!inSight()) stale_ = true;
+    return !inSight();
+}
+
+void FigureView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (stale_) QTimer::singleShot(0, this, &FigureView::refresh);
+}
+
 void FigureView::giveBack() {
     if (isVisible()) return;
     letGo();
+    stale_ = true;
     for (QVTKOpenGLNativeWidget* const widget : findChildren<QVTKOpenGLNativeWidget*>()) releaseGl(*widget);
 }
 
@@ -51,12 +71,6 @@ FigurePage FigureView::page() const {
     page.title = name_.toStdString();
     page.style = workspace_->style();
     return page;
-}
-
-std::shared_ptr<const Snapshot> FigureView::atStep(const std::shared_ptr<const Snapshot>& snapshot) const {
-    auto now = std::make_shared<Snapshot>(*snapshot);
-    now->scenario.step = workspace_->scenario().step;
-    return now;
 }
 
 QImage FigureView::image(int width) const {
@@ -91,9 +105,7 @@ void FigureView::addPointToMenu(QMenu& menu, const QPoint& at) {
 }
 
 void FigureView::setPoint(const std::optional<QueryPoint>& point) {
-    PaneStates panes = panesOf(workspace_->scenario());
-    panes.query = point;
-    workspace_->setPanes(panes, point ? tr("Distances at a point") : tr("Forget the point"));
+    keep(&PaneStates::query, point, point ? tr("Distances at a point") : tr("Forget the point"));
 }
 
 void FigureView::askPoint(const QPointF& widget) {

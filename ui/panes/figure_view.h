@@ -53,16 +53,33 @@ class FigureView : public QWidget {
     // The part of the pane that has the menu.
     void setFace(QWidget* face);
     void setReadout(const QString& text);
+    // Draws what the workspace holds; called in sight alone.
+    virtual void showSnapshot() = 0;
+    // Whether it holds something that is not wanted any more, to be let go while it is out of sight.
+    virtual bool outdated() const { return false; }
+    // Keeps a pane's choices in the scenario: a step of undo, or a part of one where `drag` says what is dragged.
+    template <class Pane>
+    void keep(Pane PaneStates::*part, const Pane& pane, const QString& what, const QString& drag = {}) {
+        PaneStates panes = panesOf(workspace_->scenario());
+        panes.*part = pane;
+        workspace_->setPanes(panes, what, drag);
+    }
+    // For another snapshot, style or choice: at once, or when it comes into sight.
+    void refresh();
+    // Remembers that something has changed; true where it is not drawn now.
+    bool outOfSight();
+    bool stale() const { return stale_; }
+    // In showSnapshot(): whether it was out of sight until now.
+    bool cameIntoSight() const { return cameIntoSight_; }
+    void paintEvent(QPaintEvent* event) override;
     // A pane behind another tab counts as visible for Qt; it only lies outside the window.
     bool inSight() const { return isVisible() && !visibleRegion().isEmpty(); }
 
     // What it shows; null: there is nothing to be exported.
     virtual std::shared_ptr<const Figure> figure() const = 0;
-    // The same snapshot at the step on screen.
-    std::shared_ptr<const Snapshot> atStep(const std::shared_ptr<const Snapshot>& snapshot) const;
     // Reads out what lies under this point of the face.
     virtual void tell(const QPointF&) {}
-    // Lets go of what it shows: out of sight, and not what is wanted any more. Shown again, it asks for it again.
+    // Lets go of what it shows; showSnapshot() makes it again.
     virtual void letGo() {}
     // More entries, above the common ones.
     virtual void addToMenu(QMenu&) {}
@@ -89,6 +106,8 @@ class FigureView : public QWidget {
     QWidget* face_ = nullptr;
     QString readout_;
     int saving_ = 0;
+    bool stale_ = true;  // changed while it was out of sight
+    bool cameIntoSight_ = false;
     Mailbox mailbox_{this};
 };
 

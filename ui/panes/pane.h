@@ -25,9 +25,10 @@ enum class Home : std::uint8_t { Middle, High, Low, Time, Side };
 struct FigureKind {
     std::string name;
     bool vectors = true;
-    // As the panes' states say; may take seconds, of what a pane measures. Throws InputError. Empty: not of a snapshot
+    // At this step of the ray, as the panes' states say; may take seconds, of what a pane measures. Throws InputError.
+    // Empty: not of a snapshot
     // ("pareto", of a table of measurements).
-    std::function<std::shared_ptr<const Figure>(std::shared_ptr<const Snapshot>, const PaneStates&)> make;
+    std::function<std::shared_ptr<const Figure>(std::shared_ptr<const Snapshot>, int step, const PaneStates&)> make;
 };
 
 struct PaneKind {
@@ -51,7 +52,7 @@ QWidget* makePane(Workspace* workspace, QWidget* parent) {
 
 // As FigureKind::make, of panes without a state that figures show.
 template <std::shared_ptr<const Figure> (*make)(std::shared_ptr<const Snapshot>)>
-std::shared_ptr<const Figure> plainFigure(std::shared_ptr<const Snapshot> snapshot, const PaneStates&) {
+std::shared_ptr<const Figure> plainFigure(std::shared_ptr<const Snapshot> snapshot, int, const PaneStates&) {
     return make(std::move(snapshot));
 }
 

@@ -66,28 +66,6 @@ Box texelDomain(const relief::HeightField& field) {
 
 namespace {
 
-// The part of the segment within the box; false: none.
-bool clip(Segment& segment, const Box& box) {
-    double from = 0;
-    double to = 1;
-    const double dx = segment.second.x - segment.first.x;
-    const double dy = segment.second.y - segment.first.y;
-    const auto slab = [&](double origin, double run, double low, double high) {
-        if (run == 0) return origin >= low && origin <= high;
-        const double a = (low - origin) / run;
-        const double b = (high - origin) / run;
-        from = std::max(from, std::min(a, b));
-        to = std::min(to, std::max(a, b));
-        return from <= to;
-    };
-    if (!slab(segment.first.x, dx, box.x0, box.x1) || !slab(segment.first.y, dy, box.y0, box.y1)) return false;
-    const Point origin = segment.first;
-    // An end that lies inside keeps its bits.
-    if (to < 1) segment.second = {origin.x + to * dx, origin.y + to * dy};
-    if (from > 0) segment.first = {origin.x + from * dx, origin.y + from * dy};
-    return true;
-}
-
 // Where along the segment, in [0, 1], it crosses the borders of periods.
 void crossings(double origin, double run, double low, double period, std::vector<double>& out) {
     constexpr std::int64_t kEachEnd = 60;
@@ -155,22 +133,6 @@ std::vector<Box> wrapped(const Box& box, const Box& domain, bool wraps) {
         }
     }
     return pieces;
-}
-
-std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const Box& box) {
-    std::vector<std::vector<Point>> runs;
-    bool open = false;  // the last run goes on
-    for (std::size_t k = 1; k < line.size(); ++k) {
-        Segment piece{line[k - 1], line[k]};
-        if (!clip(piece, box)) {
-            open = false;
-            continue;
-        }
-        if (!open || !(piece.first == line[k - 1])) runs.push_back({piece.first});
-        runs.back().push_back(piece.second);
-        open = piece.second == line[k];
-    }
-    return runs;
 }
 
 bool coversStretch(relief::Decision decision) {

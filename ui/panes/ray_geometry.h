@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "painting/drawing.h"
+#include "painting/view_map.h"
 #include "relief/cell_grid.h"
 #include "relief/step_log.h"
 
@@ -35,12 +35,8 @@ Box texelDomain(const relief::HeightField& field);
 
 // A stretch or a box as seen in one period. Where nothing repeats, what lies outside is cut off. Of a stretch of very
 // many periods only both ends are given.
-using Segment = std::pair<Point, Point>;
 std::vector<Segment> wrapped(const Segment& segment, const Box& domain, bool wraps);
 std::vector<Box> wrapped(const Box& box, const Box& domain, bool wraps);
-
-// The parts of a line that lie within the box.
-std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const Box& box);
 
 // The decisions that cover the ray without overlapping: what its stretches are coloured by.
 bool coversStretch(relief::Decision decision);

@@ -6,31 +6,20 @@
 
 namespace reliefui {
 
-namespace {
-
-struct TableFigure : Figure {
-    TableMaker table;
-
-    double aspect(const FigurePage& page) const override {
+std::shared_ptr<const Figure> tableFigure(TableMaker table) {
+    const auto aspect = [table](const FigurePage& page) {
         const double points = page.widthMm / kMmPerPoint - kFigureMargins;
         const Drawing drawing = tableDrawing(table(page.style.language), points);
         // A table that wants more room is fitted into the page.
         const double height = drawing.bounds.height() * points / std::max(drawing.bounds.width(), 1.0);
         return (height + kFigureMargins) / (points + kFigureMargins);
-    }
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
+    };
+    const auto paint = [table](QPainter& painter, const Box& page, const Style& style) {
         const double points = page.width() / style.pixelsPerPoint() - kFigureMargins;
         const Drawing drawing = tableDrawing(table(style.language), points);
         paintFigure(painter, {&drawing}, {}, page, style);
-    }
-};
-
-}  // namespace
-
-std::shared_ptr<const Figure> tableFigure(TableMaker table) {
-    auto figure = std::make_shared<TableFigure>();
-    figure->table = std::move(table);
-    return figure;
+    };
+    return paintedFigure(paint, aspect);
 }
 
 }  // namespace reliefui

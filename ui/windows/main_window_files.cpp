@@ -110,11 +110,10 @@ void MainWindow::askView(const QString& view) {
 }
 
 void MainWindow::saveView(const QString& view, const QString& path, int pixels) {
-    const auto shown = workspace_->snapshot();
-    if (!shown) return;
-    auto snapshot = std::make_shared<Snapshot>(*shown);
-    snapshot->scenario.step = workspace_->scenario().step;
-    const auto figure = figureKind(view.toStdString()).make(std::move(snapshot), panesOf(workspace_->scenario()));
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot) return;
+    const relief::Scenario& now = workspace_->scenario();
+    const auto figure = figureKind(view.toStdString()).make(snapshot, now.step, panesOf(now));
     FigurePage page;
     page.title = view.toStdString();
     page.style = workspace_->style();

@@ -19,7 +19,9 @@ PaneKind timePane() {
     kind.home = Home::Time;
     kind.make = makePane<TimePane>;
     kind.focus = [](QWidget* pane) -> QWidget* { return qobject_cast<TimePane*>(pane)->table()->table(); };
-    kind.figures = {{"steps", true, plainFigure<stepsFigure>}};
+    kind.figures = {{"steps", true, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates&) {
+                         return stepsFigure(std::move(s), step);
+                     }}};
     return kind;
 }
 

@@ -6,6 +6,7 @@
 
 #include "panes/charts/charts_view.h"
 #include "panes/drawing_canvas.h"
+#include "panes/pane_controls.h"
 
 namespace reliefui {
 
@@ -43,7 +44,6 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
             chooseOf(*at.bar);
         }
     });
-    connect(workspace_, &Workspace::snapshotChanged, this, &ChartsView::refresh);
     connect(workspace_, &Workspace::panesChanged, this, &ChartsView::adopt);
     connect(workspace_, &Workspace::styleChanged, this, &ChartsView::draw);
     adopt();
@@ -52,44 +52,25 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
 
 ChartsView::~ChartsView() = default;
 
-QToolButton* ChartsView::addButton(const char* name, const QString& text, const QString& help, bool checkable) {
-    auto* const button = new QToolButton(this);
-    button->setObjectName(QString::fromLatin1(name));
-    button->setText(text);
-    button->setToolTip(help);
-    button->setAccessibleName(help);
-    button->setCheckable(checkable);
-    button->setAutoRaise(true);
-    bar_->layout()->addWidget(button);
-    return button;
-}
-
-QComboBox* ChartsView::addChooser(const char* name, const QString& help) {
-    auto* const box = new QComboBox(this);
-    box->setObjectName(QString::fromLatin1(name));
-    box->setToolTip(help);
-    box->setAccessibleName(help);
-    bar_->layout()->addWidget(box);
-    return box;
-}
-
 void ChartsView::makeBar() {
     bar_ = new QWidget(this);
     auto* const bar = new QHBoxLayout(bar_);
     bar->setContentsMargins(4, 2, 6, 2);
-    measureButton_ =
-        addButton("charts-measure", tr("measure"),
-                  tr("Measure run time and error of the methods on this view's rays; or cancel it (Esc)"), false);
-    live_ = addButton("charts-live", tr("live"), tr("Measure again by itself when the view changes"), true);
+    measureButton_ = addToolButton(
+        bar, tr("measure"), tr("Measure run time and error of the methods on this view's rays; or cancel it (Esc)"));
+    measureButton_->setObjectName(QStringLiteral("charts-measure"));
+    live_ = addToolButton(bar, tr("live"), tr("Measure again by itself when the view changes"), true);
+    live_->setObjectName(QStringLiteral("charts-live"));
     live_->setChecked(true);
-    maps_ = addButton("charts-maps", tr("with maps"),
-                      tr("Methods with distance and cone maps, too: building these takes its time"), true);
-    error_ = addChooser("charts-error", tr("Which error stands on the vertical axis"));
+    maps_ = addToolButton(bar, tr("with maps"),
+                          tr("Methods with distance and cone maps, too: building these takes its time"), true);
+    maps_->setObjectName(QStringLiteral("charts-maps"));
+    error_ = addChooser(bar, "charts-error", tr("Which error stands on the vertical axis"));
     error_->addItem(tr("mean error"));
     error_->addItem(tr("error of 95%"));
     error_->addItem(tr("error of 99.99%"));
     error_->addItem(tr("largest error"));
-    shown_ = addChooser("charts-shown", tr("Which charts are shown"));
+    shown_ = addChooser(bar, "charts-shown", tr("Which charts are shown"));
     shown_->addItem(tr("all charts"));
     shown_->addItem(tr("time and error"));
     shown_->addItem(tr("histograms"));

@@ -5,31 +5,20 @@
 
 namespace reliefui {
 
-namespace {
-
-struct ChartsFigure : Figure {
-    std::shared_ptr<const ChartsSource> source;
-
-    double aspect(const FigurePage&) const override {
-        constexpr double kPareto = 0.68;  // names beside their marks
-        constexpr double kAll = 0.95;     // and histograms below
-        return source->shown == ChartsShown::Pareto ? kPareto : kAll;
-    }
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
-        const double unit = style.pixelsPerPoint();
-        const Drawing legend = chartsLegend(*source, page.width() / unit - kFigureMargins, style.language);
-        const Box room = figureRoom(legend, page, style);
-        const ChartsPicture picture = chartsPicture(*source, room.width() / unit, room.height() / unit);
-        paintFigure(painter, {&picture.drawing}, legend, page, style);
-    }
-};
-
-}  // namespace
-
 std::shared_ptr<const Figure> chartsFigure(std::shared_ptr<const ChartsSource> source) {
-    auto figure = std::make_shared<ChartsFigure>();
-    figure->source = std::move(source);
-    return figure;
+    return paintedFigure(
+        [source](QPainter& painter, const Box& page, const Style& style) {
+            const double unit = style.pixelsPerPoint();
+            const Drawing legend = chartsLegend(*source, page.width() / unit - kFigureMargins, style.language);
+            const Box room = figureRoom(legend, page, style);
+            const ChartsPicture picture = chartsPicture(*source, room.width() / unit, room.height() / unit);
+            paintFigure(painter, {&picture.drawing}, legend, page, style);
+        },
+        [source](const FigurePage&) {
+            constexpr double kPareto = 0.68;  // names beside their marks
+            constexpr double kAll = 0.95;     // and histograms below
+            return source->shown == ChartsShown::Pareto ? kPareto : kAll;
+        });
 }
 
 std::shared_ptr<const Figure> measuredCharts(const Snapshot& snapshot, const std::string& error) {

@@ -12,10 +12,11 @@ PaneKind chartsPane() {
     kind.help = ChartsView::tr("Run time against error, steps and errors of all pixels");
     kind.home = Home::Low;
     kind.make = makePane<ChartsView>;
-    kind.figures = {
-        {"charts", true,
-         [](std::shared_ptr<const Snapshot> s, const PaneStates& p) { return measuredCharts(*s, p.charts.error); }},
-        {"pareto", true, {}}};
+    kind.figures = {{"charts", true,
+                     [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
+                         return measuredCharts(*s, p.charts.error);
+                     }},
+                    {"pareto", true, {}}};
     return kind;
 }
 

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QMouseEvent>
-#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 
@@ -22,23 +21,16 @@ QString number(double value) {
 }  // namespace
 
 bool ChartsView::settled() const {
-    return !stale_ && !job_->busy();
+    return !stale() && !job_->busy();
 }
 
-void ChartsView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &ChartsView::refresh);
+bool ChartsView::outdated() const {
+    return snapshot_ && !(workspace_->snapshot() && workspace_->snapshot()->frame == snapshot_->frame);
 }
 
-void ChartsView::refresh() {
+void ChartsView::showSnapshot() {
     const PauseLog::Part part("charts");
-    // Out of sight nothing is computed or drawn.
-    stale_ = !inSight();
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
-    if (stale_) {
-        if (snapshot_ && !(snapshot && snapshot->frame == snapshot_->frame)) letGo();
-        return;
-    }
     if (snapshot && snapshot->coarse) {
         // What is dragged has the processors for itself; the full picture comes here again.
         job_->drop();
@@ -75,7 +67,6 @@ void ChartsView::letGo() {
     picture_ = {};
     canvas_->letGo();
     setReadout({});
-    stale_ = true;
 }
 
 // Where it is wanted, and not there yet.
@@ -117,9 +108,7 @@ void ChartsView::cancel() {
 }
 
 void ChartsView::change(const ChartsPane& pane) {
-    PaneStates panes = panesOf(workspace_->scenario());
-    panes.charts = pane;
-    workspace_->setPanes(panes, tr("Charts: other view"));
+    keep(&PaneStates::charts, pane, tr("Charts: other view"));
     adopt();
 }
 
@@ -138,27 +127,19 @@ void ChartsView::adopt() {
 }
 
 void ChartsView::setLive(bool on) {
-    ChartsPane pane = pane_;
-    pane.live = on;
-    change(pane);
+    set(&ChartsPane::live, on);
 }
 
 void ChartsView::setWithMaps(bool on) {
-    ChartsPane pane = pane_;
-    pane.maps = on;
-    change(pane);
+    set(&ChartsPane::maps, on);
 }
 
 void ChartsView::setShown(ChartsShown shown) {
-    ChartsPane pane = pane_;
-    pane.shown = chartsPaneShown()[static_cast<std::size_t>(shown)];
-    change(pane);
+    set(&ChartsPane::shown, chartsPaneShown()[static_cast<std::size_t>(shown)]);
 }
 
 void ChartsView::setMeasure(relief::ErrorMeasure measure) {
-    ChartsPane pane = pane_;
-    pane.error = std::string(relief::kErrorMeasureNames[static_cast<std::size_t>(measure)]);
-    change(pane);
+    set(&ChartsPane::error, std::string(relief::kErrorMeasureNames[static_cast<std::size_t>(measure)]));
 }
 
 ChartsSource ChartsView::source() const {
@@ -176,20 +157,13 @@ ChartsSource ChartsView::source() const {
 void ChartsView::draw() {
     const PauseLog::Part part("charts: drawing");
     if (!snapshot_ || !snapshot_->request) return;
-    if (!inSight()) {
-        stale_ = true;
-        return;
-    }
+    if (outOfSight()) return;
     const Style& style = workspace_->style();
     canvas_->setStyle(style);
     const ChartsSource now = source();
     // The legend first: what it needs is not left to the charts. Where it would take too much it is left out.
     constexpr double kMostLegend = 0.3;
-    const double unit = style.pixelsPerPoint();
-    Drawing words = chartsLegend(now, canvas_->width() / unit - 12, style.language);
-    if (words.bounds.height() * unit > kMostLegend * canvas_->height()) words = {};
-    const auto legend = std::make_shared<const Drawing>(std::move(words));
-    canvas_->setLayers({}, legend);
+    const auto legend = canvas_->showLegend(chartsLegend(now, canvas_->legendWidth(), style.language), kMostLegend);
     const QSizeF room = canvas_->room();
     picture_ = chartsPicture(now, room.width(), room.height());
     canvas_->setLayers({std::make_shared<const Drawing>(picture_.drawing)}, legend);

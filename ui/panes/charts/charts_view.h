@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 #include <optional>
 
 #include <QPointF>
@@ -47,7 +48,8 @@ class ChartsView : public FigureView {
     void chooseOf(const reliefui::HistogramBar& bar);
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
+    bool outdated() const override;
     std::shared_ptr<const Figure> figure() const override;
     void tell(const QPointF& widget) override;
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -56,10 +58,13 @@ class ChartsView : public FigureView {
   private:
     void makeBar();
     void change(const ChartsPane& pane);
+    template <class Value>
+    void set(Value ChartsPane::*choice, const std::type_identity_t<Value>& value) {
+        ChartsPane pane = pane_;
+        pane.*choice = value;
+        change(pane);
+    }
     void adopt();  // what the scenario says
-    QToolButton* addButton(const char* name, const QString& text, const QString& help, bool checkable);
-    QComboBox* addChooser(const char* name, const QString& help);
-    void refresh();  // another frame
     void startMeasuring();
     void draw();  // another pixel, room or style
     void showEmpty();
@@ -87,7 +92,6 @@ class ChartsView : public FigureView {
     bool measuring_ = false;
     std::shared_ptr<const Snapshot> measuredNow_;  // while it is
     double fraction_ = 0;                          // of what is being measured
-    bool stale_ = true;                            // changed while it was hidden
     std::unique_ptr<LatestJob> job_;               // last: ends before the rest
 };
 

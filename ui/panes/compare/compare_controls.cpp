@@ -10,6 +10,7 @@
 
 #include "panes/compare/compare_view.h"
 #include "panes/narrow_bar.h"
+#include "panes/pane_controls.h"
 
 namespace reliefui {
 
@@ -46,7 +47,6 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
     connect(pictures_, &ComparePictures::hovered, this, &CompareView::setReadout);
     connect(pictures_, &ComparePictures::flickerStopped, this, [this] { play_->setChecked(false); });
     connect(&flicker_, &QTimer::timeout, this, &CompareView::tick);
-    connect(workspace, &Workspace::snapshotChanged, this, &CompareView::refresh);
     connect(workspace, &Workspace::scenarioChanged, this, [this] {
         showControls();
         pictures_->relayout();
@@ -58,31 +58,11 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
 
 CompareView::~CompareView() = default;
 
-QComboBox* CompareView::addChooser(const char* name, const QString& help) {
-    auto* const box = new QComboBox(this);
-    box->setObjectName(QString::fromLatin1(name));
-    box->setToolTip(help);
-    box->setAccessibleName(help);
-    bar_->addWidget(box);
-    return box;
-}
-
-QToolButton* CompareView::addButton(const char* name, const QString& text, const QString& help) {
-    auto* const button = new QToolButton(this);
-    button->setObjectName(QString::fromLatin1(name));
-    button->setText(text);
-    button->setToolTip(help);
-    button->setAccessibleName(help);
-    button->setAutoRaise(true);
-    bar_->addWidget(button);
-    return button;
-}
-
 void CompareView::makeMethodBar() {
     for (std::size_t n = 0; n < relief::kMostCompared; ++n) {
         const QString letter(QChar(static_cast<char>('A' + n)));
         QComboBox* const box =
-            addChooser(qPrintable(QStringLiteral("compare-method-") + letter), tr("Method %1").arg(letter));
+            addChooser(bar_, qPrintable(QStringLiteral("compare-method-") + letter), tr("Method %1").arg(letter));
         // Narrow panes: the beginning of the name says which.
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(7);
@@ -97,9 +77,12 @@ void CompareView::makeMethodBar() {
                 [this, n, box](int at) { setMethod(n, box->itemData(at).toString()); });
         methods_.push_back(box);
     }
-    add_ = addButton("compare-add", QStringLiteral("+"), tr("Set another method beside these"));
-    remove_ = addButton("compare-remove", QStringLiteral("−"), tr("Leave out the last method"));
-    showOptions_ = addButton("compare-options", tr("options"), tr("The options of these methods"));
+    add_ = addToolButton(bar_, QStringLiteral("+"), tr("Set another method beside these"));
+    add_->setObjectName(QStringLiteral("compare-add"));
+    remove_ = addToolButton(bar_, QStringLiteral("−"), tr("Leave out the last method"));
+    remove_->setObjectName(QStringLiteral("compare-remove"));
+    showOptions_ = addToolButton(bar_, tr("options"), tr("The options of these methods"));
+    showOptions_->setObjectName(QStringLiteral("compare-options"));
     showOptions_->setCheckable(true);
     connect(showOptions_, &QToolButton::clicked, this, &CompareView::showOptions);
     bar_->addStretch(1);
@@ -109,12 +92,12 @@ void CompareView::makeMethodBar() {
 }
 
 void CompareView::makeModeBar() {
-    mode_ = addChooser("compare-mode", tr("How the methods are set against each other"));
+    mode_ = addChooser(bar_, "compare-mode", tr("How the methods are set against each other"));
     mode_->addItem(tr("side by side"));
     mode_->addItem(tr("swipe"));
     mode_->addItem(tr("flicker"));
     mode_->addItem(tr("difference"));
-    measure_ = addChooser("compare-measure", tr("Which difference of the colours is shown"));
+    measure_ = addChooser(bar_, "compare-measure", tr("Which difference of the colours is shown"));
     measure_->addItem(QStringLiteral("L1"));
     measure_->addItem(QStringLiteral("FLIP"));
     rate_ = new QDoubleSpinBox(this);
@@ -128,17 +111,19 @@ void CompareView::makeModeBar() {
     rate_->setAccessibleName(rate_->toolTip());
     rate_->setKeyboardTracking(false);
     bar_->addWidget(rate_);
-    play_ = addButton("compare-play", QStringLiteral("▷"), tr("One after the other; A, B, C, D show one alone"));
+    play_ = addToolButton(bar_, QStringLiteral("▷"), tr("One after the other; A, B, C, D show one alone"));
+    play_->setObjectName(QStringLiteral("compare-play"));
     play_->setCheckable(true);
     play_->setChecked(true);
     auto* const against = new QLabel(tr("against"), this);
     bar_->addWidget(against);
-    reference_ = addChooser("compare-reference", tr("What the methods are measured against"));
+    reference_ = addChooser(bar_, "compare-reference", tr("What the methods are measured against"));
     reference_->addItem(tr("exact"));
     reference_->addItem(tr("method A"));
     bar_->addStretch(1);
     QToolButton* const fit =
-        addButton("compare-fit", tr("fit"), tr("The whole pictures (R); Ctrl+wheel zooms, Ctrl+drag moves"));
+        addToolButton(bar_, tr("fit"), tr("The whole pictures (R); Ctrl+wheel zooms, Ctrl+drag moves"));
+    fit->setObjectName(QStringLiteral("compare-fit"));
     connect(fit, &QToolButton::clicked, pictures_, &PictureView::resetZoom);
     connect(mode_, qOverload<int>(&QComboBox::activated), this,
             [this](int mode) { setMode(static_cast<relief::CompareMode>(mode)); });
@@ -178,7 +163,7 @@ void CompareView::showControls() {
     rate_->setValue(how.rate);
     constexpr int kSecond = 1000;
     const int interval = static_cast<int>(kSecond / how.rate);
-    if (!flicker || !play_->isChecked() || stale_) {
+    if (!flicker || !play_->isChecked() || stale()) {
         flicker_.stop();
     } else if (!flicker_.isActive() || flicker_.interval() != interval) {
         flicker_.start(interval);

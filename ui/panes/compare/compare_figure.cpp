@@ -7,40 +7,31 @@ namespace reliefui {
 
 namespace {
 
-struct CompareFigure : Figure {
-    std::shared_ptr<const Snapshot> snapshot;
-    std::shared_ptr<const ComparedView> view;
-    std::size_t shown = 0;
-
-    // Pictures in two columns where there are more than three, with their numbers.
-    double aspect(const FigurePage& page) const override {
-        if (!view) return Figure::aspect(page);
-        const relief::CompareMode mode = snapshot->scenario.comparison.mode;
-        const double picture = static_cast<double>(view->scenario.height) / view->scenario.width;
-        const std::size_t count = view->methods.size();
-        constexpr double kText = 0.12;
-        const bool beside = mode == relief::CompareMode::Tiles || mode == relief::CompareMode::Difference;
-        if (!beside) return picture + kText;
-        const double columns = count == 4 ? 2 : static_cast<double>(count);
-        return picture * (count == 4 ? 2 : 1) / columns + kText;
-    }
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
-        if (!view) return paintEmpty(painter, relief::MessageId::DrawCompareOne, page, style);
-        const relief::Comparison& how = snapshot->scenario.comparison;
-        const ComparePage parts = comparePage(compareSource(*view, how, shown), page, style);
-        paintCompare(painter, *view, how, parts, page, style, snapshot->scenario.pixel, {});
-    }
-};
+// Pictures in two columns where there are more than three, with their numbers.
+double aspectOf(const Snapshot& snapshot, const ComparedView* view) {
+    if (view == nullptr) return kFigureAspect;
+    const relief::CompareMode mode = snapshot.scenario.comparison.mode;
+    const double picture = static_cast<double>(view->scenario.height) / view->scenario.width;
+    const std::size_t count = view->methods.size();
+    constexpr double kText = 0.12;
+    const bool beside = mode == relief::CompareMode::Tiles || mode == relief::CompareMode::Difference;
+    if (!beside) return picture + kText;
+    const double columns = count == 4 ? 2 : static_cast<double>(count);
+    return picture * (count == 4 ? 2 : 1) / columns + kText;
+}
 
 }  // namespace
 
 std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot,
                                             std::shared_ptr<const ComparedView> view, std::size_t shown) {
-    auto figure = std::make_shared<CompareFigure>();
-    figure->snapshot = std::move(snapshot);
-    figure->view = std::move(view);
-    figure->shown = shown;
-    return figure;
+    return paintedFigure(
+        [snapshot, view, shown](QPainter& painter, const Box& page, const Style& style) {
+            if (!view) return paintEmpty(painter, relief::MessageId::DrawCompareOne, page, style);
+            const relief::Comparison& how = snapshot->scenario.comparison;
+            const ComparePage parts = comparePage(compareSource(*view, how, shown), page, style);
+            paintCompare(painter, *view, how, parts, page, style, snapshot->scenario.pixel, {});
+        },
+        [snapshot, view](const FigurePage&) { return aspectOf(*snapshot, view.get()); });
 }
 
 std::shared_ptr<const Figure> measuredComparison(std::shared_ptr<const Snapshot> snapshot) {

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "painting/painter.h"
 #include "painting/view_map.h"
 #include "panes/compare/compare_painting.h"
 #include "panes/compare/compare_view.h"

@@ -22,24 +22,16 @@ constexpr std::array<const char*, 4> kSuggested{"layers", "exact", "offset", "ma
 }  // namespace
 
 bool CompareView::settled() const {
-    return !stale_ && !job_->busy();
+    return !stale() && !job_->busy();
 }
 
-void CompareView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &CompareView::refresh);
+bool CompareView::outdated() const {
+    return view_ && !(workspace_->snapshot() && view_->of(*workspace_->snapshot()));
 }
 
-void CompareView::refresh() {
+void CompareView::showSnapshot() {
     const PauseLog::Part part("compare");
-    // Out of sight nothing is computed or drawn.
-    stale_ = !inSight();
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
-    if (stale_) {
-        flicker_.stop();
-        if (view_ && !(snapshot && view_->of(*snapshot))) letGo();
-        return;
-    }
     showControls();
     const bool ready = snapshot && snapshot->request && snapshot->frame;
     if (!ready || snapshot->scenario.comparison.others.empty()) {
@@ -70,7 +62,6 @@ void CompareView::letGo() {
     discard(std::exchange(comparer_, std::make_shared<Comparer>()));
     view_.reset();
     snapshot_.reset();
-    stale_ = true;
 }
 
 void CompareView::startView() {
@@ -175,11 +166,7 @@ void CompareView::setReference(relief::CompareReference reference) {
 }
 
 void CompareView::tick() {
-    if (!inSight()) {
-        flicker_.stop();
-        stale_ = true;
-        return;
-    }
+    if (outOfSight()) return flicker_.stop();
     pictures_->setShown(pictures_->shown() + 1);
 }
 
@@ -195,7 +182,7 @@ void CompareView::addToMenu(QMenu& menu) {
 }
 
 std::shared_ptr<const Figure> CompareView::figure() const {
-    return view_ ? compareFigure(atStep(snapshot_), view_, pictures_->shown()) : nullptr;
+    return view_ ? compareFigure(snapshot_, view_, pictures_->shown()) : nullptr;
 }
 
 }  // namespace reliefui

@@ -105,22 +105,20 @@ class CompareView : public FigureView {
     void cancel() override;
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
+    bool outdated() const override;
     std::shared_ptr<const Figure> figure() const override;
     void tell(const QPointF& widget) override;
     void addToMenu(QMenu& menu) override;
     void letGo() override;
 
   private:
-    QComboBox* addChooser(const char* name, const QString& help);
-    QToolButton* addButton(const char* name, const QString& text, const QString& help);
     void makeMethodBar();
     void makeModeBar();
     QWidget* makeOptions();
     void refreshOptions();
     void showControls();
     void change(const relief::Comparison& comparison, const QString& what);
-    void refresh();
     void startView();
     void startRates();
     void tick();
@@ -150,7 +148,6 @@ class CompareView : public FigureView {
     std::shared_ptr<const ComparedView> view_;
     std::shared_ptr<Comparer> comparer_ = std::make_shared<Comparer>();  // the job's
     bool coarseRunning_ = false;
-    bool stale_ = true;  // changed while it was hidden
     QTimer flicker_;
     std::unique_ptr<LatestJob> job_;  // last: ends before the rest
 };

@@ -15,6 +15,7 @@
 #include "panes/core_texts.h"
 #include "panes/distance/distance_view.h"
 #include "panes/drawing_canvas.h"
+#include "panes/pane_controls.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/step_sentence.h"
 
@@ -64,7 +65,6 @@ DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::pointed, this, &DistanceView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &DistanceView::refresh);
-    connect(workspace_, &Workspace::snapshotChanged, this, &DistanceView::refresh);
     connect(workspace_, &Workspace::panesChanged, this, &DistanceView::adopt);
     connect(workspace_, &Workspace::stepChanged, this, &DistanceView::refreshStep);
     connect(workspace_, &Workspace::styleChanged, this, &DistanceView::refresh);
@@ -76,26 +76,11 @@ DistanceView::~DistanceView() {
     patience_.stop();
 }
 
-QToolButton* DistanceView::addButton(QHBoxLayout* bar, const QString& text, const QString& help, bool checkable) {
-    auto* const button = new QToolButton(this);
-    button->setText(text);
-    button->setToolTip(help);
-    button->setAccessibleName(help);
-    button->setCheckable(checkable);
-    button->setAutoRaise(true);
-    bar->addWidget(button);
-    return button;
-}
-
 void DistanceView::makeMapBar(QHBoxLayout* bar) {
     bar->setContentsMargins(4, 2, 6, 0);
     const auto chooser = [&](const char* name, const QString& help) {
-        auto* const box = new QComboBox(this);
-        box->setObjectName(QString::fromLatin1(name));
-        box->setToolTip(help);
-        box->setAccessibleName(help);
+        QComboBox* const box = addChooser(bar, name, help);
         letShrink(box);
-        bar->addWidget(box);
         return box;
     };
     kind_ = chooser("distance-kind", tr("The map that is shown"));
@@ -108,13 +93,12 @@ void DistanceView::makeMapBar(QHBoxLayout* bar) {
         kind_->addItem(name, name);
         minus_->addItem(QStringLiteral("− ") + name, name);
     }
-    iso_ = addButton(bar, tr("lines"), tr("Lines of equal value"), true);
-    near_ = addButton(bar, tr("near the ray"), tr("Only the surroundings of the ray"), true);
-    auto* const fit =
-        addButton(bar, tr("fit"),
-                  tr("Show all of the slice (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for "
-                     "the distances of a point"),
-                  false);
+    iso_ = addToolButton(bar, tr("lines"), tr("Lines of equal value"), true);
+    near_ = addToolButton(bar, tr("near the ray"), tr("Only the surroundings of the ray"), true);
+    auto* const fit = addToolButton(
+        bar, tr("fit"),
+        tr("Show all of the slice (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for "
+           "the distances of a point"));
     connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] {
         DistanceOptions next = options_;
         next.kind = kind_->currentData().toString().toStdString();
@@ -152,7 +136,7 @@ void DistanceView::makeSliceBar(QHBoxLayout* bar) {
                               tr("Slices at constant y, seen along the columns"),
                               tr("Slices at constant height, seen from above")};
     for (std::size_t a = 0; a < 3; ++a) {
-        axes_.push_back(addButton(bar, names[a], helps[a], true));
+        axes_.push_back(addToolButton(bar, names[a], helps[a], true));
         axes_.back()->setObjectName(QStringLiteral("distance-axis-") + names[a]);
         connect(axes_.back(), &QToolButton::clicked, this, [this, a] {
             DistanceOptions next = options_;
@@ -169,7 +153,7 @@ void DistanceView::makeSliceBar(QHBoxLayout* bar) {
     slice_ = new QLabel(this);
     bar->addWidget(slider_, 1);
     bar->addWidget(slice_);
-    follow_ = addButton(bar, tr("at the step"), tr("The slice goes through the current step of the ray"), true);
+    follow_ = addToolButton(bar, tr("at the step"), tr("The slice goes through the current step of the ray"), true);
     follow_->setObjectName(QStringLiteral("distance-follow"));
     connect(slider_, &QSlider::valueChanged, this, [this](int slice) {
         DistanceOptions next = options_;

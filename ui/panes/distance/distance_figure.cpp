@@ -6,34 +6,6 @@
 
 namespace reliefui {
 
-namespace {
-
-struct DistanceFigure : Figure {
-    std::shared_ptr<const Snapshot> snapshot;
-    DistanceOptions options;
-    std::optional<QueryPoint> point;
-
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
-        relief::Work work;
-        const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
-        DistanceSource source = distanceSource(*snapshot, maps);
-        source.point = pointOf(*snapshot, point, work);
-        const double unit = style.pixelsPerPoint();
-        const int step = snapshot->scenario.step;
-        const auto pictureIn = [&](const Box& room) {
-            return distancePicture(source, options, step, room.width() / unit, room.height() / unit, style.language);
-        };
-        // What the legend names does not depend on the room.
-        const Drawing legend = distanceLegend(source, pictureIn(figureRoom({}, page, style)),
-                                              page.width() / unit - kFigureMargins, style.language);
-        const DistancePicture picture = pictureIn(figureRoom(legend, page, style));
-        const Drawing marks = distanceMarks(source, picture.frame, step);
-        paintFigure(painter, {&picture.drawing, &marks}, legend, page, style);
-    }
-};
-
-}  // namespace
-
 DistanceOptions distanceOptions(const DistancePane& pane) {
     DistanceOptions options;
     options.kind = pane.map;
@@ -58,13 +30,25 @@ DistancePane paneOf(const DistanceOptions& options) {
     return pane;
 }
 
-std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, const DistanceOptions& options,
-                                             const std::optional<QueryPoint>& point) {
-    auto figure = std::make_shared<DistanceFigure>();
-    figure->snapshot = std::move(snapshot);
-    figure->options = options;
-    figure->point = point;
-    return figure;
+std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                             const DistanceOptions& options, const std::optional<QueryPoint>& point) {
+    return paintedFigure([snapshot = std::move(snapshot), step, options, point](QPainter& painter, const Box& page,
+                                                                                const Style& style) {
+        relief::Work work;
+        const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
+        DistanceSource source = distanceSource(*snapshot, maps);
+        source.point = pointOf(*snapshot, point, work);
+        const double unit = style.pixelsPerPoint();
+        const auto pictureIn = [&](const Box& room) {
+            return distancePicture(source, options, step, room.width() / unit, room.height() / unit, style.language);
+        };
+        // What the legend names does not depend on the room.
+        const Drawing legend = distanceLegend(source, pictureIn(figureRoom({}, page, style)),
+                                              page.width() / unit - kFigureMargins, style.language);
+        const DistancePicture picture = pictureIn(figureRoom(legend, page, style));
+        const Drawing marks = distanceMarks(source, picture.frame, step);
+        paintFigure(painter, {&picture.drawing, &marks}, legend, page, style);
+    });
 }
 
 }  // namespace reliefui

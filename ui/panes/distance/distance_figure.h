@@ -14,7 +14,7 @@ DistanceOptions distanceOptions(const DistancePane& pane);
 DistancePane paneOf(const DistanceOptions& options);
 
 // point: whose distances are shown. Painting throws InputError for a map that there is none of.
-std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, const DistanceOptions& options,
-                                             const std::optional<QueryPoint>& point);
+std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                             const DistanceOptions& options, const std::optional<QueryPoint>& point);
 
 }  // namespace reliefui

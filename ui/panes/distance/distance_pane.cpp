@@ -13,8 +13,8 @@ PaneKind distancePane() {
     kind.help = DistanceView::tr("A slice through what the method has stored");
     kind.home = Home::Low;
     kind.make = makePane<DistanceView>;
-    kind.figures = {{"distance", true, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
-                         return distanceFigure(std::move(s), distanceOptions(p.distance), p.query);
+    kind.figures = {{"distance", true, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
+                         return distanceFigure(std::move(s), step, distanceOptions(p.distance), p.query);
                      }}};
     return kind;
 }

@@ -27,9 +27,7 @@ void DistanceView::setOptions(const DistanceOptions& options) {
 // drag: what is dragged, one step of undo.
 void DistanceView::change(const DistanceOptions& options, const char* drag) {
     if (options == options_) return;
-    PaneStates panes = panesOf(workspace_->scenario());
-    panes.distance = paneOf(options);
-    workspace_->setPanes(panes, tr("Distance map: other view"), QString::fromLatin1(drag));
+    keep(&PaneStates::distance, paneOf(options), tr("Distance map: other view"), QString::fromLatin1(drag));
     showControls();  // where it was refused
 }
 
@@ -51,12 +49,7 @@ bool DistanceView::ready() const {
 }
 
 bool DistanceView::settled() const {
-    return !stale_ && !job_->busy() && !point_.busy();
-}
-
-void DistanceView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &DistanceView::refresh);
+    return !stale() && !job_->busy() && !point_.busy();
 }
 
 DistanceView::MapNames DistanceView::namesNow() const {
@@ -72,14 +65,8 @@ DistanceView::MapNames DistanceView::namesNow() const {
     return now;
 }
 
-void DistanceView::refresh() {
+void DistanceView::showSnapshot() {
     const PauseLog::Part part("distance");
-    // Out of sight nothing is built or drawn.
-    stale_ = !inSight();
-    if (stale_) {
-        if (snapshot_ != workspace_->snapshot()) letGo();
-        return;
-    }
     canvas_->setStyle(workspace_->style());
     snapshot_ = workspace_->snapshot();
     if (!ready()) {
@@ -113,14 +100,10 @@ void DistanceView::letGo() {
     canvas_->letGo();
     setReadout({});
     showWaiting();
-    stale_ = true;
 }
 
 void DistanceView::refreshStep() {
-    if (!inSight()) {
-        stale_ = true;
-        return;
-    }
+    if (outOfSight()) return;
     if (!options_.slice) {
         refresh();
     } else {
@@ -266,7 +249,8 @@ void DistanceView::showWaiting() {
 
 std::shared_ptr<const Figure> DistanceView::figure() const {
     if (!result_) return nullptr;
-    return distanceFigure(atStep(result_->snapshot), options_, panesOf(workspace_->scenario()).query);
+    return distanceFigure(result_->snapshot, workspace_->scenario().step, options_,
+                          panesOf(workspace_->scenario()).query);
 }
 
 }  // namespace reliefui

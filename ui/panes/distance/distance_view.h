@@ -48,7 +48,8 @@ class DistanceView : public FigureView {
     void resetZoom();
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
+    bool outdated() const override { return snapshot_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
     void tell(const QPointF& widget) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -78,9 +79,7 @@ class DistanceView : public FigureView {
     void makeMapBar(QHBoxLayout* bar);
     void makeSliceBar(QHBoxLayout* bar);
     void makeWaiting();
-    QToolButton* addButton(QHBoxLayout* bar, const QString& text, const QString& help, bool checkable);
     void placeWaiting();
-    void refresh();      // another map, slice, ray, room or option
     void refreshStep();  // another step
     void build(const MapNames& names);
     void draw();
@@ -124,7 +123,6 @@ class DistanceView : public FigureView {
     std::shared_ptr<const Drawing> drawing_;
     std::shared_ptr<const Drawing> legend_;
     std::optional<QueryPoint> query_;
-    bool stale_ = true;  // changed while it was hidden
     PointAsker point_{this, [this] { refresh(); }};
     std::unique_ptr<LatestJob> job_;  // last: ends before the rest
 };

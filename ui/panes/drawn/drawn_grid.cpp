@@ -8,7 +8,6 @@
 
 #include "painting/painter.h"
 #include "panes/drawn/drawn_view.h"
-#include "panes/result/result_painting.h"
 #include "scenario/step_sentence.h"
 #include "workspace/pause_log.h"
 

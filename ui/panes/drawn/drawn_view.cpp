@@ -10,7 +10,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLocale>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -67,7 +66,6 @@ DrawnView::DrawnView(Workspace* workspace, QWidget* parent)
         QApplication::sendEvent(height_, &typed);
     });
     connect(workspace, &Workspace::scenarioChanged, this, &DrawnView::refresh);
-    connect(workspace, &Workspace::snapshotChanged, this, &DrawnView::refresh);
     connect(workspace, &Workspace::styleChanged, this, &DrawnView::refresh);
     refresh();
 }
@@ -129,16 +127,8 @@ int DrawnView::side() const {
     return side_->currentData().toInt();
 }
 
-void DrawnView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &DrawnView::refresh);
-}
-
-void DrawnView::refresh() {
+void DrawnView::showSnapshot() {
     const PauseLog::Part part("by hand");
-    // Out of sight nothing is drawn.
-    stale_ = !inSight();
-    if (stale_) return;
     grid_->refresh();
     showControls();
 }

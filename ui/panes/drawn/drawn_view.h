@@ -93,12 +93,11 @@ class DrawnView : public FigureView {
 
   protected:
     std::shared_ptr<const Figure> figure() const override;
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
 
   private:
     void makeBar(QHBoxLayout* starts, QHBoxLayout* bar);
     void showControls();
-    void refresh();
     void set(relief::DrawnRelief drawn, const QString& what);
     int side() const;
     const relief::DrawnRelief& drawn() const { return workspace_->scenario().pictures.drawn; }
@@ -108,7 +107,6 @@ class DrawnView : public FigureView {
     QComboBox* side_ = nullptr;
     QToolButton* profile_ = nullptr;
     QDoubleSpinBox* height_ = nullptr;
-    bool stale_ = true;  // changed while it was hidden
 };
 
 }  // namespace reliefui

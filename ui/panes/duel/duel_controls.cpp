@@ -13,6 +13,7 @@
 
 #include "panes/drawing_canvas.h"
 #include "panes/duel/duel_view.h"
+#include "panes/pane_controls.h"
 
 namespace reliefui {
 
@@ -54,23 +55,9 @@ void DuelView::makeBar(QHBoxLayout* bar) {
 }
 
 void DuelView::makeButtons(QHBoxLayout* bar) {
-    near_ = new QToolButton(this);
-    near_->setObjectName(QStringLiteral("duel-near"));
-    near_->setText(tr("near the ray"));
-    near_->setToolTip(tr("Only the heights that the ray comes through"));
-    near_->setAccessibleName(near_->toolTip());
-    near_->setAutoRaise(true);
-    near_->setCheckable(true);
-    near_->setChecked(options_.nearRay);
-    connect(near_, &QToolButton::toggled, this, &DuelView::showNearRay);
     const auto button = [&](const QString& sign, const QString& help, void (DuelView::*slot)()) {
-        auto* const made = new QToolButton(this);
-        made->setText(sign);
-        made->setAutoRaise(true);
-        made->setAccessibleName(help);
-        made->setToolTip(help);
+        QToolButton* const made = addToolButton(bar, sign, help);
         connect(made, &QToolButton::clicked, this, slot);
-        bar->addWidget(made);
         return made;
     };
     button(QStringLiteral("|◀"), tr("All at their first step"), &DuelView::first);
@@ -80,7 +67,10 @@ void DuelView::makeButtons(QHBoxLayout* bar) {
     divergence_ = button(tr("first divergence"), tr("To the first step that the exact answer contradicts (Ctrl+D)"),
                          &DuelView::toDivergence);
     divergence_->setObjectName(QStringLiteral("duel-divergence"));
-    bar->addWidget(near_);
+    near_ = addToolButton(bar, tr("near the ray"), tr("Only the heights that the ray comes through"), true);
+    near_->setObjectName(QStringLiteral("duel-near"));
+    near_->setChecked(options_.nearRay);
+    connect(near_, &QToolButton::toggled, this, &DuelView::showNearRay);
 }
 
 void DuelView::showChoosers() {

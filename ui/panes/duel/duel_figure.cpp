@@ -6,48 +6,30 @@
 
 namespace reliefui {
 
-namespace {
-
-struct DuelFigure : Figure {
-    std::shared_ptr<const Snapshot> snapshot;
-    std::shared_ptr<const Duel> duel;
-    ProfileOptions options;
-    std::size_t moment = 0;
-    double upTo = 0;
-
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
+std::shared_ptr<const Figure> duelFigure(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const Duel> duel,
+                                         const ProfileOptions& options, std::size_t moment, double upTo) {
+    return paintedFigure([snapshot = std::move(snapshot), duel = std::move(duel), options, moment, upTo](
+                             QPainter& painter, const Box& page, const Style& style) {
         using relief::MessageId;
         if (!duel) {
             return paintEmpty(painter, snapshot->scenario.pixel ? MessageId::DrawNoRelief : MessageId::DrawDuelNoRay,
                               page, style);
         }
+        ProfileOptions shown = options;
+        shown.levels = LevelsShown::None;
         DuelSource source = duel->source();
         source.upTo = upTo;
         const double unit = style.pixelsPerPoint();
         const Drawing legend = duelLegend(source, page.width() / unit - kFigureMargins, style.language);
         const Box room = figureRoom(legend, page, style);
-        const ProfileFrame frame = duelFrame(source, options, room.width() / unit, room.height() / unit);
-        const Drawing relief = profileRelief(source.profile, options, frame);
+        const ProfileFrame frame = duelFrame(source, shown, room.width() / unit, room.height() / unit);
+        const Drawing relief = profileRelief(source.profile, shown, frame);
         const Drawing axes = profileAxes(source.profile, frame);
         const auto& moments = duel->steps.moments;
         const std::size_t at = std::min(moment, moments.empty() ? 0 : moments.size() - 1);
         const Drawing marks = duelMarks(source, frame, moments.empty() ? std::vector<std::size_t>{} : moments[at]);
         paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
-    }
-};
-
-}  // namespace
-
-std::shared_ptr<const Figure> duelFigure(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const Duel> duel,
-                                         const ProfileOptions& options, std::size_t moment, double upTo) {
-    auto figure = std::make_shared<DuelFigure>();
-    figure->snapshot = std::move(snapshot);
-    figure->duel = std::move(duel);
-    figure->options = options;
-    figure->options.levels = LevelsShown::None;
-    figure->moment = moment;
-    figure->upTo = upTo;
-    return figure;
+    });
 }
 
 std::shared_ptr<const Figure> computedDuel(std::shared_ptr<const Snapshot> snapshot) {

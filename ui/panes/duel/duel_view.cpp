@@ -10,7 +10,6 @@
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTableView>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -89,7 +88,6 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::moved, this, &DuelView::redraw);
     connect(canvas_, &DrawingCanvas::pointed, this, &DuelView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
-    connect(workspace_, &Workspace::snapshotChanged, this, &DuelView::refresh);
     connect(workspace_, &Workspace::scenarioChanged, this, &DuelView::showChoosers);
     connect(workspace_, &Workspace::stepChanged, this, &DuelView::followStep);
     connect(workspace_, &Workspace::styleChanged, this, &DuelView::refresh);
@@ -129,19 +127,8 @@ void DuelView::tell(const QPointF& widget) {
     setReadout(parts.join(QStringLiteral(" · ")));
 }
 
-void DuelView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &DuelView::refresh);
-}
-
-void DuelView::refresh() {
+void DuelView::showSnapshot() {
     const PauseLog::Part part("duel");
-    // Out of sight nothing is computed or drawn.
-    stale_ = !inSight();
-    if (stale_) {
-        if (duel_ && duel_->snapshot != workspace_->snapshot()) letGo();
-        return;
-    }
     canvas_->setStyle(workspace_->style());
     applyFont();
     const auto snapshot = workspace_->snapshot();
@@ -172,7 +159,6 @@ void DuelView::letGo() {
     legend_.reset();
     canvas_->letGo();
     setReadout({});
-    stale_ = true;
 }
 
 void DuelView::adopt(std::shared_ptr<const Duel> duel) {
@@ -249,11 +235,8 @@ void DuelView::showVerdict() {
 
 // The tracks have names as well: where there is little room, it stays out.
 void DuelView::showLegend() {
-    const double unit = workspace_->style().pixelsPerPoint();
-    Drawing legend = duelLegend(source_, canvas_->width() / unit - 12, workspace_->style().language);
-    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
-    legend_ = std::make_shared<const Drawing>(std::move(legend));
-    canvas_->setLayers({}, legend_);
+    legend_ =
+        canvas_->showLegend(duelLegend(source_, canvas_->legendWidth(), workspace_->style().language), kMostLegend);
 }
 
 void DuelView::redraw() {
@@ -349,7 +332,7 @@ void DuelView::showEmpty(relief::MessageId why) {
 }
 
 std::shared_ptr<const Figure> DuelView::figure() const {
-    return duel_ ? duelFigure(atStep(duel_->snapshot), duel_, options_, moment_, source_.upTo) : nullptr;
+    return duel_ ? duelFigure(duel_->snapshot, duel_, options_, moment_, source_.upTo) : nullptr;
 }
 
 }  // namespace reliefui

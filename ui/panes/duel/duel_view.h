@@ -33,7 +33,7 @@ class DuelView : public FigureView {
     QString verdict() const;
     double shownUpTo() const { return source_.upTo; }
     // Nothing is waited for.
-    bool settled() const { return !stale_ && !job_->busy(); }
+    bool settled() const { return !stale() && !job_->busy(); }
 
   public slots:
     // In lock step.
@@ -51,7 +51,8 @@ class DuelView : public FigureView {
     void showNearRay(bool on);
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
+    bool outdated() const override { return duel_ && duel_->snapshot != workspace_->snapshot(); }
     void resizeEvent(QResizeEvent* event) override;
     std::shared_ptr<const Figure> figure() const override;
     void tell(const QPointF& widget) override;
@@ -64,7 +65,6 @@ class DuelView : public FigureView {
     void applyFont();
     void shareRoom();  // between drawing and table
     void showLegend();
-    void refresh();  // another ray or other methods
     void adopt(std::shared_ptr<const Duel> duel);
     void redraw();       // another part is seen
     void redrawMarks();  // another moment
@@ -99,7 +99,6 @@ class DuelView : public FigureView {
     std::size_t moment_ = 0;
     bool following_ = false;
     bool jump_ = false;               // to the first divergence as soon as the duel is there
-    bool stale_ = true;               // changed while it was hidden
     std::unique_ptr<LatestJob> job_;  // last: ends before the rest
 };
 

@@ -4,13 +4,10 @@
 
 namespace reliefui {
 
-namespace {
-
-struct FootprintFigure : Figure {
-    std::shared_ptr<const Snapshot> snapshot;
-    FootprintOptions options;
-
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
+std::shared_ptr<const Figure> footprintFigure(std::shared_ptr<const Snapshot> snapshot,
+                                              const FootprintOptions& options) {
+    return paintedFigure([snapshot = std::move(snapshot), options](QPainter& painter, const Box& page,
+                                                                   const Style& style) {
         using relief::MessageId;
         if (!snapshot->footprint) {
             const MessageId why = snapshot->trace.onRelief ? MessageId::DrawFootprintNoHit : MessageId::DrawNoRelief;
@@ -27,17 +24,7 @@ struct FootprintFigure : Figure {
         const FootprintMarks marks = footprintMarks(footprint, options, texture.bounds, scale);
         if (!marks.weights) legend = footprintLegend(footprint, named, false, width, style.language);
         paintFigure(painter, {&texture, &marks.drawing}, legend, page, style);
-    }
-};
-
-}  // namespace
-
-std::shared_ptr<const Figure> footprintFigure(std::shared_ptr<const Snapshot> snapshot,
-                                              const FootprintOptions& options) {
-    auto figure = std::make_shared<FootprintFigure>();
-    figure->snapshot = std::move(snapshot);
-    figure->options = options;
-    return figure;
+    });
 }
 
 }  // namespace reliefui

@@ -13,7 +13,7 @@ PaneKind footprintPane() {
     kind.help = FootprintView::tr("The part of the texture that the pixel covers, and the weight of each texel");
     kind.home = Home::Low;
     kind.make = makePane<FootprintView>;
-    kind.figures = {{"footprint", true, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+    kind.figures = {{"footprint", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
                          FootprintOptions options;
                          options.neighbours = p.footprint.neighbours;
                          return footprintFigure(std::move(s), options);

@@ -4,13 +4,13 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "panes/coefficient_text.h"
 #include "panes/drawing_canvas.h"
 #include "panes/footprint/footprint_figure.h"
+#include "panes/pane_controls.h"
 #include "scenario/step_sentence.h"
 #include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
@@ -50,7 +50,6 @@ FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
     });
     connect(canvas_, &DrawingCanvas::resized, this, &FootprintView::refresh);
     connect(canvas_, &DrawingCanvas::moved, this, &FootprintView::redraw);
-    connect(workspace_, &Workspace::snapshotChanged, this, &FootprintView::refresh);
     connect(workspace_, &Workspace::panesChanged, this, &FootprintView::adopt);
     connect(workspace_, &Workspace::styleChanged, this, &FootprintView::refresh);
     adopt();
@@ -59,21 +58,13 @@ FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
 
 void FootprintView::makeBar(QHBoxLayout* bar) {
     bar->setContentsMargins(4, 2, 6, 2);
-    neighbours_ = new QComboBox(this);
-    neighbours_->setObjectName(QStringLiteral("footprint-neighbours"));
-    neighbours_->setToolTip(tr("The ellipses of the pixels around: how they overlap"));
+    neighbours_ = addChooser(bar, "footprint-neighbours", tr("The ellipses of the pixels around: how they overlap"));
     neighbours_->setAccessibleName(tr("Neighbours"));
     neighbours_->addItem(tr("this pixel alone"), 0);
     neighbours_->addItem(tr("and 4 neighbours"), 4);
     neighbours_->addItem(tr("and 8 neighbours"), 8);
-    bar->addWidget(neighbours_);
     bar->addStretch(1);
-    auto* const fit = new QToolButton(this);
-    fit->setText(tr("fit"));
-    fit->setToolTip(tr("Show all of the footprint (R); wheel zooms, drag moves"));
-    fit->setAccessibleName(fit->toolTip());
-    fit->setAutoRaise(true);
-    bar->addWidget(fit);
+    auto* const fit = addToolButton(bar, tr("fit"), tr("Show all of the footprint (R); wheel zooms, drag moves"));
     connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
     connect(neighbours_, qOverload<int>(&QComboBox::activated), this, [this] {
         FootprintOptions next = options_;
@@ -84,9 +75,7 @@ void FootprintView::makeBar(QHBoxLayout* bar) {
 
 void FootprintView::setOptions(const FootprintOptions& options) {
     if (options == options_) return;
-    PaneStates panes = panesOf(workspace_->scenario());
-    panes.footprint.neighbours = options.neighbours;
-    workspace_->setPanes(panes, tr("Footprint: neighbours"));
+    keep(&PaneStates::footprint, FootprintPane{options.neighbours}, tr("Footprint: neighbours"));
 }
 
 void FootprintView::adopt() {
@@ -97,22 +86,12 @@ void FootprintView::adopt() {
     refresh();
 }
 
-void FootprintView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &FootprintView::refresh);
-}
-
 void FootprintView::resetZoom() {
     canvas_->resetZoom();
 }
 
-void FootprintView::refresh() {
+void FootprintView::showSnapshot() {
     const PauseLog::Part part("footprint");
-    stale_ = !inSight();
-    if (stale_) {
-        if (shown_ != workspace_->snapshot()) letGo();
-        return;
-    }
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
     const std::shared_ptr<const PixelFootprint> before = footprint_;
@@ -131,12 +110,9 @@ void FootprintView::refresh() {
         return;
     }
     // The legend first: what it needs is not left to the texture.
-    const double unit = workspace_->style().pixelsPerPoint();
-    Drawing legend =
-        footprintLegend(*footprint_, options_, true, canvas_->width() / unit - 12, workspace_->style().language);
-    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
-    legend_ = std::make_shared<const Drawing>(std::move(legend));
-    canvas_->setLayers({}, legend_);
+    legend_ = canvas_->showLegend(
+        footprintLegend(*footprint_, options_, true, canvas_->legendWidth(), workspace_->style().language),
+        kMostLegend);
     const QSizeF room = canvas_->room();
     const double aspect = room.height() > 0 ? room.width() / room.height() : 1;
     texture_ = std::make_shared<const Drawing>(footprintTexture(*footprint_, aspect, kBeyond));
@@ -157,7 +133,6 @@ void FootprintView::letGo() {
     chosen_.reset();
     canvas_->letGo();
     setReadout({});
-    stale_ = true;
 }
 
 void FootprintView::redraw() {
@@ -168,9 +143,8 @@ void FootprintView::redraw() {
     const bool legend = legend_ && !legend_->bounds.empty();
     if (legend && !marks.weights) {
         // One sign less, one hint more: it is as high as before.
-        const double unit = workspace_->style().pixelsPerPoint();
         Drawing other =
-            footprintLegend(*footprint_, options_, false, canvas_->width() / unit - 12, workspace_->style().language);
+            footprintLegend(*footprint_, options_, false, canvas_->legendWidth(), workspace_->style().language);
         canvas_->setLayers({texture_, marks_}, std::make_shared<const Drawing>(std::move(other)));
     } else {
         canvas_->setLayers({texture_, marks_}, legend_);

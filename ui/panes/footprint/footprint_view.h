@@ -31,16 +31,16 @@ class FootprintView : public FigureView {
     void resetZoom();
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
+    bool outdated() const override { return shown_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
     void tell(const QPointF& widget) override;
     void letGo() override;
 
   private:
     void makeBar(QHBoxLayout* bar);
-    void adopt();    // what the scenario says
-    void refresh();  // another footprint, room or option
-    void redraw();   // another part is seen, or another texel is under the pointer
+    void adopt();   // what the scenario says
+    void redraw();  // another part is seen, or another texel is under the pointer
     void showEmpty(relief::MessageId why);
 
     DrawingCanvas* canvas_;
@@ -52,7 +52,6 @@ class FootprintView : public FigureView {
     std::shared_ptr<const Drawing> marks_;
     std::shared_ptr<const Drawing> legend_;
     std::optional<std::size_t> chosen_;  // the texel under the pointer
-    bool stale_ = true;                  // changed while it was hidden
 };
 
 }  // namespace reliefui

@@ -5,35 +5,6 @@
 
 namespace reliefui {
 
-namespace {
-
-struct ProfileFigure : Figure {
-    std::shared_ptr<const Snapshot> snapshot;
-    ProfileOptions options;
-    std::optional<QueryPoint> point;
-
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
-        using relief::MessageId;
-        ProfileSource source = profileSource(*snapshot);
-        if (!source.hasRay) {
-            return paintEmpty(painter, snapshot->scenario.pixel ? MessageId::DrawNoRelief : MessageId::DrawNoRay, page,
-                              style);
-        }
-        relief::Work work;
-        source.point = pointOf(*snapshot, point, work);
-        const double unit = style.pixelsPerPoint();
-        const Drawing legend = profileLegend(source, options, page.width() / unit - kFigureMargins, style.language);
-        const Box room = figureRoom(legend, page, style);
-        const ProfileFrame frame = profileFrame(source, options, room.width() / unit, room.height() / unit);
-        const Drawing relief = profileRelief(source, options, frame);
-        const Drawing marks = profileMarks(source, options, frame, snapshot->scenario.step);
-        const Drawing axes = profileAxes(source, frame);
-        paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
-    }
-};
-
-}  // namespace
-
 ProfileSource profileSource(const Snapshot& s) {
     ProfileSource source;
     source.field = &s.request->field;
@@ -52,13 +23,27 @@ void takeProfile(ProfileOptions& options, const ProfilePane& pane) {
     options.trueAspect = pane.trueAspect;
 }
 
-std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, const ProfileOptions& options,
-                                            const std::optional<QueryPoint>& point) {
-    auto figure = std::make_shared<ProfileFigure>();
-    figure->snapshot = std::move(snapshot);
-    figure->options = options;
-    figure->point = point;
-    return figure;
+std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                            const ProfileOptions& options, const std::optional<QueryPoint>& point) {
+    return paintedFigure(
+        [snapshot = std::move(snapshot), step, options, point](QPainter& painter, const Box& page, const Style& style) {
+            using relief::MessageId;
+            ProfileSource source = profileSource(*snapshot);
+            if (!source.hasRay) {
+                return paintEmpty(painter, snapshot->scenario.pixel ? MessageId::DrawNoRelief : MessageId::DrawNoRay,
+                                  page, style);
+            }
+            relief::Work work;
+            source.point = pointOf(*snapshot, point, work);
+            const double unit = style.pixelsPerPoint();
+            const Drawing legend = profileLegend(source, options, page.width() / unit - kFigureMargins, style.language);
+            const Box room = figureRoom(legend, page, style);
+            const ProfileFrame frame = profileFrame(source, options, room.width() / unit, room.height() / unit);
+            const Drawing relief = profileRelief(source, options, frame);
+            const Drawing marks = profileMarks(source, options, frame, step);
+            const Drawing axes = profileAxes(source, frame);
+            paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
+        });
 }
 
 }  // namespace reliefui

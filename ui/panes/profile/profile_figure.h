@@ -15,7 +15,7 @@ ProfileSource profileSource(const Snapshot& snapshot);
 void takeProfile(ProfileOptions& options, const ProfilePane& pane);
 
 // point: whose distances are shown.
-std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, const ProfileOptions& options,
-                                            const std::optional<QueryPoint>& point);
+std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                            const ProfileOptions& options, const std::optional<QueryPoint>& point);
 
 }  // namespace reliefui

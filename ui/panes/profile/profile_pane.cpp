@@ -12,10 +12,10 @@ PaneKind profilePane() {
     kind.help = ProfileView::tr("The relief under the ray, cut along it");
     kind.home = Home::Low;
     kind.make = makePane<ProfileView>;
-    kind.figures = {{"profile", true, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+    kind.figures = {{"profile", true, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
                          ProfileOptions options;
                          takeProfile(options, p.profile);
-                         return profileFigure(std::move(s), options, p.query);
+                         return profileFigure(std::move(s), step, options, p.query);
                      }}};
     return kind;
 }

@@ -1,11 +1,11 @@
 #include "panes/profile/profile_view.h"
 
 #include <QHBoxLayout>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "panes/drawing_canvas.h"
+#include "panes/pane_controls.h"
 #include "panes/profile/profile_figure.h"
 #include "panes/ray_geometry.h"
 #include "scenario/step_sentence.h"
@@ -37,7 +37,6 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &ProfileView::refresh);
     connect(canvas_, &DrawingCanvas::moved, this, &ProfileView::redraw);
-    connect(workspace_, &Workspace::snapshotChanged, this, &ProfileView::refresh);
     connect(workspace_, &Workspace::panesChanged, this, &ProfileView::adopt);
     connect(workspace_, &Workspace::stepChanged, this, &ProfileView::refreshStep);
     connect(workspace_, &Workspace::styleChanged, this, &ProfileView::refresh);
@@ -49,26 +48,18 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
 void ProfileView::makeBar() {
     auto* const bar = new QHBoxLayout;
     bar->setContentsMargins(4, 2, 6, 2);
-    const auto add = [&](const QString& text, const QString& help, bool checkable) {
-        auto* const button = new QToolButton(this);
-        button->setText(text);
-        button->setToolTip(help);
-        button->setAccessibleName(help);
-        button->setCheckable(checkable);
-        button->setAutoRaise(true);
-        bar->addWidget(button);
-        return button;
-    };
-    allLevels_ = add(tr("all levels"), tr("The maxima of all levels, not only of those that the ray asked"), true);
-    near_ = add(tr("near the ray"), tr("Only the heights that the ray comes through"), true);
-    aspect_ = add(tr("true aspect"), tr("A texel as long across as upwards: the relief's true shape"), true);
-    guess_ = add(tr("guess"), tr("Hide the answer; a click guesses where the ray hits, then it is shown (G)"), true);
+    allLevels_ = addToolButton(bar, tr("all levels"),
+                               tr("The maxima of all levels, not only of those that the ray asked"), true);
+    near_ = addToolButton(bar, tr("near the ray"), tr("Only the heights that the ray comes through"), true);
+    aspect_ =
+        addToolButton(bar, tr("true aspect"), tr("A texel as long across as upwards: the relief's true shape"), true);
+    guess_ = addToolButton(bar, tr("guess"),
+                           tr("Hide the answer; a click guesses where the ray hits, then it is shown (G)"), true);
     guess_->setObjectName(QStringLiteral("guess"));
-    auto* const fit = add(
-        tr("fit"),
+    auto* const fit = addToolButton(
+        bar, tr("fit"),
         tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances "
-           "of a point"),
-        false);
+           "of a point"));
     bar->addStretch(1);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -84,9 +75,7 @@ void ProfileView::makeBar() {
 }
 
 void ProfileView::change(const ProfilePane& pane) {
-    PaneStates panes = panesOf(workspace_->scenario());
-    panes.profile = pane;
-    workspace_->setPanes(panes, tr("Profile: other view"));
+    keep(&PaneStates::profile, pane, tr("Profile: other view"));
     adopt();
 }
 
@@ -104,21 +93,15 @@ void ProfileView::adopt() {
 }
 
 void ProfileView::showAllLevels(bool all) {
-    ProfilePane pane = pane_;
-    pane.allLevels = all;
-    change(pane);
+    set(&ProfilePane::allLevels, all);
 }
 
 void ProfileView::showNearRay(bool on) {
-    ProfilePane pane = pane_;
-    pane.nearRay = on;
-    change(pane);
+    set(&ProfilePane::nearRay, on);
 }
 
 void ProfileView::setTrueAspect(bool on) {
-    ProfilePane pane = pane_;
-    pane.trueAspect = on;
-    change(pane);
+    set(&ProfilePane::trueAspect, on);
 }
 
 void ProfileView::resetZoom() {
@@ -135,19 +118,8 @@ ProfileSource ProfileView::source() const {
     return source;
 }
 
-void ProfileView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &ProfileView::refresh);
-}
-
-void ProfileView::refresh() {
+void ProfileView::showSnapshot() {
     const PauseLog::Part part("profile");
-    // Out of sight nothing is drawn.
-    stale_ = !inSight();
-    if (stale_) {
-        if (shown_ != workspace_->snapshot()) letGo();
-        return;
-    }
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
     // A guess is about one ray.
@@ -161,11 +133,8 @@ void ProfileView::refresh() {
     const ProfileSource from = source();
     // The legend first: what it needs is not left to the plot. Where it would take too much it is left out.
     constexpr double kMostLegend = 0.25;
-    const double unit = workspace_->style().pixelsPerPoint();
-    Drawing legend = profileLegend(from, options_, canvas_->width() / unit - 12, workspace_->style().language);
-    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
-    legend_ = std::make_shared<const Drawing>(std::move(legend));
-    canvas_->setLayers({}, legend_);
+    legend_ = canvas_->showLegend(profileLegend(from, options_, canvas_->legendWidth(), workspace_->style().language),
+                                  kMostLegend);
     const QSizeF room = canvas_->room();
     frame_ = profileFrame(from, options_, room.width(), room.height());
     // Where it lies, so that the canvas knows what it shows.
@@ -183,7 +152,6 @@ void ProfileView::letGo() {
     legend_.reset();
     canvas_->letGo();
     setReadout({});
-    stale_ = true;
 }
 
 void ProfileView::redraw() {
@@ -199,10 +167,7 @@ void ProfileView::redraw() {
 
 void ProfileView::refreshStep() {
     const PauseLog::Part part("profile: marks");
-    if (!inSight()) {
-        stale_ = true;
-        return;
-    }
+    if (outOfSight()) return;
     if (!ready() || !relief_) return;
     auto marks = std::make_shared<const Drawing>(profileMarks(source(), options_, frame_, workspace_->scenario().step));
     canvas_->setLayers({relief_, axes_, std::move(marks)}, legend_);
@@ -283,7 +248,9 @@ std::optional<QPointF> ProfileView::pointPlace() const {
 }
 
 std::shared_ptr<const Figure> ProfileView::figure() const {
-    return ready() ? profileFigure(atStep(shown_), options_, panesOf(workspace_->scenario()).query) : nullptr;
+    if (!ready()) return nullptr;
+    const relief::Scenario& now = workspace_->scenario();
+    return profileFigure(shown_, now.step, options_, panesOf(now).query);
 }
 
 }  // namespace reliefui

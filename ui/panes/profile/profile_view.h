@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 
 #include "panes/figure_view.h"
 #include "panes/point_asker.h"
@@ -34,7 +35,8 @@ class ProfileView : public FigureView {
     void guessAt(double lambda);
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
+    bool outdated() const override { return shown_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
     void tell(const QPointF& widget) override;
     void letGo() override;
@@ -45,8 +47,13 @@ class ProfileView : public FigureView {
   private:
     void makeBar();
     void change(const ProfilePane& pane);
+    template <class Value>
+    void set(Value ProfilePane::*choice, const std::type_identity_t<Value>& value) {
+        ProfilePane pane = pane_;
+        pane.*choice = value;
+        change(pane);
+    }
     void adopt();        // what the scenario says
-    void refresh();      // another map, ray, room or option
     void redraw();       // another part is seen
     void refreshStep();  // another step
     void showEmpty(relief::MessageId why);
@@ -69,7 +76,6 @@ class ProfileView : public FigureView {
     std::shared_ptr<const Drawing> axes_;
     std::shared_ptr<const Drawing> legend_;
     std::optional<QueryPoint> query_;
-    bool stale_ = true;                              // changed while it was hidden
     PointAsker point_{this, [this] { refresh(); }};  // last: ends before the rest
 };
 

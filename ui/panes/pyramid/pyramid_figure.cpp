@@ -36,34 +36,23 @@ bool everyValueIsWritten(const Page& page, const Style& style) {
     });
 }
 
-struct PyramidFigure : Figure {
-    std::shared_ptr<const Snapshot> snapshot;
-    PyramidOptions options;
-
-    double aspect(const FigurePage& page) const override {
-        constexpr double kFiner = 8;  // pixels a point: letters are whole pixels high
-        constexpr double kHigher = 0.04;
-        Style style = page.style;
-        style.projector = false;
-        style.screenPixelsPerPoint = kFiner;
-        const double width = page.widthMm / kMmPerPoint * kFiner;
-        const double least = Figure::aspect(page);
-        for (double aspect = least; aspect <= 1; aspect += kHigher) {
-            if (everyValueIsWritten(pageOf(*snapshot, options, {0, 0, width, width * aspect}, style), style)) {
-                return aspect;
-            }
-        }
-        return least;
+// High enough for every value to be written, where that needs no page higher than wide.
+double aspectOf(const Snapshot& snapshot, const PyramidOptions& options, const FigurePage& page) {
+    constexpr double kFiner = 8;  // pixels a point: letters are whole pixels high
+    constexpr double kHigher = 0.04;
+    Style style = page.style;
+    style.projector = false;
+    style.screenPixelsPerPoint = kFiner;
+    const double width = page.widthMm / kMmPerPoint * kFiner;
+    for (double aspect = kFigureAspect; aspect <= 1; aspect += kHigher) {
+        if (everyValueIsWritten(pageOf(snapshot, options, {0, 0, width, width * aspect}, style), style)) return aspect;
     }
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
-        const Page made = pageOf(*snapshot, options, page, style);
-        const Drawing marks = partsMarks(made.parts, snapshot->scenario.step);
-        paintFigure(painter, {&made.parts.levels, &marks}, made.legend, page, style);
-    }
-};
+    return kFigureAspect;
+}
 
 struct SlabsFigure : SpaceFigure {
     std::shared_ptr<const Snapshot> snapshot;
+    int step = 0;
     PyramidOptions options;
     std::optional<Turntable> camera;
 
@@ -75,7 +64,7 @@ struct SlabsFigure : SpaceFigure {
         const double height = pixels.height() / style.screenPixelsPerPoint;
         const PyramidParts parts = pyramidParts(*snapshot, options, width, height);
         scene.show(parts, style, pixels.width(), pixels.height());
-        scene.showStep(parts, snapshot->scenario.step);
+        scene.showStep(parts, step);
         if (camera) scene.camera = *camera;
         // Seen from there; as near as the picture allows.
         scene.showAll(static_cast<double>(pixels.width()) / std::max(1, pixels.height()));
@@ -88,17 +77,22 @@ struct SlabsFigure : SpaceFigure {
 
 }  // namespace
 
-std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snapshot, const PyramidOptions& options) {
-    auto figure = std::make_shared<PyramidFigure>();
-    figure->snapshot = std::move(snapshot);
-    figure->options = options;
-    return figure;
+std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                            const PyramidOptions& options) {
+    return paintedFigure(
+        [snapshot, step, options](QPainter& painter, const Box& page, const Style& style) {
+            const Page made = pageOf(*snapshot, options, page, style);
+            const Drawing marks = partsMarks(made.parts, step);
+            paintFigure(painter, {&made.parts.levels, &marks}, made.legend, page, style);
+        },
+        [snapshot, options](const FigurePage& page) { return aspectOf(*snapshot, options, page); });
 }
 
-std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapshot, const PyramidOptions& options,
-                                          const std::optional<Turntable>& camera) {
+std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                          const PyramidOptions& options, const std::optional<Turntable>& camera) {
     auto figure = std::make_shared<SlabsFigure>();
     figure->snapshot = std::move(snapshot);
+    figure->step = step;
     figure->options = options;
     figure->camera = camera;
     return figure;

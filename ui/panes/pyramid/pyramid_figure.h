@@ -10,9 +10,10 @@
 namespace reliefui {
 
 // High enough for every value to be written into its texel, where that needs no page higher than wide.
-std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snapshot, const PyramidOptions& options);
+std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                            const PyramidOptions& options);
 // camera: from where the slabs are seen; none: as at first. By OpenGL: WorkError where there is none.
-std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapshot, const PyramidOptions& options,
-                                          const std::optional<Turntable>& camera);
+std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                          const PyramidOptions& options, const std::optional<Turntable>& camera);
 
 }  // namespace reliefui

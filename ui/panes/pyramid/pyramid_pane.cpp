@@ -13,11 +13,11 @@ PaneKind pyramidPane() {
     kind.home = Home::Low;
     kind.make = makePane<PyramidView>;
     kind.figures = {{"pyramid", true,
-                     [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
-                         return pyramidFigure(std::move(s), pyramidOptions(p.pyramid));
+                     [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
+                         return pyramidFigure(std::move(s), step, pyramidOptions(p.pyramid));
                      }},
-                    {"slabs", false, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
-                         return slabsFigure(std::move(s), pyramidOptions(p.pyramid), {});
+                    {"slabs", false, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
+                         return slabsFigure(std::move(s), step, pyramidOptions(p.pyramid), {});
                      }}};
     return kind;
 }

@@ -3,11 +3,11 @@
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QStackedLayout>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "panes/drawing_canvas.h"
+#include "panes/pane_controls.h"
 #include "panes/pyramid/pyramid_figure.h"
 #include "panes/pyramid/pyramid_stack.h"
 #include "scenario/step_sentence.h"
@@ -15,20 +15,6 @@
 #include "workspace/pause_log.h"
 
 namespace reliefui {
-
-namespace {
-
-QToolButton* switchButton(const QString& text, const QString& help, QWidget* parent) {
-    auto* const button = new QToolButton(parent);
-    button->setText(text);
-    button->setToolTip(help);
-    button->setAccessibleName(help);
-    button->setCheckable(true);
-    button->setAutoRaise(true);
-    return button;
-}
-
-}  // namespace
 
 PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Pyramid"), QStringLiteral("pyramid"), tr("Export the pyramid"), parent),
@@ -51,7 +37,6 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     connect(stack_, &PyramidStack::resized, this, [this] { refreshSoon_.start(); });
     connect(stack_, &PyramidStack::clickedAt, this, &PyramidView::chooseAt);
     connect(stack_, &PyramidStack::hoveredAt, this, [this](const Point& at) { setReadout(reading(at)); });
-    connect(workspace_, &Workspace::snapshotChanged, this, &PyramidView::refresh);
     connect(workspace_, &Workspace::stepChanged, this, &PyramidView::refreshStep);
     connect(workspace_, &Workspace::styleChanged, this, &PyramidView::refresh);
     connect(workspace_, &Workspace::panesChanged, this, &PyramidView::adopt);
@@ -60,21 +45,18 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
 }
 
 QHBoxLayout* PyramidView::makeBar() {
-    maxima_ = switchButton(tr("max"), tr("The highest point under each texel: what lets the ray skip"), this);
-    means_ = switchButton(tr("mean"), tr("The mean under each texel: what colours are filtered with"), this);
-    minima_ = switchButton(tr("min"), tr("The lowest point under each texel"), this);
-    all_ = switchButton(tr("all"), tr("Maxima, means and minima beside each other"), this);
-    stacked_ = switchButton(tr("3-D"), tr("The levels as slabs one above the other, and the way of the ray"), this);
-    near_ = switchButton(tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), this);
-    follow_ = switchButton(tr("follow"), tr("Zoom to the level of the current step"), this);
-    auto* const fit =
-        switchButton(tr("fit"), tr("Show all levels (R); wheel zooms, drag moves, click chooses a step"), this);
-    fit->setCheckable(false);
     auto* const bar = new QHBoxLayout;
     bar->setContentsMargins(4, 2, 6, 2);
-    for (QToolButton* const button : {maxima_, means_, minima_, all_, stacked_, near_, follow_, fit}) {
-        bar->addWidget(button);
-    }
+    maxima_ = addToolButton(bar, tr("max"), tr("The highest point under each texel: what lets the ray skip"), true);
+    means_ = addToolButton(bar, tr("mean"), tr("The mean under each texel: what colours are filtered with"), true);
+    minima_ = addToolButton(bar, tr("min"), tr("The lowest point under each texel"), true);
+    all_ = addToolButton(bar, tr("all"), tr("Maxima, means and minima beside each other"), true);
+    stacked_ =
+        addToolButton(bar, tr("3-D"), tr("The levels as slabs one above the other, and the way of the ray"), true);
+    near_ = addToolButton(bar, tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), true);
+    follow_ = addToolButton(bar, tr("follow"), tr("Zoom to the level of the current step"), true);
+    auto* const fit =
+        addToolButton(bar, tr("fit"), tr("Show all levels (R); wheel zooms, drag moves, click chooses a step"));
     bar->addStretch(1);
     connect(maxima_, &QToolButton::clicked, this, [this] { showMeans(false); });
     connect(means_, &QToolButton::clicked, this, [this] { showMeans(true); });
@@ -88,9 +70,7 @@ QHBoxLayout* PyramidView::makeBar() {
 }
 
 void PyramidView::change(const PyramidPane& pane) {
-    PaneStates panes = panesOf(workspace_->scenario());
-    panes.pyramid = pane;
-    workspace_->setPanes(panes, tr("Pyramid: other view"));
+    keep(&PaneStates::pyramid, pane, tr("Pyramid: other view"));
     adopt();
 }
 
@@ -112,39 +92,27 @@ void PyramidView::adopt() {
 }
 
 void PyramidView::showMeans(bool means) {
-    PyramidPane pane = pane_;
-    pane.levels = means ? "mean" : "max";
-    change(pane);
+    set(&PyramidPane::levels, means ? "mean" : "max");
 }
 
 void PyramidView::showMinima() {
-    PyramidPane pane = pane_;
-    pane.levels = "min";
-    change(pane);
+    set(&PyramidPane::levels, "min");
 }
 
 void PyramidView::showAllKinds() {
-    PyramidPane pane = pane_;
-    pane.levels = "all";
-    change(pane);
+    set(&PyramidPane::levels, "all");
 }
 
 void PyramidView::setStacked(bool on) {
-    PyramidPane pane = pane_;
-    pane.stacked = on;
-    change(pane);
+    set(&PyramidPane::stacked, on);
 }
 
 void PyramidView::showNearRay(bool on) {
-    PyramidPane pane = pane_;
-    pane.nearRay = on;
-    change(pane);
+    set(&PyramidPane::nearRay, on);
 }
 
 void PyramidView::setFollowing(bool on) {
-    PyramidPane pane = pane_;
-    pane.follow = on;
-    change(pane);
+    set(&PyramidPane::follow, on);
 }
 
 void PyramidView::resetZoom() {
@@ -155,14 +123,8 @@ void PyramidView::tell(const QPointF& widget) {
     setReadout(reading(canvas_->toDrawing(widget)));
 }
 
-void PyramidView::refresh() {
+void PyramidView::showSnapshot() {
     const PauseLog::Part part("pyramid");
-    // Out of sight nothing is drawn.
-    stale_ = !inSight();
-    if (stale_) {
-        if (shown_ != workspace_->snapshot()) letGo();
-        return;
-    }
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
     const PyramidOptions options = pyramidOptions(pane_);
@@ -174,12 +136,9 @@ void PyramidView::refresh() {
     // The legend first: what it needs is not left to the levels. Where it would take too much it is left
     // out: the table of steps tells the decisions, too.
     constexpr double kMostLegend = 0.25;
-    const double unit = workspace_->style().pixelsPerPoint();
-    Drawing legend =
-        pyramidLegend(pyramidSource(*shown_, options), canvas_->width() / unit - 12, workspace_->style().language);
-    if (legend.bounds.height() * unit > kMostLegend * canvas_->height()) legend = {};
-    legend_ = std::make_shared<const Drawing>(std::move(legend));
-    canvas_->setLayers({}, legend_);
+    legend_ = canvas_->showLegend(
+        pyramidLegend(pyramidSource(*shown_, options), canvas_->legendWidth(), workspace_->style().language),
+        kMostLegend);
     const QSizeF room = canvas_->room();
     parts_ = pyramidParts(*shown_, options, room.width(), room.height());
     if (parts_.parts.empty()) return showEmpty(relief::MessageId::DrawNoPicture);
@@ -194,11 +153,6 @@ void PyramidView::refresh() {
     refreshStep();
 }
 
-void PyramidView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &PyramidView::refresh);
-}
-
 void PyramidView::letGo() {
     shown_.reset();
     parts_ = {};
@@ -207,15 +161,11 @@ void PyramidView::letGo() {
     canvas_->letGo();
     stack_->letGo();
     setReadout({});
-    stale_ = true;
 }
 
 void PyramidView::refreshStep() {
     const PauseLog::Part part("pyramid: marks");
-    if (!inSight()) {
-        stale_ = true;
-        return;
-    }
+    if (outOfSight()) return;
     if (!shown_ || !levels_) return;
     if (pane_.stacked) return stack_->showStep(parts_, workspace_->scenario().step);
     // A step of a newer ray than the one shown: its snapshot is on the way.
@@ -337,8 +287,8 @@ QString PyramidView::textOf(const PyramidPart& part, const ItemId& id) const {
 std::shared_ptr<const Figure> PyramidView::figure() const {
     if (!levels_) return nullptr;
     const PyramidOptions options = pyramidOptions(pane_);
-    return pane_.stacked ? slabsFigure(atStep(shown_), options, stack_->camera())
-                         : pyramidFigure(atStep(shown_), options);
+    return pane_.stacked ? slabsFigure(shown_, workspace_->scenario().step, options, stack_->camera())
+                         : pyramidFigure(shown_, workspace_->scenario().step, options);
 }
 
 }  // namespace reliefui

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 
 #include "panes/figure_view.h"
 #include "panes/pyramid/pyramid_drawing.h"
@@ -46,13 +47,19 @@ class PyramidView : public FigureView {
   protected:
     std::shared_ptr<const Figure> figure() const override;
     void tell(const QPointF& widget) override;
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
+    bool outdated() const override { return shown_ != workspace_->snapshot(); }
     void letGo() override;
 
   private:
-    void refresh();      // another map, ray or room
     void refreshStep();  // another step
     void change(const PyramidPane& pane);
+    template <class Value>
+    void set(Value PyramidPane::*choice, const std::type_identity_t<Value>& value) {
+        PyramidPane pane = pane_;
+        pane.*choice = value;
+        change(pane);
+    }
     void adopt();  // what the scenario says
     void chooseAt(Point drawing);
     QHBoxLayout* makeBar();
@@ -79,7 +86,6 @@ class PyramidView : public FigureView {
     bool wasCramped_ = false;  // when it was last drawn
     std::shared_ptr<const Drawing> levels_;
     std::shared_ptr<const Drawing> legend_;
-    bool stale_ = true;  // changed while it was hidden
     Soon refreshSoon_{this, [this] { refresh(); }};
 };
 

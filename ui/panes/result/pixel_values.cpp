@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "painting/painter.h"
 #include "panes/result/result_painting.h"
 #include "scenario/step_sentence.h"
 

@@ -35,45 +35,38 @@ QSizeF legendOf(const Snapshot& snapshot, const Style& style) {
     return size.isValid() ? QSizeF(size) / kPixelsPerPoint : QSizeF(0, 0);
 }
 
-struct ResultFigure : Figure {
-    std::shared_ptr<const Snapshot> snapshot;
-
-    double aspect(const FigurePage& page) const override {
-        const QImage& image = snapshot->layer.image;
-        const double picture = static_cast<double>(image.height()) / std::max(1, image.width());
-        return picture + legendOf(*snapshot, page.style).height() / (page.widthMm / kMmPerPoint);
-    }
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
-        const QImage& image = snapshot->layer.image;
-        painter.setRenderHint(QPainter::SmoothPixmapTransform, true);
-        const double high = page.width() * image.height() / std::max(1, image.width());
-        painter.drawImage(QRectF(page.x0, page.y0, page.width(), high), image);
-        if (page.y0 + high < page.y1 - 1) {
-            painter.save();
-            painter.translate(page.x0, page.y1);
-            const double unit = style.screenPixelsPerPoint / kPixelsPerPoint;
-            painter.scale(unit, unit);
-            painter.setFont(legendFont());
-            paintLegend(&painter, snapshot->layer, QPoint(0, 0), onScreen(style));
-            painter.restore();
-        }
-        if (snapshot->scenario.pixel) {
-            const double side = page.width() / std::max(1, snapshot->scenario.width);
-            const Point at{page.x0 + (snapshot->scenario.pixel->x + 0.5) * side,
-                           page.y0 + (snapshot->scenario.pixel->y + 0.5) * side};
-            Drawing ring;
-            ring.add({}, Role::Hit, Ring{at, 5});
-            reliefui::paint(painter, ring, ViewMap{}, style, page);
-        }
-    }
-};
-
 }  // namespace
 
 std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snapshot) {
-    auto figure = std::make_shared<ResultFigure>();
-    figure->snapshot = std::move(snapshot);
-    return figure;
+    return paintedFigure(
+        [snapshot](QPainter& painter, const Box& page, const Style& style) {
+            const QImage& image = snapshot->layer.image;
+            painter.setRenderHint(QPainter::SmoothPixmapTransform, true);
+            const double high = page.width() * image.height() / std::max(1, image.width());
+            painter.drawImage(QRectF(page.x0, page.y0, page.width(), high), image);
+            if (page.y0 + high < page.y1 - 1) {
+                painter.save();
+                painter.translate(page.x0, page.y1);
+                const double unit = style.screenPixelsPerPoint / kPixelsPerPoint;
+                painter.scale(unit, unit);
+                painter.setFont(legendFont());
+                paintLegend(&painter, snapshot->layer, QPoint(0, 0), onScreen(style));
+                painter.restore();
+            }
+            if (snapshot->scenario.pixel) {
+                const double side = page.width() / std::max(1, snapshot->scenario.width);
+                const Point at{page.x0 + (snapshot->scenario.pixel->x + 0.5) * side,
+                               page.y0 + (snapshot->scenario.pixel->y + 0.5) * side};
+                Drawing ring;
+                ring.add({}, Role::Hit, Ring{at, 5});
+                reliefui::paint(painter, ring, ViewMap{}, style, page);
+            }
+        },
+        [snapshot](const FigurePage& page) {
+            const QImage& image = snapshot->layer.image;
+            const double picture = static_cast<double>(image.height()) / std::max(1, image.width());
+            return picture + legendOf(*snapshot, page.style).height() / (page.widthMm / kMmPerPoint);
+        });
 }
 
 }  // namespace reliefui

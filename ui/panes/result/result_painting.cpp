@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QFontMetrics>
 
+#include "painting/painter.h"
 #include "relief/messages.h"
 
 namespace reliefui {
@@ -174,10 +175,6 @@ QSize paintSphere(QPainter* painter, QPoint bottomLeft, const Style& style, cons
 }
 
 }  // namespace
-
-QColor toColor(const Rgba& color) {
-    return {color.r, color.g, color.b, color.a};
-}
 
 QString layerTitle(Layer layer) {
     switch (layer) {

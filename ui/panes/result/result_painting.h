@@ -9,7 +9,6 @@
 
 namespace reliefui {
 
-QColor toColor(const Rgba& color);
 QString layerTitle(Layer layer);
 QString outcomeTitle(relief::Outcome outcome);
 

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "painting/painter.h"
 #include "panes/result/pixel_values.h"
 #include "panes/result/result_painting.h"
 #include "workspace/pause_log.h"

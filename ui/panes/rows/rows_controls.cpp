@@ -12,6 +12,7 @@
 
 #include "panes/core_texts.h"
 #include "panes/drawing_canvas.h"
+#include "panes/pane_controls.h"
 #include "panes/rows/rows_view.h"
 
 namespace reliefui {
@@ -55,7 +56,6 @@ RowsView::RowsView(Workspace* workspace, QWidget* parent)
     connect(canvas_, &DrawingCanvas::pointed, this, &RowsView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &RowsView::draw);
-    connect(workspace_, &Workspace::snapshotChanged, this, &RowsView::refresh);
     connect(workspace_, &Workspace::panesChanged, this, &RowsView::adopt);
     connect(workspace_, &Workspace::styleChanged, this, &RowsView::draw);
     adopt();
@@ -65,42 +65,23 @@ RowsView::RowsView(Workspace* workspace, QWidget* parent)
 
 RowsView::~RowsView() = default;
 
-QToolButton* RowsView::addButton(const QString& text, const QString& help, bool checkable) {
-    auto* const button = new QToolButton(this);
-    button->setText(text);
-    button->setToolTip(help);
-    button->setAccessibleName(help);
-    button->setCheckable(checkable);
-    button->setAutoRaise(true);
-    bar_->layout()->addWidget(button);
-    return button;
-}
-
 void RowsView::makeBar() {
     bar_ = new QWidget(this);
     auto* const bar = new QHBoxLayout(bar_);
     bar->setContentsMargins(4, 2, 6, 2);
-    const auto chooser = [&](const char* name, const QString& help) {
-        auto* const box = new QComboBox(this);
-        box->setObjectName(QString::fromLatin1(name));
-        box->setToolTip(help);
-        box->setAccessibleName(help);
-        bar->addWidget(box);
-        return box;
-    };
-    open_ = addButton(tr("variants"), tr("Which variants are compared, and their options"), true);
+    open_ = addToolButton(bar, tr("variants"), tr("Which variants are compared, and their options"), true);
     open_->setObjectName(QStringLiteral("rows-variants"));
     connect(open_, &QToolButton::toggled, this, [this](bool on) { variants_->setVisible(on); });
-    pixels_ = chooser("rows-pixels", tr("How many pixels the picture is wide: on long rows rounding adds up"));
+    pixels_ = addChooser(bar, "rows-pixels", tr("How many pixels the picture is wide: on long rows rounding adds up"));
     pixels_->addItem(tr("the picture's width"), 0);
     for (const int width : kWidths) pixels_->addItem(tr("%1 pixels").arg(width), width);
-    precision_ = chooser("rows-precision", tr("The numbers that the variants compute in"));
+    precision_ = addChooser(bar, "rows-precision", tr("The numbers that the variants compute in"));
     precision_->addItem(QStringLiteral("float"), false);
     precision_->addItem(QStringLiteral("double"), true);
-    logarithmic_ = addButton(tr("log"), tr("Errors on a logarithmic scale"), true);
+    logarithmic_ = addToolButton(bar, tr("log"), tr("Errors on a logarithmic scale"), true);
     logarithmic_->setObjectName(QStringLiteral("rows-log"));
     auto* const fit =
-        addButton(tr("fit"), tr("Show all of the row (R); wheel zooms, drag moves, click chooses a pixel"), false);
+        addToolButton(bar, tr("fit"), tr("Show all of the row (R); wheel zooms, drag moves, click chooses a pixel"));
     bar->addStretch(1);
     connect(fit, &QToolButton::clicked, this, &RowsView::resetZoom);
     connect(pixels_, qOverload<int>(&QComboBox::activated), this, [this] {

@@ -4,39 +4,6 @@
 
 namespace reliefui {
 
-namespace {
-
-struct RowsFigure : Figure {
-    std::shared_ptr<const Snapshot> snapshot;
-    RowsOptions options;
-    RowsRange range;
-
-    // Two plots, and what they cost.
-    double aspect(const FigurePage&) const override { return 0.78; }
-    void paint(QPainter& painter, const Box& page, const Style& style) const override {
-        using relief::MessageId;
-        const std::optional<RowsPlace> place = rowsPlace(*snapshot);
-        const std::vector<relief::RowMethod> methods = rowMethods(options, "--variants");
-        if (!place || methods.empty()) {
-            return paintEmpty(painter,
-                              place                      ? MessageId::DrawRowNoVariant
-                              : snapshot->scenario.pixel ? MessageId::DrawNoRelief
-                                                         : MessageId::DrawNoRow,
-                              page, style);
-        }
-        const RowsData data = rowsData(widened(*place, options.pixels), methods, options.inDouble);
-        const double unit = style.pixelsPerPoint();
-        const Drawing legend = rowsLegend(data, page.width() / unit - kFigureMargins, style.language);
-        const Box room = figureRoom(legend, page, style);
-        const RowsFrame frame = rowsFrame(data, options, range, room.width() / unit, room.height() / unit);
-        const Drawing axes = rowsAxes(data, frame);
-        const Drawing plots = rowsPlots(data, frame);
-        paintFigure(painter, {&axes, &plots}, legend, page, style);
-    }
-};
-
-}  // namespace
-
 std::optional<RowsPlace> rowsPlace(const Snapshot& s) {
     if (!s.scenario.pixel || !s.frame || s.coarse) return std::nullopt;
     const relief::PixelChoice pixel = *s.scenario.pixel;
@@ -63,11 +30,31 @@ RowsPane paneOf(const RowsOptions& options) {
 
 std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapshot, const RowsOptions& options,
                                          const RowsRange& range) {
-    auto figure = std::make_shared<RowsFigure>();
-    figure->snapshot = std::move(snapshot);
-    figure->options = options;
-    figure->range = range;
-    return figure;
+    return paintedFigure(
+        [snapshot = std::move(snapshot), options, range](QPainter& painter, const Box& page, const Style& style) {
+            using relief::MessageId;
+            const std::optional<RowsPlace> place = rowsPlace(*snapshot);
+            const std::vector<relief::RowMethod> methods = rowMethods(options, "--variants");
+            if (!place || methods.empty()) {
+                return paintEmpty(painter,
+                                  place                      ? MessageId::DrawRowNoVariant
+                                  : snapshot->scenario.pixel ? MessageId::DrawNoRelief
+                                                             : MessageId::DrawNoRow,
+                                  page, style);
+            }
+            const RowsData data = rowsData(widened(*place, options.pixels), methods, options.inDouble);
+            const double unit = style.pixelsPerPoint();
+            const Drawing legend = rowsLegend(data, page.width() / unit - kFigureMargins, style.language);
+            const Box room = figureRoom(legend, page, style);
+            const RowsFrame frame = rowsFrame(data, options, range, room.width() / unit, room.height() / unit);
+            const Drawing axes = rowsAxes(data, frame);
+            const Drawing plots = rowsPlots(data, frame);
+            paintFigure(painter, {&axes, &plots}, legend, page, style);
+        },
+        [](const FigurePage&) {
+            constexpr double kAspect = 0.78;  // two plots, and what they cost
+            return kAspect;
+        });
 }
 
 }  // namespace reliefui

@@ -12,7 +12,7 @@ PaneKind rowsPane() {
     kind.help = RowsView::tr("Texture coordinates along the pixel's row, computed in several ways");
     kind.home = Home::Low;
     kind.make = makePane<RowsView>;
-    kind.figures = {{"rows", true, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
+    kind.figures = {{"rows", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
                          return rowsFigure(std::move(s), rowsOptions(p.rows), {});
                      }}};
     return kind;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <QMouseEvent>
-#include <QTimer>
 #include <QWheelEvent>
 
 #include "panes/coefficient_text.h"
@@ -33,9 +32,7 @@ void RowsView::setOptions(const RowsOptions& options) {
 
 void RowsView::change(const RowsOptions& options) {
     if (options == options_) return;
-    PaneStates panes = panesOf(workspace_->scenario());
-    panes.rows = paneOf(options);
-    workspace_->setPanes(panes, tr("Rows: other variants"));
+    keep(&PaneStates::rows, paneOf(options), tr("Rows: other variants"));
     showControls();  // where it was refused
 }
 
@@ -55,22 +52,11 @@ void RowsView::adopt() {
 }
 
 bool RowsView::settled() const {
-    return !stale_ && !job_->busy();
+    return !stale() && !job_->busy();
 }
 
-void RowsView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &RowsView::refresh);
-}
-
-void RowsView::refresh() {
+void RowsView::showSnapshot() {
     const PauseLog::Part part("rows");
-    // Out of sight nothing is computed or drawn.
-    stale_ = !inSight();
-    if (stale_) {
-        if (snapshot_ && snapshot_ != workspace_->snapshot()) letGo();
-        return;
-    }
     canvas_->setStyle(workspace_->style());
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
     // While something is dragged the row would be another one a moment later.
@@ -103,30 +89,21 @@ void RowsView::letGo() {
     legend_.reset();
     canvas_->letGo();
     setReadout({});
-    stale_ = true;
 }
 
 void RowsView::draw() {
     const PauseLog::Part part("rows: drawing");
     if (!data_) return;
-    if (!inSight()) {
-        stale_ = true;
-        return;
-    }
+    if (outOfSight()) return;
     const Style& style = workspace_->style();
     canvas_->setStyle(style);
     // The legend first: what it needs is not left to the plots. Where it would take too much it says less: at last
     // who is who, which numbers alone do not tell.
     constexpr double kMostLegend = 0.34;
-    const double unit = style.pixelsPerPoint();
-    Drawing legend;
     for (const RowsLegend kind : {RowsLegend::Whole, RowsLegend::Curves, RowsLegend::Names}) {
-        legend = rowsLegend(*data_, canvas_->width() / unit - 12, style.language, kind);
-        if (legend.bounds.height() * unit <= kMostLegend * canvas_->height()) break;
-        legend = {};
+        legend_ = canvas_->showLegend(rowsLegend(*data_, canvas_->legendWidth(), style.language, kind), kMostLegend);
+        if (!legend_->bounds.empty()) break;
     }
-    legend_ = std::make_shared<const Drawing>(std::move(legend));
-    canvas_->setLayers({}, legend_);
     const QSizeF room = canvas_->room();
     frame_ = rowsFrame(*data_, options_, range_, room.width(), room.height());
     axes_ = std::make_shared<const Drawing>(rowsAxes(*data_, frame_));

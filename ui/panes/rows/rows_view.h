@@ -42,7 +42,8 @@ class RowsView : public FigureView {
     void resetZoom();
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
+    bool outdated() const override { return snapshot_ && snapshot_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
     void tell(const QPointF& widget) override;
     void letGo() override;
@@ -61,14 +62,12 @@ class RowsView : public FigureView {
     void makeBar();
     void makeVariants();
     void addSlot(QGridLayout* grid, int row);
-    QToolButton* addButton(const QString& text, const QString& help, bool checkable);
     void change(const RowsOptions& options);
     void adopt();  // what the scenario says
     void readSlots();
     static void setSettings(const Slot& slot, const relief::RowSettings& settings);
     void showControls();
-    void refresh();  // another row, width or option
-    void draw();     // another part is seen, another room or style
+    void draw();  // another part is seen, another room or style
     void showEmpty(relief::MessageId why);
     void setRange(double from, double to);
     void zoom(double factor, double x);
@@ -95,7 +94,6 @@ class RowsView : public FigureView {
     QPointF pressed_;
     QPointF last_;
     bool dragging_ = false;
-    bool stale_ = true;               // changed while it was hidden
     std::unique_ptr<LatestJob> job_;  // last: ends before the rest
 };
 

@@ -15,6 +15,7 @@
 #include <QTableView>
 #include <QTimer>
 
+#include "painting/painter.h"
 #include "scenario/ray_files.h"
 #include "scenario/step_sentence.h"
 #include "workspace/language.h"
@@ -23,10 +24,6 @@
 namespace reliefui {
 
 namespace {
-
-QColor toColor(Rgba c) {
-    return {c.r, c.g, c.b, c.a};
-}
 
 // The decision's colour with its shape: colour is never alone.
 QPixmap symbol(relief::Decision decision, const Style& style, int side) {

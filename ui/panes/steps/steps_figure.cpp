@@ -15,21 +15,21 @@ std::string text(const QVariant& value) {
 
 }  // namespace
 
-TableSource stepTable(const Snapshot& snapshot, relief::Language language) {
+TableSource stepTable(const std::shared_ptr<const Snapshot>& shown, int step, relief::Language language) {
     Style style;
     style.language = language;
     StepModel model;
-    model.show(std::make_shared<const Snapshot>(snapshot), style);
+    model.show(shown, style);
+    const PixelTrace& trace = shown->trace;
     TableSource table;
     for (int c = 0; c < StepModel::Columns; ++c) {
         table.titles.push_back(text(model.headerData(c, Qt::Horizontal, Qt::DisplayRole)));
         table.numbers.push_back(c != StepModel::Decision);
     }
     table.marked = StepModel::Decision;
-    const auto& steps = snapshot.trace.steps;
-    if (steps.empty() || snapshot.trace.hidden) return table;
-    const auto chosen =
-        static_cast<std::size_t>(std::clamp(snapshot.scenario.step, 0, static_cast<int>(steps.size()) - 1));
+    const auto& steps = trace.steps;
+    if (steps.empty() || trace.hidden) return table;
+    const auto chosen = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(steps.size()) - 1));
     const std::size_t first = steps.size() <= kMostTableRows ? 0
                                                              : std::min(chosen - std::min(chosen, kMostTableRows / 2),
                                                                         steps.size() - kMostTableRows);
@@ -42,7 +42,6 @@ TableSource stepTable(const Snapshot& snapshot, relief::Language language) {
         row.mark = steps[k].decision;
         table.rows.push_back(std::move(row));
     }
-    const PixelTrace& trace = snapshot.trace;
     table.below = relief::sentence(relief::stepSentence(steps, chosen, trace.ray, trace.exact), language);
     if (relief::answerError(trace.hit, trace.exact, trace.ray) > relief::kSameAnswer) {
         table.below += ' ' + relief::sentence(relief::answerSentence(trace.hit, trace.exact, trace.ray), language);
@@ -50,9 +49,10 @@ TableSource stepTable(const Snapshot& snapshot, relief::Language language) {
     return table;
 }
 
-std::shared_ptr<const Figure> stepsFigure(std::shared_ptr<const Snapshot> snapshot) {
-    return tableFigure(
-        [snapshot = std::move(snapshot)](relief::Language language) { return stepTable(*snapshot, language); });
+std::shared_ptr<const Figure> stepsFigure(std::shared_ptr<const Snapshot> snapshot, int step) {
+    return tableFigure([snapshot = std::move(snapshot), step](relief::Language language) {
+        return stepTable(snapshot, step, language);
+    });
 }
 
 }  // namespace reliefui

@@ -197,9 +197,8 @@ StepPaint TracePicture::paint() const {
 
 void TracePicture::paintLegend(const Drawing& drawing, int height) {
     const double unit = style_.pixelsPerPoint();
-    const Rgba ground = style_.background();
     QImage page(size_.width(), height, QImage::Format_RGB888);
-    page.fill(QColor(ground.r, ground.g, ground.b));
+    page.fill(toColor(style_.background()));
     QPainter painter(&page);
     const Box all{0, 0, static_cast<double>(page.width()), static_cast<double>(height)};
     reliefui::paint(painter, drawing, {unit, kLegendMargin * unit, kLegendMargin * unit / 2}, style_, all);

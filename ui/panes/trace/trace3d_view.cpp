@@ -12,28 +12,15 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "panes/pane_controls.h"
 #include "panes/trace/trace_figure.h"
 #include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
-
-namespace {
-
-QToolButton* toolButton(const QString& text, const QString& help, QWidget* parent) {
-    auto* const button = new QToolButton(parent);
-    button->setText(text);
-    button->setToolTip(help);
-    button->setAccessibleName(help);
-    button->setAutoRaise(true);
-    return button;
-}
-
-}  // namespace
 
 Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Trace in 3-D"), QStringLiteral("trace"), tr("Export the trace"), parent),
@@ -61,7 +48,6 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     column->setSpacing(0);
     column->addLayout(bar);
     column->addWidget(widget_, 1);
-    connect(workspace_, &Workspace::snapshotChanged, this, &Trace3dView::refresh);
     connect(workspace_, &Workspace::stepChanged, this, &Trace3dView::showStep);
     connect(workspace_, &Workspace::panesChanged, this, &Trace3dView::adopt);
     connect(workspace_, &Workspace::styleChanged, this, [this] {
@@ -82,34 +68,24 @@ vtkRenderer* Trace3dView::renderer() const {
 
 void Trace3dView::makeBar(QHBoxLayout* bar) {
     bar->setContentsMargins(4, 2, 6, 2);
-    auto* const fitButton = toolButton(
-        tr("fit"),
-        tr("Show the whole patch (R); drag or arrows turn, right drag or Shift+arrows move, wheel or + − zoom"), this);
-    connect(fitButton, &QToolButton::clicked, this, &Trace3dView::fit);
-    follow_ = toolButton(tr("follow"), tr("Keep the current step in the middle"), this);
-    follow_->setCheckable(true);
-    connect(follow_, &QToolButton::clicked, this, &Trace3dView::setFollowing);
-    heights_ = new QComboBox(this);
-    for (const double n : {0.25, 0.5, 1.0, 2.0, 4.0}) heights_->addItem(tr("heights × %1").arg(n), n);
-    heights_->setCurrentIndex(heights_->findData(pane_.heights));
-    heights_->setToolTip(tr("Exaggeration of heights"));
-    heights_->setAccessibleName(heights_->toolTip());
-    connect(heights_, QOverload<int>::of(&QComboBox::activated), this,
-            [this](int row) { setExaggeration(heights_->itemData(row).toDouble()); });
-    colors_ = new QComboBox(this);
-    colors_->setObjectName(QStringLiteral("trace-colors"));
+    colors_ = addChooser(bar, "trace-colors", tr("What the colours of the steps say"));
     const std::vector<std::string>& names = tracePaneColors();
     for (const QString& text : {tr("steps by decision"), tr("steps by level"), tr("steps by phase")}) {
         colors_->addItem(text, QString::fromStdString(names[static_cast<std::size_t>(colors_->count())]));
     }
-    colors_->setToolTip(tr("What the colours of the steps say"));
-    colors_->setAccessibleName(colors_->toolTip());
     connect(colors_, QOverload<int>::of(&QComboBox::activated), this,
             [this](int row) { setColors(colors_->itemData(row).toString()); });
-    bar->addWidget(colors_);
-    bar->addWidget(heights_);
-    bar->addWidget(follow_);
-    bar->addWidget(fitButton);
+    heights_ = addChooser(bar, "trace-heights", tr("Exaggeration of heights"));
+    for (const double n : {0.25, 0.5, 1.0, 2.0, 4.0}) heights_->addItem(tr("heights × %1").arg(n), n);
+    heights_->setCurrentIndex(heights_->findData(pane_.heights));
+    connect(heights_, QOverload<int>::of(&QComboBox::activated), this,
+            [this](int row) { setExaggeration(heights_->itemData(row).toDouble()); });
+    follow_ = addToolButton(bar, tr("follow"), tr("Keep the current step in the middle"), true);
+    connect(follow_, &QToolButton::clicked, this, &Trace3dView::setFollowing);
+    auto* const fitButton = addToolButton(
+        bar, tr("fit"),
+        tr("Show the whole patch (R); drag or arrows turn, right drag or Shift+arrows move, wheel or + − zoom"));
+    connect(fitButton, &QToolButton::clicked, this, &Trace3dView::fit);
     bar->addWidget(note_, 1);
     note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -125,19 +101,17 @@ void Trace3dView::takeSize() {
     picture_.setSize(widget_->size() * widget_->devicePixelRatioF());
 }
 
-void Trace3dView::refresh() {
+bool Trace3dView::outdated() const {
+    return picture_.shown() && picture_.shown() != workspace_->snapshot();
+}
+
+void Trace3dView::showSnapshot() {
     const PauseLog::Part part("trace 3-D: scene");
     const auto snapshot = workspace_->snapshot();
     const auto& shown = picture_.shown();
-    // Out of sight nothing is drawn.
-    const bool wasStale = std::exchange(stale_, !inSight());
-    if (stale_) {
-        if (shown && shown != snapshot) letGo();
-        return;
-    }
     const bool same = shown && snapshot && shown->version == snapshot->version && shown->coarse == snapshot->coarse &&
                       shown->trace.hidden == snapshot->trace.hidden;
-    if (same && wasStale) showStep(workspace_->scenario().step);
+    if (same && cameIntoSight()) showStep(workspace_->scenario().step);
     if (same) return;
     note_->clear();
     takeSize();
@@ -149,23 +123,14 @@ void Trace3dView::refresh() {
     showStep(workspace_->scenario().step);
 }
 
-void Trace3dView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (stale_) QTimer::singleShot(0, this, &Trace3dView::refresh);
-}
-
 void Trace3dView::letGo() {
     picture_.show(nullptr, deviceStyle(), pane_.heights);
     note_->clear();
-    stale_ = true;
 }
 
 void Trace3dView::showStep(int step) {
     const PauseLog::Part part("trace 3-D: step");
-    if (!inSight()) {
-        stale_ = true;
-        return;
-    }
+    if (outOfSight()) return;
     picture_.showStep(step);
     if (const TraceScene* const scene = picture_.scene()) {
         const auto number = [](double v) { return QString::fromStdString(relief::numberText(v, 3)); };
@@ -183,9 +148,7 @@ void Trace3dView::fit() {
 }
 
 void Trace3dView::change(const TracePane& pane) {
-    PaneStates panes = panesOf(workspace_->scenario());
-    panes.trace = pane;
-    workspace_->setPanes(panes, tr("Trace 3-D: other view"));
+    keep(&PaneStates::trace, pane, tr("Trace 3-D: other view"));
     adopt();
 }
 
@@ -205,21 +168,15 @@ void Trace3dView::adopt() {
 }
 
 void Trace3dView::setFollowing(bool on) {
-    TracePane pane = pane_;
-    pane.follow = on;
-    change(pane);
+    set(&TracePane::follow, on);
 }
 
 void Trace3dView::setExaggeration(double n) {
-    TracePane pane = pane_;
-    pane.heights = n;
-    change(pane);
+    set(&TracePane::heights, n);
 }
 
 void Trace3dView::setColors(const QString& by) {
-    TracePane pane = pane_;
-    pane.colors = by.toStdString();
-    change(pane);
+    set(&TracePane::colors, by.toStdString());
 }
 
 bool Trace3dView::handleMouse(QMouseEvent* event) {
@@ -333,7 +290,7 @@ void Trace3dView::render() {
 std::shared_ptr<const Figure> Trace3dView::figure() const {
     const auto& shown = picture_.shown();
     if (!shown || !shown->request) return nullptr;
-    return traceFigure(atStep(shown), {pane_.heights, stepColors(pane_.colors), picture_.camera});
+    return traceFigure(shown, workspace_->scenario().step, {pane_.heights, stepColors(pane_.colors), picture_.camera});
 }
 
 }  // namespace reliefui

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 
 #include <vtkSmartPointer.h>
 
@@ -40,14 +41,20 @@ class Trace3dView : public FigureView {
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     std::shared_ptr<const Figure> figure() const override;
-    void paintEvent(QPaintEvent* event) override;
+    void showSnapshot() override;
+    bool outdated() const override;
     void letGo() override;
 
   private:
     void makeBar(QHBoxLayout* bar);
     void change(const TracePane& pane);
+    template <class Value>
+    void set(Value TracePane::*choice, const std::type_identity_t<Value>& value) {
+        TracePane pane = pane_;
+        pane.*choice = value;
+        change(pane);
+    }
     void adopt();  // what the scenario says
-    void refresh();
     void showStep(int step);
     bool handleMouse(QMouseEvent* event);
     bool handleKey(QKeyEvent* event);
@@ -69,7 +76,6 @@ class Trace3dView : public FigureView {
     bool dragged_ = false;
     bool placed_ = false;  // the camera has been put somewhere
     TracePane pane_;
-    bool stale_ = true;  // changed while it was hidden
 };
 
 }  // namespace reliefui

@@ -11,6 +11,7 @@ namespace {
 
 struct TraceFigure : SpaceFigure {
     std::shared_ptr<const Snapshot> snapshot;
+    int step = 0;
     TraceOptions options;
 
     double aspect(const FigurePage&) const override { return 0.75; }
@@ -20,7 +21,7 @@ struct TraceFigure : SpaceFigure {
         picture.setSize(pixels);
         picture.setColors(options.colors);
         picture.show(snapshot, style, options.exaggeration);
-        picture.showStep(snapshot->scenario.step);
+        picture.showStep(step);
         if (options.camera) {
             picture.camera = *options.camera;
         } else {
@@ -36,9 +37,11 @@ struct TraceFigure : SpaceFigure {
 
 }  // namespace
 
-std::shared_ptr<const Figure> traceFigure(std::shared_ptr<const Snapshot> snapshot, const TraceOptions& options) {
+std::shared_ptr<const Figure> traceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                          const TraceOptions& options) {
     auto figure = std::make_shared<TraceFigure>();
     figure->snapshot = std::move(snapshot);
+    figure->step = step;
     figure->options = options;
     return figure;
 }

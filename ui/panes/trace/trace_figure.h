@@ -18,6 +18,7 @@ struct TraceOptions {
 };
 
 // By OpenGL: WorkError where there is none.
-std::shared_ptr<const Figure> traceFigure(std::shared_ptr<const Snapshot> snapshot, const TraceOptions& options);
+std::shared_ptr<const Figure> traceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
+                                          const TraceOptions& options);
 
 }  // namespace reliefui

@@ -13,8 +13,8 @@ PaneKind tracePane() {
     kind.help = Trace3dView::tr("The ray through the relief, in space");
     kind.home = Home::High;
     kind.make = makePane<Trace3dView>;
-    kind.figures = {{"trace", false, [](std::shared_ptr<const Snapshot> s, const PaneStates& p) {
-                         return traceFigure(std::move(s), {p.trace.heights, stepColors(p.trace.colors), {}});
+    kind.figures = {{"trace", false, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
+                         return traceFigure(std::move(s), step, {p.trace.heights, stepColors(p.trace.colors), {}});
                      }}};
     return kind;
 }
