@@ -98,10 +98,18 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.error = value();
         } else if (argument == "--dark") {
             parsed.dark = true;
-        } else if (argument == "--size") {
+        } else if (argument == "--no-caption") {
+            parsed.caption = false;
+        } else if (argument == "--pixel") {
+            parsed.pixel = value();
+        } else if (argument == "--tracers") {
+            parsed.tracers = value();
+        } else if (argument == "--pixels" || argument == "--size") {
             const std::string size = value();
-            if (!parseSize(size, parsed.width, parsed.height)) {
-                throw InputError("--size", Message(MessageId::NotASize, {{"text", size}}));
+            const bool window = argument == "--size";
+            if (!parseSize(size, window ? parsed.width : parsed.pixelWidth,
+                           window ? parsed.height : parsed.pixelHeight)) {
+                throw InputError(argument, Message(MessageId::NotASize, {{"text", size}}));
             }
         } else {
             throw InputError(argument, Message(MessageId::ArgumentUnknown, {{"help", kHelp}}));
@@ -113,6 +121,10 @@ Arguments parseArguments(int count, char** arguments) {
     needs(!parsed.figure.empty() && parsed.output.empty(), "--export", "-o FILE");
     needs(!parsed.output.empty() && parsed.figure.empty(), "-o", "--export VIEW");
     needs(!parsed.layer.empty() && parsed.figure != "result", "--layer", "--export result");
+    const bool figure = !parsed.figure.empty();
+    needs(!parsed.pixel.empty() && !figure, "--pixel", "--export VIEW");
+    needs(!parsed.tracers.empty() && !figure, "--tracers", "--export VIEW");
+    needs(parsed.pixelWidth > 0 && !figure, "--pixels", "--export VIEW");
     const bool distance = parsed.figure == "distance";
     needs(!parsed.map.empty() && !distance, "--map", "--export distance");
     needs(!parsed.minus.empty() && !distance, "--minus", "--export distance");
@@ -145,6 +157,9 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
                         VIEW: charts, compare, distance, drawn, duel, footprint, pareto, profile, pyramid,
                         result, rows, skipped, slabs, steps, trace (the last and slabs: PNG alone)
+  --pixel X,Y           the pixel whose ray is shown (the scenario's), at its last step
+  --pixels WxH          the size of the picture that is rendered; a PNG is as wide
+  --tracers A,B,...     the method, and those that it is compared with, as relief bench tracers takes them
   --layer NAME          of result, with its legend: color, steps, error, outcome, depth, normal, uv, footprint, hidden
   --map KIND            of distance: euclidean, euclidean-conservative, refined-sampled, refined, cone, cone-dummer,
                         relaxed-cone (the method's)
@@ -158,7 +173,8 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --elevation DEG       of pareto: this elevation only
   --error MEASURE       of pareto and charts: mean, p95, p9999 or max (mean)
   --width MM            of the figure (160)
-  --dpi N               pixels an inch of a PNG (300)
+  --dpi N               pixels an inch of a PNG, and of the pictures in an SVG or PDF, up to 16384 in all (300)
+  --no-caption          without the line that says what is shown of what
   --dark                light on dark, as in the window
   --check-display       only say whether a window can be opened: exit status 0, or 2
   --log                 when the window is closed, say on stderr what held its thread longest

@@ -1,6 +1,7 @@
 // The program `reliefscope`: the window. Everything that can be wrong with its arguments or its display is said in one
 // line before a window opens.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,6 +14,7 @@
 
 #include "arguments.h"
 #include "measuring/bench/bench_rows.h"
+#include "measuring/bench/measured_method.h"
 #include "measuring/bench/pareto.h"
 #include "panes/charts/charts_figure.h"
 #include "panes/rows/rows_drawing.h"
@@ -136,6 +138,52 @@ void takeArguments(reliefui::PaneStates& panes, const Arguments& arguments) {
     if (!arguments.error.empty()) panes.charts.error = arguments.error;
 }
 
+// "X,Y" within the picture. Throws InputError.
+PixelChoice chosenPixel(const std::string& text, const Scenario& scenario) {
+    const std::vector<std::string> parts = betweenCommas(text);
+    if (parts.size() != 2) throw InputError("--pixel", Message(MessageId::NotAPixel, {{"text", text}}));
+    const auto side = [](const std::string& part, int sides) {
+        const double number = parseNumber(part, "--pixel");
+        reliefui::requireRange("--pixel", number, 0, sides - 1);
+        if (number != std::floor(number)) {
+            throw InputError("--pixel",
+                             Message(MessageId::NumberOutOfRange, {{"value", number}, {"range", "0, 1, 2, ..."}}));
+        }
+        return static_cast<int>(number);
+    };
+    return {side(parts[0], scenario.width), side(parts[1], scenario.height)};
+}
+
+// What stands in the command goes before what the scenario says. Throws InputError.
+void takeView(Scenario& scenario, const Arguments& arguments) {
+    if (arguments.pixelWidth > 0) {
+        // The chosen pixel is another one in a picture of another size.
+        if (scenario.pixel && arguments.pixel.empty()) {
+            scenario.pixel->x = scenario.pixel->x * arguments.pixelWidth / scenario.width;
+            scenario.pixel->y = scenario.pixel->y * arguments.pixelHeight / scenario.height;
+        }
+        scenario.width = arguments.pixelWidth;
+        scenario.height = arguments.pixelHeight;
+    }
+    if (!arguments.pixel.empty()) {
+        scenario.pixel = chosenPixel(arguments.pixel, scenario);
+        scenario.other = {};
+    }
+    if (arguments.tracers.empty()) return;
+    std::vector<MethodChoice> methods;
+    for (const std::string& text : betweenCommas(arguments.tracers)) {
+        methods.push_back(parseMethodChoice(text, "--tracers"));
+    }
+    if (methods.size() > kMostCompared) {
+        throw InputError("--tracers",
+                         Message(MessageId::NumberOutOfRange, {{"value", static_cast<int>(methods.size())},
+                                                               {"range", "1 to " + std::to_string(kMostCompared)}}));
+    }
+    scenario.method = methods.front();
+    scenario.comparison.others.assign(methods.begin() + 1, methods.end());
+    scenario.comparison.dividers.clear();
+}
+
 // Before anything long: what can be wrong with the options.
 void checkArguments(const Arguments& arguments) {
     for (const std::string& kind : {arguments.map, arguments.minus}) {
@@ -153,6 +201,9 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     page.title = arguments.figure;
     page.widthMm = arguments.widthMm;
     page.dpi = arguments.dpi;
+    constexpr double kMmPerInch = 25.4;
+    if (arguments.pixelWidth > 0) page.dpi = arguments.pixelWidth / page.widthMm * kMmPerInch;
+    page.caption = arguments.caption;
     page.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
     page.style.language = reliefui::uiLanguage();
     reliefui::checkPage(page, arguments.output, kind.vectors);
@@ -166,6 +217,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
         return 0;
     }
     Start start = chosenStart(arguments.file, shippedPictures());
+    takeView(start.scenario, arguments);
     reliefui::PaneStates panes = reliefui::panesOf(start.scenario);
     takeArguments(panes, arguments);
     reliefui::prepareFigures();
@@ -175,8 +227,10 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     reliefui::SnapshotOrder order;
     order.scenario = start.scenario;
     order.layer = chosenLayer(arguments.layer);
+    order.lastStep = !arguments.pixel.empty();
     Work work;
-    const auto figure = kind.make(maker.make(order, work), start.scenario.step, panes);
+    const auto snapshot = maker.make(order, work);
+    const auto figure = kind.make(snapshot, snapshot->scenario.step, panes);
     reliefui::writeFigure(*figure, page, arguments.output);
     return 0;
 }

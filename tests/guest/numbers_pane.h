@@ -6,6 +6,7 @@
 
 #include "painting/painter.h"
 #include "panes/drawing_canvas.h"
+#include "panes/figure_caption.h"
 #include "panes/figure_view.h"
 #include "panes/pane.h"
 #include "scenario/step_sentence.h"
@@ -29,10 +30,12 @@ inline Drawing numbersDrawing(const Snapshot& snapshot) {
 }
 
 inline std::shared_ptr<const Figure> numbersFigure(std::shared_ptr<const Snapshot> snapshot) {
-    return paintedFigure([snapshot](QPainter& painter, const Box& page, const Style& style) {
-        const Drawing drawing = numbersDrawing(*snapshot);
-        paintFigure(painter, {&drawing}, {}, page, style);
-    });
+    return paintedFigure(
+        [snapshot](QPainter& painter, const Box& page, const Style& style) {
+            const Drawing drawing = numbersDrawing(*snapshot);
+            paintFigure(painter, {&drawing}, {}, page, style);
+        },
+        figureCaption(snapshot));
 }
 
 class NumbersView : public FigureView {

@@ -35,14 +35,65 @@ std::string endingOf(const std::string& path) {
     return ending;
 }
 
-void paintPage(QPainter& painter, const Figure& figure, const FigurePage& page, const QSize& size,
-               double unitsPerPoint) {
+// pictureDpi: as Style::pictureDpi.
+Style pageStyle(const FigurePage& page, double unitsPerPoint, double pictureDpi = 0) {
     Style style = page.style;
     style.projector = false;
     style.screenPixelsPerPoint = unitsPerPoint;
-    const Box all{0, 0, static_cast<double>(size.width()), static_cast<double>(size.height())};
-    painter.setClipRect(QRectF(0, 0, size.width(), size.height()));
-    figure.paint(painter, all, style);
+    style.pictureDpi = pictureDpi;
+    return style;
+}
+
+// Where the caption stands below a figure; its font and height.
+struct Caption {
+    static constexpr double kPoints = 7;
+
+    QString text;
+    QFont font{QStringLiteral("DejaVu Sans")};
+    QRectF room;        // of the words
+    double height = 0;  // with what is left free around them; 0: there is none
+
+    // In units of which so many are a point; the page is `width` of them wide.
+    Caption(const Figure& figure, const FigurePage& page, double width, double unitsPerPoint) {
+        if (page.caption) text = QString::fromStdString(figure.caption(page.style.language));
+        if (text.isEmpty()) return;
+        font.setPixelSize(std::max(1, static_cast<int>(std::lround(kPoints * unitsPerPoint))));
+        const double margin = kFigureMargin * unitsPerPoint;
+        const QRectF most(margin, margin / 2, std::max(1.0, width - 2 * margin), 1e6);
+        room = QFontMetricsF(font).boundingRect(most, Qt::TextWordWrap, text);
+        height = std::ceil(room.height() + margin * 1.5);
+    }
+    void paint(QPainter& painter, double top, double width, const Style& style) const {
+        if (height <= 0) return;
+        const QRectF all(0, top, width, height);
+        painter.fillRect(all, toColor(style.background()));
+        painter.setFont(font);
+        painter.setPen(toColor(style.text()));
+        // Letters may be a little wider in the file than they were measured.
+        const QRectF words(room.x(), top + room.y(), width - 2 * room.x(), height);
+        painter.drawText(words, Qt::TextWordWrap, text);
+    }
+};
+
+void paintPage(QPainter& painter, const Figure& figure, const FigurePage& page, const QSize& size,
+               double unitsPerPoint) {
+    painter.setRenderHint(QPainter::LosslessImageRendering);
+    const Style style = pageStyle(page, unitsPerPoint, page.dpi);
+    const Caption caption(figure, page, size.width(), unitsPerPoint);
+    const double below = size.height() - caption.height;
+    painter.save();
+    painter.setClipRect(QRectF(0, 0, size.width(), below));
+    figure.paint(painter, {0, 0, static_cast<double>(size.width()), below}, style);
+    painter.restore();
+    caption.paint(painter, below, size.width(), style);
+}
+
+// Millimetres.
+QSizeF pageSize(const Figure& figure, const FigurePage& page) {
+    constexpr double kUnits = kVectorDpi / kPointsPerInch;
+    const double width = page.widthMm / kMmPerPoint * kUnits;
+    const Caption caption(figure, page, width, kUnits);
+    return {page.widthMm, page.widthMm * figure.aspect(page) + caption.height / kUnits * kMmPerPoint};
 }
 
 void writeSvg(const Figure& figure, const FigurePage& page, const std::string& file, const QSize& size) {
@@ -75,28 +126,33 @@ void requireRange(const std::string& what, double value, double low, double high
     throw InputError(what, Message(MessageId::NumberOutOfRange, {{"value", value}, {"range", range}}));
 }
 
-void paintEmpty(QPainter& painter, MessageId why, const Box& page, const Style& style) {
-    const Drawing drawing = messageDrawing(why);
-    paintFigure(painter, {&drawing}, {}, page, style);
+void emptyFigure(const char* name, MessageId why) {
+    throw InputError(std::string("--export ") + name, Message(why));
 }
 
 namespace {
 
 class PaintedFigure : public Figure {
   public:
-    PaintedFigure(PagePainter paint, PageAspect aspect) : paint_(std::move(paint)), aspect_(std::move(aspect)) {}
+    PaintedFigure(PagePainter paint, FigureCaption caption, PageAspect aspect)
+        : paint_(std::move(paint)), caption_(std::move(caption)), aspect_(std::move(aspect)) {}
     double aspect(const FigurePage& page) const override { return aspect_ ? aspect_(page) : Figure::aspect(page); }
     void paint(QPainter& painter, const Box& page, const Style& style) const override { paint_(painter, page, style); }
 
+    std::string caption(relief::Language language) const override {
+        return caption_ ? caption_(language) : std::string();
+    }
+
   private:
     PagePainter paint_;
+    FigureCaption caption_;
     PageAspect aspect_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Figure> paintedFigure(PagePainter paint, PageAspect aspect) {
-    return std::make_shared<PaintedFigure>(std::move(paint), std::move(aspect));
+std::shared_ptr<const Figure> paintedFigure(PagePainter paint, FigureCaption caption, PageAspect aspect) {
+    return std::make_shared<PaintedFigure>(std::move(paint), std::move(caption), std::move(aspect));
 }
 
 QImage Figure::image(const FigurePage& page, const QSize& size) const {
@@ -107,7 +163,8 @@ QImage Figure::image(const FigurePage& page, const QSize& size) const {
     image.setDotsPerMeterX(dots);
     image.setDotsPerMeterY(dots);
     QPainter painter(&image);
-    paintPage(painter, *this, page, size, dpi / kPointsPerInch);
+    paint(painter, {0, 0, static_cast<double>(size.width()), static_cast<double>(size.height())},
+          pageStyle(page, dpi / kPointsPerInch));
     return image;
 }
 
@@ -125,7 +182,17 @@ void checkPage(const FigurePage& page, const std::string& path, bool vectors) {
 }
 
 QImage figureImage(const Figure& figure, const FigurePage& page, int width) {
-    return figure.image(page, {width, std::max(1, static_cast<int>(std::lround(width * figure.aspect(page))))});
+    QImage body = figure.image(page, {width, std::max(1, static_cast<int>(std::lround(width * figure.aspect(page))))});
+    const double pixelsPerPoint = width / (page.widthMm / kMmPerPoint);
+    const Caption caption(figure, page, width, pixelsPerPoint);
+    if (caption.height <= 0) return body;
+    QImage whole(width, body.height() + static_cast<int>(caption.height), body.format());
+    whole.setDotsPerMeterX(body.dotsPerMeterX());
+    whole.setDotsPerMeterY(body.dotsPerMeterY());
+    QPainter painter(&whole);
+    painter.drawImage(0, 0, body);
+    caption.paint(painter, body.height(), width, pageStyle(page, pixelsPerPoint));
+    return whole;
 }
 
 void writeFigure(const Figure& figure, const FigurePage& page, const std::string& path) {
@@ -138,7 +205,7 @@ void writeFigure(const Figure& figure, const FigurePage& page, const std::string
         const int width = std::max(1, static_cast<int>(std::lround(page.widthMm / kMmPerInch * page.dpi)));
         done = figureImage(figure, page, width).save(QString::fromStdString(target), "PNG");
     } else {
-        const QSizeF mm(page.widthMm, page.widthMm * figure.aspect(page));
+        const QSizeF mm = pageSize(figure, page);
         if (ending == ".svg") {
             writeSvg(figure, page, target, (mm / kMmPerInch * kVectorDpi).toSize());
         } else {

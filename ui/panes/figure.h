@@ -15,7 +15,8 @@ namespace reliefui {
 struct FigurePage {
     std::string title;     // of the file: the view's name
     double widthMm = 160;  // the height follows from the figure
-    double dpi = 300;      // of pixels
+    double dpi = 300;      // of pixels, and of pictures among lines and words
+    bool caption = true;   // what the figure says of itself, below it
     Style style;           // theme and language; points are the page's
 };
 
@@ -30,19 +31,23 @@ class Figure {
     // Height over width.
     virtual double aspect(const FigurePage&) const { return kFigureAspect; }
     virtual void paint(QPainter& painter, const Box& page, const Style& style) const = 0;
+    // What it shows of what: pictures, method, pixel. Empty: nothing.
+    virtual std::string caption(relief::Language) const { return {}; }
+    // In pixels; without the caption.
     virtual QImage image(const FigurePage& page, const QSize& size) const;
 };
 
 using PagePainter = std::function<void(QPainter&, const Box& page, const Style&)>;
 using PageAspect = std::function<double(const FigurePage&)>;
+using FigureCaption = std::function<std::string(relief::Language)>;
 // Of lines and words. aspect: empty: as Figure::aspect().
-std::shared_ptr<const Figure> paintedFigure(PagePainter paint, PageAspect aspect = {});
+std::shared_ptr<const Figure> paintedFigure(PagePainter paint, FigureCaption caption, PageAspect aspect = {});
 
 inline constexpr double kMmPerPoint = 25.4 / 72;
 inline constexpr double kFigureMargins = 2 * kFigureMargin;  // both sides
 
-// Nothing to draw: says why.
-void paintEmpty(QPainter& painter, relief::MessageId why, const Box& page, const Style& style);
+// There is nothing to draw: throws InputError.
+[[noreturn]] void emptyFigure(const char* name, relief::MessageId why);
 
 // InputError naming `what` if the value lies outside.
 void requireRange(const std::string& what, double value, double low, double high);
@@ -52,7 +57,7 @@ void requireRange(const std::string& what, double value, double low, double high
 void checkPage(const FigurePage& page, const std::string& path, bool vectors);
 // Checks as well; WorkError if it cannot be drawn or written.
 void writeFigure(const Figure& figure, const FigurePage& page, const std::string& path);
-// The same as pixels, `width` of them wide.
+// The same as pixels, `width` of them wide, with the caption below.
 QImage figureImage(const Figure& figure, const FigurePage& page, int width);
 
 }  // namespace reliefui

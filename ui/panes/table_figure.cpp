@@ -6,7 +6,7 @@
 
 namespace reliefui {
 
-std::shared_ptr<const Figure> tableFigure(TableMaker table) {
+std::shared_ptr<const Figure> tableFigure(TableMaker table, FigureCaption caption) {
     const auto aspect = [table](const FigurePage& page) {
         const double points = page.widthMm / kMmPerPoint - kFigureMargins;
         const Drawing drawing = tableDrawing(table(page.style.language), points);
@@ -19,7 +19,7 @@ std::shared_ptr<const Figure> tableFigure(TableMaker table) {
         const Drawing drawing = tableDrawing(table(style.language), points);
         paintFigure(painter, {&drawing}, {}, page, style);
     };
-    return paintedFigure(paint, aspect);
+    return paintedFigure(paint, std::move(caption), aspect);
 }
 
 }  // namespace reliefui

@@ -10,6 +10,6 @@ namespace reliefui {
 
 // What it shows in a language.
 using TableMaker = std::function<TableSource(relief::Language language)>;
-std::shared_ptr<const Figure> tableFigure(TableMaker table);
+std::shared_ptr<const Figure> tableFigure(TableMaker table, FigureCaption caption);
 
 }  // namespace reliefui

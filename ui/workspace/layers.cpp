@@ -90,12 +90,12 @@ void paintNormals(LayerPicture& out, const relief::Frame& frame, const relief::F
     });
 }
 
-void paintOutcomes(LayerPicture& out, const relief::Frame& frame) {
+void paintOutcomes(LayerPicture& out, const relief::Frame& frame, int hatch) {
     const auto& outcomes = frame.hits->hits.outcome;
     for (const relief::Outcome outcome : outcomes) ++out.outcomes[static_cast<std::size_t>(outcome)];
     eachPixel(out.image, [&](int x, int y) {
         const relief::Outcome outcome = outcomes[frame.index(x, y)];
-        if (outcomeHatched(outcome, x, y)) return 0xffd8d8d8U;
+        if (outcomeHatched(outcome, x, y, hatch)) return 0xffd8d8d8U;
         return kOutcomeColors[static_cast<std::size_t>(outcome)];
     });
 }
@@ -113,7 +113,7 @@ void paintTexturePlaces(LayerPicture& out, const relief::Frame& frame, const rel
 }
 
 void paintError(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
-                relief::MapCache& maps, relief::Work& work) {
+                relief::MapCache& maps, relief::Work& work, int hatch) {
     static const std::array<std::uint32_t, kMapSize> colors = countColors();
     auto error = std::make_shared<relief::ErrorLayer>(relief::errorAgainstExact(frame, request, maps, work));
     out.low = kLeastError;
@@ -126,9 +126,9 @@ void paintError(LayerPicture& out, const relief::Frame& frame, const relief::Fra
             case relief::ErrorKind::Right:
                 return kNoError;
             case relief::ErrorKind::Wrong:
-                return wrongOutcomeMarked(x, y) ? 0xff000000U : kWrongOutcome;
+                return wrongOutcomeMarked(x, y, hatch) ? 0xff000000U : kWrongOutcome;
             case relief::ErrorKind::Past:
-                if (overshootHatched(x, y)) return kOvershoot;
+                if (overshootHatched(x, y, hatch)) return kOvershoot;
                 break;
             case relief::ErrorKind::Short:
                 break;
@@ -197,22 +197,25 @@ double errorShare(const LayerPicture& layer, double texels) {
     return range > 0 && texels > layer.low ? std::clamp(std::log(texels / layer.low) / range, 0.0, 1.0) : 0;
 }
 
-bool overshootHatched(int x, int y) {
-    return (x + y) % 6 == 0;
+bool overshootHatched(int x, int y, int hatch) {
+    // As wide a part of the picture at any size.
+    return (x + y) % hatch < hatch / kHatch;
 }
 
-bool wrongOutcomeMarked(int x, int y) {
-    return (x + y) % 6 == 0 || (x - y) % 6 == 0;
+bool wrongOutcomeMarked(int x, int y, int hatch) {
+    const int thick = hatch / kHatch;
+    return (x + y) % hatch < thick || (((x - y) % hatch) + hatch) % hatch < thick;
 }
 
-bool outcomeHatched(relief::Outcome outcome, int x, int y) {
-    if (outcome == relief::Outcome::Miss) return (x + y) % 6 == 0;
-    if (outcome == relief::Outcome::Limit) return (x + y) % 6 == 0 || (x - y) % 6 == 0;
+bool outcomeHatched(relief::Outcome outcome, int x, int y, int hatch) {
+    if (outcome == relief::Outcome::Miss) return overshootHatched(x, y, hatch);
+    if (outcome == relief::Outcome::Limit) return wrongOutcomeMarked(x, y, hatch);
     return false;
 }
 
 LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::FrameRequest& request,
-                       relief::MapCache& maps, relief::Work& work) {
+                       relief::MapCache& maps, relief::Work& work, double enlarged) {
+    const int hatch = kHatch * std::max(1, static_cast<int>(std::lround(enlarged)));
     LayerPicture out;
     out.layer = layer;
     out.image = QImage(frame.width, frame.height, QImage::Format_RGB32);
@@ -224,7 +227,7 @@ LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::Fr
             paintSteps(out, frame);
             break;
         case Layer::Error:
-            paintError(out, frame, request, maps, work);
+            paintError(out, frame, request, maps, work, hatch);
             break;
         case Layer::TexturePlace:
             paintTexturePlaces(out, frame, request);
@@ -236,7 +239,7 @@ LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::Fr
             paintHidden(out, frame, request, maps, work);
             break;
         case Layer::Outcome:
-            paintOutcomes(out, frame);
+            paintOutcomes(out, frame, hatch);
             break;
         case Layer::Depth:
             paintDepth(out, frame);

@@ -35,8 +35,10 @@ struct LayerPicture {
 
 // Colours of the outcomes, in the order of relief::Outcome; misses and limits carry a hatch as well.
 inline constexpr std::array<std::uint32_t, 4> kOutcomeColors{0xff2b3038, 0xfff4f4f4, 0xff999999, 0xff000000};
+// Hatches have a line every so many pixels; more in pictures that are enlarged for a page, where they would be grey.
+inline constexpr int kHatch = 6;
 // Whether the hatch of this outcome covers the pixel.
-bool outcomeHatched(relief::Outcome outcome, int x, int y);
+bool outcomeHatched(relief::Outcome outcome, int x, int y, int hatch = kHatch);
 
 // The error's colours: no error at all, an answer of another kind, the hatch of overshoots.
 inline constexpr std::uint32_t kNoError = 0xff10243a;
@@ -52,11 +54,12 @@ double errorShare(const LayerPicture& layer, double texels);
 inline constexpr double kLargestAnisotropy = 1024;
 // Of the planes of an anisotropy layer; NaN where nothing was hit.
 double anisotropy(const std::vector<relief::NamedPlane>& planes, int x, int y);
-bool overshootHatched(int x, int y);
-bool wrongOutcomeMarked(int x, int y);
+bool overshootHatched(int x, int y, int hatch = kHatch);
+bool wrongOutcomeMarked(int x, int y, int hatch = kHatch);
 
 // Frames are big: to be called on the worker's thread. The error traces the frame once more; throws Cancelled.
+// enlarged: how many times as large as on the screen the picture is: hatches are as much coarser.
 LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::FrameRequest& request,
-                       relief::MapCache& maps, relief::Work& work);
+                       relief::MapCache& maps, relief::Work& work, double enlarged = 1);
 
 }  // namespace reliefui

@@ -7,9 +7,9 @@
 
 namespace reliefui {
 
-std::shared_ptr<const Figure> chartsFigure(std::shared_ptr<const ChartsSource> source);
+std::shared_ptr<const Figure> chartsFigure(std::shared_ptr<const ChartsSource> source, FigureCaption caption = {});
 
 // The charts pane, measured now: takes seconds. error: as of parseErrorMeasure(). Throws InputError.
-std::shared_ptr<const Figure> measuredCharts(const Snapshot& snapshot, const std::string& error);
+std::shared_ptr<const Figure> measuredCharts(std::shared_ptr<const Snapshot> snapshot, const std::string& error);
 
 }  // namespace reliefui

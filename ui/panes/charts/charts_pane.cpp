@@ -14,7 +14,7 @@ PaneKind chartsPane() {
     kind.make = makePane<ChartsView>;
     kind.figures = {{"charts", true,
                      [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
-                         return measuredCharts(*s, p.charts.error);
+                         return measuredCharts(std::move(s), p.charts.error);
                      }},
                     {"pareto", true, {}}};
     return kind;

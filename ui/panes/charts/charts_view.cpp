@@ -7,6 +7,7 @@
 
 #include "panes/charts/charts_figure.h"
 #include "panes/drawing_canvas.h"
+#include "panes/figure_caption.h"
 #include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
@@ -272,7 +273,8 @@ void ChartsView::tell(const QPointF& widget) {
 }
 
 std::shared_ptr<const Figure> ChartsView::figure() const {
-    return histograms_ ? chartsFigure(std::make_shared<const ChartsSource>(source())) : nullptr;
+    if (!histograms_ || !snapshot_) return nullptr;
+    return chartsFigure(std::make_shared<const ChartsSource>(source()), figureCaption(snapshot_));
 }
 
 }  // namespace reliefui

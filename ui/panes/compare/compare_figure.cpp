@@ -1,47 +1,71 @@
 #include "panes/compare/compare_figure.h"
 
-#include "painting/painter.h"
+#include <cmath>
+#include <mutex>
+
+#include "measuring/bench/pareto.h"
 #include "panes/compare/compare_painting.h"
+#include "panes/figure_caption.h"
+#include "workspace/resized_snapshot.h"
 
 namespace reliefui {
 
 namespace {
 
-// Pictures in two columns where there are more than three, with their numbers.
-double aspectOf(const Snapshot& snapshot, const ComparedView* view) {
-    if (view == nullptr) return kFigureAspect;
-    const relief::CompareMode mode = snapshot.scenario.comparison.mode;
-    const double picture = static_cast<double>(view->scenario.height) / view->scenario.width;
-    const std::size_t count = view->methods.size();
-    constexpr double kText = 0.12;
-    const bool beside = mode == relief::CompareMode::Tiles || mode == relief::CompareMode::Difference;
-    if (!beside) return picture + kText;
-    const double columns = count == 4 ? 2 : static_cast<double>(count);
-    return picture * (count == 4 ? 2 : 1) / columns + kText;
+// Pictures in two columns where there are four.
+std::size_t columnsOf(const relief::Comparison& how) {
+    const std::size_t count = how.others.size() + 1;
+    const bool beside = how.mode == relief::CompareMode::Tiles || how.mode == relief::CompareMode::Difference;
+    return !beside ? 1 : count == 4 ? 2 : count;
 }
+
+double aspectOf(const Snapshot& snapshot) {
+    const relief::Comparison& how = snapshot.scenario.comparison;
+    const double picture = static_cast<double>(snapshot.scenario.height) / snapshot.scenario.width;
+    constexpr double kText = 0.12;
+    const auto columns = static_cast<double>(columnsOf(how));
+    return picture * (columns == 2 && how.others.size() == 3 ? 2 : 1) / columns + kText;
+}
+
+// The comparison in the size that was painted last.
+struct Redrawn {
+    std::mutex mutex;
+    int width = 0;
+    std::shared_ptr<const Snapshot> snapshot;
+    std::shared_ptr<const ComparedView> view;
+
+    void make(const std::shared_ptr<const Snapshot>& of, int pixels) {
+        if (pixels == width && view) return;
+        relief::Work work;
+        Comparer comparer;
+        snapshot = resized(of, pixels, work);
+        view = withRates(*comparer.view(*snapshot, work), *snapshot, work);
+        width = pixels;
+    }
+};
 
 }  // namespace
 
-std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot,
-                                            std::shared_ptr<const ComparedView> view, std::size_t shown) {
-    return paintedFigure(
-        [snapshot, view, shown](QPainter& painter, const Box& page, const Style& style) {
-            if (!view) return paintEmpty(painter, relief::MessageId::DrawCompareOne, page, style);
-            const relief::Comparison& how = snapshot->scenario.comparison;
-            const ComparePage parts = comparePage(compareSource(*view, how, shown), page, style);
-            paintCompare(painter, *view, how, parts, page, style, snapshot->scenario.pixel, {});
-        },
-        [snapshot, view](const FigurePage&) { return aspectOf(*snapshot, view.get()); });
-}
-
-std::shared_ptr<const Figure> measuredComparison(std::shared_ptr<const Snapshot> snapshot) {
-    std::shared_ptr<const ComparedView> view;
-    if (!snapshot->scenario.comparison.others.empty()) {
-        relief::Work work;
-        Comparer comparer;
-        view = withRates(*comparer.view(*snapshot, work), *snapshot, work);
+std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot, std::size_t shown) {
+    if (snapshot->scenario.comparison.others.empty()) {
+        emptyFigure("compare", relief::MessageId::ExportNoMethods);
     }
-    return compareFigure(std::move(snapshot), std::move(view), 0);
+    std::string methods;
+    for (const relief::MethodChoice& method : comparedMethods(snapshot->scenario)) {
+        methods += (methods.empty() ? "" : ", ") + relief::shortMethodName(method);
+    }
+    const auto paint = [snapshot, shown, redrawn = std::make_shared<Redrawn>()](QPainter& painter, const Box& page,
+                                                                                const Style& style) {
+        const std::scoped_lock lock(redrawn->mutex);
+        const auto columns = static_cast<double>(columnsOf(snapshot->scenario.comparison));
+        redrawn->make(snapshot, style.picturePixels(page.width() / columns));
+        const Snapshot& drawn = *redrawn->snapshot;
+        const relief::Comparison& how = drawn.scenario.comparison;
+        const ComparePage parts = comparePage(compareSource(*redrawn->view, how, shown), page, style);
+        paintCompare(painter, *redrawn->view, how, parts, page, style, drawn.scenario.pixel, {});
+    };
+    return paintedFigure(paint, figureCaption(snapshot, {}, methods),
+                         [snapshot](const FigurePage&) { return aspectOf(*snapshot); });
 }
 
 }  // namespace reliefui

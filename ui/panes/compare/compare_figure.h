@@ -6,10 +6,8 @@
 
 namespace reliefui {
 
-// view: null where there is nothing to compare with. shown: of flicker.
-std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot,
-                                            std::shared_ptr<const ComparedView> view, std::size_t shown);
-// Rendered and measured now: takes seconds.
-std::shared_ptr<const Figure> measuredComparison(std::shared_ptr<const Snapshot> snapshot);
+// shown: of flicker. The pictures are rendered anew in the size they have on the page, and compared and timed in it;
+// one that differs from the last page's takes seconds.
+std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot, std::size_t shown);
 
 }  // namespace reliefui

@@ -12,7 +12,9 @@ PaneKind comparePane() {
     kind.help = CompareView::tr("Pictures of several methods beside each other");
     kind.home = Home::High;
     kind.make = makePane<CompareView>;
-    kind.figures = {{"compare", true, plainFigure<measuredComparison>}};
+    kind.figures = {{"compare", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates&) {
+                         return compareFigure(std::move(s), 0);
+                     }}};
     return kind;
 }
 

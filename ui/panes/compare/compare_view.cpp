@@ -182,7 +182,7 @@ void CompareView::addToMenu(QMenu& menu) {
 }
 
 std::shared_ptr<const Figure> CompareView::figure() const {
-    return view_ ? compareFigure(snapshot_, view_, pictures_->shown()) : nullptr;
+    return view_ ? compareFigure(snapshot_, pictures_->shown()) : nullptr;
 }
 
 }  // namespace reliefui

@@ -2,6 +2,7 @@
 
 #include "painting/painter.h"
 #include "panes/distance/distance_maps.h"
+#include "panes/figure_caption.h"
 #include "panes/point_asker.h"
 
 namespace reliefui {
@@ -32,23 +33,25 @@ DistancePane paneOf(const DistanceOptions& options) {
 
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                              const DistanceOptions& options, const std::optional<QueryPoint>& point) {
-    return paintedFigure([snapshot = std::move(snapshot), step, options, point](QPainter& painter, const Box& page,
-                                                                                const Style& style) {
-        relief::Work work;
-        const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
-        DistanceSource source = distanceSource(*snapshot, maps);
-        source.point = pointOf(*snapshot, point, work);
-        const double unit = style.pixelsPerPoint();
-        const auto pictureIn = [&](const Box& room) {
-            return distancePicture(source, options, step, room.width() / unit, room.height() / unit, style.language);
-        };
-        // What the legend names does not depend on the room.
-        const Drawing legend = distanceLegend(source, pictureIn(figureRoom({}, page, style)),
-                                              page.width() / unit - kFigureMargins, style.language);
-        const DistancePicture picture = pictureIn(figureRoom(legend, page, style));
-        const Drawing marks = distanceMarks(source, picture.frame, step);
-        paintFigure(painter, {&picture.drawing, &marks}, legend, page, style);
-    });
+    return paintedFigure(
+        [snapshot, step, options, point](QPainter& painter, const Box& page, const Style& style) {
+            relief::Work work;
+            const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
+            DistanceSource source = distanceSource(*snapshot, maps);
+            source.point = pointOf(*snapshot, point, work);
+            const double unit = style.pixelsPerPoint();
+            const auto pictureIn = [&](const Box& room) {
+                return distancePicture(source, options, step, room.width() / unit, room.height() / unit,
+                                       style.language);
+            };
+            // What the legend names does not depend on the room.
+            const Drawing legend = distanceLegend(source, pictureIn(figureRoom({}, page, style)),
+                                                  page.width() / unit - kFigureMargins, style.language);
+            const DistancePicture picture = pictureIn(figureRoom(legend, page, style));
+            const Drawing marks = distanceMarks(source, picture.frame, step);
+            paintFigure(painter, {&picture.drawing, &marks}, legend, page, style);
+        },
+        figureCaption(snapshot, step));
 }
 
 }  // namespace reliefui

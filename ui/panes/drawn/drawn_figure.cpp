@@ -1,15 +1,18 @@
 #include "panes/drawn/drawn_figure.h"
 
 #include "panes/drawn/drawn_view.h"
+#include "panes/figure_caption.h"
 
 namespace reliefui {
 
 std::shared_ptr<const Figure> drawnFigure(std::shared_ptr<const Snapshot> snapshot) {
-    return paintedFigure([snapshot = std::move(snapshot)](QPainter& painter, const Box& page, const Style& style) {
-        const DrawnSource source = drawnSource(*snapshot);
-        if (source.relief.empty()) return paintEmpty(painter, relief::MessageId::DrawDrawnNone, page, style);
-        paintDrawn(painter, source, page, style);
-    });
+    if (snapshot->scenario.pictures.drawn.empty()) emptyFigure("drawn", relief::MessageId::ExportNoDrawn);
+    return paintedFigure(
+        [snapshot](QPainter& painter, const Box& page, const Style& style) {
+            const DrawnSource source = drawnSource(*snapshot);
+            paintDrawn(painter, source, page, style);
+        },
+        figureCaption(snapshot));
 }
 
 }  // namespace reliefui

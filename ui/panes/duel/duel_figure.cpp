@@ -3,39 +3,39 @@
 #include <algorithm>
 
 #include "painting/painter.h"
+#include "panes/figure_caption.h"
 
 namespace reliefui {
 
 std::shared_ptr<const Figure> duelFigure(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const Duel> duel,
                                          const ProfileOptions& options, std::size_t moment, double upTo) {
-    return paintedFigure([snapshot = std::move(snapshot), duel = std::move(duel), options, moment, upTo](
-                             QPainter& painter, const Box& page, const Style& style) {
-        using relief::MessageId;
-        if (!duel) {
-            return paintEmpty(painter, snapshot->scenario.pixel ? MessageId::DrawNoRelief : MessageId::DrawDuelNoRay,
-                              page, style);
-        }
-        ProfileOptions shown = options;
-        shown.levels = LevelsShown::None;
-        DuelSource source = duel->source();
-        source.upTo = upTo;
-        const double unit = style.pixelsPerPoint();
-        const Drawing legend = duelLegend(source, page.width() / unit - kFigureMargins, style.language);
-        const Box room = figureRoom(legend, page, style);
-        const ProfileFrame frame = duelFrame(source, shown, room.width() / unit, room.height() / unit);
-        const Drawing relief = profileRelief(source.profile, shown, frame);
-        const Drawing axes = profileAxes(source.profile, frame);
-        const auto& moments = duel->steps.moments;
-        const std::size_t at = std::min(moment, moments.empty() ? 0 : moments.size() - 1);
-        const Drawing marks = duelMarks(source, frame, moments.empty() ? std::vector<std::size_t>{} : moments[at]);
-        paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
-    });
+    std::string methods;
+    for (const relief::DuelRun& run : duel->runs) methods += (methods.empty() ? "" : ", ") + run.name;
+    return paintedFigure(
+        [snapshot, duel = std::move(duel), options, moment, upTo](QPainter& painter, const Box& page,
+                                                                  const Style& style) {
+            ProfileOptions shown = options;
+            shown.levels = LevelsShown::None;
+            DuelSource source = duel->source();
+            source.upTo = upTo;
+            const double unit = style.pixelsPerPoint();
+            const Drawing legend = duelLegend(source, page.width() / unit - kFigureMargins, style.language);
+            const Box room = figureRoom(legend, page, style);
+            const ProfileFrame frame = duelFrame(source, shown, room.width() / unit, room.height() / unit);
+            const Drawing relief = profileRelief(source.profile, shown, frame);
+            const Drawing axes = profileAxes(source.profile, frame);
+            const auto& moments = duel->steps.moments;
+            const std::size_t at = std::min(moment, moments.empty() ? 0 : moments.size() - 1);
+            const Drawing marks = duelMarks(source, frame, moments.empty() ? std::vector<std::size_t>{} : moments[at]);
+            paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
+        },
+        figureCaption(snapshot, {}, methods));
 }
 
 std::shared_ptr<const Figure> computedDuel(std::shared_ptr<const Snapshot> snapshot) {
     ProfileOptions options;
     options.nearRay = true;
-    if (!snapshot->trace.onRelief) return duelFigure(std::move(snapshot), nullptr, options, 0, 0);
+    requireRay("duel", *snapshot);
     relief::Work work;
     const auto duel = makeDuel(snapshot, snapshot->scenario.comparison.others, work);
     const std::size_t own = snapshot->trace.fromFile ? duel->runs.size() - 1 : 0;

@@ -6,7 +6,7 @@
 
 namespace reliefui {
 
-// duel: null where there is no ray. upTo: as DuelSource::upTo.
+// upTo: as DuelSource::upTo.
 std::shared_ptr<const Figure> duelFigure(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const Duel> duel,
                                          const ProfileOptions& options, std::size_t moment, double upTo);
 // Computed now, at the scenario's step; from near where that is the one of the first divergence. May take seconds.

@@ -1,6 +1,7 @@
 #include "panes/profile/profile_figure.h"
 
 #include "painting/painter.h"
+#include "panes/figure_caption.h"
 #include "panes/point_asker.h"
 
 namespace reliefui {
@@ -26,13 +27,8 @@ void takeProfile(ProfileOptions& options, const ProfilePane& pane) {
 std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                             const ProfileOptions& options, const std::optional<QueryPoint>& point) {
     return paintedFigure(
-        [snapshot = std::move(snapshot), step, options, point](QPainter& painter, const Box& page, const Style& style) {
-            using relief::MessageId;
+        [snapshot, step, options, point](QPainter& painter, const Box& page, const Style& style) {
             ProfileSource source = profileSource(*snapshot);
-            if (!source.hasRay) {
-                return paintEmpty(painter, snapshot->scenario.pixel ? MessageId::DrawNoRelief : MessageId::DrawNoRay,
-                                  page, style);
-            }
             relief::Work work;
             source.point = pointOf(*snapshot, point, work);
             const double unit = style.pixelsPerPoint();
@@ -43,7 +39,8 @@ std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snap
             const Drawing marks = profileMarks(source, options, frame, step);
             const Drawing axes = profileAxes(source, frame);
             paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
-        });
+        },
+        figureCaption(snapshot, step));
 }
 
 }  // namespace reliefui

@@ -6,6 +6,7 @@
 
 #include "painting/cell_image.h"
 #include "painting/painter.h"
+#include "panes/figure_caption.h"
 #include "panes/pyramid/slab_scene.h"
 #include "panes/space_figure.h"
 
@@ -57,6 +58,7 @@ struct SlabsFigure : SpaceFigure {
     std::optional<Turntable> camera;
 
     double aspect(const FigurePage&) const override { return 0.5; }
+    std::string caption(relief::Language language) const override { return figureCaption(snapshot, step)(language); }
     QImage draw(vtkGenericOpenGLRenderWindow& window, const Style& style, const QSize& pixels) const override {
         SlabScene scene;
         scene.addTo(&window);
@@ -85,6 +87,7 @@ std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snap
             const Drawing marks = partsMarks(made.parts, step);
             paintFigure(painter, {&made.parts.levels, &marks}, made.legend, page, style);
         },
+        figureCaption(snapshot, step),
         [snapshot, options](const FigurePage& page) { return aspectOf(*snapshot, options, page); });
 }
 

@@ -1,9 +1,12 @@
 #include "panes/result/result_figure.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "painting/painter.h"
+#include "panes/figure_caption.h"
 #include "panes/result/result_painting.h"
+#include "workspace/resized_snapshot.h"
 
 namespace reliefui {
 
@@ -35,38 +38,56 @@ QSizeF legendOf(const Snapshot& snapshot, const Style& style) {
     return size.isValid() ? QSizeF(size) / kPixelsPerPoint : QSizeF(0, 0);
 }
 
+// The snapshot in the size that was painted last.
+struct Redrawn {
+    std::mutex mutex;
+    std::shared_ptr<const Snapshot> snapshot;
+
+    const Snapshot& make(const std::shared_ptr<const Snapshot>& of, int pixels) {
+        if (snapshot && snapshot->scenario.width == pixels) return *snapshot;
+        relief::Work work;
+        snapshot = resized(of, pixels, work);
+        return *snapshot;
+    }
+};
+
+void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
+    const QImage& image = snapshot.layer.image;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, image.width() != static_cast<int>(page.width()));
+    const double high = page.width() * image.height() / std::max(1, image.width());
+    painter.drawImage(QRectF(page.x0, page.y0, page.width(), high), image);
+    if (page.y0 + high < page.y1 - 1) {
+        painter.save();
+        painter.translate(page.x0, page.y1);
+        const double unit = style.screenPixelsPerPoint / kPixelsPerPoint;
+        painter.scale(unit, unit);
+        painter.setFont(legendFont());
+        paintLegend(&painter, snapshot.layer, QPoint(0, 0), onScreen(style));
+        painter.restore();
+    }
+    if (!snapshot.scenario.pixel) return;
+    const double side = page.width() / std::max(1, snapshot.scenario.width);
+    Drawing ring;
+    ring.add(
+        {}, Role::Hit,
+        Ring{{page.x0 + (snapshot.scenario.pixel->x + 0.5) * side, page.y0 + (snapshot.scenario.pixel->y + 0.5) * side},
+             5});
+    reliefui::paint(painter, ring, ViewMap{}, style, page);
+}
+
 }  // namespace
 
 std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snapshot) {
-    return paintedFigure(
-        [snapshot](QPainter& painter, const Box& page, const Style& style) {
-            const QImage& image = snapshot->layer.image;
-            painter.setRenderHint(QPainter::SmoothPixmapTransform, true);
-            const double high = page.width() * image.height() / std::max(1, image.width());
-            painter.drawImage(QRectF(page.x0, page.y0, page.width(), high), image);
-            if (page.y0 + high < page.y1 - 1) {
-                painter.save();
-                painter.translate(page.x0, page.y1);
-                const double unit = style.screenPixelsPerPoint / kPixelsPerPoint;
-                painter.scale(unit, unit);
-                painter.setFont(legendFont());
-                paintLegend(&painter, snapshot->layer, QPoint(0, 0), onScreen(style));
-                painter.restore();
-            }
-            if (snapshot->scenario.pixel) {
-                const double side = page.width() / std::max(1, snapshot->scenario.width);
-                const Point at{page.x0 + (snapshot->scenario.pixel->x + 0.5) * side,
-                               page.y0 + (snapshot->scenario.pixel->y + 0.5) * side};
-                Drawing ring;
-                ring.add({}, Role::Hit, Ring{at, 5});
-                reliefui::paint(painter, ring, ViewMap{}, style, page);
-            }
-        },
-        [snapshot](const FigurePage& page) {
-            const QImage& image = snapshot->layer.image;
-            const double picture = static_cast<double>(image.height()) / std::max(1, image.width());
-            return picture + legendOf(*snapshot, page.style).height() / (page.widthMm / kMmPerPoint);
-        });
+    const auto redrawn = std::make_shared<Redrawn>();
+    const auto paint = [snapshot, redrawn](QPainter& painter, const Box& page, const Style& style) {
+        const std::scoped_lock lock(redrawn->mutex);
+        paintResult(painter, redrawn->make(snapshot, style.picturePixels(page.width())), page, style);
+    };
+    return paintedFigure(paint, figureCaption(snapshot), [snapshot](const FigurePage& page) {
+        const relief::Scenario& s = snapshot->scenario;
+        const double picture = static_cast<double>(s.height) / std::max(1, s.width);
+        return picture + legendOf(*snapshot, page.style).height() / (page.widthMm / kMmPerPoint);
+    });
 }
 
 }  // namespace reliefui

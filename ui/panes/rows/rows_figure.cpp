@@ -1,6 +1,7 @@
 #include "panes/rows/rows_figure.h"
 
 #include "painting/painter.h"
+#include "panes/figure_caption.h"
 
 namespace reliefui {
 
@@ -30,18 +31,13 @@ RowsPane paneOf(const RowsOptions& options) {
 
 std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapshot, const RowsOptions& options,
                                          const RowsRange& range) {
+    using relief::MessageId;
+    const std::optional<RowsPlace> place = rowsPlace(*snapshot);
+    if (!place) emptyFigure("rows", snapshot->scenario.pixel ? MessageId::ExportNoRelief : MessageId::ExportNoPixel);
+    const std::vector<relief::RowMethod> methods = rowMethods(options, "--variants");
+    if (methods.empty()) emptyFigure("rows", MessageId::DrawRowNoVariant);
     return paintedFigure(
-        [snapshot = std::move(snapshot), options, range](QPainter& painter, const Box& page, const Style& style) {
-            using relief::MessageId;
-            const std::optional<RowsPlace> place = rowsPlace(*snapshot);
-            const std::vector<relief::RowMethod> methods = rowMethods(options, "--variants");
-            if (!place || methods.empty()) {
-                return paintEmpty(painter,
-                                  place                      ? MessageId::DrawRowNoVariant
-                                  : snapshot->scenario.pixel ? MessageId::DrawNoRelief
-                                                             : MessageId::DrawNoRow,
-                                  page, style);
-            }
+        [place, methods, options, range](QPainter& painter, const Box& page, const Style& style) {
             const RowsData data = rowsData(widened(*place, options.pixels), methods, options.inDouble);
             const double unit = style.pixelsPerPoint();
             const Drawing legend = rowsLegend(data, page.width() / unit - kFigureMargins, style.language);
@@ -51,6 +47,7 @@ std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapsho
             const Drawing plots = rowsPlots(data, frame);
             paintFigure(painter, {&axes, &plots}, legend, page, style);
         },
+        figureCaption(snapshot),
         [](const FigurePage&) {
             constexpr double kAspect = 0.78;  // two plots, and what they cost
             return kAspect;

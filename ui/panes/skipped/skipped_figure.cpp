@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include "panes/figure_caption.h"
 #include "rendering/skip_ledger.h"
 #include "scenario/step_sentence.h"
 
@@ -74,8 +75,8 @@ TableSource skippedTable(const Snapshot& snapshot, relief::Language language) {
 }
 
 std::shared_ptr<const Figure> skippedFigure(std::shared_ptr<const Snapshot> snapshot) {
-    return tableFigure(
-        [snapshot = std::move(snapshot)](relief::Language language) { return skippedTable(*snapshot, language); });
+    return tableFigure([snapshot](relief::Language language) { return skippedTable(*snapshot, language); },
+                       figureCaption(snapshot));
 }
 
 }  // namespace reliefui

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "panes/figure_caption.h"
 #include "panes/steps/step_table.h"
 #include "scenario/step_sentence.h"
 
@@ -50,9 +51,9 @@ TableSource stepTable(const std::shared_ptr<const Snapshot>& shown, int step, re
 }
 
 std::shared_ptr<const Figure> stepsFigure(std::shared_ptr<const Snapshot> snapshot, int step) {
-    return tableFigure([snapshot = std::move(snapshot), step](relief::Language language) {
-        return stepTable(snapshot, step, language);
-    });
+    requireRay("steps", *snapshot);
+    return tableFigure([snapshot, step](relief::Language language) { return stepTable(snapshot, step, language); },
+                       figureCaption(snapshot, step));
 }
 
 }  // namespace reliefui

@@ -2,6 +2,7 @@
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
+#include "panes/figure_caption.h"
 #include "panes/space_figure.h"
 #include "panes/trace/trace3d_picture.h"
 
@@ -15,6 +16,7 @@ struct TraceFigure : SpaceFigure {
     TraceOptions options;
 
     double aspect(const FigurePage&) const override { return 0.75; }
+    std::string caption(relief::Language language) const override { return figureCaption(snapshot, step)(language); }
     QImage draw(vtkGenericOpenGLRenderWindow& window, const Style& style, const QSize& pixels) const override {
         TracePicture picture;
         picture.addTo(&window);

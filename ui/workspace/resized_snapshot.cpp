@@ -1,0 +1,44 @@
+#include "workspace/resized_snapshot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "relief/memory.h"
+
+namespace reliefui {
+
+std::shared_ptr<const Snapshot> resized(const std::shared_ptr<const Snapshot>& snapshot, int width,
+                                        relief::Work& work) {
+    relief::Scenario scenario = snapshot->scenario;
+    if (width == scenario.width && !snapshot->coarse) return snapshot;
+    const double scale = static_cast<double>(width) / scenario.width;
+    const auto scaled = [&](int at) { return static_cast<int>(std::floor((at + 0.5) * scale)); };
+    scenario.width = width;
+    scenario.height = std::max(1, static_cast<int>(std::lround(scenario.height * scale)));
+    if (scenario.pixel) {
+        scenario.pixel->x = std::min(scaled(scenario.pixel->x), scenario.width - 1);
+        scenario.pixel->y = std::min(scaled(scenario.pixel->y), scenario.height - 1);
+    }
+    relief::FrameRequest request = relief::frameRequest(scenario, snapshot->assets);
+    request.counts = snapshot->layer.layer == Layer::Steps;
+    // Of a frame with all its stages, as `relief render` of large pictures was measured to take.
+    constexpr std::uint64_t kBytesPerPixel = 96;
+    relief::requireMemory(relief::byteProduct({kBytesPerPixel, static_cast<std::uint64_t>(scenario.width),
+                                               static_cast<std::uint64_t>(scenario.height)}),
+                          std::to_string(scenario.width) + "x" + std::to_string(scenario.height),
+                          relief::MemoryHint::SmallerSize);
+    auto other = std::make_shared<Snapshot>(*snapshot);
+    other->scenario = std::move(scenario);
+    other->coarse = false;
+    relief::FrameRenderer renderer(snapshot->maps);
+    other->frame = renderer.render(request, work);
+    other->layer = makeLayer(snapshot->layer.layer, *other->frame, request, *snapshot->maps, work, scale);
+    other->picture = snapshot->layer.layer == Layer::Color
+                         ? other->layer.image
+                         : makeLayer(Layer::Color, *other->frame, request, *snapshot->maps, work).image;
+    other->tracer = renderer.tracer();
+    other->request = std::make_shared<const relief::FrameRequest>(std::move(request));
+    return other;
+}
+
+}  // namespace reliefui
