@@ -15,6 +15,7 @@
 #include "window_fixture.h"
 #include "windows/pane_list.h"
 #include "windows/time_pane.h"
+#include "workspace/snapshot_maker.h"
 
 namespace reliefui {
 
@@ -100,10 +101,10 @@ void expectGolden(const QString& exported, const std::string& name) {
     }
 }
 
-// So many pixels as are asked for: 127 mm of 80 an inch are 400.
+// So many pixels as are asked for: 127 mm of 80 an inch are 400. Captions name folders of this machine.
 const QStringList& pictureSize() {
     static const QStringList size{QStringLiteral("--width"), QStringLiteral("127"), QStringLiteral("--dpi"),
-                                  QStringLiteral("80")};
+                                  QStringLiteral("80"), QStringLiteral("--no-caption")};
     return size;
 }
 
@@ -195,10 +196,11 @@ TEST(Exports, linesOnSlabsAreAsWideAtAnyResolution) {
     const auto covered = [&](const char* dpi) {
         const QString path = folder.filePath(QString::fromLatin1(dpi) + QStringLiteral(".png"));
         QString complaint;
-        const int status = exportFigure(
-            {scenario, QStringLiteral("--export"), QStringLiteral("slabs"), QStringLiteral("-o"), path,
-             QStringLiteral("--width"), QStringLiteral("127"), QStringLiteral("--dpi"), QString::fromLatin1(dpi)},
-            &complaint);
+        const int status =
+            exportFigure({scenario, QStringLiteral("--export"), QStringLiteral("slabs"), QStringLiteral("-o"), path,
+                          QStringLiteral("--width"), QStringLiteral("127"), QStringLiteral("--dpi"),
+                          QString::fromLatin1(dpi), QStringLiteral("--no-caption")},
+                         &complaint);
         EXPECT_EQ(status, 0) << complaint.toStdString();
         const QImage image(path);
         constexpr int kColoured = 60;  // heights, frames and words are grey
@@ -222,12 +224,12 @@ TEST(Exports, aLayerOfTheResultHasItsLegend) {
     const auto image = [&](const QString& layer, const QString& ending, const QStringList& more = {}) {
         const QString path = folder.filePath(layer + more.join(QString()) + ending);
         QString complaint;
-        EXPECT_EQ(exportFigure(
-                      QStringList{scenario, QStringLiteral("--export"), QStringLiteral("result"), QStringLiteral("-o"),
-                                  path, QStringLiteral("--layer"), layer, QStringLiteral("--width"),
-                                  QStringLiteral("127"), QStringLiteral("--dpi"), QStringLiteral("192")} +
-                          more,
-                      &complaint),
+        EXPECT_EQ(exportFigure(QStringList{scenario, QStringLiteral("--export"), QStringLiteral("result"),
+                                           QStringLiteral("-o"), path, QStringLiteral("--layer"), layer,
+                                           QStringLiteral("--width"), QStringLiteral("127"), QStringLiteral("--dpi"),
+                                           QStringLiteral("192"), QStringLiteral("--no-caption")} +
+                                   more,
+                               &complaint),
                   0)
             << complaint.toStdString();
         return path;
@@ -247,6 +249,97 @@ TEST(Exports, aLayerOfTheResultHasItsLegend) {
         EXPECT_GT(colorsIn(picture.copy(0, plain.height() + 1, picture.width(), below - 1)), 8) << layer;
     }
     EXPECT_TRUE(hasCyrillic(contents(image(QStringLiteral("outcome"), QStringLiteral(".svg")))));
+}
+
+// The line below a figure names pictures, method with its options, pixel and step, and adds to its height alone.
+TEST(Exports, figuresSayWhatTheyShow) {
+    const QTemporaryDir folder;
+    const QString scenario = writeScenario(folder, false);
+    const QString with =
+        exportedFigure(scenario, QStringLiteral("profile"), folder.filePath(QStringLiteral("with.svg")));
+    const QString words = QString::fromUtf8(contents(with));
+    for (const char* const part : {"bricks:", "layers:layers=8", "крок 2 з ", "піксель ("}) {
+        EXPECT_TRUE(words.contains(QString::fromUtf8(part))) << part;
+    }
+    const auto picture = [&](const char* name, const QStringList& more) {
+        const QString path = folder.filePath(QString::fromLatin1(name));
+        return QImage(exportedFigure(scenario, QStringLiteral("profile"), path,
+                                     QStringList{QStringLiteral("--width"), QStringLiteral("127"),
+                                                 QStringLiteral("--dpi"), QStringLiteral("80")} +
+                                         more));
+    };
+    const QImage captioned = picture("a.png", {});
+    const QImage plain = picture("b.png", {QStringLiteral("--no-caption")});
+    EXPECT_GT(captioned.height(), plain.height() + 8);
+    EXPECT_LT(captioned.height(), plain.height() + 60);
+    EXPECT_EQ(captioned.copy(plain.rect()), plain);
+    EXPECT_GT(colorsIn(captioned.copy(0, plain.height(), 400, captioned.height() - plain.height())), 4);
+}
+
+// A figure of nothing is an error that says what to give, and no file.
+TEST(Exports, nothingToDrawIsAnError) {
+    const QTemporaryDir folder;
+    relief::Scenario scenario = smallScenario();
+    scenario.pixel.reset();
+    scenario.comparison.others.clear();
+    const QString file = folder.filePath(QStringLiteral("empty.json"));
+    relief::saveScenario(file.toStdString(), scenario);
+    const QString path = folder.filePath(QStringLiteral("figure.svg"));
+    const auto refused = [&](const QString& view, const QString& hint, const QStringList& more = {}) {
+        QString complaint;
+        const int status = exportFigure(
+            QStringList{file, QStringLiteral("--export"), view, QStringLiteral("-o"), path} + more, &complaint);
+        EXPECT_EQ(status, 2) << view.toStdString();
+        EXPECT_EQ(complaint.count('\n'), 1) << complaint.toStdString();
+        EXPECT_TRUE(complaint.contains(view) && complaint.contains(hint)) << complaint.toStdString();
+        EXPECT_FALSE(QFile::exists(path)) << view.toStdString();
+    };
+    const QString pixel = QStringLiteral("--pixel X,Y");
+    for (const char* const view : {"profile", "footprint", "rows", "steps", "duel"}) {
+        refused(QString::fromLatin1(view), pixel);
+    }
+    refused(QStringLiteral("compare"), QStringLiteral("--tracers A,B"));
+    refused(QStringLiteral("drawn"), QString());
+    refused(QStringLiteral("profile"), pixel, {QStringLiteral("--pixel"), QStringLiteral("0,0")});  // the sky
+}
+
+// The command chooses pixel, methods and size; the result is the very picture of that size, also inside a PDF.
+TEST(Exports, theCommandChoosesWhatIsShown) {
+    const QTemporaryDir folder;
+    relief::Scenario scenario = smallScenario();
+    scenario.pixel.reset();
+    const QString file = folder.filePath(QStringLiteral("scenario.json"));
+    relief::saveScenario(file.toStdString(), scenario);
+    const QStringList size{QStringLiteral("--pixels"), QStringLiteral("320x240"), QStringLiteral("--no-caption")};
+    const QImage shown(
+        exportedFigure(file, QStringLiteral("result"), folder.filePath(QStringLiteral("result.png")), size));
+    relief::Work work;
+    relief::Scenario wanted = scenario;
+    wanted.width = 320;
+    wanted.height = 240;
+    EXPECT_EQ(shown.convertToFormat(QImage::Format_RGB32), SnapshotMaker().make({wanted}, work)->picture);
+    const QByteArray pdf =
+        contents(exportedFigure(file, QStringLiteral("result"), folder.filePath(QStringLiteral("result.pdf")), size));
+    EXPECT_TRUE(pdf.contains("/Width 320"));
+    EXPECT_FALSE(pdf.contains("/DCTDecode")) << "lossy";
+    const QString profile =
+        exportedFigure(file, QStringLiteral("profile"), folder.filePath(QStringLiteral("profile.svg")),
+                       {QStringLiteral("--pixel"), QStringLiteral("60,70"), QStringLiteral("--tracers"),
+                        QStringLiteral("cone,layers")});
+    const QString words = QString::fromUtf8(contents(profile));
+    EXPECT_TRUE(words.contains(QStringLiteral("(60, 70)")));
+    EXPECT_TRUE(words.contains(QStringLiteral(" cone ")));
+    for (const auto& [option, value] :
+         {std::pair("--pixel", "60"), std::pair("--pixel", "9999,1"), std::pair("--tracers", "nothing"),
+          std::pair("--tracers", "exact,exact,exact,exact,exact"), std::pair("--pixels", "0x9")}) {
+        QString complaint;
+        EXPECT_EQ(exportFigure({file, QStringLiteral("--export"), QStringLiteral("profile"), QStringLiteral("-o"),
+                                folder.filePath(QStringLiteral("no.svg")), QString::fromLatin1(option),
+                                QString::fromLatin1(value)},
+                               &complaint),
+                  2);
+        EXPECT_TRUE(complaint.contains(QString::fromLatin1(option))) << complaint.toStdString();
+    }
 }
 
 TEST(Exports, theTraceIsPixelsAlone) {
