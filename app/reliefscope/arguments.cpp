@@ -141,7 +141,7 @@ Arguments parseArguments(int count, char** arguments) {
     return parsed;
 }
 
-std::string helpText() {
+std::string helpText(const std::string& views) {
     return R"(reliefscope: a window that explains why a pixel of a relief-textured picture looks as it does.
 
 Usage: reliefscope [SCENARIO.json | PICTURE] [options]
@@ -155,8 +155,8 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --size WxH            size of the window, pixels
   --screenshot FILE     open the window, save it as a PNG, and end
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
-                        VIEW: charts, compare, distance, drawn, duel, footprint, pareto, profile, pyramid,
-                        result, rows, skipped, slabs, steps, trace (the last and slabs: PNG alone)
+)" + views +
+           R"(
   --pixel X,Y           the pixel whose ray is shown (the scenario's), at its last step
   --pixels WxH          the size of the picture that is rendered; a PNG is as wide
   --tracers A,B,...     the method, and those that it is compared with, as relief bench tracers takes them

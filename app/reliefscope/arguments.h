@@ -43,6 +43,7 @@ struct Arguments {
 // Throws InputError for what is not understood.
 Arguments parseArguments(int count, char** arguments);
 
-std::string helpText();
+// views: the lines that name what --export knows.
+std::string helpText(const std::string& views);
 
 }  // namespace relief::app

@@ -195,6 +195,25 @@ void checkArguments(const Arguments& arguments) {
     reliefui::requireRange("--row-width", arguments.rowWidth, 0, static_cast<double>(kWidestRow));
 }
 
+// For the help: "VIEW: ..." in lines.
+std::string figureLines() {
+    constexpr std::size_t kWidth = 110;
+    const std::string indent(24, ' ');
+    std::string lines = indent + "VIEW:";
+    std::size_t begin = 0;  // of the last line
+    for (const reliefui::FigureKind& kind : reliefui::figureList()) {
+        const std::string word = " " + kind.name + (kind.vectors ? "," : " (PNG alone),");
+        if (lines.size() - begin + word.size() > kWidth) {
+            lines += '\n';
+            begin = lines.size();
+            lines += indent.substr(1);
+        }
+        lines += word;
+    }
+    lines.pop_back();
+    return lines;
+}
+
 int exportFigure(int count, char** values, const Arguments& arguments) {
     const reliefui::FigureKind kind = reliefui::figureKind(arguments.figure);
     reliefui::FigurePage page;
@@ -301,7 +320,7 @@ int main(int count, char** values) {
     try {
         const Arguments arguments = parseArguments(count, values);
         if (arguments.help) {
-            std::fputs(helpText().c_str(), stdout);
+            std::fputs(helpText(figureLines()).c_str(), stdout);
             return 0;
         }
         if (arguments.version) {

@@ -12,6 +12,7 @@
 #include "relief/tracers.h"
 #include "window_fixture.h"
 #include "windows/display_check.h"
+#include "windows/pane_list.h"
 
 namespace reliefui {
 
@@ -57,8 +58,12 @@ TEST(Program, WithoutADisplayItSaysSo) {
 }
 
 TEST(Program, HelpAndVersion) {
-    EXPECT_EQ(start({QStringLiteral("--help")}, false).status, 0);
-    EXPECT_TRUE(start({QStringLiteral("--help")}, false).out.contains(QStringLiteral("Usage: reliefscope")));
+    const Ran help = start({QStringLiteral("--help")}, false);
+    EXPECT_EQ(help.status, 0);
+    EXPECT_TRUE(help.out.contains(QStringLiteral("Usage: reliefscope")));
+    for (const FigureKind& kind : figureList()) {
+        EXPECT_TRUE(help.out.contains(QString::fromStdString(' ' + kind.name))) << kind.name;
+    }
     EXPECT_TRUE(start({QStringLiteral("--version")}, false).out.startsWith(QStringLiteral("reliefscope ")));
 }
 
