@@ -223,33 +223,61 @@
         <source>%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps</source>
         <translation>%1: %2 нс на промінь ± %3 %, похибка в середньому %4, найбільша %5, кроків %6</translation>
     </message>
-    <message>
-        <source> · wrong outcome: %1 rays</source>
-        <translation> · інший результат пошуку: променів %1</translation>
+    <message numerus="yes">
+        <source> · wrong outcome: %n rays</source>
+        <translation>
+            <numerusform> · інший результат пошуку: %n промінь</numerusform>
+            <numerusform> · інший результат пошуку: %n промені</numerusform>
+            <numerusform> · інший результат пошуку: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>exact: %1 rays</source>
-        <translation>точних променів: %1</translation>
+    <message numerus="yes">
+        <source>exact: %n rays</source>
+        <translation>
+            <numerusform>точно: %n промінь</numerusform>
+            <numerusform>точно: %n промені</numerusform>
+            <numerusform>точно: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>wrong outcome: %1 rays</source>
-        <translation>інший результат пошуку: променів %1</translation>
+    <message numerus="yes">
+        <source>wrong outcome: %n rays</source>
+        <translation>
+            <numerusform>інший результат пошуку: %n промінь</numerusform>
+            <numerusform>інший результат пошуку: %n промені</numerusform>
+            <numerusform>інший результат пошуку: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 steps: %2 rays</source>
-        <translation>кроків %1: променів %2</translation>
+    <message numerus="yes">
+        <source>%1 steps: %n rays</source>
+        <translation>
+            <numerusform>кроків %1: %n промінь</numerusform>
+            <numerusform>кроків %1: %n промені</numerusform>
+            <numerusform>кроків %1: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 to %2 steps: %3 rays</source>
-        <translation>кроків від %1 до %2: променів %3</translation>
+    <message numerus="yes">
+        <source>%1 to %2 steps: %n rays</source>
+        <translation>
+            <numerusform>кроків від %1 до %2: %n промінь</numerusform>
+            <numerusform>кроків від %1 до %2: %n промені</numerusform>
+            <numerusform>кроків від %1 до %2: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 to %2 texels before the surface: %3 rays</source>
-        <translation>від %1 до %2 текселів перед поверхнею: променів %3</translation>
+    <message numerus="yes">
+        <source>%1 to %2 texels before the surface: %n rays</source>
+        <translation>
+            <numerusform>від %1 до %2 текселя перед поверхнею: %n промінь</numerusform>
+            <numerusform>від %1 до %2 текселя перед поверхнею: %n промені</numerusform>
+            <numerusform>від %1 до %2 текселя перед поверхнею: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 to %2 texels behind it: %3 rays</source>
-        <translation>від %1 до %2 текселів за нею: променів %3</translation>
+    <message numerus="yes">
+        <source>%1 to %2 texels behind it: %n rays</source>
+        <translation>
+            <numerusform>від %1 до %2 текселя за нею: %n промінь</numerusform>
+            <numerusform>від %1 до %2 текселя за нею: %n промені</numerusform>
+            <numerusform>від %1 до %2 текселя за нею: %n променів</numerusform>
+        </translation>
     </message>
     <message>
         <source>Export the charts</source>
@@ -532,7 +560,7 @@
         <translation>за краєм</translation>
     </message>
     <message>
-        <source>heights a texel</source>
+        <source>height per texel</source>
         <translation>одиниць висоти на тексель</translation>
     </message>
     <message>
@@ -2227,9 +2255,13 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 </context>
 <context>
     <name>reliefui::ResultText</name>
-    <message>
-        <source>%1: %2 pixels</source>
-        <translation>%1: пікселів %2</translation>
+    <message numerus="yes">
+        <source>%1: %n pixels</source>
+        <translation>
+            <numerusform>%1: %n піксель</numerusform>
+            <numerusform>%1: %n пікселі</numerusform>
+            <numerusform>%1: %n пікселів</numerusform>
+        </translation>
     </message>
     <message>
         <source>steps of the ray</source>
@@ -2441,9 +2473,13 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>the picture&apos;s width</source>
         <translation>ширина зображення</translation>
     </message>
-    <message>
-        <source>%1 pixels</source>
-        <translation>%1 пікселів</translation>
+    <message numerus="yes">
+        <source>%n pixels</source>
+        <translation>
+            <numerusform>%n піксель</numerusform>
+            <numerusform>%n пікселі</numerusform>
+            <numerusform>%n пікселів</numerusform>
+        </translation>
     </message>
     <message>
         <source>The numbers that the variants compute in</source>
@@ -3123,8 +3159,8 @@ Click to switch the method to %1</source>
         <translation>%1: рівень %2, %3</translation>
     </message>
     <message>
-        <source>%1 × %2, slab %3 texels</source>
-        <translation>%1 × %2, товща, текселів: %3</translation>
+        <source>%1 × %2 texels, relief depth %3 texels</source>
+        <translation>%1 × %2, товща, у текселях: %3</translation>
     </message>
     <message>
         <source>%1: surface at %2</source>

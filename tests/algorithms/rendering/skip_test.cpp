@@ -217,7 +217,7 @@ TEST(Skip, theBoundHoldsAndIsMeasured) {
         }
     }
     request.bounded = 0;
-    EXPECT_FALSE(rendered(request)->counters.contains("rays not traced: little parallax"));
+    EXPECT_FALSE(rendered(request)->counters.contains(MessageId::CountRaysParallax));
 }
 
 TEST(Skip, tinyFootprintsAreReadPlainly) {
@@ -256,7 +256,7 @@ TEST(Skip, theLedgerNamesWhatHowMuchAndWhy) {
     EXPECT_EQ(names, (std::vector<std::string>{"stages", "maps", "polygons-away", "polygons-off-screen", "sky",
                                                "flat-ground", "highest-point", "small-footprints", "sight",
                                                "shadow-away", "shadow-top", "little-parallax", "tiny-footprints"}));
-    EXPECT_EQ(rows[2].count, frame->counters.at("polygons culled: facing away"));
+    EXPECT_EQ(rows[2].count, frame->counters.at(MessageId::CountPolygonsAway));
     EXPECT_GE(rows[2].count, 3);
     EXPECT_NE(sentence(rows[11].why).find("0.5"), std::string::npos);
 }
@@ -307,26 +307,27 @@ TEST(Skip, whatDidNotChangeIsNotComputedAgain) {
     };
     request.filter.name = "trilinear";
     const auto filtered = renderer.render(request, work);
-    EXPECT_EQ(filtered->counters.at("rays traced"), 0);
+    EXPECT_EQ(filtered->counters.at(MessageId::CountRaysTraced), 0);
     EXPECT_EQ(filtered->hits, first->hits);
     EXPECT_TRUE(reused(*filtered, Stage::Rays) && reused(*filtered, Stage::Hits) && reused(*filtered, Stage::Shadows));
     EXPECT_FALSE(reused(*filtered, Stage::Color) || reused(*filtered, Stage::Light));
     request.light.azimuth += 20;
     const auto lit = renderer.render(request, work);
-    EXPECT_EQ(lit->counters.at("rays traced"), 0);
+    EXPECT_EQ(lit->counters.at(MessageId::CountRaysTraced), 0);
     EXPECT_TRUE(reused(*lit, Stage::Hits) && reused(*lit, Stage::Color));
     EXPECT_FALSE(reused(*lit, Stage::Shadows) || reused(*lit, Stage::Light));
     request.filter.name = "elliptical-visible";
     renderer.render(request, work);
-    const double builds = work.counters().values()["map builds"];
+    const double builds = work.counters().values()[MessageId::CountMapBuilds];
     request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat, 0.2);
     const auto deeper = renderer.render(request, work);
-    EXPECT_GT(deeper->counters.at("rays traced"), 0);
-    EXPECT_EQ(work.counters().values()["map builds"], builds);
+    EXPECT_GT(deeper->counters.at(MessageId::CountRaysTraced), 0);
+    EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], builds);
     request.skip = false;
     renderer.render(request, work);
     request.light.azimuth += 20;
-    EXPECT_GT(renderer.render(request, work)->counters.at("rays traced"), 0) << "without skipping nothing is kept";
+    EXPECT_GT(renderer.render(request, work)->counters.at(MessageId::CountRaysTraced), 0)
+        << "without skipping nothing is kept";
 }
 
 TEST(Skip, aScenarioKeepsIt) {
