@@ -241,7 +241,7 @@ TEST(Grid, thePictureAndSmoothGroundSaveRays) {
         EXPECT_EQ(alone, together) << name;
         EXPECT_LT(saved.tested, traced.tested) << name;
         // Of the frame, whose tiles share points; two of three are no centres.
-        const auto count = [&](const char* of) { return asked.frame->counters.at(of); };
+        const auto count = [&](MessageId of) { return asked.frame->counters.at(of); };
         const double edges = count(MessageId::CountFootprints) - count(MessageId::CountFootprintsClear);
         ASSERT_GT(edges, 500) << name;
         // Points asked for beyond the edges' own are counted, too. Behind bricks 2.34 were measured first, 2.90 if none

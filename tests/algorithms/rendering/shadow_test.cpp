@@ -162,7 +162,7 @@ TEST(Shadows, approximateMethodsDoNotShadeThemselves) {
         request.method = {method.name, {}};
         const auto frame = rendered(request);
         const auto& c = frame->counters;
-        EXPECT_LE(c.at("shadow rays blocked"), 0.02 * (c.at("shadow rays") + 1)) << method.name;
+        EXPECT_LE(c.at(MessageId::CountShadowBlocked), 0.02 * (c.at(MessageId::CountShadowRays) + 1)) << method.name;
     }
 }
 
