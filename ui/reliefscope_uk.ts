@@ -1281,7 +1281,7 @@
     </message>
     <message>
         <source>&amp;Ray</source>
-        <translation>П&amp;ромінь</translation>
+        <translation>Про&amp;мінь</translation>
     </message>
     <message>
         <source>&amp;First step</source>
@@ -1480,6 +1480,10 @@
         <translation>Про Reliefscope</translation>
     </message>
     <message>
+        <source>Numbers are written with a decimal point: 12.5.</source>
+        <translation>Дробові числа записано з десятковою крапкою: 12.5.</translation>
+    </message>
+    <message>
         <source>Reliefscope %1
 
 Relief texturing on height maps, in a window that explains why a pixel looks as it does.</source>
@@ -1537,7 +1541,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>&amp;Stop at this texel</source>
-        <translation>&amp;Зупинятися на цьому текселі</translation>
+        <translation>З&amp;упинятися на цьому текселі</translation>
     </message>
     <message>
         <source>Set a breakpoint at the texel of the chosen step, or take it away</source>
@@ -1709,7 +1713,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Play slo&amp;wer</source>
-        <translation>Відтворювати по&amp;вільніше</translation>
+        <translation>Відтворювати пов&amp;ільніше</translation>
     </message>
     <message>
         <source>Fewer steps a second</source>

@@ -178,12 +178,12 @@ TEST(Skip, noBitChangesOnShippedPictures) {
 TEST(Skip, almostFlatGroundIsTraced) {
     FloatImage heights(16, 16, 0.5F);
     FrameRequest request = small(HeightField(share(heights)));
-    EXPECT_EQ(counted(*rendered(request), "rays not needed: flat ground"), counted(*rendered(request), "rays"));
+    EXPECT_EQ(counted(*rendered(request), MessageId::CountRaysFlat), counted(*rendered(request), MessageId::CountRays));
     for (int y = 0; y < 16; ++y) {
         for (int x = y % 2; x < 16; x += 2) heights(x, y) = std::nextafter(0.5F, 1.0F);
     }
     request.field = HeightField(share(heights));
-    EXPECT_EQ(counted(*rendered(request), "rays not needed: flat ground"), 0);
+    EXPECT_EQ(counted(*rendered(request), MessageId::CountRaysFlat), 0);
 }
 
 TEST(Skip, theBoundHoldsAndIsMeasured) {
