@@ -5,59 +5,59 @@
     <name>core</name>
     <message>
         <source>a step by the distance: from where the ray leaves the voxel, or from where it is</source>
-        <translation>крок на відстань: звідти, де промінь виходить із вокселя, або звідти, де він є</translation>
+        <translation>крок на відстань: від точки виходу променя з вокселя або від поточної точки</translation>
     </message>
     <message>
         <source>u, v linear along the row, no perspective: wrong on purpose.</source>
-        <translation>u, v лінійні вздовж рядка, без перспективи: навмисно хибно.</translation>
+        <translation>Афінне текстурування: u, v змінюються вздовж рядка лінійно, без перспективи; навмисно неправильно.</translation>
     </message>
     <message>
         <source>(A x + B y + C) / (G x + H y + I), the denominator made for each of u and v.</source>
-        <translation>(A x + B y + C) / (G x + H y + I), знаменник обчислюється окремо для u та для v.</translation>
+        <translation>Метод Хекберта: (A x + B y + C) / (G x + H y + I), знаменник обчислюється окремо для u та для v.</translation>
     </message>
     <message>
         <source>(u_t + A n) / (u_b + G n): what does not change along a row once.</source>
-        <translation>(u_t + A n) / (u_b + G n): що вздовж рядка не змінюється, обчислюється раз.</translation>
+        <translation>(u_t + A n) / (u_b + G n): сталі для рядка частини чисельника та знаменника обчислено один раз ([PERSP]).</translation>
     </message>
     <message>
         <source>w += A, q += G, a denominator for each of u and v. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>w += A, q += G, знаменник окремо для u та для v. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+        <translation>w += A, q += G, знаменник окремо для u та для v. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
     </message>
     <message>
         <source>The same with one q for u and v. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Те саме з одним q для u та v. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+        <translation>Те саме з одним q для u та v. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
     </message>
     <message>
         <source>The same with one 1 / q for u and v. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Те саме з одним 1 / q для u та v. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+        <translation>Те саме з одним 1 / q для u та v. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
     </message>
     <message>
         <source>Pixel n from pixel n - k, k streams at once; 2, 4, 8, 16 and 32 run in vector lanes. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Піксель n із пікселя n - k, k потоків разом; 2, 4, 8, 16 та 32 ідуть у векторних смугах. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+        <translation>Піксель n із пікселя n - k, k потоків одночасно; 2, 4, 8, 16 та 32 обчислюються у векторних регістрах (SIMD). Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
     </message>
     <message>
         <source>From both ends of the row to its middle. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Від обох кінців рядка до середини. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+        <translation>Від обох кінців рядка до середини. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
     </message>
     <message>
         <source>Interleaved streams, the rows by several threads. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Чергування потоків, рядки у кількох нитках процесора. Щоразу через anchor пікселів починає наново з точного значення; без цього відхиляється.</translation>
+        <translation>Почергові потоки в рядку; самі рядки паралельно растеризує кілька потоків процесора. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
     </message>
     <message>
         <source>A division every m pixels, u and v linear between; m as given, or the longest that keeps an error.</source>
-        <translation>Ділення кожні m пікселів, між ними u та v лінійні; m задане або найдовше, що зберігає похибку.</translation>
+        <translation>Ділення через кожні m пікселів, між ними u та v лінійні; m задане або найбільше, за якого похибка не перевищує заданої.</translation>
     </message>
     <message>
         <source>Steps to the edge of the cone that the map promises to be empty above each cell; below its apex the cell is skipped if the ray stays above it, else tested.</source>
-        <translation>Просувається до краю конуса, який карта обіцяє порожнім над кожною коміркою; нижче його вершини комірку пропускають, якщо промінь над нею, інакше перевіряють.</translation>
+        <translation>Просувається до межі конуса, який за картою порожній над коміркою; нижче його вершини комірку пропускають, якщо промінь лишається над нею, інакше перевіряють.</translation>
     </message>
     <message>
         <source>packed: four square cones per cell, compact and fast; texel: one round cone per cell, as engines store them. Sectors, a precision or a map file select texel</source>
-        <translation>packed: чотири квадратні конуси на комірку, компактно й швидко; texel: один круглий конус на комірку, як в ігрових рушіях. Сектори, точність або файл карти вибирають texel</translation>
+        <translation>packed: чотири квадратні конуси на комірку, компактно й швидко; texel: один круглий конус на комірку, як в ігрових рушіях. Сектори, точність зберігання або файл карти вибирають texel</translation>
     </message>
     <message>
         <source>azimuth sectors that have slopes of their own</source>
-        <translation>сектори азимута з власними нахилами</translation>
+        <translation>азимутальні сектори з власними нахилами конусів</translation>
     </message>
     <message>
         <source>how cones are stored</source>
@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>Steps to the edge of the interpolated cone, a fixed number of times.</source>
-        <translation>Кроки до краю інтерпольованого конуса, сталу кількість разів.</translation>
+        <translation>Просувається до межі інтерпольованого конуса; кількість кроків стала.</translation>
     </message>
     <message>
         <source>at most</source>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>Wider cones that the ray may leave below the surface, once; then halving of the last step.</source>
-        <translation>Ширші конуси, з яких промінь може вийти під поверхнею один раз; далі ділення останнього кроку навпіл.</translation>
+        <translation>Ширші конуси: точка виходу променя з конуса може лежати під поверхнею, але перетинає він її щонайбільше раз; далі останній крок ділять навпіл.</translation>
     </message>
     <message>
         <source>of the last step</source>
@@ -81,27 +81,27 @@
     </message>
     <message>
         <source>how far cones are looked for</source>
-        <translation>як далеко шукаються конуси</translation>
+        <translation>до якої відстані шукають перешкоди для конуса</translation>
     </message>
     <message>
         <source>along which cones are measured</source>
-        <translation>уздовж яких вимірюються конуси</translation>
+        <translation>напрямків, уздовж яких вимірюють конуси</translation>
     </message>
     <message>
         <source>Sphere tracing by trilinear distances, until the ray is at the surface.</source>
-        <translation>Трасування сферами за трилінійними відстанями, доки промінь не дійде до поверхні.</translation>
+        <translation>Метод Доннеллі: трасування сферами за трилінійно інтерпольованими відстанями, доки промінь не дійде до поверхні.</translation>
     </message>
     <message>
         <source>Sphere tracing with distances that hold for whole voxels; near the surface the cells themselves are tested.</source>
-        <translation>Трасування сферами з відстанями, чинними для цілих вокселів; біля поверхні перевіряються самі комірки.</translation>
+        <translation>Трасування сферами з відстанями, що справджуються для всього об’єму вокселя; біля поверхні перевіряють самі комірки.</translation>
     </message>
     <message>
         <source>The papers&apos; refined map as it stands, from sampled rays; overshoots at walls.</source>
-        <translation>Уточнена карта зі статей як є, за вибірковими променями; біля стін проскакує поверхню.</translation>
+        <translation>Уточнена карта зі статей без змін, за вибірковими променями; біля стінок можливий проскок за поверхню.</translation>
     </message>
     <message>
         <source>Sphere tracing with the larger distances that rays from above may use; safe for whole voxels.</source>
-        <translation>Трасування сферами з більшими відстанями, чинними для променів зору згори; надійне для цілих вокселів.</translation>
+        <translation>Трасування сферами з більшими відстанями для видових променів згори; вони справджуються для всього об’єму вокселя.</translation>
     </message>
     <message>
         <source>side of a voxel&apos;s footprint</source>
@@ -109,7 +109,7 @@
     </message>
     <message>
         <source>how many voxels the slab is high</source>
-        <translation>скільки вокселів у висоту шару</translation>
+        <translation>скільки вокселів уміщується за висотою товщі рельєфу</translation>
     </message>
     <message>
         <source>how distances are stored</source>
@@ -117,19 +117,19 @@
     </message>
     <message>
         <source>elevation of the flattest ray that it serves</source>
-        <translation>кут найпологішого променя, який вона обслуговує</translation>
+        <translation>кут піднесення найпологішого променя, для якого карта справджується</translation>
     </message>
     <message>
         <source>azimuth sectors in which what hides a voxel is looked for</source>
-        <translation>сектори азимута, у яких шукається те, що заступає воксель</translation>
+        <translation>азимутальні сектори, у яких шукають перешкоди, що перекривають воксель</translation>
     </message>
     <message>
         <source>azimuth sectors that have distances of their own (a divisor of horizons)</source>
-        <translation>сектори азимута з власними відстанями (дільник horizons)</translation>
+        <translation>азимутальні сектори з власними відстанями (дільник кількості секторів горизонту)</translation>
     </message>
     <message>
         <source>sampled from each voxel</source>
-        <translation>вибірка з кожного вокселя</translation>
+        <translation>вибіркових променів із кожного вокселя</translation>
     </message>
     <message>
         <source>at most; with stop=never all</source>
@@ -145,11 +145,11 @@
     </message>
     <message>
         <source>what Euclidean distances are measured to: the surface, or the nearest solid voxel&apos;s centre</source>
-        <translation>до чого вимірюються евклідові відстані: до поверхні чи до центра найближчого заповненого вокселя</translation>
+        <translation>до чого вимірюють евклідові відстані: до поверхні чи до центра найближчого заповненого вокселя</translation>
     </message>
     <message>
         <source>the map that it traces with</source>
-        <translation>карта, за якою він трасує</translation>
+        <translation>карта, за якою виконується трасування</translation>
     </message>
     <message>
         <source>Relief depth</source>
@@ -157,7 +157,7 @@
     </message>
     <message>
         <source>Elevation</source>
-        <translation>Підняття</translation>
+        <translation>Кут піднесення</translation>
     </message>
     <message>
         <source>Azimuth</source>
@@ -177,15 +177,15 @@
     </message>
     <message>
         <source>Light elevation</source>
-        <translation>Висота світла</translation>
+        <translation>Кут піднесення світла</translation>
     </message>
     <message>
         <source>Ambient</source>
-        <translation>Розсіяне</translation>
+        <translation>Фонове світло</translation>
     </message>
     <message>
         <source>Intensity</source>
-        <translation>Яскравість</translation>
+        <translation>Інтенсивність світла</translation>
     </message>
     <message>
         <source>Width</source>
@@ -197,11 +197,11 @@
     </message>
     <message>
         <source>thickness of the relief slab</source>
-        <translation>товщина шару рельєфу</translation>
+        <translation>товщина рельєфу</translation>
     </message>
     <message>
         <source>how high the camera stands above the horizontal</source>
-        <translation>наскільки камера піднята над горизонталлю</translation>
+        <translation>кут камери над горизонтом</translation>
     </message>
     <message>
         <source>how far the camera has turned to the right, 0 in front</source>
@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>from the camera to what it looks at</source>
-        <translation>від камери до того, на що вона дивиться</translation>
+        <translation>від камери до того, на що вона спрямована</translation>
     </message>
     <message>
         <source>vertical field of view</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>how high the light stands</source>
-        <translation>наскільки високо стоїть світло</translation>
+        <translation>кут світла над горизонтом</translation>
     </message>
     <message>
         <source>share of the light that comes from everywhere</source>
@@ -229,7 +229,7 @@
     </message>
     <message>
         <source>strength of the light</source>
-        <translation>сила світла</translation>
+        <translation>сила світла, що падає з одного напрямку</translation>
     </message>
     <message>
         <source>of the picture</source>
@@ -257,7 +257,7 @@
     </message>
     <message>
         <source>conservative</source>
-        <translation>обережний</translation>
+        <translation>консервативний</translation>
     </message>
     <message>
         <source>approximate</source>
@@ -269,11 +269,11 @@
     </message>
     <message>
         <source>the four texels around the point, weighted by closeness</source>
-        <translation>чотири текселі навколо точки, зважені за близькістю</translation>
+        <translation>білінійна фільтрація: чотири текселі навколо точки, ваговий коефіцієнт тим більший, чим ближчий тексель</translation>
     </message>
     <message>
         <source>Skips what lies below the ray by the pyramid of maxima; iterative, stackless.</source>
-        <translation>Пропускає те, що лежить під променем, за пірамідою максимумів; ітеративно, без стека.</translation>
+        <translation>Пропускає ділянки, що лежать нижче за промінь, за допомогою MIP-піраміди максимальних значень; ітеративно, без стека.</translation>
     </message>
     <message>
         <source>Plain texturing: no relief, lit as the polygon is.</source>
@@ -281,27 +281,27 @@
     </message>
     <message>
         <source>The picture stays flat; the light sees the slopes of the heights.</source>
-        <translation>Зображення лишається пласким; світло бачить нахили висот.</translation>
+        <translation>Геометрія лишається плоскою; освітлення враховує нахили карти висот (bump mapping).</translation>
     </message>
     <message>
         <source>The picture stays flat; the light sees a normal map, the given one or one baked from the heights.</source>
-        <translation>Зображення лишається пласким; світло бачить карту нормалей: задану або обчислену наперед із висот.</translation>
+        <translation>Геометрія лишається плоскою; освітлення враховує карту нормалей, задану або обчислену з висот (normal mapping).</translation>
     </message>
     <message>
         <source>A mesh of triangles at the heights; frames rasterise it with a depth buffer.</source>
-        <translation>Сітка трикутників на висотах; кадр растеризує її з буфером глибини.</translation>
+        <translation>Сітка трикутників, вершини якої підняті на висоти карти (displacement mapping); кадр растеризують із буфером глибини.</translation>
     </message>
     <message>
         <source>many rays a pixel, traced and lit one by one: the picture&apos;s truth, slow</source>
-        <translation>багато променів на піксель, кожен простежено й освітлено окремо: істина для зображення, повільно</translation>
+        <translation>надвибірка: багато променів на піксель, кожен трасовано й освітлено окремо; еталон зображення, повільно</translation>
     </message>
     <message>
         <source>samples</source>
-        <translation>проби</translation>
+        <translation>формування вибірок</translation>
     </message>
     <message>
         <source>quads</source>
-        <translation>чотирикутники</translation>
+        <translation>чотирикутників</translation>
     </message>
     <message>
         <source>along each side of the texture</source>
@@ -329,7 +329,7 @@
     </message>
     <message>
         <source>Floor</source>
-        <translation>Підлога</translation>
+        <translation>Дно</translation>
     </message>
     <message>
         <source>Wall</source>
@@ -341,15 +341,15 @@
     </message>
     <message>
         <source>Skips what lies below the ray by the pyramid of maxima; recursive, as the paper tells it.</source>
-        <translation>Пропускає те, що лежить під променем, за пірамідою максимумів; рекурсивно, як у статті.</translation>
+        <translation>Пропускає ділянки, що лежать нижче за промінь, за допомогою MIP-піраміди максимальних значень; рекурсивно, як у [MIP18].</translation>
     </message>
     <message>
         <source>Tests every cell that the ray crosses, in order: the truth that others are held against.</source>
-        <translation>Перевіряє по черзі кожну комірку, яку перетинає промінь: істина, з якою порівнюють інші методи.</translation>
+        <translation>Перевіряє по черзі кожну комірку, яку перетинає промінь: еталон, з яким порівнюють інші методи.</translation>
     </message>
     <message>
         <source>brick wall in a running bond with deep mortar</source>
-        <translation>цегляна стіна з глибокими швами</translation>
+        <translation>цегляна стіна з ложковою перев’язкою і глибокими швами</translation>
     </message>
     <message>
         <source>thin needles on a low ground</source>
@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>eight terraces with vertical walls</source>
-        <translation>вісім терас зі стрімкими стінами</translation>
+        <translation>вісім терас із вертикальними стінами</translation>
     </message>
     <message>
         <source>blocks of 0 and 1</source>
@@ -385,11 +385,11 @@
     </message>
     <message>
         <source>the 8 x 8 example of the max pyramid&apos;s paper</source>
-        <translation>приклад 8 × 8 зі статті про піраміду максимумів</translation>
+        <translation>приклад 8 × 8 зі статті про MIP-піраміду максимальних значень ([MIP18])</translation>
     </message>
     <message>
         <source>two walls with a trench between them: the example of the refined map&apos;s paper</source>
-        <translation>дві стіни й рів між ними: приклад зі статті про уточнену карту</translation>
+        <translation>дві стіни й рів між ними: приклад зі статті про уточнену карту відстаней ([DIST17])</translation>
     </message>
     <message>
         <source>frame</source>
@@ -397,31 +397,31 @@
     </message>
     <message>
         <source>pyramid</source>
-        <translation>піраміда</translation>
+        <translation>MIP-піраміда</translation>
     </message>
     <message>
         <source>One sample: the ray is taken to the height found where it enters.</source>
-        <translation>Один відлік: промінь переноситься на висоту, знайдену там, де він входить.</translation>
+        <translation>Зміщення за один відлік: промінь продовжують до висоти, прочитаної в точці входу.</translation>
     </message>
     <message>
         <source>One sample, the shift never longer than the relief is deep.</source>
-        <translation>Один відлік, зсув не довший за глибину рельєфу.</translation>
+        <translation>Один відлік, з обмеженням зміщення: воно не довше за глибину рельєфу.</translation>
     </message>
     <message>
         <source>Equal layers of depth; the first one below the surface.</source>
-        <translation>Рівні шари за глибиною; перший, що нижче за поверхню.</translation>
+        <translation>Шари однакової товщини; відповідь — перший шар, нижчий за поверхню.</translation>
     </message>
     <message>
         <source>Equal layers, then a straight line between the last two.</source>
-        <translation>Рівні шари, потім пряма між двома останніми.</translation>
+        <translation>Шари однакової товщини, потім пряма між двома останніми.</translation>
     </message>
     <message>
         <source>Equal layers, then halving the last one.</source>
-        <translation>Рівні шари, потім ділення останнього навпіл.</translation>
+        <translation>Шари однакової товщини, потім ділення останнього навпіл.</translation>
     </message>
     <message>
         <source>One level of the max pyramid marks the segments worth testing; another method works inside them and gives its guarantee. It mostly takes more steps than that method alone: compare the two.</source>
-        <translation>Один рівень піраміди максимумів позначає відрізки, які варто перевірити; всередині них працює інший метод і дає свою гарантію. Кроків здебільшого більше, ніж у самого того методу: порівняйте обидва.</translation>
+        <translation>Один рівень MIP-піраміди максимальних значень виділяє відрізки, які варто перевірити; всередині них працює інший метод, і гарантія така, як у нього. Кроків здебільшого більше, ніж у самого того методу: порівняйте обидва.</translation>
     </message>
     <message>
         <source>Density</source>
@@ -429,7 +429,7 @@
     </message>
     <message>
         <source>base level: above 0, the mean pyramid&apos;s level is traced instead of the heights (the last if there are fewer); auto: the highest whose texels are no wider than the narrowest pixel of the view</source>
-        <translation>базовий рівень: якщо більший за 0, замість висот простежується рівень піраміди середніх (останній, якщо рівнів менше); auto: найвищий, чиї текселі не ширші за найвужчий піксель виду</translation>
+        <translation>базовий MIP-рівень: якщо більший за 0, замість висот трасують рівень MIP-піраміди середніх значень (останній, якщо рівнів менше); auto: найвищий рівень, текселі якого не ширші за найвужчу проєкцію пікселя цього ракурсу</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -449,7 +449,7 @@
     </message>
     <message>
         <source>Base</source>
-        <translation>Базовий рівень</translation>
+        <translation>Базовий MIP-рівень</translation>
     </message>
     <message>
         <source>layers</source>
@@ -461,11 +461,11 @@
     </message>
     <message>
         <source>level</source>
-        <translation>рівень</translation>
+        <translation>рівня</translation>
     </message>
     <message>
         <source>how many the slab is cut into</source>
-        <translation>на скільки шарів поділено товщу</translation>
+        <translation>на скільки шарів поділено товщу рельєфу</translation>
     </message>
     <message>
         <source>of the last layer</source>
@@ -473,123 +473,123 @@
     </message>
     <message>
         <source>the middle level (the top if there are fewer)</source>
-        <translation>середній рівень (вершина, якщо рівнів менше)</translation>
+        <translation>середній рівень (найвищий, якщо рівнів менше)</translation>
     </message>
     <message>
         <source>the method inside the segments; its own options as inner.NAME</source>
-        <translation>метод усередині відрізків; його налаштування: inner.НАЗВА</translation>
+        <translation>метод усередині відрізків; його параметри: inner.НАЗВА</translation>
     </message>
     <message>
         <source>error against exact</source>
-        <translation>похибка проти точного</translation>
+        <translation>похибка відносно точного методу</translation>
     </message>
     <message>
         <source>map euclidean</source>
-        <translation>карта euclidean</translation>
+        <translation>карта відстаней: euclidean</translation>
     </message>
     <message>
         <source>map euclidean-conservative</source>
-        <translation>карта euclidean-conservative</translation>
+        <translation>карта відстаней: euclidean-conservative</translation>
     </message>
     <message>
         <source>map refined-sampled</source>
-        <translation>карта refined-sampled</translation>
+        <translation>карта відстаней: refined-sampled</translation>
     </message>
     <message>
         <source>map refined</source>
-        <translation>карта refined</translation>
+        <translation>карта відстаней: refined</translation>
     </message>
     <message>
         <source>map cone</source>
-        <translation>карта cone</translation>
+        <translation>карта конусів: cone</translation>
     </message>
     <message>
         <source>map cone-dummer</source>
-        <translation>карта cone-dummer</translation>
+        <translation>карта конусів: cone-dummer</translation>
     </message>
     <message>
         <source>map relaxed-cone</source>
-        <translation>карта relaxed-cone</translation>
+        <translation>карта конусів: relaxed-cone</translation>
     </message>
     <message>
         <source>two levels of the mean pyramid, by the longer side of the pixel&apos;s projection</source>
-        <translation>два рівні піраміди середніх, за довшою стороною проєкції пікселя</translation>
+        <translation>трилінійна фільтрація: два рівні MIP-піраміди середніх значень, за довшою стороною проєкції пікселя</translation>
     </message>
     <message>
         <source>all texels in the ellipse of the pixel, weighted by the pixel&apos;s own shape</source>
-        <translation>усі тексели в еліпсі пікселя, зважені за формою самого пікселя</translation>
+        <translation>анізотропна фільтрація: усі текселі в еліпсі — проєкції пікселя — з ваговими коефіцієнтами за моделлю пікселя</translation>
     </message>
     <message>
         <source>the same without the texels that the relief hides from the viewer</source>
-        <translation>те саме без текселів, які рельєф ховає від глядача</translation>
+        <translation>анізотропна фільтрація без текселів, які перекриває рельєф (зворотне трасування променя)</translation>
     </message>
     <message>
         <source>how the texels of a footprint are weighed</source>
-        <translation>як зважуються тексели сліду</translation>
+        <translation>вагова функція текселів проєкції пікселя</translation>
     </message>
     <message>
         <source>of the Gaussian pixel</source>
-        <translation>гаусового пікселя</translation>
+        <translation>гаусівської моделі пікселя</translation>
     </message>
     <message>
         <source>of the footprint; 0: what suits the weights</source>
-        <translation>сліду; 0: той, що пасує до ваг</translation>
+        <translation>проєкції пікселя; 0: радіус, що відповідає ваговій функції</translation>
     </message>
     <message>
         <source>the level by the footprint&apos;s minor axis, or always level 0</source>
-        <translation>рівень за малою віссю сліду або завжди рівень 0</translation>
+        <translation>рівень за малою віссю проєкції пікселя або завжди рівень 0</translation>
     </message>
     <message>
         <source>smallest minor semi-axis of the 1-pixel circle on the level chosen</source>
-        <translation>найменша мала піввісь кола в 1 піксель на вибраному рівні</translation>
+        <translation>найменша допустима мала піввісь еліпса, у який проєктується коло радіуса 1 піксель, на вибраному рівні</translation>
     </message>
     <message>
         <source>largest ratio of the axes; longer footprints get wider</source>
-        <translation>найбільше відношення осей; довші сліди ширшають</translation>
+        <translation>найбільше відношення осей; довші проєкції розширюються</translation>
     </message>
     <message>
         <source>whether the Gaussian makes allowance for the size of texels</source>
-        <translation>чи враховує гаусіана розмір текселів</translation>
+        <translation>чи враховує гаусівська модель розмір текселів</translation>
     </message>
     <message>
         <source>where weights come from: the formula, a table over the distance, a map of the pixel</source>
-        <translation>звідки беруться ваги: формула, таблиця за відстанню чи карта пікселя</translation>
+        <translation>звідки беруться вагові коефіцієнти: формула, таблиця за відстанню чи текстурна карта вагових коефіцієнтів</translation>
     </message>
     <message>
         <source>of the map of weights along each side; the table has its square</source>
-        <translation>карти ваг уздовж кожної сторони; таблиця має її квадрат</translation>
+        <translation>роздільна здатність карти вагових коефіцієнтів за кожною стороною; таблиця за відстанню має стільки комірок, скільки вся карта</translation>
     </message>
     <message>
         <source>many pixels at once, of 16-bit levels, where the formula is direct; or one by one in double</source>
-        <translation>багато пікселів разом, за 16-бітними рівнями, де формула пряма; або по одному, з подвійною точністю</translation>
+        <translation>багато пікселів одночасно, за 16-бітовими рівнями (лише для прямої формули); або по одному, з подвійною точністю</translation>
     </message>
     <message>
         <source>where in the pixel a texel counts: its place on the plane (the paper&apos;s), its own, and with its area seen (ours); or what rays through parts of the pixel see, of its own or on a grid that neighbours share (ours; grid: the default)</source>
-        <translation>де в пікселі рахується тексель: його місце на площині (як у статті), справжнє, і з видимою площею (наші); або що бачать промені крізь частини пікселя, власні чи на спільній із сусідами сітці (наші; типово сітка)</translation>
+        <translation>де в пікселі враховується тексель: на площині полігона (plane); на своїй висоті (position); те саме з видимою площею (position-area); або за променями крізь частини пікселя: власними (rays) чи зі спільної із сусідами сітки (grid)</translation>
     </message>
     <message>
         <source>how footprints are computed: each pixel&apos;s derivatives in double; or along rows in float ([TEX]), by differences or by cached squares; slower</source>
-        <translation>як обчислюються сліди: похідними кожного пікселя з подвійною точністю; або вздовж рядків з одинарною ([TEX]), різницями чи збереженими квадратами; повільніше</translation>
+        <translation>як обчислюють проєкцію пікселя: похідні кожного пікселя з подвійною точністю; або вздовж рядків з одинарною ([TEX]), різницями чи збереженими квадратами; повільніше</translation>
     </message>
     <message>
         <source>form=rays: through a pixel in which the relief is no plane</source>
-        <translation>form=rays: крізь піксель, у якому рельєф не є площиною</translation>
+        <translation>form=rays: променів крізь піксель, у якому рельєф не є площиною</translation>
     </message>
     <message>
         <source>form=grid: looked at for each pixel where the relief is no plane</source>
-        <translation>form=grid: на кожен піксель, де рельєф не є площиною</translation>
+        <translation>form=grid: точок на піксель там, де рельєф не є площиною</translation>
     </message>
     <message>
         <source>samples along each side of a pixel</source>
-        <translation>проб уздовж кожної сторони пікселя</translation>
+        <translation>вибірок уздовж кожної сторони пікселя</translation>
     </message>
     <message>
         <source>what a pixel of the display is: how samples are weighed</source>
-        <translation>що таке піксель екрана: як зважуються проби</translation>
+        <translation>модель пікселя екрана: вагова функція вибірок</translation>
     </message>
     <message>
         <source>Weights</source>
-        <translation>Ваги</translation>
+        <translation>Вагова функція</translation>
     </message>
     <message>
         <source>Sigma</source>
@@ -613,11 +613,11 @@
     </message>
     <message>
         <source>Source</source>
-        <translation>Джерело ваг</translation>
+        <translation>Джерело коефіцієнтів</translation>
     </message>
     <message>
         <source>Resolution</source>
-        <translation>Роздільність</translation>
+        <translation>Роздільна здатність</translation>
     </message>
     <message>
         <source>Ellipse</source>
@@ -629,7 +629,7 @@
     </message>
     <message>
         <source>Samples</source>
-        <translation>Проби</translation>
+        <translation>Вибірки</translation>
     </message>
     <message>
         <source>Pixel model</source>
@@ -650,11 +650,88 @@
     </message>
     <message>
         <source>what hits may be wrong by where that spares work; its error is measured</source>
-        <translation>наскільки можуть хибити влучання там, де це береже роботу; похибку виміряно</translation>
+        <translation>допустима похибка точки перетину там, де це заощаджує обчислення; фактичну похибку вимірюють</translation>
     </message>
     <message>
         <source>looking for pixels</source>
         <translation>пошук пікселів</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Точність зберігання</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Ітерації</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Напрямки</translation>
+    </message>
+    <message>
+        <source>Sectors</source>
+        <translation>Сектори</translation>
+    </message>
+    <message>
+        <source>Horizons</source>
+        <translation>Сектори горизонту</translation>
+    </message>
+    <message>
+        <source>Flattest</source>
+        <translation>Найпологіший промінь</translation>
+    </message>
+    <message>
+        <source>Footprint</source>
+        <comment>option</comment>
+        <translation>Основа вокселя</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Правило кроку</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Кінець трасування</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Поріг відстані</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Відстань до</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Карта відстаней</translation>
+    </message>
+    <message>
+        <source>Implementation</source>
+        <translation>Обчислення</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Точки</translation>
+    </message>
+    <message>
+        <source>rays</source>
+        <translation>променів</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>кроків</translation>
+    </message>
+    <message>
+        <source>azimuths</source>
+        <translation>азимутів</translation>
+    </message>
+    <message>
+        <source>sectors</source>
+        <translation>секторів</translation>
+    </message>
+    <message>
+        <source>map packed-cones</source>
+        <translation>карта конусів: packed</translation>
     </message>
 </context>
 </TS>

@@ -39,7 +39,7 @@
     <name>reliefui::BookmarkMenu</name>
     <message>
         <source>%1 – pixel (%2, %3), step %4</source>
-        <translation>%1 – піксель (%2, %3), крок %4</translation>
+        <translation>%1 — піксель (%2, %3), крок %4</translation>
     </message>
     <message>
         <source>bookmark %1</source>
@@ -62,7 +62,7 @@
     </message>
     <message>
         <source>Playing and running stop at the step at which this begins to hold</source>
-        <translation>Програвання й перехід зупиняються на кроці, з якого це справджується</translation>
+        <translation>Відтворення й перехід зупиняються на кроці, з якого умова справджується</translation>
     </message>
     <message>
         <source>level below</source>
@@ -82,7 +82,7 @@
     </message>
     <message>
         <source>disagreement with exact</source>
-        <translation>розбіжність із точним</translation>
+        <translation>розбіжність із точним методом</translation>
     </message>
     <message>
         <source>level </source>
@@ -90,7 +90,7 @@
     </message>
     <message>
         <source>Level of the pyramid, 0 the finest</source>
-        <translation>Рівень піраміди, 0 — найдрібніший</translation>
+        <translation>Рівень піраміди; 0 — базовий</translation>
     </message>
     <message>
         <source>Column of the texel</source>
@@ -102,7 +102,7 @@
     </message>
     <message>
         <source>Height of the ray, 1 the top of the slab</source>
-        <translation>Висота променя, 1 — верх шару</translation>
+        <translation>Висота променя; 1 — верх товщі рельєфу</translation>
     </message>
     <message>
         <source>Add the breakpoint</source>
@@ -157,7 +157,7 @@
     </message>
     <message>
         <source>Measure run time and error of the methods on this view&apos;s rays; or cancel it (Esc)</source>
-        <translation>Виміряти час роботи й похибку методів на променях цього виду або скасувати (Esc)</translation>
+        <translation>Виміряти час роботи й похибку методів на променях цього ракурсу або зупинити вимірювання (Esc)</translation>
     </message>
     <message>
         <source>live</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>Measure again by itself when the view changes</source>
-        <translation>Вимірювати знову, коли вид змінюється</translation>
+        <translation>Вимірювати знову, щойно зміниться ракурс</translation>
     </message>
     <message>
         <source>with maps</source>
@@ -185,11 +185,11 @@
     </message>
     <message>
         <source>error of 95%</source>
-        <translation>похибка 95%</translation>
+        <translation>похибка для 95 % променів</translation>
     </message>
     <message>
         <source>error of 99.99%</source>
-        <translation>похибка 99,99%</translation>
+        <translation>похибка для 99.99 % променів</translation>
     </message>
     <message>
         <source>largest error</source>
@@ -213,7 +213,7 @@
     </message>
     <message>
         <source>cancel (%1%)</source>
-        <translation>скасувати (%1%)</translation>
+        <translation>зупинити (%1 %)</translation>
     </message>
     <message>
         <source>Choose method and its worst pixel</source>
@@ -221,54 +221,82 @@
     </message>
     <message>
         <source>%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps</source>
-        <translation>%1: %2 нс на промінь ± %3%, похибка середня %4, найбільша %5, кроків %6</translation>
+        <translation>%1: %2 нс на промінь ± %3 %, похибка в середньому %4, найбільша %5, кроків %6</translation>
     </message>
-    <message>
-        <source> · wrong outcome: %1 rays</source>
-        <translation> · хибний результат: променів %1</translation>
+    <message numerus="yes">
+        <source> · wrong outcome: %n rays</source>
+        <translation>
+            <numerusform> · інший результат пошуку: %n промінь</numerusform>
+            <numerusform> · інший результат пошуку: %n промені</numerusform>
+            <numerusform> · інший результат пошуку: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>exact: %1 rays</source>
-        <translation>точних променів: %1</translation>
+    <message numerus="yes">
+        <source>exact: %n rays</source>
+        <translation>
+            <numerusform>точно: %n промінь</numerusform>
+            <numerusform>точно: %n промені</numerusform>
+            <numerusform>точно: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>wrong outcome: %1 rays</source>
-        <translation>хибний результат: променів %1</translation>
+    <message numerus="yes">
+        <source>wrong outcome: %n rays</source>
+        <translation>
+            <numerusform>інший результат пошуку: %n промінь</numerusform>
+            <numerusform>інший результат пошуку: %n промені</numerusform>
+            <numerusform>інший результат пошуку: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 steps: %2 rays</source>
-        <translation>кроків %1: променів %2</translation>
+    <message numerus="yes">
+        <source>%1 steps: %n rays</source>
+        <translation>
+            <numerusform>кроків %1: %n промінь</numerusform>
+            <numerusform>кроків %1: %n промені</numerusform>
+            <numerusform>кроків %1: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 to %2 steps: %3 rays</source>
-        <translation>кроків від %1 до %2: променів %3</translation>
+    <message numerus="yes">
+        <source>%1 to %2 steps: %n rays</source>
+        <translation>
+            <numerusform>кроків від %1 до %2: %n промінь</numerusform>
+            <numerusform>кроків від %1 до %2: %n промені</numerusform>
+            <numerusform>кроків від %1 до %2: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 to %2 texels before the surface: %3 rays</source>
-        <translation>від %1 до %2 текселів перед поверхнею: променів %3</translation>
+    <message numerus="yes">
+        <source>%1 to %2 texels before the surface: %n rays</source>
+        <translation>
+            <numerusform>від %1 до %2 текселя перед поверхнею: %n промінь</numerusform>
+            <numerusform>від %1 до %2 текселя перед поверхнею: %n промені</numerusform>
+            <numerusform>від %1 до %2 текселя перед поверхнею: %n променів</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 to %2 texels behind it: %3 rays</source>
-        <translation>від %1 до %2 текселів за нею: променів %3</translation>
+    <message numerus="yes">
+        <source>%1 to %2 texels behind it: %n rays</source>
+        <translation>
+            <numerusform>від %1 до %2 текселя за нею: %n промінь</numerusform>
+            <numerusform>від %1 до %2 текселя за нею: %n промені</numerusform>
+            <numerusform>від %1 до %2 текселя за нею: %n променів</numerusform>
+        </translation>
     </message>
     <message>
         <source>Export the charts</source>
-        <translation>Експорт діаграм</translation>
+        <translation>Експортувати діаграми</translation>
     </message>
     <message>
         <source>Run time against error, steps and errors of all pixels</source>
-        <translation>Час виконання проти похибки; кроки й похибки всіх пікселів</translation>
+        <translation>Час роботи та похибка методів; кроки й похибки всіх пікселів</translation>
     </message>
 </context>
 <context>
     <name>reliefui::ComparePictures</name>
     <message>
         <source>Compare: pictures of the methods</source>
-        <translation>Порівняння: картинки методів</translation>
+        <translation>Порівняння: зображення методів</translation>
     </message>
     <message>
         <source>Move the divider</source>
-        <translation>Пересунути межу</translation>
+        <translation>Пересунути роздільник</translation>
     </message>
     <message>
         <source>pixel (%1, %2)</source>
@@ -283,7 +311,7 @@
     <name>reliefui::CompareText</name>
     <message>
         <source>does not know this surface</source>
-        <translation>не знає такої поверхні</translation>
+        <translation>не працює з такою поверхнею</translation>
     </message>
     <message>
         <source>(%1, %2) λ %3</source>
@@ -314,7 +342,7 @@
     </message>
     <message>
         <source>Export the comparison</source>
-        <translation>Експорт порівняння</translation>
+        <translation>Експортувати порівняння</translation>
     </message>
     <message>
         <source>Method %1</source>
@@ -358,15 +386,15 @@
     </message>
     <message>
         <source>Pictures a second</source>
-        <translation>Картинок за секунду</translation>
+        <translation>Зображень за секунду</translation>
     </message>
     <message>
         <source>One after the other; A, B, C, D show one alone</source>
-        <translation>Одна за одною; A, B, C, D показують одну</translation>
+        <translation>Одне за одним; A, B, C, D показують лише одне</translation>
     </message>
     <message>
         <source>against</source>
-        <translation>проти</translation>
+        <translation>відносно</translation>
     </message>
     <message>
         <source>What the methods are measured against</source>
@@ -374,7 +402,7 @@
     </message>
     <message>
         <source>exact</source>
-        <translation>точного</translation>
+        <translation>точного методу</translation>
     </message>
     <message>
         <source>method A</source>
@@ -386,7 +414,7 @@
     </message>
     <message>
         <source>The whole pictures (R); Ctrl+wheel zooms, Ctrl+drag moves</source>
-        <translation>Картинки цілком (R); Ctrl+коліщатко збільшує, Ctrl+тягнути пересуває</translation>
+        <translation>Зображення цілком (R); Ctrl + коліщатко змінює масштаб, Ctrl + перетягування пересуває</translation>
     </message>
     <message>
         <source>Speed of flicker</source>
@@ -441,7 +469,7 @@
     </message>
     <message>
         <source>Another map that is taken away: what is left is where they differ</source>
-        <translation>Інша карта, яку віднімають: лишається те, чим вони відрізняються</translation>
+        <translation>Інша карта, яку віднімають: лишається різниця між ними</translation>
     </message>
     <message>
         <source>Azimuth sector of the rays that the values are for</source>
@@ -477,7 +505,7 @@
     </message>
     <message>
         <source>Show all of the slice (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances of a point</source>
-        <translation>Показати весь зріз (R); колесо змінює масштаб, перетягування рухає, клацання вибирає крок, клацання з Ctrl запитує про відстані в точці</translation>
+        <translation>Показати весь зріз (R); коліщатко змінює масштаб, перетягування пересуває, клацання вибирає крок, клацання з Ctrl показує відстані в точці</translation>
     </message>
     <message>
         <source>Slices at constant x, seen along the rows</source>
@@ -513,7 +541,7 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Скасувати</translation>
+        <translation>Зупинити</translation>
     </message>
     <message>
         <source>Stop building the map (Esc)</source>
@@ -532,8 +560,8 @@
         <translation>за краєм</translation>
     </message>
     <message>
-        <source>heights a texel</source>
-        <translation>висот на тексель</translation>
+        <source>height per texel</source>
+        <translation>одиниць висоти на тексель</translation>
     </message>
     <message>
         <source>texels</source>
@@ -545,7 +573,7 @@
     </message>
     <message>
         <source>at the surface: to be tested</source>
-        <translation>біля поверхні: перевіряти</translation>
+        <translation>біля поверхні: комірку перевіряють</translation>
     </message>
     <message>
         <source>texel (%1, %2): </source>
@@ -569,11 +597,11 @@
     </message>
     <message>
         <source>Export the distance map</source>
-        <translation>Експорт карти відстаней</translation>
+        <translation>Експортувати карту відстаней</translation>
     </message>
     <message>
         <source>The map was not built: it was cancelled.</source>
-        <translation>Карту не побудовано: її скасовано.</translation>
+        <translation>Карту не побудовано: побудову зупинено.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -624,11 +652,11 @@
     </message>
     <message>
         <source>Export the relief by hand</source>
-        <translation>Експорт рельєфу, накресленого вручну</translation>
+        <translation>Експортувати рельєф, накреслений вручну</translation>
     </message>
     <message>
         <source>What to start from; the colours of the picture are left out</source>
-        <translation>З чого почати; кольорів картинки не береться</translation>
+        <translation>З чого почати; кольори зображення не використовуються</translation>
     </message>
     <message>
         <source>start from…</source>
@@ -636,7 +664,7 @@
     </message>
     <message>
         <source>the picture, around the hit</source>
-        <translation>картинки, навколо влучання</translation>
+        <translation>зображення, навколо точки перетину</translation>
     </message>
     <message>
         <source>a plain</source>
@@ -660,7 +688,7 @@
     </message>
     <message>
         <source>Start from the picture</source>
-        <translation>Почати з картинки</translation>
+        <translation>Почати із зображення</translation>
     </message>
     <message>
         <source>Start from a plain</source>
@@ -668,7 +696,7 @@
     </message>
     <message>
         <source>Start from %1</source>
-        <translation>Почати з %1</translation>
+        <translation>Почати з: %1</translation>
     </message>
     <message>
         <source>Profile</source>
@@ -688,7 +716,7 @@
     </message>
     <message>
         <source>A small relief, drawn texel by texel</source>
-        <translation>Невеликий рельєф, намальований тексел за текселом</translation>
+        <translation>Невеликий рельєф, накреслений тексель за текселем</translation>
     </message>
 </context>
 <context>
@@ -706,7 +734,7 @@
     </message>
     <message>
         <source>Steps of the methods in lock step</source>
-        <translation>Кроки методів пліч-о-пліч</translation>
+        <translation>Кроки методів синхронно</translation>
     </message>
     <message>
         <source>What each method did</source>
@@ -714,19 +742,19 @@
     </message>
     <message>
         <source>No duel: it was cancelled, or failed.</source>
-        <translation>Двобою немає: його скасовано або він не вдався.</translation>
+        <translation>Двобою немає: його зупинено або він не вдався.</translation>
     </message>
     <message>
         <source>Preparing: %1, %2 %</source>
-        <translation>Підготовка: %1, %2 %</translation>
+        <translation>Підготовка: %1, %2 %</translation>
     </message>
     <message>
         <source>Method against it, number %1</source>
-        <translation>Метод проти нього, номер %1</translation>
+        <translation>Метод-суперник %1</translation>
     </message>
     <message>
         <source>A method that is set against it; those of the comparison are the same</source>
-        <translation>Метод, що змагається з ним; у порівнянні методи ті самі</translation>
+        <translation>Метод-суперник; у порівнянні методи ті самі</translation>
     </message>
     <message>
         <source>All at their first step</source>
@@ -734,15 +762,15 @@
     </message>
     <message>
         <source>Back in lock step</source>
-        <translation>Назад пліч-о-пліч</translation>
+        <translation>Назад синхронно</translation>
     </message>
     <message>
         <source>On in lock step: those furthest behind take their next step</source>
-        <translation>Уперед пліч-о-пліч: крок роблять ті, хто найдалі позаду</translation>
+        <translation>Уперед синхронно: крок роблять методи, що відстали найбільше</translation>
     </message>
     <message>
         <source>All at their answers</source>
-        <translation>Усі біля своїх відповідей</translation>
+        <translation>Усі на своїх відповідях</translation>
     </message>
     <message>
         <source>first divergence</source>
@@ -801,7 +829,7 @@
     </message>
     <message>
         <source>Forget the point</source>
-        <translation>Забути точку</translation>
+        <translation>Прибрати точку</translation>
     </message>
     <message>
         <source>Distances at a point</source>
@@ -809,7 +837,7 @@
     </message>
     <message>
         <source>Copy picture</source>
-        <translation>Копіювати картинку</translation>
+        <translation>Копіювати зображення</translation>
     </message>
     <message>
         <source>Export figure…</source>
@@ -835,15 +863,15 @@
     <name>reliefui::FootprintView</name>
     <message>
         <source>Footprint: neighbours</source>
-        <translation>Відбиток: сусіди</translation>
+        <translation>Проєкція пікселя: сусіди</translation>
     </message>
     <message>
         <source>Footprint</source>
-        <translation>Слід пікселя</translation>
+        <translation>Проєкція пікселя</translation>
     </message>
     <message>
         <source>The ellipses of the pixels around: how they overlap</source>
-        <translation>Еліпси сусідніх пікселів: як вони перекриваються</translation>
+        <translation>Еліпси сусідніх пікселів: як вони накладаються</translation>
     </message>
     <message>
         <source>Neighbours</source>
@@ -867,7 +895,7 @@
     </message>
     <message>
         <source>Show all of the footprint (R); wheel zooms, drag moves</source>
-        <translation>Показати весь слід (R); коліщатко масштабує, перетягування рухає</translation>
+        <translation>Показати всю проєкцію (R); коліщатко змінює масштаб, перетягування пересуває</translation>
     </message>
     <message>
         <source>level %1, texel (%2, %3): does not count</source>
@@ -879,19 +907,19 @@
     </message>
     <message>
         <source>, partly hidden: weight %1 left out</source>
-        <translation>, частково сховано: вагу %1 не враховано</translation>
+        <translation>, частково перекрито: ваговий коефіцієнт %1 не враховано</translation>
     </message>
     <message>
         <source> · ray: %1% of the pixel</source>
-        <translation> · промінь: %1% пікселя</translation>
+        <translation> · промінь: %1 % пікселя</translation>
     </message>
     <message>
         <source>: hidden by the relief at (%1, %2), weight %3 left out</source>
-        <translation>: схований рельєфом у (%1, %2), вагу %3 не враховано</translation>
+        <translation>: перекрито рельєфом у (%1, %2), ваговий коефіцієнт %3 не враховано</translation>
     </message>
     <message>
         <source>: weight %1, %2%</source>
-        <translation>: вага %1, %2%</translation>
+        <translation>: ваговий коефіцієнт %1, %2 %</translation>
     </message>
     <message>
         <source> (%1, %2, %3)</source>
@@ -907,98 +935,98 @@
     </message>
     <message>
         <source>Export the footprint</source>
-        <translation>Експортувати слід пікселя</translation>
+        <translation>Експортувати проєкцію пікселя</translation>
     </message>
     <message>
         <source>Footprint</source>
         <comment>tab</comment>
-        <translation>Слід</translation>
+        <translation>Проєкція</translation>
     </message>
     <message>
         <source>The part of the texture that the pixel covers, and the weight of each texel</source>
-        <translation>Проєкція пікселя на текстуру та ваговий коефіцієнт кожного тексела</translation>
+        <translation>Проєкція пікселя на текстуру та ваговий коефіцієнт кожного текселя</translation>
     </message>
 </context>
 <context>
     <name>reliefui::LatestJob</name>
     <message>
         <source>not enough memory for this</source>
-        <translation>на це не вистачає пам’яті</translation>
+        <translation>на це бракує пам’яті</translation>
     </message>
 </context>
 <context>
     <name>reliefui::Lessons</name>
     <message>
-        <source>A descent in vain: the maximum pyramid</source>
-        <translation>Марний спуск: піраміда максимумів</translation>
+        <source>A search in vain: a hit is possible but not confirmed ([MIP18])</source>
+        <translation>Марна перевірка: перетин на ділянці не підтверджується ([MIP18])</translation>
     </message>
     <message>
-        <source>The maximum of a coarse texel lies above the ray, so it goes down; none of the finer texels holds it, and it comes up again. Step through it with , and .</source>
-        <translation>Максимум грубого текселя вищий за промінь, тож промінь спускається; жоден із дрібніших текселів його не стримує, і він підіймається знову. Ідіть кроками: клавіші , та .</translation>
+        <source>The maximum of a texel of a higher level lies above the ray, so the search goes down a level. There no texel lies above the ray: the hit is not confirmed, and the search comes up again. The keys “,” and “.” go from step to step.</source>
+        <translation>Максимум текселя на вищому рівні більший за висоту променя, тому трасування переходить на нижчий рівень; там жоден тексель не вищий за промінь, перетин не підтверджується, і трасування повертається на вищий рівень. Переходьте між кроками клавішами «,» та «.».</translation>
     </message>
     <message>
         <source>Missed spike: layers against the maximum pyramid</source>
-        <translation>Пропущений шпиль: шари проти піраміди максимумів</translation>
+        <translation>Непомічений шпиль: шари проти MIP-піраміди максимальних значень</translation>
     </message>
     <message>
-        <source>Sixteen layers look at the surface at sixteen places; a spike that stands between two of them is passed. The maximum pyramid passes nothing.</source>
-        <translation>Шістнадцять шарів дивляться на поверхню в шістнадцяти місцях; шпиль між двома з них проскочено. Піраміда максимумів не проскакує нічого.</translation>
+        <source>With sixteen layers the surface is read at sixteen points of the ray only: a spike between two of them goes unnoticed. The maximum pyramid misses no hit.</source>
+        <translation>За шістнадцяти шарів висоту поверхні перевіряють лише в шістнадцяти точках променя; шпиль між двома з них лишається непоміченим. MIP-піраміда максимальних значень не пропускає жодного перетину.</translation>
     </message>
     <message>
         <source>Not refined: the last layer is the answer</source>
         <translation>Не уточнено: відповідь — останній шар</translation>
     </message>
     <message>
-        <source>The hit lies between two layers; plain layers answer with the second one, bisection looks for it.</source>
-        <translation>Влучання лежить між двома шарами; прості шари відповідають другим, ділення навпіл його шукає.</translation>
+        <source>The hit lies between two layers. The method of layers answers with the second of them; bisection narrows the interval down to the hit.</source>
+        <translation>Точка перетину лежить між двома шарами. Метод шарів видає за відповідь другий із них, а ділення навпіл уточнює положення точки.</translation>
     </message>
     <message>
-        <source>Interpolation leak: a secant over an edge</source>
-        <translation>Просочування інтерполяції: січна через край</translation>
+        <source>Interpolation leak: a secant over a drop in height</source>
+        <translation>Хибний перетин через інтерполяцію: січна на перепаді висот</translation>
     </message>
     <message>
-        <source>Between the last two layers the surface is taken for a straight line; at an edge the answer lies where there is no surface.</source>
-        <translation>Між двома останніми шарами поверхню вважають прямою; на краю відповідь лежить там, де поверхні немає.</translation>
+        <source>Between the last two layers the surface is replaced by a straight line; at a sharp drop in height the point that is found does not lie on the surface.</source>
+        <translation>Між двома останніми шарами поверхню замінено прямою; на різкому перепаді висот знайдена точка не лежить на поверхні.</translation>
     </message>
     <message>
         <source>Stopped early: one step of parallax offset</source>
-        <translation>Передчасна зупинка: один крок паралаксного зсуву</translation>
+        <translation>Передчасна зупинка: зміщення за один крок (parallax mapping)</translation>
     </message>
     <message>
-        <source>One sample is taken for the answer; where the relief changes, the ray is still in the air.</source>
-        <translation>За відповідь узято один відлік; де рельєф міняється, промінь ще в повітрі.</translation>
+        <source>The offset is computed from one height; where the relief changes, the ray is still above the surface at the point that is found.</source>
+        <translation>Зміщення обчислено за однією висотою; де рельєф змінюється, промінь у знайденій точці ще над поверхнею.</translation>
     </message>
     <message>
         <source>Unsafe map: relaxed cones</source>
-        <translation>Ненадійна карта: послаблені конуси</translation>
+        <translation>Ненадійна карта: розширені конуси</translation>
     </message>
     <message>
-        <source>A relaxed cone may enter the relief once, so that steps are long; at an edge it comes out again behind it. Plain cones never enter.</source>
-        <translation>Послаблений конус може один раз увійти в рельєф, тож кроки довгі; на краю він виходить уже позаду. Звичайні конуси не входять ніколи.</translation>
+        <source>In a relaxed cone the ray may enter the relief once, so steps are longer; at a narrow ledge it has already come out behind it, and the hit is lost. A plain cone is always empty.</source>
+        <translation>У такому конусі промінь може раз зайти під поверхню, тому кроки довші; на вузькому виступі він виходить уже за ним, і перетин утрачено. Звичайний конус завжди порожній.</translation>
     </message>
     <message>
-        <source>Grazing rays: steps grow, layers tear</source>
-        <translation>Ковзні промені: кроків більшає, шари рвуться</translation>
+        <source>Grazing rays: more steps, and layers become visible ([DIST17])</source>
+        <translation>Напрямок погляду, близький до дотичного: більше кроків, видно шаруватість ([DIST17])</translation>
     </message>
     <message>
-        <source>Six degrees above the ground the layers lie many texels apart along the ray. Compare the methods, and look at the layer of steps in the result.</source>
-        <translation>За шість градусів над землею шари лежать уздовж променя далеко один від одного. Порівняйте методи й гляньте на карту кроків у результаті.</translation>
+        <source>At six degrees to the ground neighbouring layers meet the ray many texels apart. Compare the methods, and look at the number of steps (choose “Steps” in the result).</source>
+        <translation>За кута шість градусів до поверхні сусідні шари перетинають промінь у точках, віддалених на багато текселів. Порівняйте методи й перегляньте кількість кроків (вид зображення «Кроки»).</translation>
     </message>
     <message>
         <source>Footprint: texels that the relief hides</source>
-        <translation>Слід пікселя: тексели, які ховає рельєф</translation>
+        <translation>Проєкція пікселя: текселі, перекриті рельєфом</translation>
     </message>
     <message>
-        <source>A pixel&apos;s ellipse on a slanted relief covers texels that the eye does not see; the filter elliptical-visible leaves them out.</source>
-        <translation>Еліпс пікселя на похилому рельєфі накриває тексели, яких око не бачить; фільтр elliptical-visible їх не враховує.</translation>
+        <source>The ellipse, the projection of the pixel on the slanted relief, covers texels that cannot be seen as well; the filter elliptical-visible finds them by tracing back and leaves them out ([TEX]).</source>
+        <translation>Еліпс — проєкція пікселя на похилий рельєф — охоплює і невидимі текселі; фільтр elliptical-visible зворотним трасуванням визначає їх і не враховує ([TEX]).</translation>
     </message>
     <message>
-        <source>Distance map: on by the distance that it stores</source>
-        <translation>Карта відстаней: крок завдовжки з відстань у ній</translation>
+        <source>Distance map: each step is as long as the stored distance</source>
+        <translation>Карта відстаней: крок завдовжки зі збережену відстань</translation>
     </message>
     <message>
-        <source>The slice shows how far each voxel is from the surface. At every stop the ray goes on by that distance: five steps to the floor, and with the refined map of the next lesson four. The last circle reaches below the floor: between the middles of voxels distances are interpolated.</source>
-        <translation>Переріз показує, як далеко від поверхні лежить кожен воксель. У кожній зупинці промінь просувається на цю відстань: п&apos;ять кроків до дна, а з уточненою картою з наступного уроку — чотири. Останнє коло сягає нижче дна: між серединами вокселів відстані інтерпольовано.</translation>
+        <source>The slice shows how far each voxel is from the surface. At every stop the ray goes on by that distance: five steps to the floor, and with the refined map of the next lesson four. The last circle reaches below the floor: between the centres of voxels distances are interpolated.</source>
+        <translation>Зріз показує, як далеко від поверхні лежить кожен воксель. У кожній точці зупинки промінь просувається на цю відстань: п’ять кроків до дна, а з уточненою картою з наступного уроку — чотири. Останнє коло сягає нижче дна: між центрами вокселів відстані інтерпольовано.</translation>
     </message>
     <message>
         <source>Refined distance: 3 texels or 4</source>
@@ -1006,15 +1034,15 @@
     </message>
     <message>
         <source>Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 texels of C hit the right wall before they reach C; the nearest hit of all others is on the floor, 4 texels below: the refined distance. Ctrl+click asks about another point.</source>
-        <translation>Точка C лежить за 3 текселі від лівої стіни. Промені згори, які зустріли б цю стіну ближче ніж за 4 текселі від C, влучають у праву стіну ще до точки C; найближче влучання всіх інших — на дні, на 4 текселі нижче: це уточнена відстань. Клацання з Ctrl запитує про іншу точку.</translation>
+        <translation>Точка C лежить за 3 текселі від лівої стіни. Промені згори, які перетнули б цю стіну ближче ніж за 4 текселі від C, перетинають праву стіну ще до точки C; найближчий перетин усіх інших — на дні, на 4 текселі нижче: це уточнена відстань. Клацання з Ctrl показує відстані в іншій точці.</translation>
     </message>
     <message>
         <source>Unsafe map: interpolated distances</source>
         <translation>Ненадійна карта: інтерпольовані відстані</translation>
     </message>
     <message>
-        <source>Distances are stored for the middles of voxels and interpolated between them; near a wall that promises more room than there is. The conservative map holds for whole voxels.</source>
-        <translation>Відстані збережено для середин вокселів і між ними інтерпольовано; біля стіни це обіцяє більше місця, ніж є. Обережна карта чинна для цілих вокселів.</translation>
+        <source>Distances are stored for the centres of voxels and interpolated between them; near a wall the interpolated distance is larger than the true one. The conservative map holds for the whole volume of a voxel.</source>
+        <translation>Відстані збережено для центрів вокселів і між ними інтерпольовано; біля стінки інтерпольована відстань більша за справжню. Консервативна карта відстаней справджується для всього об’єму вокселя.</translation>
     </message>
 </context>
 <context>
@@ -1025,7 +1053,7 @@
     </message>
     <message>
         <source>The pictures and the view of the first start</source>
-        <translation>Зображення та вигляд першого запуску</translation>
+        <translation>Зображення та ракурс першого запуску</translation>
     </message>
     <message>
         <source>Start anew</source>
@@ -1033,11 +1061,11 @@
     </message>
     <message>
         <source>&amp;Longest pauses…</source>
-        <translation>Найдовші &amp;паузи…</translation>
+        <translation>Найдовші па&amp;узи…</translation>
     </message>
     <message>
         <source>What held the window&apos;s thread longest</source>
-        <translation>Що найдовше затримувало потік вікна</translation>
+        <translation>Що найдовше затримувало потік вікна (назви частин — англійською)</translation>
     </message>
     <message>
         <source>Longest pauses</source>
@@ -1045,11 +1073,11 @@
     </message>
     <message>
         <source>Layer of the result</source>
-        <translation>Шар результату</translation>
+        <translation>Вид зображення</translation>
     </message>
     <message>
         <source>What the result shows of each pixel</source>
-        <translation>Що показує результат про кожен піксель</translation>
+        <translation>Що показує результат для кожного пікселя</translation>
     </message>
     <message>
         <source>Reliefscope</source>
@@ -1073,7 +1101,7 @@
     </message>
     <message>
         <source>Open the colour picture of the relief</source>
-        <translation>Відкрити кольорову картинку рельєфу</translation>
+        <translation>Відкрити кольорове зображення рельєфу</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -1089,15 +1117,15 @@
     </message>
     <message>
         <source>Save picture</source>
-        <translation>Зберегти картинку</translation>
+        <translation>Зберегти зображення</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation>Картинки</translation>
+        <translation>Зображення</translation>
     </message>
     <message>
         <source>%1: cannot be written: %2</source>
-        <translation>%1: не записується: %2</translation>
+        <translation>%1: не вдалося записати: %2</translation>
     </message>
     <message>
         <source>Saved: %1</source>
@@ -1109,11 +1137,11 @@
     </message>
     <message>
         <source>Open these pictures, shipped with Reliefscope</source>
-        <translation>Відкрити ці картинки, що йдуть разом із Reliefscope</translation>
+        <translation>Відкрити ці зображення, що йдуть разом із Reliefscope</translation>
     </message>
     <message>
         <source>Open %1</source>
-        <translation>Відкрити %1</translation>
+        <translation>Відкрити: %1</translation>
     </message>
     <message>
         <source>One file at a time, please: a height map or a scenario</source>
@@ -1149,11 +1177,11 @@
     </message>
     <message>
         <source>Save &amp;picture…</source>
-        <translation>Зберегти к&amp;артинку…</translation>
+        <translation>Зберегти з&amp;ображення…</translation>
     </message>
     <message>
         <source>Save the picture of the result</source>
-        <translation>Зберегти картинку результату</translation>
+        <translation>Зберегти зображення результату</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -1165,7 +1193,7 @@
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation>&amp;Правка</translation>
+        <translation>&amp;Редагування</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -1177,11 +1205,11 @@
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>&amp;Повернути</translation>
+        <translation>&amp;Повторити</translation>
     </message>
     <message>
         <source>Redo what was undone</source>
-        <translation>Повернути скасоване</translation>
+        <translation>Повторити скасоване</translation>
     </message>
     <message>
         <source>&amp;Copy as command</source>
@@ -1193,11 +1221,11 @@
     </message>
     <message>
         <source>Copy &amp;picture</source>
-        <translation>Копіювати к&amp;артинку</translation>
+        <translation>Копіювати &amp;зображення</translation>
     </message>
     <message>
         <source>Copy the picture of the result</source>
-        <translation>Копіювати картинку результату</translation>
+        <translation>Копіювати зображення результату</translation>
     </message>
     <message>
         <source>C&amp;ancel</source>
@@ -1221,7 +1249,7 @@
     </message>
     <message>
         <source>Reset &amp;layout</source>
-        <translation>&amp;Початкове розташування</translation>
+        <translation>Початкове &amp;розташування</translation>
     </message>
     <message>
         <source>Put the panes where they were at first</source>
@@ -1229,7 +1257,7 @@
     </message>
     <message>
         <source>Show the &amp;whole picture</source>
-        <translation>Показати &amp;всю картинку</translation>
+        <translation>Показати &amp;все зображення</translation>
     </message>
     <message>
         <source>No zoom in the result (R there)</source>
@@ -1253,7 +1281,7 @@
     </message>
     <message>
         <source>&amp;Ray</source>
-        <translation>П&amp;ромінь</translation>
+        <translation>Про&amp;мінь</translation>
     </message>
     <message>
         <source>&amp;First step</source>
@@ -1265,7 +1293,7 @@
     </message>
     <message>
         <source>&amp;Previous step</source>
-        <translation>П&amp;опередній крок</translation>
+        <translation>Попередні&amp;й крок</translation>
     </message>
     <message>
         <source>One step back</source>
@@ -1289,7 +1317,7 @@
     </message>
     <message>
         <source>Pla&amp;y</source>
-        <translation>П&amp;рограти</translation>
+        <translation>&amp;Відтворити</translation>
     </message>
     <message>
         <source>Space</source>
@@ -1325,7 +1353,7 @@
     </message>
     <message>
         <source>%1 – Reliefscope</source>
-        <translation>%1 – Reliefscope</translation>
+        <translation>%1 — Reliefscope</translation>
     </message>
     <message>
         <source>Copied: %1</source>
@@ -1341,11 +1369,11 @@
     </message>
     <message>
         <source>Copy picture</source>
-        <translation>Копіювати картинку</translation>
+        <translation>Копіювати зображення</translation>
     </message>
     <message>
         <source>Save picture…</source>
-        <translation>Зберегти картинку…</translation>
+        <translation>Зберегти зображення…</translation>
     </message>
     <message>
         <source>Go to pixel</source>
@@ -1357,7 +1385,7 @@
     </message>
     <message>
         <source>“%1” is not a pixel; write column, row</source>
-        <translation>«%1» — не піксель; пишіть стовпець, рядок</translation>
+        <translation>«%1» — не піксель; введіть стовпець, рядок</translation>
     </message>
     <message>
         <source>Click in the result</source>
@@ -1377,7 +1405,7 @@
     </message>
     <message>
         <source>Wheel in the result</source>
-        <translation>Колесо в результаті</translation>
+        <translation>Коліщатко в результаті</translation>
     </message>
     <message>
         <source>change the camera&apos;s distance</source>
@@ -1385,15 +1413,15 @@
     </message>
     <message>
         <source>Ctrl + drag, Ctrl + wheel</source>
-        <translation>Ctrl + перетягування, Ctrl + колесо</translation>
+        <translation>Ctrl + перетягування, Ctrl + коліщатко</translation>
     </message>
     <message>
         <source>pan and zoom the picture</source>
-        <translation>зсунути та збільшити картинку</translation>
+        <translation>пересунути зображення, змінити його масштаб</translation>
     </message>
     <message>
         <source>the whole picture again</source>
-        <translation>знову вся картинка</translation>
+        <translation>знову все зображення</translation>
     </message>
     <message>
         <source>Arrows in the result (with Shift: ten)</source>
@@ -1429,7 +1457,7 @@
     </message>
     <message>
         <source>undo and redo</source>
-        <translation>скасувати й повернути</translation>
+        <translation>скасувати й повторити</translation>
     </message>
     <message>
         <source>copy the relief trace command of the pixel</source>
@@ -1452,6 +1480,10 @@
         <translation>Про Reliefscope</translation>
     </message>
     <message>
+        <source>Numbers are written with a decimal point: 12.5.</source>
+        <translation>Дробові числа записано з десятковою крапкою: 12.5.</translation>
+    </message>
+    <message>
         <source>Reliefscope %1
 
 Relief texturing on height maps, in a window that explains why a pixel looks as it does.</source>
@@ -1469,27 +1501,27 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Open a file of rays and a file of the steps that another tracer took on them</source>
-        <translation>Відкрити файл променів і файл кроків, які зробив на них інший трасувальник</translation>
+        <translation>Відкрити файл променів і файл кроків, які зробив на них інший трасувальник (метод чужої програми)</translation>
     </message>
     <message>
         <source>Play the steps until a breakpoint</source>
-        <translation>Програти кроки до точки зупинки</translation>
+        <translation>Відтворювати кроки до точки зупинки</translation>
     </message>
     <message>
         <source>Step &amp;over a level</source>
-        <translation>Кр&amp;ок через рівень</translation>
+        <translation>Крок без з&amp;аходу на нижчі рівні</translation>
     </message>
     <message>
         <source>Over what lies on finer levels</source>
-        <translation>Повз те, що лежить на дрібніших рівнях</translation>
+        <translation>Обійти те, що відбувається на нижчих рівнях</translation>
     </message>
     <message>
         <source>Step &amp;back over a level</source>
-        <translation>Крок &amp;назад через рівень</translation>
+        <translation>Назад без за&amp;ходу на нижчі рівні</translation>
     </message>
     <message>
         <source>Back over what lies on finer levels</source>
-        <translation>Назад повз те, що лежить на дрібніших рівнях</translation>
+        <translation>Назад без заходу на нижчі рівні</translation>
     </message>
     <message>
         <source>&amp;Run to the next breakpoint</source>
@@ -1517,23 +1549,23 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>G&amp;uess the hit</source>
-        <translation>Вга&amp;дати влучання</translation>
+        <translation>&amp;Де перетин?</translation>
     </message>
     <message>
         <source>Hide the answer; a click in the profile guesses where the ray hits</source>
-        <translation>Приховати відповідь; клацання в профілі вгадує, куди влучить промінь</translation>
+        <translation>Приховати відповідь; клацніть у профілі там, де очікуєте перетин</translation>
     </message>
     <message>
         <source>play the steps, until a breakpoint</source>
-        <translation>програти кроки до точки зупинки</translation>
+        <translation>відтворювати кроки до точки зупинки</translation>
     </message>
     <message>
         <source>step over a level, and back</source>
-        <translation>крок через рівень і назад</translation>
+        <translation>крок без заходу на нижчі рівні, вперед і назад</translation>
     </message>
     <message>
         <source>run to the next breakpoint, and back</source>
-        <translation>до наступної точки зупинки і назад</translation>
+        <translation>до наступної точки зупинки й назад</translation>
     </message>
     <message>
         <source>set a breakpoint at this texel</source>
@@ -1549,7 +1581,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>guess where the ray hits, by a click in the profile</source>
-        <translation>вгадати клацанням у профілі, куди влучить промінь</translation>
+        <translation>позначити клацанням у профілі, де очікується перетин</translation>
     </message>
     <message>
         <source>Ctrl + click in the profile or the distance map</source>
@@ -1557,11 +1589,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>distances at that point; there again: forget it</source>
-        <translation>відстані в цій точці; там само ще раз: забути її</translation>
+        <translation>відстані в цій точці; там само ще раз: прибрати її</translation>
     </message>
     <message>
         <source>Next pixel &amp;worth seeing</source>
-        <translation>Наступний &amp;вартий уваги піксель</translation>
+        <translation>Наступний вартий уваг&amp;и піксель</translation>
     </message>
     <message>
         <source>Largest &amp;error</source>
@@ -1569,7 +1601,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>The pixel whose hit is farthest from the exact one; again: the next</source>
-        <translation>Піксель, влучання якого найдалі від точного; ще раз — наступний</translation>
+        <translation>Піксель, точка перетину якого найдалі від точної; ще раз — наступний</translation>
     </message>
     <message>
         <source>Most &amp;steps</source>
@@ -1585,7 +1617,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>The pixel whose ray goes farthest past the surface; again: the next</source>
-        <translation>Піксель, промінь якого проходить найдалі за поверхню; ще раз — наступний</translation>
+        <translation>Піксель, промінь якого заходить найдалі за поверхню; ще раз — наступний</translation>
     </message>
     <message>
         <source>&amp;Disagreement</source>
@@ -1605,7 +1637,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Keep this pixel, the camera and the step</source>
-        <translation>Запам&apos;ятати цей піксель, камеру та крок</translation>
+        <translation>Запам’ятати цей піксель, камеру та крок</translation>
     </message>
     <message>
         <source>&amp;Next bookmark</source>
@@ -1673,7 +1705,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Play fas&amp;ter</source>
-        <translation>Програвати &amp;швидше</translation>
+        <translation>Відтворювати &amp;швидше</translation>
     </message>
     <message>
         <source>More steps a second</source>
@@ -1681,7 +1713,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Play slo&amp;wer</source>
-        <translation>Програвати по&amp;вільніше</translation>
+        <translation>Відтворювати пов&amp;ільніше</translation>
     </message>
     <message>
         <source>Fewer steps a second</source>
@@ -1693,19 +1725,19 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Lesson: %1</source>
-        <translation>Урок: %1</translation>
+        <translation>Урок «%1»</translation>
     </message>
     <message>
         <source>play slower, faster</source>
-        <translation>програвати повільніше, швидше</translation>
+        <translation>відтворювати повільніше, швидше</translation>
     </message>
     <message>
         <source>Arrows in the trace (with Shift: move), + −</source>
-        <translation>Стрілки на шляху променя (з Shift: пересунути), + −</translation>
+        <translation>Стрілки в трасуванні 3D (з Shift: пересунути), + −</translation>
     </message>
     <message>
         <source>turn the trace, zoom</source>
-        <translation>повернути шлях променя, масштаб</translation>
+        <translation>повернути трасування 3D, змінити масштаб</translation>
     </message>
     <message>
         <source>Alt + arrows in the comparison</source>
@@ -1762,7 +1794,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <name>reliefui::OffscreenGl</name>
     <message>
         <source>no OpenGL on this machine draws without a window</source>
-        <translation>на цій машині OpenGL без вікна не малює</translation>
+        <translation>на цій машині OpenGL не малює без вікна</translation>
     </message>
 </context>
 <context>
@@ -1784,7 +1816,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Which ray of the file is looked at, counted from 0</source>
-        <translation>Який промінь файлу розглядається, лік від 0</translation>
+        <translation>Який промінь файлу показано, лік від 0</translation>
     </message>
     <message>
         <source>Whose steps are shown</source>
@@ -1850,7 +1882,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <name>reliefui::PauseLog</name>
     <message>
         <source>%1 ms, of them %2 ms of painting: %3</source>
-        <translation>%1 мс, з них %2 мс на рисування: %3</translation>
+        <translation>%1 мс, з них %2 мс на малювання: %3</translation>
     </message>
     <message>
         <source>longest pause of the window: </source>
@@ -1872,7 +1904,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <name>reliefui::PicturesBox</name>
     <message>
         <source>Pictures</source>
-        <translation>Картинки</translation>
+        <translation>Зображення</translation>
     </message>
     <message>
         <source>All files</source>
@@ -1896,15 +1928,15 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Open %1</source>
-        <translation>Відкрити %1</translation>
+        <translation>Відкрити: %1</translation>
     </message>
     <message>
         <source>Choose a picture file</source>
-        <translation>Вибрати файл картинки</translation>
+        <translation>Вибрати файл зображення</translation>
     </message>
     <message>
         <source>None</source>
-        <translation>Без</translation>
+        <translation>Немає</translation>
     </message>
     <message>
         <source>No %1</source>
@@ -1912,7 +1944,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Do without this picture</source>
-        <translation>Обійтися без цієї картинки</translation>
+        <translation>Обійтися без цього зображення</translation>
     </message>
     <message>
         <source>Procedural relief</source>
@@ -1920,7 +1952,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Make a procedural relief instead of reading a picture</source>
-        <translation>Створити процедурний рельєф замість картинки</translation>
+        <translation>Створити процедурний рельєф замість зображення</translation>
     </message>
     <message>
         <source>Procedural…</source>
@@ -1963,11 +1995,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Looking for pixels …</source>
-        <translation>Пошук пікселів …</translation>
+        <translation>Пошук пікселів…</translation>
     </message>
     <message>
         <source>Every hit is the exact one</source>
-        <translation>Кожне влучання точне</translation>
+        <translation>Усі перетини точні</translation>
     </message>
     <message>
         <source>No ray takes a step</source>
@@ -1975,11 +2007,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>No ray goes past the surface</source>
-        <translation>Жоден промінь не проходить за поверхню</translation>
+        <translation>Жоден промінь не заходить за поверхню</translation>
     </message>
     <message>
         <source>The two methods agree everywhere</source>
-        <translation>Обидва методи всюди згодні</translation>
+        <translation>Обидва методи всюди дають те саме</translation>
     </message>
     <message>
         <source>%1 of %2: pixel (%3, %4), %5</source>
@@ -1991,7 +2023,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>another outcome</source>
-        <translation>інший наслідок</translation>
+        <translation>інший результат пошуку</translation>
     </message>
     <message>
         <source>%1 texels from %2</source>
@@ -2003,7 +2035,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>%1 texels from the exact hit</source>
-        <translation>на %1 текселя від точного влучання</translation>
+        <translation>на %1 текселя від точного перетину</translation>
     </message>
 </context>
 <context>
@@ -2022,7 +2054,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>The maxima of all levels, not only of those that the ray asked</source>
-        <translation>Максимуми всіх рівнів, а не лише тих, які запитував промінь</translation>
+        <translation>Максимуми всіх рівнів, а не лише тих, на яких ішло трасування</translation>
     </message>
     <message>
         <source>near the ray</source>
@@ -2038,7 +2070,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>A texel as long across as upwards: the relief&apos;s true shape</source>
-        <translation>Тексель однаковий уздовж і вгору: справжня форма рельєфу</translation>
+        <translation>Однаковий масштаб по горизонталі та вертикалі: справжня форма рельєфу</translation>
     </message>
     <message>
         <source>fit</source>
@@ -2046,7 +2078,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Show all of the ray (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances of a point</source>
-        <translation>Показати весь промінь (R); колесо наближає, перетягування зсуває, клацання вибирає крок, клацання з Ctrl запитує про відстані в точці</translation>
+        <translation>Показати весь промінь (R); коліщатко змінює масштаб, перетягування пересуває, клацання вибирає крок, клацання з Ctrl показує відстані в точці</translation>
     </message>
     <message>
         <source>λ %1</source>
@@ -2054,7 +2086,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>%1 texels, λ %2</source>
-        <translation>%1 текселів, λ %2</translation>
+        <translation>%1 текселя, λ %2</translation>
     </message>
     <message>
         <source> · surface %1</source>
@@ -2074,33 +2106,33 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Export the profile</source>
-        <translation>Експорт профілю</translation>
+        <translation>Експортувати профіль</translation>
     </message>
     <message>
         <source>guess</source>
-        <translation>вгадати</translation>
+        <translation>де перетин?</translation>
     </message>
     <message>
         <source>Hide the answer; a click guesses where the ray hits, then it is shown (G)</source>
-        <translation>Приховати відповідь; клацання вгадує, куди влучить промінь, потім її показано (G)</translation>
+        <translation>Приховати відповідь; клацніть там, де очікуєте перетин, і її буде показано (G)</translation>
     </message>
     <message>
         <source>The relief under the ray, cut along it</source>
-        <translation>Рельєф під променем, розрізаний уздовж нього</translation>
+        <translation>Зріз рельєфу вздовж видового променя</translation>
     </message>
 </context>
 <context>
     <name>reliefui::PyramidStack</name>
     <message>
         <source>Pyramid in 3-D</source>
-        <translation>Піраміда в 3-D</translation>
+        <translation>MIP-піраміда у 3D</translation>
     </message>
 </context>
 <context>
     <name>reliefui::PyramidView</name>
     <message>
         <source>Pyramid: other view</source>
-        <translation>Піраміда: інший вигляд</translation>
+        <translation>MIP-піраміда: інший вигляд</translation>
     </message>
     <message>
         <source>all</source>
@@ -2112,7 +2144,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>3-D</source>
-        <translation>3-D</translation>
+        <translation>3D</translation>
     </message>
     <message>
         <source>The levels as slabs one above the other, and the way of the ray</source>
@@ -2124,7 +2156,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Pyramid</source>
-        <translation>Піраміда</translation>
+        <translation>MIP-піраміда</translation>
     </message>
     <message>
         <source>max</source>
@@ -2132,7 +2164,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>The highest point under each texel: what lets the ray skip</source>
-        <translation>Найвища точка під кожним текселем: завдяки їй промінь може пропускати</translation>
+        <translation>Найвища точка під кожним текселем: завдяки їй пропускаються порожні ділянки</translation>
     </message>
     <message>
         <source>mean</source>
@@ -2140,7 +2172,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>The mean under each texel: what colours are filtered with</source>
-        <translation>Середнє під кожним текселем: тим фільтруються кольори</translation>
+        <translation>Середнє під кожним текселем: за ним фільтрують кольори</translation>
     </message>
     <message>
         <source>follow</source>
@@ -2148,7 +2180,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Zoom to the level of the current step</source>
-        <translation>Наблизити рівень поточного кроку</translation>
+        <translation>Показувати рівень поточного кроку</translation>
     </message>
     <message>
         <source>step %1 · %2</source>
@@ -2168,11 +2200,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Show all levels (R); wheel zooms, drag moves, click chooses a step</source>
-        <translation>Показати всі рівні (R); колесо наближає, перетягування зсуває, клацання вибирає крок</translation>
+        <translation>Показати всі рівні (R); коліщатко змінює масштаб, перетягування пересуває, клацання вибирає крок</translation>
     </message>
     <message>
         <source>level %1 (%2, %3): %4 · %5 texels</source>
-        <translation>рівень %1 (%2, %3): %4 · %5 текселів</translation>
+        <translation>рівень %1 (%2, %3): %4 · %5 текселя</translation>
     </message>
     <message>
         <source>min</source>
@@ -2184,18 +2216,18 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Export the pyramid</source>
-        <translation>Експорт піраміди</translation>
+        <translation>Експортувати MIP-піраміду</translation>
     </message>
     <message>
         <source>The levels of the pyramid and the texels that the ray looked at</source>
-        <translation>Рівні піраміди й тексели, які переглянув промінь</translation>
+        <translation>Рівні MIP-піраміди й текселі, які перевірено під час трасування</translation>
     </message>
 </context>
 <context>
     <name>reliefui::RenderWorker</name>
     <message>
         <source>not enough memory for this</source>
-        <translation>для цього бракує пам’яті</translation>
+        <translation>на це бракує пам’яті</translation>
     </message>
 </context>
 <context>
@@ -2218,7 +2250,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>The last start ended before its picture was there. What it was to open was not tried again; it can be restored.</source>
-        <translation>Минулий запуск обірвався ще до появи картинки. Те, що він мав відкрити, тепер не відкрито; його можна відновити.</translation>
+        <translation>Минулий запуск обірвався ще до появи зображення. Те, що він мав відкрити, тепер не відкрито; його можна відновити.</translation>
     </message>
     <message>
         <source>Reliefscope ended unexpectedly; what was open can be restored as it was on %1.</source>
@@ -2227,9 +2259,13 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 </context>
 <context>
     <name>reliefui::ResultText</name>
-    <message>
-        <source>%1: %2 pixels</source>
-        <translation>%1: пікселів %2</translation>
+    <message numerus="yes">
+        <source>%1: %n pixels</source>
+        <translation>
+            <numerusform>%1: %n піксель</numerusform>
+            <numerusform>%1: %n пікселі</numerusform>
+            <numerusform>%1: %n пікселів</numerusform>
+        </translation>
     </message>
     <message>
         <source>steps of the ray</source>
@@ -2237,7 +2273,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>distance to the hit, texture widths</source>
-        <translation>відстань до влучання, ширини текстури</translation>
+        <translation>відстань до точки перетину, у ширинах текстури</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -2261,11 +2297,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>hit</source>
-        <translation>влучання</translation>
+        <translation>перетин</translation>
     </message>
     <message>
         <source>miss</source>
-        <translation>промах</translation>
+        <translation>без перетину</translation>
     </message>
     <message>
         <source>step limit</source>
@@ -2289,15 +2325,15 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>hit at texel (%1, %2), λ %3</source>
-        <translation>влучання в тексель (%1, %2), λ %3</translation>
+        <translation>точка перетину: тексель (%1, %2), λ %3</translation>
     </message>
     <message>
         <source>distance %1 texture widths</source>
-        <translation>відстань %1 ширин текстури</translation>
+        <translation>відстань %1 ширини текстури</translation>
     </message>
     <message>
         <source>steps: %1, reads: %2</source>
-        <translation>кроків: %1, читань: %2</translation>
+        <translation>кроків: %1, вибірок: %2</translation>
     </message>
     <message>
         <source>exact</source>
@@ -2313,15 +2349,15 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>wrong outcome</source>
-        <translation>інший підсумок</translation>
+        <translation>інший результат пошуку</translation>
     </message>
     <message>
         <source>u, texture widths, 0 to 1</source>
-        <translation>u, ширини текстури, від 0 до 1</translation>
+        <translation>u у частках ширини зображення, від 0 до 1</translation>
     </message>
     <message>
         <source>v, texture heights, 0 to 1</source>
-        <translation>v, висоти текстури, від 0 до 1</translation>
+        <translation>v у частках висоти зображення, від 0 до 1</translation>
     </message>
     <message>
         <source>a corner of the texture</source>
@@ -2329,7 +2365,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>error against exact, texels</source>
-        <translation>похибка проти точного, тексели</translation>
+        <translation>похибка відносно точного методу, у текселях</translation>
     </message>
     <message>
         <source>x right, y up, z to the front</source>
@@ -2353,7 +2389,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>error %1 texels, %2</source>
-        <translation>похибка %1 текселів, %2</translation>
+        <translation>похибка %1 текселя, %2</translation>
     </message>
     <message>
         <source>normal (%1, %2, %3)</source>
@@ -2365,46 +2401,46 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>nothing to show: only the filter elliptical-visible asks what the relief hides</source>
-        <translation>показувати нічого: лише фільтр elliptical-visible питає, що ховає рельєф</translation>
+        <translation>показувати нема чого: перекриття рельєфом перевіряє лише фільтр elliptical-visible</translation>
     </message>
     <message>
         <source>footprint: major over minor axis</source>
-        <translation>слід: більша вісь до меншої</translation>
+        <translation>проєкція пікселя: відношення великої осі до малої</translation>
     </message>
     <message>
         <source>texels of the footprint hidden by the relief, %</source>
-        <translation>текселі сліду, сховані рельєфом, %</translation>
+        <translation>текселі проєкції, перекриті рельєфом, %</translation>
     </message>
     <message>
         <source>Footprint anisotropy</source>
-        <translation>Анізотропія сліду</translation>
+        <translation>Анізотропія проєкції пікселя</translation>
     </message>
     <message>
         <source>Hidden by the relief</source>
-        <translation>Сховане рельєфом</translation>
+        <translation>Перекрите рельєфом</translation>
     </message>
     <message>
         <source>%1% of the footprint hidden</source>
-        <translation>сховано %1% сліду</translation>
+        <translation>перекрито %1 % проєкції</translation>
     </message>
     <message>
         <source>footprint: semi-axes %1 × %2 texels, ratio %3</source>
-        <translation>слід: півосі %1 × %2 текселів, відношення %3</translation>
+        <translation>проєкція пікселя: півосі %1 × %2 текселя, відношення %3</translation>
     </message>
 </context>
 <context>
     <name>reliefui::ResultView</name>
     <message>
         <source>Result: the rendered picture</source>
-        <translation>Результат: намальована картинка</translation>
+        <translation>Результат: сформоване зображення</translation>
     </message>
     <message>
         <source>Drawing the first picture…</source>
-        <translation>Малюється перша картинка…</translation>
+        <translation>Формується перше зображення…</translation>
     </message>
     <message>
         <source>No picture yet: open a height map, or drop one here.</source>
-        <translation>Картинки ще немає: відкрийте карту висот або перетягніть її сюди.</translation>
+        <translation>Зображення ще немає: відкрийте карту висот або перетягніть її сюди.</translation>
     </message>
     <message>
         <source>Result</source>
@@ -2412,7 +2448,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>The picture, or a layer of it: choose a pixel to see how it came about</source>
-        <translation>Зображення або його шар: виберіть піксель, щоб побачити, як він виник</translation>
+        <translation>Зображення або інший його вид: виберіть піксель, щоб побачити, як його отримано</translation>
     </message>
 </context>
 <context>
@@ -2435,15 +2471,19 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>How many pixels the picture is wide: on long rows rounding adds up</source>
-        <translation>Скільки пікселів завширшки картинка: на довгих рядках округлення накопичується</translation>
+        <translation>Скільки пікселів завширшки зображення: на довгих рядках похибка заокруглення накопичується</translation>
     </message>
     <message>
         <source>the picture&apos;s width</source>
-        <translation>ширина картинки</translation>
+        <translation>ширина зображення</translation>
     </message>
-    <message>
-        <source>%1 pixels</source>
-        <translation>%1 пікселів</translation>
+    <message numerus="yes">
+        <source>%n pixels</source>
+        <translation>
+            <numerusform>%n піксель</numerusform>
+            <numerusform>%n пікселі</numerusform>
+            <numerusform>%n пікселів</numerusform>
+        </translation>
     </message>
     <message>
         <source>The numbers that the variants compute in</source>
@@ -2463,7 +2503,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Show all of the row (R); wheel zooms, drag moves, click chooses a pixel</source>
-        <translation>Показати весь рядок (R); коліщатко наближує, перетягування рухає, клацання вибирає піксель</translation>
+        <translation>Показати весь рядок (R); коліщатко змінює масштаб, перетягування пересуває, клацання вибирає піксель</translation>
     </message>
     <message>
         <source>Variant %1</source>
@@ -2491,7 +2531,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>The longest span that keeps this error, texels</source>
-        <translation>Найдовший відрізок, що зберігає цю похибку, тексели</translation>
+        <translation>Найдовший відрізок, на якому похибка не перевищує заданої, у текселях</translation>
     </message>
     <message>
         <source>anchor </source>
@@ -2499,7 +2539,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Pixels between exact restarts; 0: never; auto: as keeps 1/256 texel</source>
-        <translation>Пікселів між точними перезапусками; 0: ніколи; авто: щоб зберегти 1/256 текселя</translation>
+        <translation>Пікселів між точними перезапусками; 0: ніколи; авто: щоб похибка не перевищувала 1/256 текселя</translation>
     </message>
     <message>
         <source>anchor: auto</source>
@@ -2515,7 +2555,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>: u %1, v %2, error %3 texels</source>
-        <translation>: u %1, v %2, похибка %3 текселів</translation>
+        <translation>: u %1, v %2, похибка %3 текселя</translation>
     </message>
     <message>
         <source> · stream %1 of %2</source>
@@ -2523,15 +2563,15 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source> · made anew here</source>
-        <translation> · тут обчислено наново</translation>
+        <translation> · тут перезапуск із точного значення</translation>
     </message>
     <message>
         <source>Export the rows</source>
-        <translation>Експорт рядків</translation>
+        <translation>Експортувати рядки</translation>
     </message>
     <message>
         <source>Texture coordinates along the pixel&apos;s row, computed in several ways</source>
-        <translation>Текстурні координати вздовж рядка пікселя, обчислені кількома способами</translation>
+        <translation>Текстурні координати вздовж рядка растеризації, обчислені кількома способами</translation>
     </message>
 </context>
 <context>
@@ -2554,11 +2594,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>View</source>
-        <translation>Вид</translation>
+        <translation>Ракурс</translation>
     </message>
     <message>
         <source>Views that are asked for often; dragging in the picture gives any other</source>
-        <translation>Часто потрібні види; будь-який інший дає перетягування на зображенні</translation>
+        <translation>Часто потрібні ракурси; будь-який інший дає перетягування на зображенні</translation>
     </message>
     <message>
         <source>presets…</source>
@@ -2570,7 +2610,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>All options of the method as it has them by itself</source>
-        <translation>Усі параметри методу такими, якими він їх має сам</translation>
+        <translation>Повернути всі параметри методу до типових значень</translation>
     </message>
     <message>
         <source>Defaults of the method</source>
@@ -2578,7 +2618,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Pictures</source>
-        <translation>Картинки</translation>
+        <translation>Зображення</translation>
     </message>
     <message>
         <source>Relief</source>
@@ -2598,7 +2638,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Picture drawn</source>
-        <translation>Розмір картинки</translation>
+        <translation>Розмір зображення</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -2606,7 +2646,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>How heights are read between texels: a smooth patch, or a box a texel</source>
-        <translation>Як читаються висоти між текселями: гладкий клапоть або коробка на тексель</translation>
+        <translation>Які висоти між текселями: гладка ділянка (білінійна інтерполяція) або стовпчик на тексель</translation>
     </message>
     <message>
         <source>Outside</source>
@@ -2618,11 +2658,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>How texture coordinates are made along a row of pixels: direct is exact; affine bends walls, subspan bends them between its divisions</source>
-        <translation>Як обчислюються текстурні координати вздовж рядка пікселів: direct точний; affine вигинає стіни, subspan вигинає їх між діленнями</translation>
+        <translation>Як обчислюються текстурні координати вздовж рядка растеризації: direct — точно; affine викривлює стіни, subspan викривлює їх між своїми діленнями</translation>
     </message>
     <message>
         <source>What lies beyond the picture&apos;s rim: the picture again, its rim, or nothing</source>
-        <translation>Що лежить за краєм картинки: знову картинка, її край або нічого</translation>
+        <translation>Що лежить за краєм зображення: знову зображення, його край або нічого</translation>
     </message>
     <message>
         <source>Scene</source>
@@ -2646,7 +2686,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>What the method promises with these options, the surfaces it can work on, and the memory of its maps beside the heights</source>
-        <translation>Що метод обіцяє з цими налаштуваннями, на яких поверхнях працює, і скільки пам&apos;яті займають його карти, окрім висот</translation>
+        <translation>Що метод гарантує з цими параметрами, на яких поверхнях працює і скільки пам’яті займають його карти, окрім висот</translation>
     </message>
     <message>
         <source>Shadows</source>
@@ -2654,7 +2694,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>The relief keeps the light off itself</source>
-        <translation>Рельєф заступає світло сам собі</translation>
+        <translation>Рельєф сам себе затінює</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -2669,15 +2709,15 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <name>reliefui::SkippedPanel</name>
     <message>
         <source>%1 of %2 (%3 %)</source>
-        <translation>%1 з %2 (%3 %)</translation>
+        <translation>%1 з %2 (%3 %)</translation>
     </message>
     <message>
         <source>measured: %1 texels in the mean, %2 at most</source>
-        <translation>виміряно: у середньому %1 текселя, щонайбільше %2</translation>
+        <translation>виміряно: похибка в середньому %1 текселя, найбільша %2</translation>
     </message>
     <message>
         <source>measured: %1 of linear light in the mean, %2 at most</source>
-        <translation>виміряно: у середньому %1 лінійного світла, щонайбільше %2</translation>
+        <translation>виміряно: похибка кольору (лінійного) в середньому %1, найбільша %2</translation>
     </message>
     <message>
         <source>What the last frame did not compute</source>
@@ -2701,11 +2741,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Bounded by %1 texels</source>
-        <translation>У межах %1 текселя</translation>
+        <translation>З обмеженою похибкою: до %1 текселя</translation>
     </message>
     <message>
         <source>Bounded: off</source>
-        <translation>У межах: вимкнено</translation>
+        <translation>З обмеженою похибкою: вимкнено</translation>
     </message>
     <message>
         <source>Lossless: off</source>
@@ -2735,12 +2775,12 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <name>reliefui::StatusLine</name>
     <message>
         <source>drawn by %1</source>
-        <translation>побудовано: %1</translation>
+        <translation>зображення: %1</translation>
     </message>
     <message>
         <source>Drawn by %1, which is faster and has the same hits; the time shown is that of %1. The steps shown are those of %2.
 Click to switch the method to %1</source>
-        <translation>Це зображення побудував метод %1: він швидший і дає ті самі влучання; час указано для нього. Кроки показано для методу %2.
+        <translation>Це зображення сформував метод %1: він швидший і дає ті самі перетини; час указано для нього. Кроки показано для методу %2.
 Клацання: перейти до методу %1</translation>
     </message>
     <message>
@@ -2749,11 +2789,11 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>Stages of this frame (seconds of all threads together):</source>
-        <translation>Стадії цього кадру (секунди всіх потоків разом):</translation>
+        <translation>Етапи цього кадру (секунди всіх потоків процесора разом):</translation>
     </message>
     <message>
         <source>kept</source>
-        <translation>збережено</translation>
+        <translation>без змін, повторно використано</translation>
     </message>
     <message>
         <source>The chosen pixel</source>
@@ -2765,7 +2805,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>Progress</source>
-        <translation>Поступ</translation>
+        <translation>Перебіг</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -2793,19 +2833,19 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>hit at texel (%1, %2), λ %3</source>
-        <translation>влучання в тексель (%1, %2), λ %3</translation>
+        <translation>точка перетину: тексель (%1, %2), λ %3</translation>
     </message>
     <message>
         <source>, the exact answer is a hit</source>
-        <translation>, точна відповідь — влучання</translation>
+        <translation>, точна відповідь — перетин є</translation>
     </message>
     <message>
         <source>, there is no hit</source>
-        <translation>, влучання немає</translation>
+        <translation>, перетину немає</translation>
     </message>
     <message>
         <source>, %1 texels from the exact hit</source>
-        <translation>, за %1 текселя від точного влучання</translation>
+        <translation>, за %1 текселя від точного перетину</translation>
     </message>
     <message>
         <source>frame %1 ms</source>
@@ -2821,19 +2861,19 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>coordinates ±%1 texels</source>
-        <translation>координати ±%1 текселів</translation>
+        <translation>координати ±%1 текселя</translation>
     </message>
     <message>
         <source>Coordinates: %1, off by up to %2 texels</source>
-        <translation>Координати: %1, похибка до %2 текселів</translation>
+        <translation>Координати: %1, похибка до %2 текселя</translation>
     </message>
     <message>
         <source>skipped: %1 %</source>
-        <translation>пропущено: %1 %</translation>
+        <translation>пропущено: %1 %</translation>
     </message>
     <message>
         <source>steps: %1, reads: %2</source>
-        <translation>кроків: %1, читань: %2</translation>
+        <translation>кроків: %1, вибірок: %2</translation>
     </message>
     <message>
         <source>Click: what was skipped, and why</source>
@@ -2845,7 +2885,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>hidden until somebody has guessed</source>
-        <translation>приховано, доки хтось не вгадає</translation>
+        <translation>приховано, доки хтось не зробить припущення</translation>
     </message>
 </context>
 <context>
@@ -2876,7 +2916,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>Play</source>
-        <translation>Програти</translation>
+        <translation>Відтворити</translation>
     </message>
     <message>
         <source>Space</source>
@@ -2888,7 +2928,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>Step of the ray: , and . go back and on</source>
-        <translation>Крок променя: клавіші , та . — назад і вперед</translation>
+        <translation>Крок променя: клавіші «,» та «.» — назад і вперед</translation>
     </message>
     <message>
         <source>step %1 of %2</source>
@@ -2900,15 +2940,15 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>Play the steps</source>
-        <translation>Програвати кроки</translation>
+        <translation>Відтворювати кроки</translation>
     </message>
     <message>
         <source>Speed of playing</source>
-        <translation>Швидкість програвання</translation>
+        <translation>Швидкість відтворення</translation>
     </message>
     <message>
         <source>Step over what lies on finer levels</source>
-        <translation>Крок повз те, що лежить на дрібніших рівнях</translation>
+        <translation>Крок без заходу на нижчі рівні</translation>
     </message>
     <message>
         <source>Run to the next breakpoint</source>
@@ -2916,11 +2956,11 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>hidden until somebody has guessed</source>
-        <translation>приховано, доки хтось не вгадає</translation>
+        <translation>приховано, доки хтось не зробить припущення</translation>
     </message>
     <message>
         <source>Steps a second while playing; ] faster, [ slower</source>
-        <translation>Кроків на секунду під час програвання; ] швидше, [ повільніше</translation>
+        <translation>Кроків на секунду під час відтворення; ] швидше, [ повільніше</translation>
     </message>
     <message>
         <source>/s</source>
@@ -2959,7 +2999,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>λ after</source>
-        <translation>λ далі</translation>
+        <translation>λ після</translation>
     </message>
     <message>
         <source>number of the step</source>
@@ -2967,7 +3007,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>level of the pyramid, 0 the finest</source>
-        <translation>рівень піраміди, 0 — найдрібніший</translation>
+        <translation>рівень піраміди; 0 — базовий</translation>
     </message>
     <message>
         <source>texel of that level (cell of the surface on level 0)</source>
@@ -2975,23 +3015,23 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>descent of the ray, 0 the top of the slab, 1 its bottom</source>
-        <translation>спуск променя, 0 — верх шару, 1 — його дно</translation>
+        <translation>спуск променя; 0 — верх товщі рельєфу, 1 — її дно</translation>
     </message>
     <message>
         <source>height of the ray, 1 the top of the slab</source>
-        <translation>висота променя, 1 — верх шару</translation>
+        <translation>висота променя; 1 — верх товщі рельєфу</translation>
     </message>
     <message>
         <source>the stored value that decided, here the maximum of the texel</source>
-        <translation>збережене значення, що вирішило, тут — максимум текселя</translation>
+        <translation>значення, за яким прийнято рішення; тут — максимум текселя</translation>
     </message>
     <message>
         <source>what the tracer decided</source>
-        <translation>що вирішив метод</translation>
+        <translation>рішення методу</translation>
     </message>
     <message>
         <source>where it went on</source>
-        <translation>звідки він пішов далі</translation>
+        <translation>звідки продовжено</translation>
     </message>
 </context>
 <context>
@@ -3010,7 +3050,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>Export steps as CSV...</source>
-        <translation>Зберегти кроки як CSV...</translation>
+        <translation>Експортувати кроки як CSV…</translation>
     </message>
     <message>
         <source>The chosen step in words</source>
@@ -3030,7 +3070,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>Export steps</source>
-        <translation>Зберегти кроки</translation>
+        <translation>Експортувати кроки</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -3053,7 +3093,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>How the ray searches for the relief</source>
-        <translation>Як промінь шукає рельєф</translation>
+        <translation>Яким методом шукають перетин видового променя з рельєфом</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -3061,7 +3101,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>How the colour is read at the hit</source>
-        <translation>Як читається колір у точці влучання</translation>
+        <translation>Як визначають колір у точці перетину</translation>
     </message>
     <message>
         <source>no search</source>
@@ -3072,11 +3112,11 @@ Click to switch the method to %1</source>
     <name>reliefui::Trace3dView</name>
     <message>
         <source>Trace 3-D: other view</source>
-        <translation>Трасування 3-D: інший вигляд</translation>
+        <translation>Трасування 3D: інший вигляд</translation>
     </message>
     <message>
         <source>Trace in 3-D</source>
-        <translation>Шлях променя в 3-D</translation>
+        <translation>Трасування 3D</translation>
     </message>
     <message>
         <source>Keep the current step in the middle</source>
@@ -3123,8 +3163,8 @@ Click to switch the method to %1</source>
         <translation>%1: рівень %2, %3</translation>
     </message>
     <message>
-        <source>%1 × %2, slab %3 texels</source>
-        <translation>%1 × %2, шар %3 текселів</translation>
+        <source>%1 × %2 texels, relief depth %3 texels</source>
+        <translation>%1 × %2, товща, у текселях: %3</translation>
     </message>
     <message>
         <source>%1: surface at %2</source>
@@ -3132,7 +3172,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>%1: %2 texels promised free</source>
-        <translation>%1: обіцяно %2 текселя без перешкод</translation>
+        <translation>%1: за картою вільно на %2 текселя</translation>
     </message>
     <message>
         <source>%1: cone of slope %2</source>
@@ -3140,20 +3180,20 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>Export the trace</source>
-        <translation>Експортувати шлях променя</translation>
+        <translation>Експортувати трасування 3D</translation>
     </message>
     <message>
         <source>Show the whole patch (R); drag or arrows turn, right drag or Shift+arrows move, wheel or + − zoom</source>
-        <translation>Показати всю ділянку (R); перетягування або стрілки повертають, праве перетягування або Shift зі стрілками пересувають, коліщатко або + − масштабують</translation>
+        <translation>Показати всю ділянку (R); перетягування або стрілки повертають, перетягування правою кнопкою або Shift зі стрілками пересувають, коліщатко або + − змінює масштаб</translation>
     </message>
     <message>
         <source>Trace 3-D</source>
-        <translation>Шлях променя 3-D</translation>
+        <translation>Трасування 3D</translation>
     </message>
     <message>
         <source>Trace 3-D</source>
         <comment>tab</comment>
-        <translation>Шлях 3-D</translation>
+        <translation>Трасування 3D</translation>
     </message>
     <message>
         <source>The ray through the relief, in space</source>
@@ -3176,7 +3216,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>Open %1</source>
-        <translation>Відкрити %1</translation>
+        <translation>Відкрити: %1</translation>
     </message>
     <message>
         <source>Go to %1</source>

@@ -34,6 +34,11 @@ std::string numberText(double value, int digits) {
     return {buffer.data(), result.ptr};
 }
 
+MessageValue::MessageValue(std::string valueName, Message message)
+    : name(std::move(valueName)), inner(std::make_shared<const Message>(std::move(message))) {}
+
+MessageValue::MessageValue(std::string valueName, MessageId word) : MessageValue(std::move(valueName), Message(word)) {}
+
 std::string_view messageTemplate(MessageId id, Language language) {
     const Entry& entry = kTable.at(static_cast<std::size_t>(id));
     return language == Language::Ukrainian ? entry.ukrainian : entry.english;
@@ -52,7 +57,7 @@ std::string sentence(const Message& message, Language language) {
         bool found = false;
         for (const MessageValue& value : message.values) {
             if (value.name != name) continue;
-            out += value.text;
+            out += value.inner ? sentence(*value.inner, language) : value.text;
             found = true;
             break;
         }

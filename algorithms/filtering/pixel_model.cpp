@@ -29,9 +29,9 @@ PixelModel parsePixelModel(std::string_view text) {
         if (kPixelModelNames[i] == text) return static_cast<PixelModel>(i);
         known.append(known.empty() ? "" : ", ").append(kPixelModelNames[i]);
     }
-    throw InputError(
-        "--pixel-model",
-        Message(MessageId::UnknownName, {{"what", "pixel model"}, {"name", std::string(text)}, {"known", known}}));
+    throw InputError("--pixel-model",
+                     Message(MessageId::UnknownName,
+                             {{"what", MessageId::WordPixelModel}, {"name", std::string(text)}, {"known", known}}));
 }
 
 double pixelFactorAcross(PixelModel model, int channel, double dx) {

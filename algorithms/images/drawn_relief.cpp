@@ -6,22 +6,15 @@
 
 namespace relief {
 
-namespace {
-
-std::string rangeText(const std::string& low, const std::string& high) {
-    return low + " to " + high;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void checkDrawn(const DrawnRelief& drawn, const std::string& subject) {
     for (const int side : {drawn.width, drawn.height}) {
         if (side >= kLeastDrawnSide && side <= kMostDrawnSide) continue;
-        throw InputError(
-            subject, Message(MessageId::OutOfRange,
-                             {{"what", "a side of the drawn relief"},
-                              {"value", side},
-                              {"range", rangeText(std::to_string(kLeastDrawnSide), std::to_string(kMostDrawnSide))}}));
+        throw InputError(subject,
+                         Message(MessageId::OutOfRange, {{"what", MessageId::WordDrawnSide},
+                                                         {"value", side},
+                                                         {"range", rangeOf(kLeastDrawnSide, kMostDrawnSide)}}));
     }
     const auto all = static_cast<std::size_t>(drawn.width) * static_cast<std::size_t>(drawn.height);
     if (drawn.heights.size() != all && drawn.heights.size() != static_cast<std::size_t>(drawn.width)) {
@@ -32,7 +25,7 @@ void checkDrawn(const DrawnRelief& drawn, const std::string& subject) {
         if (height >= 0 && height <= 1) continue;
         throw InputError(subject,
                          Message(MessageId::OutOfRange,
-                                 {{"what", "a drawn height"}, {"value", height}, {"range", rangeText("0", "1")}}));
+                                 {{"what", MessageId::WordDrawnHeight}, {"value", height}, {"range", rangeOf(0, 1)}}));
     }
 }
 

@@ -50,8 +50,9 @@ std::string_view formName(Form form) {
 Form parseForm(std::string_view text, const std::string& option) {
     if (text == "simd" || text == "lanes") return Form::Simd;
     if (text == "scalar") return Form::Scalar;
-    throw InputError(option, Message(MessageId::UnknownName,
-                                     {{"what", "form"}, {"name", std::string(text)}, {"known", "simd, scalar"}}));
+    throw InputError(option,
+                     Message(MessageId::UnknownName,
+                             {{"what", MessageId::WordForm}, {"name", std::string(text)}, {"known", "simd, scalar"}}));
 }
 
 Surface parseSurface(std::string_view text) {
@@ -90,8 +91,8 @@ void checkOption(const OptionDescription& option, const std::string& text, const
     const double value = numberOf(text, option.name + "=" + text, subject);
     const bool whole = option.kind != OptionKind::Integer || value == std::floor(value);
     if (value < option.low || value > option.high || !whole) {
-        const std::string range =
-            numberText(option.low) + " to " + numberText(option.high) + (whole ? "" : ", a whole number");
+        const Message range(whole ? MessageId::RangeOf : MessageId::RangeWhole,
+                            {{"low", option.low}, {"high", option.high}});
         throw InputError(subject,
                          Message(MessageId::OutOfRange, {{"what", option.name}, {"value", text}, {"range", range}}));
     }

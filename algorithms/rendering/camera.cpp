@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-[[noreturn]] void refuse(const char* what, double value, const char* range) {
-    throw InputError("--camera", Message(MessageId::OutOfRange, {{"what", what}, {"value", value}, {"range", range}}));
+[[noreturn]] void refuse(MessageValue what, double value, Message range) {
+    throw InputError("--camera",
+                     Message(MessageId::OutOfRange, {std::move(what), {"value", value}, {"range", std::move(range)}}));
 }
 
 bool finite(const glm::dvec3& v) {
@@ -25,11 +26,14 @@ bool finite(const glm::dvec3& v) {
 // case: up follows from them.
 void placeInOrbit(const Camera& camera, PinholeCamera& pinhole) {
     if (!(camera.elevation >= -90 && camera.elevation <= 90)) {
-        refuse("elevation", camera.elevation, "-90 to 90 degrees");
+        refuse({"what", "elevation"}, camera.elevation,
+               Message(MessageId::RangeOfUnit, {{"low", -90}, {"high", 90}, {"unit", MessageId::UnitDegrees}}));
     }
-    if (!std::isfinite(camera.azimuth)) refuse("azimuth", camera.azimuth, "a finite number of degrees");
-    if (!(camera.distance > 0 && camera.distance < 1e6)) refuse("distance", camera.distance, "above 0 and below 1e6");
-    if (!finite(camera.target)) refuse("target", camera.target.x, "finite");
+    if (!std::isfinite(camera.azimuth))
+        refuse({"what", "azimuth"}, camera.azimuth, Message(MessageId::RangeFiniteDegrees));
+    if (!(camera.distance > 0 && camera.distance < 1e6))
+        refuse({"what", "distance"}, camera.distance, Message(MessageId::RangeDistance));
+    if (!finite(camera.target)) refuse({"what", "target"}, camera.target.x, Message(MessageId::RangeFinite));
     const double elevation = camera.elevation * kRadians;
     const double azimuth = camera.azimuth * kRadians;
     const glm::dvec3 outward{std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
@@ -44,7 +48,7 @@ void placeFreely(const Camera& camera, PinholeCamera& pinhole) {
     const glm::dvec3 view = camera.target - camera.eye;
     const double length = glm::length(view);
     if (!finite(camera.eye) || !finite(camera.target) || !std::isfinite(length) || length < 1e-9) {
-        refuse("distance from eye to target", length, "finite and above 1e-9");
+        refuse({"what", MessageId::WordEyeDistance}, length, Message(MessageId::RangeEyeDistance));
     }
     pinhole.eye = camera.eye;
     pinhole.forward = view / length;
@@ -57,7 +61,7 @@ void placeFreely(const Camera& camera, PinholeCamera& pinhole) {
 }  // namespace
 
 PinholeCamera pinholeCamera(const Camera& camera, int width, int height) {
-    if (!(camera.fov > 0 && camera.fov < 180)) refuse("fov", camera.fov, "above 0 and below 180 degrees");
+    if (!(camera.fov > 0 && camera.fov < 180)) refuse({"what", "fov"}, camera.fov, Message(MessageId::RangeFov));
     PinholeCamera pinhole;
     if (camera.kind == Camera::Kind::Orbit) {
         placeInOrbit(camera, pinhole);

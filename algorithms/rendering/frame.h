@@ -131,7 +131,7 @@ struct Frame {
     std::shared_ptr<const BakedNormals> bakedNormals;  // where the method shades by a normal map and none is given
     PinholeCamera camera;
     std::array<StageReport, kStages> stages;
-    std::map<std::string, double> counters;  // polygons, polygons culled, pixels covered, rays traced, steps, ...
+    std::map<MessageId, double> counters;  // by the messages Count..., only those that the frame has
     double seconds = 0;
     double countSeconds = 0;  // of them, for steps and reads
 

@@ -87,18 +87,15 @@ void checkRequest(const FrameRequest& request) {
     checkFilter(request.filter, "--filter");
     const int fewest = request.filter.name == kSupersample ? fewestSamples(request.filter.pixelModel) : 1;
     if (request.filter.samples < fewest || request.filter.samples > kMaxSamples) {
-        throw InputError(
-            "--supersample",
-            Message(MessageId::OutOfRange, {{"what", "samples along each side of a pixel"},
-                                            {"value", request.filter.samples},
-                                            {"range", std::to_string(fewest) + " to " + std::to_string(kMaxSamples)}}));
+        throw InputError("--supersample", Message(MessageId::OutOfRange, {{"what", MessageId::WordSamples},
+                                                                          {"value", request.filter.samples},
+                                                                          {"range", rangeOf(fewest, kMaxSamples)}}));
     }
     for (const int side : {request.width - 2 * request.margin, request.height - 2 * request.margin}) {
         if (side >= 1 && side <= kMaxPictureSide) continue;
-        throw InputError("--size",
-                         Message(MessageId::OutOfRange, {{"what", "side of the picture"},
-                                                         {"value", side},
-                                                         {"range", "1 to " + std::to_string(kMaxPictureSide)}}));
+        throw InputError("--size", Message(MessageId::OutOfRange, {{"what", MessageId::WordPictureSide},
+                                                                   {"value", side},
+                                                                   {"range", rangeOf(1, kMaxPictureSide)}}));
     }
 }
 
@@ -169,8 +166,8 @@ std::unique_ptr<const PackedConeHits> FrameRenderer::madeConeHits(const FrameReq
 void FrameRenderer::reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work) {
     const bool sight = frame.filter && frame.filter->description().visible;
     const bool needed[] = {tracer.pyramid() != nullptr || sight || request.shadows, sight, needsLevels(request.filter)};
-    frame.counters["maps considered"] = static_cast<double>(std::size(needed));
-    frame.counters["maps not needed"] =
+    frame.counters[MessageId::CountMapsConsidered] = static_cast<double>(std::size(needed));
+    frame.counters[MessageId::CountMapsNotNeeded] =
         request.skip ? static_cast<double>(std::count(needed, std::end(needed), false)) : 0;
     if (request.skip || partOfMore_) return;
     if (!needed[0]) maxPyramidMap(request.field, *maps_, work);
@@ -220,7 +217,7 @@ std::unique_ptr<FrameSetup> FrameRenderer::madeSetup(const FrameRequest& request
 void FrameRenderer::finish(Frame& frame, Clock::time_point begin, Work& work) const {
     frame.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     if (partOfMore_) return;
-    for (const auto& [name, value] : frame.counters) work.counters().add(name, value);
+    for (const auto& [what, value] : frame.counters) work.counters().add(what, value);
 }
 
 std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, Work& work, const Snapshot& snapshot) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "rendering/error_layer.h"
 
@@ -10,78 +11,83 @@ namespace relief {
 
 namespace {
 
-// Counters are named as the renderer reports them; `of` are the counters whose sum is the whole.
+// `of`: the counters whose sum is the whole.
 struct Entry {
     Ledger ledger;
     const char* name;
-    const char* counter;
-    std::array<const char*, 3> of;
+    MessageId counter;
+    std::array<std::optional<MessageId>, 3> of;
     MessageId what;
     MessageId why;
 };
 
 constexpr std::array<Entry, 13> kEntries{{
-    {Ledger::Lossless, "stages", "stages not computed again", {}, MessageId::SkipStages, MessageId::SkipStagesWhy},
-    {Ledger::Lossless, "maps", "maps not needed", {"maps considered"}, MessageId::SkipMaps, MessageId::SkipMapsWhy},
+    {Ledger::Lossless, "stages", MessageId::CountStagesKept, {}, MessageId::SkipStages, MessageId::SkipStagesWhy},
+    {Ledger::Lossless,
+     "maps",
+     MessageId::CountMapsNotNeeded,
+     {MessageId::CountMapsConsidered},
+     MessageId::SkipMaps,
+     MessageId::SkipMapsWhy},
     {Ledger::Lossless,
      "polygons-away",
-     "polygons culled: facing away",
-     {"polygons"},
+     MessageId::CountPolygonsAway,
+     {MessageId::CountPolygons},
      MessageId::SkipPolygonsAway,
      MessageId::SkipPolygonsAwayWhy},
     {Ledger::Lossless,
      "polygons-off-screen",
-     "polygons culled: off screen",
-     {"polygons"},
+     MessageId::CountPolygonsOff,
+     {MessageId::CountPolygons},
      MessageId::SkipPolygonsOff,
      MessageId::SkipPolygonsOffWhy},
-    {Ledger::Lossless, "sky", "pixels without a polygon", {"pixels"}, MessageId::SkipSky, MessageId::SkipSkyWhy},
+    {Ledger::Lossless, "sky", MessageId::CountSky, {MessageId::CountPixels}, MessageId::SkipSky, MessageId::SkipSkyWhy},
     {Ledger::Lossless,
      "flat-ground",
-     "rays not needed: flat ground",
-     {"rays"},
+     MessageId::CountRaysFlat,
+     {MessageId::CountRays},
      MessageId::SkipFlat,
      MessageId::SkipFlatWhy},
     {Ledger::Lossless,
      "highest-point",
-     "rays not needed: the start is the highest point",
-     {"rays"},
+     MessageId::CountRaysHighest,
+     {MessageId::CountRays},
      MessageId::SkipHighest,
      MessageId::SkipHighestWhy},
     {Ledger::Lossless,
      "small-footprints",
-     "footprints not needed: smaller than a texel",
-     {"footprints", "footprints not needed: smaller than a texel", "footprints not filtered: tiny"},
+     MessageId::CountFootprintsSmall,
+     {MessageId::CountFootprints, MessageId::CountFootprintsSmall, MessageId::CountFootprintsTiny},
      MessageId::SkipSmall,
      MessageId::SkipSmallWhy},
     {Ledger::Lossless,
      "sight",
-     "footprints not traced back",
-     {"footprints"},
+     MessageId::CountFootprintsClear,
+     {MessageId::CountFootprints},
      MessageId::SkipSight,
      MessageId::SkipSightWhy},
     {Ledger::Lossless,
      "shadow-away",
-     "shadow rays not needed: turned away from the light",
-     {"hits lit"},
+     MessageId::CountShadowAway,
+     {MessageId::CountHitsLit},
      MessageId::SkipShadowAway,
      MessageId::SkipShadowAwayWhy},
     {Ledger::Lossless,
      "shadow-top",
-     "shadow rays not needed: at the top",
-     {"hits lit"},
+     MessageId::CountShadowTop,
+     {MessageId::CountHitsLit},
      MessageId::SkipShadowTop,
      MessageId::SkipShadowTopWhy},
     {Ledger::Bounded,
      "little-parallax",
-     "rays not traced: little parallax",
-     {"rays"},
+     MessageId::CountRaysParallax,
+     {MessageId::CountRays},
      MessageId::SkipParallax,
      MessageId::SkipParallaxWhy},
     {Ledger::Bounded,
      "tiny-footprints",
-     "footprints not filtered: tiny",
-     {"footprints", "footprints not needed: smaller than a texel", "footprints not filtered: tiny"},
+     MessageId::CountFootprintsTiny,
+     {MessageId::CountFootprints, MessageId::CountFootprintsSmall, MessageId::CountFootprintsTiny},
      MessageId::SkipTiny,
      MessageId::SkipTinyWhy},
 }};
@@ -89,8 +95,8 @@ constexpr std::array<Entry, 13> kEntries{{
 }  // namespace
 
 std::vector<SkipRow> skipLedger(const Frame& frame, const FrameRequest& request) {
-    const auto value = [&](const char* name) {
-        const auto found = frame.counters.find(name);
+    const auto value = [&](MessageId id) {
+        const auto found = frame.counters.find(id);
         return found == frame.counters.end() ? 0.0 : found->second;
     };
     std::vector<SkipRow> rows;
@@ -99,7 +105,7 @@ std::vector<SkipRow> skipLedger(const Frame& frame, const FrameRequest& request)
         SkipRow row{entry.ledger,         entry.name,
                     value(entry.counter), 0,
                     Message(entry.what),  Message(entry.why, {{"bound", request.bounded}})};
-        for (const char* const part : entry.of) row.of += part == nullptr ? 0 : value(part);
+        for (const std::optional<MessageId> part : entry.of) row.of += part ? value(*part) : 0;
         if (entry.what == MessageId::SkipStages) row.of = kStages;
         rows.push_back(std::move(row));
     }

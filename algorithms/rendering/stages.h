@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "relief/messages.h"
+
 namespace relief {
 
 // What a frame depends on.
@@ -42,7 +44,8 @@ inline constexpr std::array<std::string_view, kInputs> kInputNames{
 // it. Light: the picture.
 enum class Stage : std::uint8_t { Rays, Hits, Color, Shadows, Light, Count };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Count);
-inline constexpr std::array<std::string_view, kStages> kStageNames{"rays", "hits", "color", "shadows", "light"};
+inline constexpr std::array<MessageId, kStages> kStageNames{
+    MessageId::StageRays, MessageId::StageHits, MessageId::StageColor, MessageId::StageShadows, MessageId::StageLight};
 
 struct StageRow {
     std::uint32_t inputs;  // bits of Input, read by this stage itself

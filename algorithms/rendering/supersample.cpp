@@ -163,8 +163,7 @@ std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer&
 }
 
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
-                        const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters,
-                        RowRange rows) {
+                        const FrameRenderer::Snapshot& snapshot, std::map<MessageId, double>& counters, RowRange rows) {
     const int samples = request.filter.samples;
     SampleSums sums(request.width, request.height, request.filter.pixelModel);
     FrameRequest pass = withRing(request, sums.margin());
@@ -180,15 +179,16 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
         pass.sample = samplePlace(order[static_cast<std::size_t>(done)], samples);
         const auto frame = renderer->picture(pass, work, parts);
         sums.add(frame->light->color, pass.sample, work, rows);
-        for (const char* name : {"rays traced", "steps"}) {
-            const auto found = frame->counters.find(name);
-            if (found != frame->counters.end()) counters[std::string("samples: ") + name] += found->second;
+        for (const auto& [one, all] : {std::pair(MessageId::CountRaysTraced, MessageId::CountSampleRays),
+                                       std::pair(MessageId::CountSteps, MessageId::CountSampleSteps)}) {
+            const auto found = frame->counters.find(one);
+            if (found != frame->counters.end()) counters[all] += found->second;
         }
         work.progress().advance();
         if (snapshot && sums.complete() && done + 1 < total && toldOf(done + 1))
             snapshot(sums.mean(work), done + 1, total);
     }
-    counters["samples a pixel"] = total;
+    counters[MessageId::CountSamples] = total;
     // Its buffers go before the mean comes.
     renderer.reset();
     return sums.mean(work);

@@ -70,10 +70,10 @@ struct PixelSample {
 std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer& tracer, int x, int y, Work& work);
 
 // The supersampled picture of the request (whose filter says N and model); every other setting as it stands. Adds
-// counters "samples a pixel", "samples: rays traced" and, where the request wants counts, "samples: steps". rows: those
+// counters CountSamples, CountSampleRays and, where the request wants counts, CountSampleSteps. rows: those
 // that are wanted, of a picture of the whole size; empty: all.
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
-                        const FrameRenderer::Snapshot& snapshot, std::map<std::string, double>& counters,
+                        const FrameRenderer::Snapshot& snapshot, std::map<MessageId, double>& counters,
                         RowRange rows = {});
 
 }  // namespace relief

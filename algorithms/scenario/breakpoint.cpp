@@ -33,8 +33,8 @@ StopKind parseStop(std::string_view text) {
         if (kStopNames[k] == text) return static_cast<StopKind>(k);
         known += (known.empty() ? "" : ", ") + std::string(kStopNames[k]);
     }
-    throw InputError(
-        "", Message(MessageId::UnknownName, {{"what", "breakpoint"}, {"name", std::string(text)}, {"known", known}}));
+    throw InputError("", Message(MessageId::UnknownName,
+                                 {{"what", MessageId::WordBreakpoint}, {"name", std::string(text)}, {"known", known}}));
 }
 
 bool stopsAt(const Breakpoint& breakpoint, const StoppedRay& ray, std::size_t step) {
@@ -81,13 +81,14 @@ Message breakpointTitle(const Breakpoint& breakpoint) {
 
 void checkBreakpoint(const Breakpoint& breakpoint, const std::string& subject) {
     if (breakpoint.level < 0 || breakpoint.level > kMostLevels) {
-        throw InputError(subject, Message(MessageId::OutOfRange, {{"what", "level"},
+        throw InputError(subject, Message(MessageId::OutOfRange, {{"what", MessageId::WordLevel},
                                                                   {"value", breakpoint.level},
-                                                                  {"range", "0 to " + std::to_string(kMostLevels)}}));
+                                                                  {"range", rangeOf(0, kMostLevels)}}));
     }
     if (!(breakpoint.height >= 0 && breakpoint.height <= 1)) {
-        throw InputError(subject, Message(MessageId::OutOfRange,
-                                          {{"what", "ray below"}, {"value", breakpoint.height}, {"range", "0 to 1"}}));
+        throw InputError(subject, Message(MessageId::OutOfRange, {{"what", MessageId::WordRayBelow},
+                                                                  {"value", breakpoint.height},
+                                                                  {"range", rangeOf(0, 1)}}));
     }
 }
 

@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 2> kMeasures{"l1", "flip"};
 constexpr std::array<std::string_view, 2> kReferences{"exact", "A"};
 
 template <class Value, std::size_t N>
-Value parsed(const std::array<std::string_view, N>& names, std::string_view text, const char* what) {
+Value parsed(const std::array<std::string_view, N>& names, std::string_view text, MessageId what) {
     std::string known;
     for (std::size_t i = 0; i < N; ++i) {
         if (names[i] == text) return static_cast<Value>(i);
@@ -24,8 +24,9 @@ Value parsed(const std::array<std::string_view, N>& names, std::string_view text
                      Message(MessageId::UnknownName, {{"what", what}, {"name", std::string(text)}, {"known", known}}));
 }
 
-[[noreturn]] void outOfRange(const std::string& subject, const char* what, double value, const std::string& range) {
-    throw InputError(subject, Message(MessageId::OutOfRange, {{"what", what}, {"value", value}, {"range", range}}));
+[[noreturn]] void outOfRange(const std::string& subject, MessageId what, double value, Message range) {
+    throw InputError(subject,
+                     Message(MessageId::OutOfRange, {{"what", what}, {"value", value}, {"range", std::move(range)}}));
 }
 
 }  // namespace
@@ -34,39 +35,39 @@ std::string_view compareModeName(CompareMode mode) {
     return kModes[static_cast<std::size_t>(mode)];
 }
 CompareMode parseCompareMode(std::string_view text) {
-    return parsed<CompareMode>(kModes, text, "mode of comparison");
+    return parsed<CompareMode>(kModes, text, MessageId::WordCompareMode);
 }
 std::string_view compareMeasureName(CompareMeasure measure) {
     return kMeasures[static_cast<std::size_t>(measure)];
 }
 CompareMeasure parseCompareMeasure(std::string_view text) {
-    return parsed<CompareMeasure>(kMeasures, text, "difference");
+    return parsed<CompareMeasure>(kMeasures, text, MessageId::WordDifference);
 }
 std::string_view compareReferenceName(CompareReference reference) {
     return kReferences[static_cast<std::size_t>(reference)];
 }
 CompareReference parseCompareReference(std::string_view text) {
-    return parsed<CompareReference>(kReferences, text, "reference");
+    return parsed<CompareReference>(kReferences, text, MessageId::WordReference);
 }
 
 void checkComparison(const Comparison& comparison, const std::string& subject) {
     if (comparison.others.size() + 1 > kMostCompared) {
-        outOfRange(subject, "compared methods", static_cast<double>(comparison.others.size() + 1),
-                   "at most " + std::to_string(kMostCompared));
+        outOfRange(subject, MessageId::WordComparedMethods, static_cast<double>(comparison.others.size() + 1),
+                   Message(MessageId::RangeAtMost, {{"high", kMostCompared}}));
     }
     for (const MethodChoice& method : comparison.others) checkMethod(method, subject);
     if (comparison.dividers.size() + 1 > kMostCompared) {
-        outOfRange(subject, "dividers", static_cast<double>(comparison.dividers.size()),
-                   "at most " + std::to_string(kMostCompared - 1));
+        outOfRange(subject, MessageId::WordDividers, static_cast<double>(comparison.dividers.size()),
+                   Message(MessageId::RangeAtMost, {{"high", kMostCompared - 1}}));
     }
     double before = 0;
     for (const double divider : comparison.dividers) {
-        if (!(divider >= before && divider <= 1)) outOfRange(subject, "a divider", divider, "ascending, 0 to 1");
+        if (!(divider >= before && divider <= 1))
+            outOfRange(subject, MessageId::WordDivider, divider, Message(MessageId::RangeAscending));
         before = divider;
     }
     if (!(comparison.rate >= kSlowestFlicker && comparison.rate <= kFastestFlicker)) {
-        outOfRange(subject, "rate", comparison.rate,
-                   numberText(kSlowestFlicker) + " to " + numberText(kFastestFlicker));
+        outOfRange(subject, MessageId::WordRate, comparison.rate, rangeOf(kSlowestFlicker, kFastestFlicker));
     }
 }
 

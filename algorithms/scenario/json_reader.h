@@ -33,7 +33,7 @@ class JsonReader {
   public:
     JsonReader(const JsonSource& source, const Json& object, std::vector<std::string> path)
         : source_(source), object_(object), path_(std::move(path)) {
-        if (!object.is_object()) fail({}, "an object");
+        if (!object.is_object()) fail({}, MessageId::WantAObject);
     }
 
     bool has(const char* key) {
@@ -42,7 +42,7 @@ class JsonReader {
     }
     void read(const char* key, double& value) {
         if (!has(key)) return;
-        if (!object_[key].is_number()) fail(key, "a number");
+        if (!object_[key].is_number()) fail(key, MessageId::WantANumber);
         value = object_[key].get<double>();
     }
     template <class T>
@@ -53,12 +53,12 @@ class JsonReader {
     }
     void read(const char* key, bool& value) {
         if (!has(key)) return;
-        if (!object_[key].is_boolean()) fail(key, "true or false");
+        if (!object_[key].is_boolean()) fail(key, MessageId::WantABool);
         value = object_[key].get<bool>();
     }
     void read(const char* key, std::string& value) {
         if (!has(key)) return;
-        if (!object_[key].is_string()) fail(key, "a text");
+        if (!object_[key].is_string()) fail(key, MessageId::WantAText);
         value = object_[key].get<std::string>();
     }
     // An array of exactly N numbers.
@@ -66,9 +66,9 @@ class JsonReader {
     bool read(const char* key, std::array<double, N>& values) {
         if (!has(key)) return false;
         const Json& array = object_[key];
-        if (!array.is_array() || array.size() != N) fail(key, "an array of " + std::to_string(N) + " numbers");
+        if (!array.is_array() || array.size() != N) fail(key, Message(MessageId::WantNumbersOf, {{"count", N}}));
         for (std::size_t i = 0; i < N; ++i) {
-            if (!array[i].is_number()) fail(key, "an array of " + std::to_string(N) + " numbers");
+            if (!array[i].is_number()) fail(key, Message(MessageId::WantNumbersOf, {{"count", N}}));
             values[i] = array[i].get<double>();
         }
         return true;
@@ -76,7 +76,7 @@ class JsonReader {
     bool readPair(const char* key, int& first, int& second) {
         if (!has(key)) return false;
         const Json& array = object_[key];
-        if (!array.is_array() || array.size() != 2) fail(key, "an array of two whole numbers");
+        if (!array.is_array() || array.size() != 2) fail(key, MessageId::WantTwoWholes);
         first = wholeAt<int>(key, array[0]);
         second = wholeAt<int>(key, array[1]);
         return true;
@@ -99,9 +99,9 @@ class JsonReader {
     template <class Body>
     void readTexts(const char* key, const Body& body) {
         if (!has(key)) return;
-        if (!object_[key].is_array()) fail(key, "an array of texts");
+        if (!object_[key].is_array()) fail(key, MessageId::WantTexts);
         for (const Json& text : object_[key]) {
-            if (!text.is_string()) fail(key, "an array of texts");
+            if (!text.is_string()) fail(key, MessageId::WantTexts);
             guarded(key, [&] { body(text.get<std::string>()); });
         }
     }
@@ -109,7 +109,7 @@ class JsonReader {
     template <class Body>
     void readObjects(const char* key, const Body& body) {
         if (!has(key)) return;
-        if (!object_[key].is_array()) fail(key, "an array of objects");
+        if (!object_[key].is_array()) fail(key, MessageId::WantObjects);
         for (std::size_t n = 0; n < object_[key].size(); ++n) {
             std::vector<std::string> path = path_;
             path.emplace_back(key);
@@ -119,9 +119,9 @@ class JsonReader {
     }
     void readNumbers(const char* key, std::vector<double>& values) {
         if (!has(key)) return;
-        if (!object_[key].is_array()) fail(key, "an array of numbers");
+        if (!object_[key].is_array()) fail(key, MessageId::WantNumbers);
         for (const Json& value : object_[key]) {
-            if (!value.is_number()) fail(key, "an array of numbers");
+            if (!value.is_number()) fail(key, MessageId::WantNumbers);
             values.push_back(value.get<double>());
         }
     }
@@ -139,13 +139,14 @@ class JsonReader {
                                                        {{"line", lineOf(source_.text, path)}, {"key", key}}));
         }
     }
-    [[noreturn]] void fail(const std::string& key, const std::string& wanted) const {
+    [[noreturn]] void fail(const std::string& key, MessageId wanted) const { fail(key, Message(wanted)); }
+    [[noreturn]] void fail(const std::string& key, const Message& wanted) const {
         std::vector<std::string> path = path_;
         if (!key.empty()) path.push_back(key);
-        throw InputError(source_.fileName,
-                         Message(MessageId::ScenarioWrongType, {{"line", lineOf(source_.text, path)},
-                                                                {"key", path.empty() ? "the file" : path.back()},
-                                                                {"wanted", wanted}}));
+        const MessageValue name =
+            path.empty() ? MessageValue("key", MessageId::WordFile) : MessageValue("key", path.back());
+        throw InputError(source_.fileName, Message(MessageId::ScenarioWrongType,
+                                                   {{"line", lineOf(source_.text, path)}, name, {"wanted", wanted}}));
     }
 
   private:
@@ -156,21 +157,26 @@ class JsonReader {
         } catch (const InputError& error) {
             std::vector<std::string> path = path_;
             path.emplace_back(key);
-            throw InputError(source_.fileName, Message(MessageId::ScenarioLine,
-                                                       {{"line", lineOf(source_.text, path)}, {"why", error.what()}}));
+            throw InputError(source_.fileName,
+                             Message(MessageId::ScenarioLine,
+                                     {{"line", lineOf(source_.text, path)},
+                                      {"why", error.subject().empty()
+                                                  ? error.message()
+                                                  : Message(MessageId::SubjectSays, {{"subject", error.subject()},
+                                                                                     {"why", error.message()}})}}));
         }
     }
     template <class T>
     T wholeAt(const char* key, const Json& value) const {
-        if (!value.is_number_integer()) fail(key, "a whole number");
+        if (!value.is_number_integer()) fail(key, MessageId::WantAWhole);
         if (value.is_number_unsigned()) {
             const auto number = value.get<std::uint64_t>();
-            if (number > static_cast<std::uint64_t>(std::numeric_limits<T>::max())) fail(key, "a smaller number");
+            if (number > static_cast<std::uint64_t>(std::numeric_limits<T>::max())) fail(key, MessageId::WantASmaller);
             return static_cast<T>(number);
         }
         const auto number = value.get<std::int64_t>();
         if (std::is_unsigned_v<T> || number < static_cast<std::int64_t>(std::numeric_limits<T>::min())) {
-            fail(key, "a larger number");
+            fail(key, MessageId::WantALarger);
         }
         return static_cast<T>(number);
     }

@@ -62,12 +62,23 @@ std::vector<ScenarioNumber> makeNumbers() {
 
 #undef RELIEF_MEMBER
 
+// The units of the numbers above, as messages.
+std::optional<MessageId> unitWord(std::string_view unit) {
+    for (const MessageId word :
+         {MessageId::UnitDegrees, MessageId::UnitTextureWidths, MessageId::UnitTexels, MessageId::UnitPixels}) {
+        if (messageTemplate(word, Language::English) == unit) return word;
+    }
+    return std::nullopt;
+}
+
 void checkNumber(const ScenarioNumber& entry, double value, const std::string& subject) {
     const OptionDescription& d = entry.description;
     const bool isWhole = d.kind != OptionKind::Integer || value == std::floor(value);
     if (value >= d.low && value <= d.high && isWhole) return;
-    std::string range = numberText(d.low) + " to " + numberText(d.high);
-    if (!d.unit.empty()) range += " " + d.unit;
+    Message range = rangeOf(d.low, d.high);
+    if (const auto unit = unitWord(d.unit)) {
+        range = Message(MessageId::RangeOfUnit, {{"low", d.low}, {"high", d.high}, {"unit", *unit}});
+    }
     throw InputError(subject, Message(MessageId::OutOfRange, {{"what", d.name}, {"value", value}, {"range", range}}));
 }
 
@@ -93,8 +104,8 @@ const ScenarioNumber& scenarioNumber(std::string_view name) {
         if (entry.description.name == name) return entry;
         known += (known.empty() ? "" : ", ") + entry.description.name;
     }
-    throw InputError(
-        "", Message(MessageId::UnknownName, {{"what", "setting"}, {"name", std::string(name)}, {"known", known}}));
+    throw InputError("", Message(MessageId::UnknownName,
+                                 {{"what", MessageId::WordSetting}, {"name", std::string(name)}, {"known", known}}));
 }
 
 void setScenarioNumber(Scenario& scenario, std::string_view name, double value, const std::string& subject) {
@@ -121,22 +132,24 @@ void checkPixel(const Scenario& scenario, PixelChoice pixel, const std::string& 
                              {{"x", pixel.x}, {"y", pixel.y}, {"width", scenario.width}, {"height", scenario.height}}));
 }
 
-void checkCount(const char* what, std::size_t count, std::size_t limit, const std::string& subject) {
+void checkCount(MessageId what, std::size_t count, std::size_t limit, const std::string& subject) {
     if (count <= limit) return;
     throw InputError(subject, Message(MessageId::TooMany, {{"what", what}, {"count", count}, {"limit", limit}}));
 }
 
 void checkNotes(const Scenario& scenario, const std::string& subject) {
-    checkCount("breakpoints", scenario.breakpoints.size(), kMostBreakpoints, subject);
-    checkCount("bookmarks", scenario.bookmarks.size(), kMostBookmarks, subject);
+    checkCount(MessageId::WordBreakpoints, scenario.breakpoints.size(), kMostBreakpoints, subject);
+    checkCount(MessageId::WordBookmarks, scenario.bookmarks.size(), kMostBookmarks, subject);
     for (const Breakpoint& breakpoint : scenario.breakpoints) checkBreakpoint(breakpoint, subject);
     // The picture may have become smaller since: going there comes to its edge.
     for (const Bookmark& bookmark : scenario.bookmarks) {
         pinholeCamera(bookmark.camera, scenario.width, scenario.height);
     }
     if (scenario.other.ray < 0) {
-        throw InputError(subject, Message(MessageId::OutOfRange,
-                                          {{"what", "ray"}, {"value", scenario.other.ray}, {"range", "0 or more"}}));
+        throw InputError(subject,
+                         Message(MessageId::OutOfRange, {{"what", MessageId::WordRay},
+                                                         {"value", scenario.other.ray},
+                                                         {"range", Message(MessageId::RangeAtLeast, {{"low", 0}})}}));
     }
 }
 
@@ -151,8 +164,8 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
     }
     for (const double channel : scenario.sky) {
         if (channel >= 0 && channel <= 1000) continue;
-        throw InputError(subject,
-                         Message(MessageId::OutOfRange, {{"what", "sky"}, {"value", channel}, {"range", "0 to 1000"}}));
+        throw InputError(subject, Message(MessageId::OutOfRange,
+                                          {{"what", "sky"}, {"value", channel}, {"range", rangeOf(0, 1000)}}));
     }
     const Pictures& pictures = scenario.pictures;
     if (!pictures.drawn.empty()) {
@@ -168,7 +181,7 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
     if (scenario.filter.samples < 1 || scenario.filter.samples > kMaxSamples) {
         throw InputError(subject, Message(MessageId::OutOfRange, {{"what", "supersample"},
                                                                   {"value", scenario.filter.samples},
-                                                                  {"range", "1 to " + std::to_string(kMaxSamples)}}));
+                                                                  {"range", rangeOf(1, kMaxSamples)}}));
     }
     pinholeCamera(scenario.camera, scenario.width, scenario.height);
     if (scenario.pixel) checkPixel(scenario, *scenario.pixel, subject);

@@ -40,7 +40,7 @@ void readDrawn(Reader reader, DrawnRelief& drawn) {
     reader.readTexts("rows", [&](const std::string& row) {
         for (const double height : parseDrawnNumbers(row, "rows")) drawn.heights.push_back(height);
     });
-    if (drawn.empty()) reader.fail("rows", "an array of texts, the heights of a row in each");
+    if (drawn.empty()) reader.fail("rows", MessageId::WantRows);
     reader.finish();
 }
 
@@ -89,7 +89,7 @@ void readOptions(Reader reader, OptionValues& options) {
         } else if (value.is_number()) {
             options[name] = numberText(value.get<double>());
         } else {
-            reader.fail(name, "a number or a text");
+            reader.fail(name, MessageId::WantANumberOrText);
         }
     }
 }
@@ -322,7 +322,7 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     for (const char* key : {"ui", "panes"}) {
         if (!reader.has(key) || !scenario.ui.empty()) continue;
         const Reader ui = reader.child(key);
-        if (!withinDepth(ui.object(), kWindowDepth)) reader.fail(key, "an object of no more levels than 32");
+        if (!withinDepth(ui.object(), kWindowDepth)) reader.fail(key, MessageId::WantAShallowObject);
         scenario.ui = ui.object().dump();
     }
     readNotes(reader, scenario, folder);

@@ -72,20 +72,20 @@ constexpr int kUnknownLevel = -1;
 
 Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
     if (row.kind.empty()) return subject::Texel{kUnknownLevel, step.i, step.j, step.value};
-    const auto lacks = [&](std::size_t at, const char* wanted) {
+    const auto lacks = [&](std::size_t at, MessageId wanted) {
         const std::string key(kSubjectColumns[at + 1]);
         place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", wanted}}));
     };
     const auto real = [&](std::size_t at) {
         const auto& value = row.values[at];
-        if (!value || !std::isfinite(*value)) lacks(at, "number");
+        if (!value || !std::isfinite(*value)) lacks(at, MessageId::WantNumber);
         return value.value_or(0);
     };
     constexpr std::size_t kS = 0, kT = 1, kZ = 2, kWidth = 3, kHeight = 4, kIndex = 5, kCount = 6;
     const auto whole = [&](std::size_t at, int low) {
         constexpr int kMost = 1 << 24;
         const double value = real(at);
-        if (!(value >= low && value <= kMost && value == std::floor(value))) lacks(at, "whole number");
+        if (!(value >= low && value <= kMost && value == std::floor(value))) lacks(at, MessageId::WantWhole);
         return static_cast<int>(value);
     };
     enum class Kind : std::uint8_t { Texel, Quad, Voxel, Sphere, Cone, Layer, Point, SquareCone };
@@ -206,25 +206,25 @@ Row csvRow(std::string_view text, const FurtherColumns& further, const Place& pl
 }
 
 Row jsonRow(const Json& object, const Place& place) {
-    const auto wrong = [&](const char* key, const char* wanted) {
+    const auto wrong = [&](const char* key, MessageId wanted) {
         place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", wanted}}));
     };
     const auto whole = [&](const char* key, std::optional<std::int64_t> otherwise) -> std::int64_t {
         const auto found = object.find(key);
         if (found == object.end() && otherwise) return *otherwise;
-        if (found == object.end() || !found->is_number_integer()) wrong(key, "whole number");
+        if (found == object.end() || !found->is_number_integer()) wrong(key, MessageId::WantWhole);
         const auto value = found->get<std::int64_t>();
-        if (std::abs(value) > kFarthestTexel) wrong(key, "whole number");
+        if (std::abs(value) > kFarthestTexel) wrong(key, MessageId::WantWhole);
         return value;
     };
     const auto real = [&](const char* key) -> double {
         const auto found = object.find(key);
-        if (found == object.end() || !found->is_number()) wrong(key, "number");
+        if (found == object.end() || !found->is_number()) wrong(key, MessageId::WantNumber);
         return found->get<double>();
     };
     const auto text = [&](const char* key) -> std::string {
         const auto found = object.find(key);
-        if (found == object.end() || !found->is_string()) wrong(key, "text");
+        if (found == object.end() || !found->is_string()) wrong(key, MessageId::WantText);
         return found->get<std::string>();
     };
     Row row;
@@ -233,7 +233,7 @@ Row jsonRow(const Json& object, const Place& place) {
     row.number = whole("number", std::nullopt);
     if (object.contains("phase")) step.phase = place.word<Phase>("phase", text("phase"), kPhaseNames);
     const std::int64_t level = whole("level", 0);
-    if (level < 0 || level > kMostLevels) wrong("level", "level");
+    if (level < 0 || level > kMostLevels) wrong("level", MessageId::WordLevel);
     step.level = static_cast<int>(level);
     step.i = whole("i", 0);
     step.j = whole("j", 0);
@@ -316,7 +316,7 @@ void gatherJson(const std::string& text, const std::string& fileName, Gatherer& 
         const Place place{fileName, n < lines.size() ? lines[n] : 1};
         if (!json[n].is_object()) {
             place.refuse(Message(MessageId::ScenarioWrongType,
-                                 {{"line", place.line}, {"key", "steps"}, {"wanted", "an array of objects"}}));
+                                 {{"line", place.line}, {"key", "steps"}, {"wanted", MessageId::WantObjects}}));
         }
         gatherer.add(jsonRow(json[n], place), place);
     }

@@ -40,9 +40,9 @@ RowBenchOptions rowOptions(const RowBenchCommand& given, const OptionText& eleva
         options.precisions.clear();
         for (const std::string& text : splitText(*given.precisions, ',')) {
             if (text != "float" && text != "double") {
-                throw InputError("--precisions",
-                                 Message(MessageId::UnknownName,
-                                         {{"what", "precision"}, {"name", text}, {"known", "float, double"}}));
+                throw InputError("--precisions", Message(MessageId::UnknownName, {{"what", MessageId::WordPrecision},
+                                                                                  {"name", text},
+                                                                                  {"known", "float, double"}}));
             }
             options.precisions.push_back(text == "float" ? RowPrecision::Float : RowPrecision::Double);
         }

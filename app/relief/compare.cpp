@@ -45,8 +45,8 @@ int runCompare(const CompareOptions& options, Session& session) {
     if (options.pixelsPerDegree) {
         pixelsPerDegree = parseNumber(*options.pixelsPerDegree, "--ppd");
         if (pixelsPerDegree < 1 || pixelsPerDegree > 1000) {
-            throw InputError(
-                "--ppd", Message(MessageId::NumberOutOfRange, {{"value", pixelsPerDegree}, {"range", "1 to 1000"}}));
+            throw InputError("--ppd", Message(MessageId::NumberOutOfRange,
+                                              {{"value", pixelsPerDegree}, {"range", rangeOf(1, 1000)}}));
         }
     }
     HeightReadOptions reading;

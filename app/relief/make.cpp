@@ -19,7 +19,8 @@ const ReliefRecipe& findRecipe(const std::string& name) {
         if (recipe.name == name) return recipe;
         known.append(known.empty() ? "" : ", ").append(recipe.name);
     }
-    throw InputError("", Message(MessageId::UnknownName, {{"what", "relief"}, {"name", name}, {"known", known}}));
+    throw InputError(
+        "", Message(MessageId::UnknownName, {{"what", MessageId::WordRelief}, {"name", name}, {"known", known}}));
 }
 
 // "N" or "WxH".
@@ -34,7 +35,8 @@ SizeText makeSize(const MakeOptions& options, const ReliefRecipe& recipe) {
 void checkTexels(const SizeText& size) {
     const std::int64_t texels = std::int64_t{size.width} * size.height;
     if (texels <= kDefaultMaxPixels) return;
-    const std::string range = "1 to " + std::to_string(kDefaultMaxPixels) + " texels";
+    const Message range(MessageId::RangeOfUnit,
+                        {{"low", 1}, {"high", kDefaultMaxPixels}, {"unit", MessageId::UnitTexels}});
     throw InputError("--size", Message(MessageId::NumberOutOfRange, {{"value", texels}, {"range", range}}));
 }
 

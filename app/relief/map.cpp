@@ -25,9 +25,10 @@ int printDistances(const std::string& at, const Scenario& scenario, const Height
     const auto [s, t, z] = parseThree(at, "--at");
     const auto within = [&](const char* what, double value, double high) {
         if (value >= 0 && value <= high) return;
-        throw InputError("--at",
-                         Message(MessageId::OutOfRange,
-                                 {{"what", what}, {"value", value}, {"range", "within 0 and " + numberText(high)}}));
+        throw InputError(
+            "--at",
+            Message(MessageId::OutOfRange,
+                    {{"what", what}, {"value", value}, {"range", Message(MessageId::RangeWithin, {{"high", high}})}}));
     };
     within("s", s, field.width());
     within("t", t, field.height());
@@ -75,7 +76,9 @@ int writePyramid(const MapOptions& options, const std::string& kind, const std::
     const Scenario scenario = chosen.scenario();
     for (const auto& [name, text] : scenario.method.options) {
         throw InputError(
-            "--set", Message(MessageId::UnknownName, {{"what", "option of " + kind}, {"name", name}, {"known", "-"}}));
+            "--set",
+            Message(MessageId::UnknownName,
+                    {{"what", Message(MessageId::WordOptionOf, {{"method", kind}})}, {"name", name}, {"known", "-"}}));
     }
     Work& work = session.work();
     AssetStore store;

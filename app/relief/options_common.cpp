@@ -64,8 +64,8 @@ std::int64_t parseWhole(const std::string& text, const std::string& option, std:
         throw InputError(option, Message(MessageId::NotAWholeNumber, {{"text", text}}));
     }
     if (error != std::errc() || value < low || value > high) {
-        const std::string range = std::to_string(low) + " to " + std::to_string(high);
-        throw InputError(option, Message(MessageId::NumberOutOfRange, {{"value", text}, {"range", range}}));
+        throw InputError(option,
+                         Message(MessageId::NumberOutOfRange, {{"value", text}, {"range", rangeOf(low, high)}}));
     }
     return value;
 }

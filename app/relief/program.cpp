@@ -37,8 +37,8 @@ Language chosenLanguage(int count, char** arguments) {
     }
     if (name.empty() || name == "en") return Language::English;
     if (name == "uk") return Language::Ukrainian;
-    throw InputError("--language",
-                     Message(MessageId::UnknownName, {{"what", "language"}, {"name", name}, {"known", "en, uk"}}));
+    throw InputError("--language", Message(MessageId::UnknownName,
+                                           {{"what", MessageId::WordLanguage}, {"name", name}, {"known", "en, uk"}}));
 }
 
 std::string helpCommand(const CLI::App& program) {
@@ -57,8 +57,8 @@ InputError usageError(const CLI::App& program, const Commands& commands, const C
         if (program.get_subcommands().empty() && !argument.starts_with("-")) {
             std::string known;
             for (const Command& command : commands) known += (known.empty() ? "" : ", ") + command.parser->get_name();
-            return InputError(
-                "", Message(MessageId::UnknownName, {{"what", "command"}, {"name", argument}, {"known", known}}));
+            return InputError("", Message(MessageId::UnknownName,
+                                          {{"what", MessageId::WordCommand}, {"name", argument}, {"known", known}}));
         }
         return InputError(argument, Message(MessageId::ArgumentUnknown, {help}));
     }

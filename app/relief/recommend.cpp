@@ -33,8 +33,8 @@ struct RecommendOptions {
 double parseRange(const std::string& text, const std::string& option, double low, double high) {
     const double value = parseNumber(text, option);
     if (!(value >= low && value <= high)) {
-        throw InputError(option, Message(MessageId::NumberOutOfRange,
-                                         {{"value", text}, {"range", numberText(low) + " to " + numberText(high)}}));
+        throw InputError(option,
+                         Message(MessageId::NumberOutOfRange, {{"value", text}, {"range", rangeOf(low, high)}}));
     }
     return value;
 }

@@ -63,8 +63,8 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
             throw InputError("--layers", Message(MessageId::LayerRepeated, {{"layer", layer}}));
         }
         if (std::find(names.begin(), names.end(), layer) != names.end()) continue;
-        throw InputError("--layers",
-                         Message(MessageId::UnknownName, {{"what", "layer"}, {"name", layer}, {"known", known}}));
+        throw InputError("--layers", Message(MessageId::UnknownName,
+                                             {{"what", MessageId::WordLayer}, {"name", layer}, {"known", known}}));
     }
     return layers;
 }
@@ -97,8 +97,9 @@ Json stagesJson(const Frame& frame, bool shadows) {
     Json stages = Json::array();
     for (std::size_t s = 0; s < kStages; ++s) {
         if (static_cast<Stage>(s) == Stage::Shadows && !shadows) continue;
-        stages.push_back(
-            {{"name", kStageNames[s]}, {"seconds", frame.stages[s].seconds}, {"reused", frame.stages[s].reused}});
+        stages.push_back({{"name", messageTemplate(kStageNames[s], Language::English)},
+                          {"seconds", frame.stages[s].seconds},
+                          {"reused", frame.stages[s].reused}});
     }
     return stages;
 }
@@ -130,10 +131,10 @@ Json skippedJson(const Frame& frame, const FrameRequest& request, const BoundedE
 std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped,
                        const Json& base, double axisDifference, Session& session, const Seconds& seconds) {
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-    std::map<std::string, double> counters = session.work().counters().values();
-    for (const auto& [name, value] : frame.counters) counters[name] = value;
-    const auto taken = [&](const char* name) {
-        const auto found = counters.find(name);
+    std::map<MessageId, double> counters = session.work().counters().values();
+    for (const auto& [what, value] : frame.counters) counters[what] = value;
+    const auto taken = [&](MessageId what) {
+        const auto found = counters.find(what);
         const double value = found == counters.end() ? 0 : found->second;
         if (found != counters.end()) counters.erase(found);
         return value;
@@ -157,10 +158,12 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
         report["ellipse"] = {{"name", (given == scenario.filter.options.end() ? ellipse : given)->second},
                              {"off_direct", axisDifference}};
     }
-    report["maps"] = {{"builds", countJson(taken("map builds"))},
-                      {"bytes", countJson(taken("map bytes"))},
-                      {"build_seconds", taken("map build seconds")}};
-    for (const auto& [name, value] : counters) report["counters"][name] = countJson(value);
+    report["maps"] = {{"builds", countJson(taken(MessageId::CountMapBuilds))},
+                      {"bytes", countJson(taken(MessageId::CountMapBytes))},
+                      {"build_seconds", taken(MessageId::CountMapSeconds)}};
+    for (const auto& [what, value] : counters) {
+        report["counters"][std::string(messageTemplate(what, Language::English))] = countJson(value);
+    }
     if (!base.is_null()) report["base"] = base;
     report["stages"] = stagesJson(frame, scenario.shadows);
     report["skipped"] = skipped;

@@ -31,7 +31,7 @@ double parseSeconds(const std::string& text) {
     const double seconds = parseNumber(text, "--seconds");
     if (!(seconds >= 0 && seconds <= kSecondsAtMost)) {
         throw InputError("--seconds", Message(MessageId::NumberOutOfRange,
-                                              {{"value", text}, {"range", "0 to " + numberText(kSecondsAtMost)}}));
+                                              {{"value", text}, {"range", rangeOf(0.0, double{kSecondsAtMost})}}));
     }
     return seconds;
 }

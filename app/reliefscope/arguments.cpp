@@ -26,8 +26,8 @@ bool parseSize(std::string_view text, int& width, int& height) {
 
 void checkAxis(const std::string& text) {
     if (text == "x" || text == "y" || text == "z") return;
-    throw InputError("--axis",
-                     Message(MessageId::UnknownName, {{"what", "axis"}, {"name", text}, {"known", "x, y, z"}}));
+    throw InputError("--axis", Message(MessageId::UnknownName,
+                                       {{"what", MessageId::WordAxis}, {"name", text}, {"known", "x, y, z"}}));
 }
 
 int wholeNumber(const std::string& text, const std::string& subject) {

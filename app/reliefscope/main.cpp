@@ -123,8 +123,9 @@ reliefui::Layer chosenLayer(const std::string& name) {
                                                  "normal", "uv",    "footprint", "hidden"};
     const auto at = std::find(kNames.begin(), kNames.end(), name);
     if (at != kNames.end()) return static_cast<reliefui::Layer>(at - kNames.begin());
-    throw InputError(
-        "--layer", Message(MessageId::UnknownName, {{"what", "layer"}, {"name", name}, {"known", commaList(kNames)}}));
+    throw InputError("--layer",
+                     Message(MessageId::UnknownName,
+                             {{"what", MessageId::WordLayer}, {"name", name}, {"known", commaList(kNames)}}));
 }
 
 // What stands in the command goes before what the scenario says.
@@ -258,7 +259,8 @@ int run(int count, char** values, const Arguments& arguments) {
     if (!arguments.figure.empty()) return exportFigure(count, values, arguments);
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {
-        std::fprintf(stderr, "relief: no window can be opened: %s\n", problem.c_str());
+        const Message fault(MessageId::WindowNone, {{"why", problem}});
+        std::fprintf(stderr, "relief: %s\n", sentence(fault, reliefui::uiLanguage()).c_str());
         return kBadUsage;
     }
     if (arguments.checkDisplay) return 0;

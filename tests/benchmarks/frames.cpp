@@ -89,7 +89,8 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
                 filterText(request.filter).c_str(), request.shadows ? "shadows" : "", 1 / quantile(taken, 0.5),
                 1000 * quantile(taken, 0.5), 1000 * quantile(taken, 0.1), 1000 * quantile(taken, 0.9));
     for (std::size_t s = 0; s < kStages; ++s) {
-        std::printf(" %s %.1f", std::string(kStageNames[s]).c_str(), 1000 * quantile(stages[s], 0.5));
+        std::printf(" %s %.1f", std::string(messageTemplate(kStageNames[s], Language::English)).c_str(),
+                    1000 * quantile(stages[s], 0.5));
     }
     std::printf(" resident %.0f, %.0f MB\n", resident, test::residentMegabytes());
     if (std::isfinite(budget)) {

@@ -9,7 +9,6 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
-#include "relief/tracers.h"
 #include "window_fixture.h"
 #include "windows/display_check.h"
 #include "windows/pane_list.h"
@@ -96,22 +95,6 @@ TEST_F(WindowTest, UkrainianTextsAreThere) {
     QTranslator translator;
     ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
     EXPECT_EQ(translator.translate("reliefui::ResultView", "Result"), QString::fromUtf8("Результат"));
-    for (const relief::ScenarioNumber& number : relief::scenarioNumbers()) {
-        EXPECT_FALSE(translator.translate("core", number.description.help.c_str()).isEmpty())
-            << number.description.help;
-    }
-    for (const relief::MethodDescription& method : relief::tracerList()) {
-        EXPECT_FALSE(translator.translate("core", method.help.c_str()).isEmpty()) << method.help;
-        for (const relief::OptionDescription& option : method.options) {
-            EXPECT_FALSE(translator.translate("core", option.help.c_str()).isEmpty()) << option.help;
-        }
-    }
-    for (const relief::FilterDescription& filter : relief::filterList()) {
-        EXPECT_FALSE(translator.translate("core", filter.help.c_str()).isEmpty()) << filter.help;
-        for (const relief::OptionDescription& option : filter.options) {
-            EXPECT_FALSE(translator.translate("core", option.help.c_str()).isEmpty()) << option.help;
-        }
-    }
     // Numbers stay those of the C locale.
     EXPECT_EQ(start({QStringLiteral("--version")}, true, QStringLiteral("uk_UA.UTF-8")).status, 0);
     const QTemporaryDir folder;

@@ -29,53 +29,55 @@ std::vector<Lesson> lessons() {
     using relief::Departure;
     constexpr const char* kDuel = "duel";
     return {
-        lesson("vain_descent", Texts::tr("A descent in vain: the maximum pyramid"),
-               Texts::tr("The maximum of a coarse texel lies above the ray, so it goes down; none of the finer texels "
-                         "holds it, and it comes up again. Step through it with , and ."),
+        lesson("vain_descent", Texts::tr("A search in vain: a hit is possible but not confirmed ([MIP18])"),
+               Texts::tr("The maximum of a texel of a higher level lies above the ray, so the search goes down a "
+                         "level. There no texel lies above the ray: the hit is not confirmed, and the search comes up "
+                         "again. The keys “,” and “.” go from step to step."),
                "profile"),
         lesson("missed_spike", Texts::tr("Missed spike: layers against the maximum pyramid"),
-               Texts::tr("Sixteen layers look at the surface at sixteen places; a spike that stands between two of "
-                         "them is passed. The maximum pyramid passes nothing."),
+               Texts::tr("With sixteen layers the surface is read at sixteen points of the ray only: a spike between "
+                         "two of them goes unnoticed. The maximum pyramid misses no hit."),
                kDuel, Departure::MissedSpike),
         lesson("not_refined", Texts::tr("Not refined: the last layer is the answer"),
-               Texts::tr("The hit lies between two layers; plain layers answer with the second one, bisection looks "
-                         "for it."),
+               Texts::tr("The hit lies between two layers. The method of layers answers with the second of them; "
+                         "bisection narrows the interval down to the hit."),
                kDuel, Departure::NotRefined),
-        lesson("interpolation_leak", Texts::tr("Interpolation leak: a secant over an edge"),
-               Texts::tr("Between the last two layers the surface is taken for a straight line; at an edge the answer "
-                         "lies where there is no surface."),
+        lesson("interpolation_leak", Texts::tr("Interpolation leak: a secant over a drop in height"),
+               Texts::tr("Between the last two layers the surface is replaced by a straight line; at a sharp drop in "
+                         "height the point that is found does not lie on the surface."),
                kDuel, Departure::InterpolationLeak),
         lesson("stopped_early", Texts::tr("Stopped early: one step of parallax offset"),
-               Texts::tr("One sample is taken for the answer; where the relief changes, the ray is still in the air."),
+               Texts::tr("The offset is computed from one height; where the relief changes, the ray is still above the "
+                         "surface at the point that is found."),
                kDuel, Departure::StoppedEarly),
         lesson("unsafe_map", Texts::tr("Unsafe map: relaxed cones"),
-               Texts::tr("A relaxed cone may enter the relief once, so that steps are long; at an edge it comes out "
-                         "again behind it. Plain cones never enter."),
+               Texts::tr("In a relaxed cone the ray may enter the relief once, so steps are longer; at a narrow ledge "
+                         "it has already come out behind it, and the hit is lost. A plain cone is always empty."),
                kDuel, Departure::UnsafeMap),
-        lesson(
-            "unsafe_distance", Texts::tr("Unsafe map: interpolated distances"),
-            Texts::tr("Distances are stored for the middles of voxels and interpolated between them; near a wall that "
-                      "promises more room than there is. The conservative map holds for whole voxels."),
-            kDuel, Departure::UnsafeMap),
-        lesson("grazing_rays", Texts::tr("Grazing rays: steps grow, layers tear"),
-               Texts::tr("Six degrees above the ground the layers lie many texels apart along the ray. Compare the "
-                         "methods, and look at the layer of steps in the result."),
+        lesson("unsafe_distance", Texts::tr("Unsafe map: interpolated distances"),
+               Texts::tr("Distances are stored for the centres of voxels and interpolated between them; near a wall "
+                         "the interpolated distance is larger than the true one. The conservative map holds for the "
+                         "whole volume of a voxel."),
+               kDuel, Departure::UnsafeMap),
+        lesson("grazing_rays", Texts::tr("Grazing rays: more steps, and layers become visible ([DIST17])"),
+               Texts::tr("At six degrees to the ground neighbouring layers meet the ray many texels apart. Compare the "
+                         "methods, and look at the number of steps (choose “Steps” in the result)."),
                "compare", Departure::MissedSpike),
         lesson("hidden_texels", Texts::tr("Footprint: texels that the relief hides"),
-               Texts::tr("A pixel's ellipse on a slanted relief covers texels that the eye does not see; the filter "
-                         "elliptical-visible leaves them out."),
+               Texts::tr(
+                   "The ellipse, the projection of the pixel on the slanted relief, covers texels that cannot be seen "
+                   "as well; the filter elliptical-visible finds them by tracing back and leaves them out ([TEX])."),
                "footprint"),
         lesson(
-            "paper_march", Texts::tr("Distance map: on by the distance that it stores"),
+            "paper_march", Texts::tr("Distance map: each step is as long as the stored distance"),
             Texts::tr("The slice shows how far each voxel is from the surface. At every stop the ray goes on by that "
-                      "distance: five steps to the floor, and with the refined map of the next lesson four. The "
-                      "last circle reaches below the floor: between the middles of voxels distances are "
-                      "interpolated."),
+                      "distance: five steps to the floor, and with the refined map of the next lesson four. The last "
+                      "circle reaches below the floor: between the centres of voxels distances are interpolated."),
             "distance"),
         lesson("paper_walls", Texts::tr("Refined distance: 3 texels or 4"),
-               Texts::tr("Point C is 3 texels from the left wall. Rays from above that would meet that wall within "
-                         "4 texels of C hit the right wall before they reach C; the nearest hit of all others is on "
-                         "the floor, 4 texels below: the refined distance. Ctrl+click asks about another point."),
+               Texts::tr("Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 "
+                         "texels of C hit the right wall before they reach C; the nearest hit of all others is on the "
+                         "floor, 4 texels below: the refined distance. Ctrl+click asks about another point."),
                "distance"),
     };
 }

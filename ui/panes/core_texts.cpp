@@ -25,7 +25,8 @@ QString controlTitle(const std::string& name) {
     return coreText(capitalised(name));
 }
 
-QString optionTitle(const std::string& name) {
+QString optionTitle(const std::string& key) {
+    const std::string name = key.substr(key.rfind('.') + 1);
     // Without a translation of its own it has the word's.
     return QCoreApplication::translate("core", capitalised(name).c_str(), "option");
 }

@@ -10,8 +10,9 @@ namespace reliefui {
 
 // "relief-depth": "Relief depth".
 QString controlTitle(const std::string& name);
-// Of a method's or filter's option, where the word means something else than elsewhere ("floor").
-QString optionTitle(const std::string& name);
+// Of a method's or filter's option, where the word means something else than elsewhere ("floor"); of an inner method's
+// ("inner.layers") without what stands before its name.
+QString optionTitle(const std::string& key);
 // A help text or a unit.
 QString coreText(const std::string& english);
 // "degrees": "°"; others with a space before them.

@@ -122,8 +122,8 @@ void writePdf(const Figure& figure, const FigurePage& page, const std::string& f
 
 void requireRange(const std::string& what, double value, double low, double high) {
     if (value >= low && value <= high) return;
-    const std::string range = relief::numberText(low) + " to " + relief::numberText(high);
-    throw InputError(what, Message(MessageId::NumberOutOfRange, {{"value", value}, {"range", range}}));
+    throw InputError(what,
+                     Message(MessageId::NumberOutOfRange, {{"value", value}, {"range", relief::rangeOf(low, high)}}));
 }
 
 void emptyFigure(const char* name, MessageId why) {

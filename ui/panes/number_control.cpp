@@ -72,7 +72,7 @@ NumberControl::NumberControl(const relief::OptionDescription& description, QWidg
       scale_(description),
       slider_(new QSlider(Qt::Horizontal, this)),
       box_(new QDoubleSpinBox(this)) {
-    const QString title = controlTitle(description.name);
+    const QString title = optionTitle(description.name);
     slider_->setRange(0, SliderScale::kPositions);
     slider_->setPageStep(SliderScale::kPositions / 20);
     slider_->setSingleStep(SliderScale::kPositions / 200);

@@ -85,7 +85,7 @@ void OptionsForm::addControl(const Control& control) {
     }
     auto* const choices = new QComboBox(this);
     choices->setObjectName(name);
-    choices->setAccessibleName(controlTitle(control.option.name));
+    choices->setAccessibleName(optionTitle(control.option.name));
     choices->setToolTip(optionToolTip(control.option));
     for (const std::string& text : control.option.choices) choices->addItem(QString::fromStdString(text));
     label->setBuddy(choices);
@@ -104,7 +104,7 @@ void OptionsForm::addWords(const Control& control, NumberControl* number) {
         auto* const box = new QCheckBox(text, this);
         box->setObjectName(name + '=' + text);
         box->setToolTip(optionToolTip(control.option));
-        box->setAccessibleName(controlTitle(control.option.name) + QStringLiteral(": ") + text);
+        box->setAccessibleName(optionTitle(control.option.name) + QStringLiteral(": ") + text);
         form_->addRow(QString(), box);
         connect(box, &QCheckBox::clicked, this, [this, name, number, text](bool on) {
             const QString value = QString::fromStdString(relief::numberText(number->value()));

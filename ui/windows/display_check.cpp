@@ -4,19 +4,29 @@
 
 #include <X11/Xlib.h>
 
+#include "workspace/language.h"
+
 namespace reliefui {
+
+namespace {
+
+std::string said(relief::MessageId what, const char* name = "") {
+    return relief::sentence(relief::Message(what, {{"name", name}}), uiLanguage());
+}
+
+}  // namespace
 
 std::string displayProblem() {
     const char* const name = std::getenv("DISPLAY");
-    if (name == nullptr || *name == '\0') return "there is no display (DISPLAY is not set)";
+    if (name == nullptr || *name == '\0') return said(relief::MessageId::DisplayNone);
     Display* const display = XOpenDisplay(nullptr);
-    if (display == nullptr) return std::string("the display ") + name + " cannot be opened";
+    if (display == nullptr) return said(relief::MessageId::DisplayClosed, name);
     int opcode = 0;
     int event = 0;
     int error = 0;
     const bool glx = XQueryExtension(display, "GLX", &opcode, &event, &error) != 0;
     XCloseDisplay(display);
-    return glx ? std::string() : std::string("the display ") + name + " has no OpenGL (extension GLX)";
+    return glx ? std::string() : said(relief::MessageId::DisplayNoGl, name);
 }
 
 bool wantsTwiceTheSize() {

@@ -62,7 +62,7 @@ void FilterBox::change(const QString& name, const QString& text, bool live) {
     } else {
         std::from_chars(value.data(), value.data() + value.size(), scenario.filter.samples);
     }
-    workspace_->change(scenario, controlTitle(name.toStdString()), QStringLiteral("filter-") + name, live);
+    workspace_->change(scenario, optionTitle(name.toStdString()), QStringLiteral("filter-") + name, live);
 }
 
 void FilterBox::refresh() {

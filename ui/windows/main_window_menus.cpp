@@ -322,6 +322,7 @@ void MainWindow::showAbout() {
     box->setText(tr("Reliefscope %1\n\nRelief texturing on height maps, in a window that explains why a pixel looks "
                     "as it does.")
                      .arg(QApplication::applicationVersion()));
+    box->setInformativeText(tr("Numbers are written with a decimal point: 12.5."));
     box->show();
 }
 

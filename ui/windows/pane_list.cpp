@@ -40,9 +40,10 @@ FigureKind figureKind(const std::string& name) {
     if (at != list.end()) return *at;
     std::vector<std::string> names;
     for (const FigureKind& kind : list) names.push_back(kind.name);
-    throw relief::InputError("--export",
-                             relief::Message(relief::MessageId::UnknownName,
-                                             {{"what", "view"}, {"name", name}, {"known", relief::commaList(names)}}));
+    throw relief::InputError(
+        "--export",
+        relief::Message(relief::MessageId::UnknownName,
+                        {{"what", relief::MessageId::WordView}, {"name", name}, {"known", relief::commaList(names)}}));
 }
 
 }  // namespace reliefui

@@ -49,7 +49,9 @@ void giveRuntimeFolder() {
 
 void grab(MainWindow& window, const QString& path) {
     const bool done = window.grab().save(path, "PNG");
-    if (!done) std::fprintf(stderr, "relief: %s: cannot be written\n", path.toUtf8().constData());
+    const relief::Message fault(relief::MessageId::SubjectSays,
+                                {{"subject", path.toStdString()}, {"why", relief::MessageId::WindowUnsaved}});
+    if (!done) std::fprintf(stderr, "relief: %s\n", relief::sentence(fault, uiLanguage()).c_str());
     QApplication::exit(done ? 0 : 1);
 }
 

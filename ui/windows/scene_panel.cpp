@@ -249,8 +249,7 @@ void ScenePanel::addMethod(QFormLayout* form) {
         const std::string inside = name.toStdString() + ".";
         std::erase_if(scenario.method.options, [&](const auto& option) { return option.first.starts_with(inside); });
         scenario.method.options[name.toStdString()] = text.toStdString();
-        workspace_->change(scenario, controlTitle(name.mid(name.lastIndexOf(QLatin1Char('.')) + 1).toStdString()),
-                           QStringLiteral("option-") + name, live);
+        workspace_->change(scenario, optionTitle(name.toStdString()), QStringLiteral("option-") + name, live);
     });
 }
 

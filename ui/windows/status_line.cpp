@@ -19,8 +19,8 @@ namespace {
 
 constexpr int kPatienceMs = 250;
 
-double counter(const relief::Frame& frame, const char* name) {
-    const auto found = frame.counters.find(name);
+double counter(const relief::Frame& frame, relief::MessageId what) {
+    const auto found = frame.counters.find(what);
     return found == frame.counters.end() ? 0 : found->second;
 }
 
@@ -35,21 +35,24 @@ QString grouped(std::uint64_t value) {
     return text;
 }
 
+QString inWords(relief::MessageId what) {
+    return QString::fromStdString(relief::sentence(relief::Message(what), uiLanguage()));
+}
+
 // What was done for the frame, stage by stage, and what was not needed.
 QString ledger(const relief::Frame& frame) {
     QString text = StatusLine::tr("Click: what was skipped, and why") + QLatin1Char('\n') +
                    StatusLine::tr("Stages of this frame (seconds of all threads together):");
     for (std::size_t s = 0; s < relief::kStages; ++s) {
         const relief::StageReport& stage = frame.stages[s];
-        const QString name = QString::fromUtf8(relief::kStageNames[s].data(), int(relief::kStageNames[s].size()));
         const QString done = stage.reused ? StatusLine::tr("kept") : rounded(stage.seconds, 3);
-        text += QStringLiteral("\n  %1: %2").arg(name, done);
+        text += QStringLiteral("\n  %1: %2").arg(inWords(relief::kStageNames[s]), done);
     }
-    for (const auto& [name, value] : frame.counters) {
+    for (const auto& [what, value] : frame.counters) {
         text += QStringLiteral("\n%1: %2")
-                    .arg(QString::fromStdString(name), value == std::floor(value) && value >= 0 && value < 1e15
-                                                           ? grouped(static_cast<std::uint64_t>(value))
-                                                           : rounded(value, 4));
+                    .arg(inWords(what), value == std::floor(value) && value >= 0 && value < 1e15
+                                            ? grouped(static_cast<std::uint64_t>(value))
+                                            : rounded(value, 4));
     }
     return text;
 }
@@ -220,9 +223,10 @@ QString StatusLine::frameText() const {
         text += QStringLiteral(" (%1)").arg(QString::fromStdString(relief::filterText(snapshot->request->filter)));
     }
     // Pixels that needed no search: nothing there, or nothing to search for.
-    const double pixels = counter(frame, "pixels");
-    const double spared = counter(frame, "pixels without a polygon") + counter(frame, "rays not needed: flat ground") +
-                          counter(frame, "rays not traced: little parallax");
+    const double pixels = counter(frame, relief::MessageId::CountPixels);
+    const double spared = counter(frame, relief::MessageId::CountSky) +
+                          counter(frame, relief::MessageId::CountRaysFlat) +
+                          counter(frame, relief::MessageId::CountRaysParallax);
     if (frame.mappingOff > 0) {
         text += QStringLiteral("     ") + tr("coordinates ±%1 texels").arg(rounded(frame.mappingOff, 2));
     }

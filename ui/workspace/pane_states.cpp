@@ -30,9 +30,7 @@ constexpr double kFarthestPoint = 1 << 26;  // texels
 void inRange(const std::string& subject, const char* what, double value, double low, double high) {
     if (value >= low && value <= high) return;
     throw InputError(subject, Message(MessageId::OutOfRange,
-                                      {{"what", what},
-                                       {"value", value},
-                                       {"range", relief::numberText(low) + " to " + relief::numberText(high)}}));
+                                      {{"what", what}, {"value", value}, {"range", relief::rangeOf(low, high)}}));
 }
 
 void checkQuery(const std::string& subject, const QueryPoint& point) {
@@ -114,7 +112,7 @@ void readPyramid(JsonReader reader, PyramidPane& pane) {
 void readQuery(JsonReader reader, std::optional<QueryPoint>& query) {
     QueryPoint& point = query.emplace();
     const auto number = [&](const char* key, double& value) {
-        if (!reader.has(key)) reader.fail(key, "a number");
+        if (!reader.has(key)) reader.fail(key, MessageId::WantANumber);
         reader.read(key, value);
     };
     number("s", point.s);

@@ -43,9 +43,11 @@ std::shared_ptr<const PixelTrace> fileTrace(const relief::OtherTracer& other, co
                                             const relief::HeightField& field) {
     const auto ray = static_cast<std::size_t>(other.ray);
     if (ray >= files.rays.size()) {
-        const std::string range = "0 to " + std::to_string(files.rays.size() - 1);
-        throw relief::InputError(other.rays, relief::Message(relief::MessageId::OutOfRange,
-                                                             {{"what", "ray"}, {"value", ray}, {"range", range}}));
+        throw relief::InputError(other.rays,
+                                 relief::Message(relief::MessageId::OutOfRange,
+                                                 {{"what", relief::MessageId::WordRay},
+                                                  {"value", ray},
+                                                  {"range", relief::rangeOf<std::size_t>(0, files.rays.size() - 1)}}));
     }
     auto out = std::make_shared<PixelTrace>();
     out->onRelief = true;

@@ -49,8 +49,8 @@ std::shared_ptr<const relief::Pyramid> pyramidOf(relief::PyramidKind kind, const
 using Clock = std::chrono::steady_clock;
 
 double buildSeconds(relief::Work& work) {
-    const std::map<std::string, double> counted = work.counters().values();
-    const auto found = counted.find("map build seconds");
+    const std::map<relief::MessageId, double> counted = work.counters().values();
+    const auto found = counted.find(relief::MessageId::CountMapSeconds);
     return found != counted.end() ? found->second : 0;
 }
 

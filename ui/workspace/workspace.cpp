@@ -40,9 +40,10 @@ void checkForWindow(const relief::Scenario& scenario) {
     const std::int64_t pixels = std::int64_t{scenario.width} * scenario.height;
     if (pixels <= kMostPixels) return;
     throw relief::InputError(
-        {}, relief::Message(
-                relief::MessageId::OutOfRange,
-                {{"what", "width x height"}, {"value", pixels}, {"range", "at most " + std::to_string(kMostPixels)}}));
+        {}, relief::Message(relief::MessageId::OutOfRange,
+                            {{"what", relief::MessageId::WordPictureSize},
+                             {"value", pixels},
+                             {"range", relief::Message(relief::MessageId::RangeAtMost, {{"high", kMostPixels}})}}));
 }
 
 int lastStep(const Snapshot& snapshot) {

@@ -51,9 +51,9 @@ const FilterDescription& findFilter(std::string_view name) {
     for (const FilterDescription& filter : filterList()) {
         if (filter.name == name) return filter;
     }
-    throw InputError("--filter",
-                     Message(MessageId::UnknownName,
-                             {{"what", "filter"}, {"name", std::string(name)}, {"known", namesOf(filterList())}}));
+    throw InputError("--filter", Message(MessageId::UnknownName, {{"what", MessageId::WordFilter},
+                                                                  {"name", std::string(name)},
+                                                                  {"known", namesOf(filterList())}}));
 }
 
 bool needsLevels(const FilterChoice& choice) {

@@ -44,7 +44,7 @@ struct EllipticalFilterOptions : EllipticalOptions {
     EllipseForm form() const {
         const EllipseForm form = ellipseForm(ellipse);
         if (form == EllipseForm::Cached && EllipticalSettings::of(*this).shaped()) {
-            const std::string range = "direct, iterative (weights=" + weights + ")";
+            const Message range(MessageId::RangeEllipse, {{"weights", weights}});
             throw InputError("--filter-set", Message(MessageId::OutOfRange,
                                                      {{"what", "ellipse"}, {"value", ellipse}, {"range", range}}));
         }

@@ -148,9 +148,10 @@ Options parseOptions(const std::string& method, const OptionValues& values, cons
             known += (known.empty() ? "" : ", ") + field.description.name;
         }
         if (found == nullptr) {
-            throw InputError(subject, Message(MessageId::UnknownName, {{"what", "option of " + method},
-                                                                       {"name", name},
-                                                                       {"known", known.empty() ? "none" : known}}));
+            throw InputError(subject, Message(MessageId::UnknownName,
+                                              {{"what", Message(MessageId::WordOptionOf, {{"method", method}})},
+                                               {"name", name},
+                                               {"known", known.empty() ? "none" : known}}));
         }
         if constexpr (!std::is_empty_v<Options>) assignOption(*found, text, options, subject);
     }

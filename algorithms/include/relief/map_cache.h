@@ -34,7 +34,7 @@ class MapCache {
     // The map of this key; built by `build` if there is none. Whoever comes while it is being built waits for it; if
     // the builder is cancelled, one of those who wait builds it instead. T has bytes().
     // need: bytes that building takes at most, the map among them. Throws MemoryError where they are not free.
-    // Counts "map builds", "map bytes" and "map build seconds" in the work's counters.
+    // Counts CountMapBuilds, CountMapBytes and CountMapSeconds in the work's counters.
     template <class T>
     std::shared_ptr<const T> get(const MapKey& key, std::uint64_t need, Work& work,
                                  const std::function<T(Work&)>& build) {

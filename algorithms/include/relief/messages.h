@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,10 +27,13 @@ std::string numberText(double value);
 // The same rounded to `digits` significant digits, for sentences that people read.
 std::string numberText(double value, int digits);
 
-// A value inside a message.
+struct Message;
+
+// A value inside a message: a text, or a message of its own, which is said in the listener's language as well.
 struct MessageValue {
     std::string name;
     std::string text;
+    std::shared_ptr<const Message> inner;
 
     MessageValue(std::string valueName, std::string valueText)
         : name(std::move(valueName)), text(std::move(valueText)) {}
@@ -39,6 +43,8 @@ struct MessageValue {
     template <std::floating_point T>
     MessageValue(std::string valueName, T value)
         : name(std::move(valueName)), text(numberText(static_cast<double>(value))) {}
+    MessageValue(std::string valueName, Message message);
+    MessageValue(std::string valueName, MessageId word);
 };
 
 struct Message {
@@ -49,6 +55,12 @@ struct Message {
     explicit Message(MessageId messageId, std::vector<MessageValue> messageValues = {})
         : id(messageId), values(std::move(messageValues)) {}
 };
+
+// "1 to 8".
+template <class T>
+Message rangeOf(T low, T high) {
+    return Message(MessageId::RangeOf, {{"low", low}, {"high", high}});
+}
 
 // The message in words. A {name} without a value stays as it is (tests look for that).
 std::string sentence(const Message& message, Language language = Language::English);

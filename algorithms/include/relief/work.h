@@ -12,30 +12,31 @@
 #include <string_view>
 
 #include "relief/errors.h"
+#include "relief/messages.h"
 #include "relief/thread_team.h"
 
 namespace relief {
 
-// Named totals of what was done and what was skipped ("rays traced", "polygons culled"). Hot loops count in locals
-// and add once a tile. Thread safe.
+// Totals of what was done and what was skipped, each by its message (MessageId::CountRaysTraced). Hot loops count in
+// locals and add once a tile. Thread safe.
 class Counters {
   public:
-    void add(std::string_view name, double amount) {
+    void add(MessageId what, double amount) {
         const std::lock_guard lock(mutex_);
-        values_[std::string(name)] += amount;
+        values_[what] += amount;
     }
     void clear() {
         const std::lock_guard lock(mutex_);
         values_.clear();
     }
-    std::map<std::string, double> values() const {
+    std::map<MessageId, double> values() const {
         const std::lock_guard lock(mutex_);
         return values_;
     }
 
   private:
     mutable std::mutex mutex_;
-    std::map<std::string, double> values_;
+    std::map<MessageId, double> values_;
 };
 
 // Progress of one piece of work: `what` is said once, `done` of `total` units may be added from any thread.

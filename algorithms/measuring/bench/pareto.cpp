@@ -83,9 +83,9 @@ ParetoPoint pointOf(const std::vector<const BenchRow*>& rows) {
 ErrorMeasure parseErrorMeasure(const std::string& text, const std::string& option) {
     const auto found = std::find(kErrorMeasureNames.begin(), kErrorMeasureNames.end(), text);
     if (found != kErrorMeasureNames.end()) return static_cast<ErrorMeasure>(found - kErrorMeasureNames.begin());
-    throw InputError(option,
-                     Message(MessageId::UnknownName,
-                             {{"what", "measure of the error"}, {"name", text}, {"known", "mean, p95, p9999, max"}}));
+    throw InputError(
+        option, Message(MessageId::UnknownName,
+                        {{"what", MessageId::WordErrorMeasure}, {"name", text}, {"known", "mean, p95, p9999, max"}}));
 }
 
 ParetoTable paretoTable(std::span<const BenchRow> rows) {

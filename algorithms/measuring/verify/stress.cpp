@@ -236,8 +236,8 @@ StressPart parseStressPart(std::string_view text, const std::string& option) {
         if (stressPartName(part) == text) return part;
         known.append(known.empty() ? "" : ", ").append(stressPartName(part));
     }
-    throw InputError(
-        option, Message(MessageId::UnknownName, {{"what", "part"}, {"name", std::string(text)}, {"known", known}}));
+    throw InputError(option, Message(MessageId::UnknownName,
+                                     {{"what", MessageId::WordPart}, {"name", std::string(text)}, {"known", known}}));
 }
 
 StressReport stress(const StressOptions& options, Work& work) {

@@ -156,9 +156,9 @@ DistanceTo parseDistanceTo(std::string_view text) {
     for (std::size_t n = 0; n < kToNames.size(); ++n) {
         if (kToNames[n] == text) return static_cast<DistanceTo>(n);
     }
-    throw InputError(
-        "--set", Message(MessageId::UnknownName,
-                         {{"what", "target of distances"}, {"name", std::string(text)}, {"known", "surface, voxel"}}));
+    throw InputError("--set", Message(MessageId::UnknownName, {{"what", MessageId::WordDistanceTarget},
+                                                               {"name", std::string(text)},
+                                                               {"known", "surface, voxel"}}));
 }
 
 int azimuthSector(double x, double y, int sectors) {

@@ -53,9 +53,9 @@ std::shared_ptr<const void> MapCache::find(const MapKey& key, std::uint64_t need
         throw;
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    work.counters().add("map builds", 1);
-    work.counters().add("map bytes", static_cast<double>(built.bytes));
-    work.counters().add("map build seconds", seconds);
+    work.counters().add(MessageId::CountMapBuilds, 1);
+    work.counters().add(MessageId::CountMapBytes, static_cast<double>(built.bytes));
+    work.counters().add(MessageId::CountMapSeconds, seconds);
     lock.lock();
     Entry& entry = entries_[key];
     entry = {built.map, built.bytes, ++clock_, seconds};

@@ -167,7 +167,10 @@ void checkField(const std::string& path, const Json& header, const HeightField& 
     const double slab = header.at("metric").at("slab texels").get<double>();
     if (slab == field.slabTexels()) return;
     checkSame(path, "relief-depth", numberText(slab / field.width()), numberText(field.reliefDepth()));
-    checkSame(path, "relief-depth", numberText(slab) + " texels", numberText(field.slabTexels()) + " texels");
+    const auto texels = [](double count) { return Message(MessageId::WordTexels, {{"count", count}}); };
+    throw InputError(
+        path, Message(MessageId::MapNotOfThisField,
+                      {{"what", "relief-depth"}, {"stored", texels(slab)}, {"given", texels(field.slabTexels())}}));
 }
 
 // Codes that no map of ours holds: not a number, negative but no mark, marks where there are none.

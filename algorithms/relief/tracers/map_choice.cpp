@@ -135,8 +135,8 @@ const std::string& methodOfMap(const std::string& kind) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (mapKinds()[i] == kind) return names[i];
     }
-    throw InputError(
-        "", Message(MessageId::UnknownName, {{"what", "map"}, {"name", kind}, {"known", commaList(mapKinds())}}));
+    throw InputError("", Message(MessageId::UnknownName,
+                                 {{"what", MessageId::WordMap}, {"name", kind}, {"known", commaList(mapKinds())}}));
 }
 
 StoredMap buildMap(const std::string& kind, const OptionValues& options, const HeightField& field, MapCache& cache,

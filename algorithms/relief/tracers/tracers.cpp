@@ -166,8 +166,9 @@ const MethodDescription& findTracer(const std::string& name) {
     for (const MethodDescription& method : tracerList()) {
         if (method.name == name) return method;
     }
-    throw InputError("--tracer", Message(MessageId::UnknownName,
-                                         {{"what", "tracer"}, {"name", name}, {"known", namesOf(tracerList())}}));
+    throw InputError("--tracer",
+                     Message(MessageId::UnknownName,
+                             {{"what", MessageId::WordTracer}, {"name", name}, {"known", namesOf(tracerList())}}));
 }
 
 std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice) {
@@ -220,9 +221,10 @@ void checkMethod(const MethodChoice& choice, const std::string& subject) {
             if (option.description.name == name) found = &option.description;
         }
         if (found == nullptr) {
-            throw InputError(subject, Message(MessageId::UnknownName, {{"what", "option of " + choice.name},
-                                                                       {"name", name},
-                                                                       {"known", known.empty() ? "-" : known}}));
+            throw InputError(subject, Message(MessageId::UnknownName,
+                                              {{"what", Message(MessageId::WordOptionOf, {{"method", choice.name}})},
+                                               {"name", name},
+                                               {"known", known.empty() ? "-" : known}}));
         }
         checkOption(*found, text, subject);
     }

@@ -84,7 +84,7 @@ TEST(Grid, colorsStayWithinThePictures) {
         for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
             for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
                 const Asked asked(requestOf(reliefOf(name, address, surface), picture, grid()));
-                EXPECT_GT(asked.frame->counters.at("texels traced back"), 1000);
+                EXPECT_GT(asked.frame->counters.at(MessageId::CountTexelsTraced), 1000);
                 for (std::size_t i = 0; i < asked.block.size(); ++i) {
                     for (int c = 0; c < 3; ++c) {
                         ASSERT_GE(asked.color(i)[c], dark[c] - kRounding) << name << ' ' << i;
@@ -101,7 +101,7 @@ TEST(Grid, evenColorsAreNotTraced) {
     const HeightField field = reliefOf("bricks");
     const Asked even(requestOf(field, faintPicture(128, 96, 0.9F * kEvenColors), grid()));
     const Asked uneven(requestOf(field, faintPicture(128, 96, 1), grid()));
-    const auto rays = [](const Asked& asked) { return asked.frame->counters.at("texels traced back"); };
+    const auto rays = [](const Asked& asked) { return asked.frame->counters.at(MessageId::CountTexelsTraced); };
     // What is left: centres beyond the picture's rim, and points round centres that meet nothing.
     EXPECT_LT(rays(even), rays(uneven) / 3);
     EXPECT_GT(rays(uneven), 1000);
@@ -241,14 +241,14 @@ TEST(Grid, thePictureAndSmoothGroundSaveRays) {
         EXPECT_EQ(alone, together) << name;
         EXPECT_LT(saved.tested, traced.tested) << name;
         // Of the frame, whose tiles share points; two of three are no centres.
-        const auto count = [&](const char* of) { return asked.frame->counters.at(of); };
-        const double edges = count("footprints") - count("footprints not traced back");
+        const auto count = [&](MessageId of) { return asked.frame->counters.at(of); };
+        const double edges = count(MessageId::CountFootprints) - count(MessageId::CountFootprintsClear);
         ASSERT_GT(edges, 500) << name;
         // Points asked for beyond the edges' own are counted, too. Behind bricks 2.34 were measured first, 2.90 if none
         // were taken from centres; among the city's walls there is nothing to take.
-        EXPECT_LT(count("texels traced back"), (name == std::string("bricks") ? 2.6 : 3) * edges) << name;
-        EXPECT_GT(count("texels traced back"), edges) << name;
-        RecordProperty(name, std::to_string(count("texels traced back") / edges));
+        EXPECT_LT(count(MessageId::CountTexelsTraced), (name == std::string("bricks") ? 2.6 : 3) * edges) << name;
+        EXPECT_GT(count(MessageId::CountTexelsTraced), edges) << name;
+        RecordProperty(name, std::to_string(count(MessageId::CountTexelsTraced) / edges));
     }
 }
 

@@ -309,11 +309,11 @@ TEST(Displacement, theMeshIsSampledOnce) {
     FrameRenderer renderer(std::make_shared<MapCache>());
     FrameRequest request = meshRequest(SceneKind::Floor, Address::Repeat, 32);
     const auto first = renderer.render(request, work);
-    EXPECT_GT(first->counters.at("triangles drawn"), 32 * 32);
-    EXPECT_EQ(first->counters.at("rays traced"), 0);
+    EXPECT_GT(first->counters.at(MessageId::CountTriangles), 32 * 32);
+    EXPECT_EQ(first->counters.at(MessageId::CountRaysTraced), 0);
     request.camera.azimuth += 10;
     renderer.render(request, work);
-    EXPECT_EQ(work.counters().values()["map builds"], 1);
+    EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 1);
     EXPECT_THROW(rendered(meshRequest(SceneKind::Floor, Address::Repeat, 0)), InputError);
 }
 

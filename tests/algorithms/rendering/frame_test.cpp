@@ -44,10 +44,10 @@ TEST(Frame, movingTheLightTracesNoRayAgain) {
     FrameRenderer renderer(std::make_shared<MapCache>());
     FrameRequest request = brickRequest();
     const auto first = renderer.render(request, work);
-    EXPECT_GT(first->counters.at("rays traced"), 1000);
+    EXPECT_GT(first->counters.at(MessageId::CountRaysTraced), 1000);
     request.light.azimuth += 30;
     const auto lit = renderer.render(request, work);
-    EXPECT_EQ(lit->counters.at("rays traced"), 0);
+    EXPECT_EQ(lit->counters.at(MessageId::CountRaysTraced), 0);
     EXPECT_EQ(lit->hits, first->hits);
     EXPECT_EQ(lit->color, first->color);
     EXPECT_NE(lit->light, first->light);
@@ -61,10 +61,10 @@ TEST(Frame, changingTheDepthKeepsTheMaxPyramid) {
     FrameRequest request = brickRequest();
     renderer.render(request, work);
     // The max pyramid, its depths for the lanes, and the cones: so few texels pay for them in the first frame.
-    EXPECT_EQ(work.counters().values()["map builds"], 3);
+    EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 3);
     request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat, 0.3);
     renderer.render(request, work);
-    EXPECT_EQ(work.counters().values()["map builds"], 3);
+    EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 3);
 }
 
 TEST(Frame, aPixelAskedAloneGetsTheFramesRay) {
@@ -133,17 +133,17 @@ TEST(Frame, cullsWhatIsNotSeen) {
     FrameRequest request = brickRequest(SceneKind::Cube);
     request.camera.azimuth = 45;
     auto frame = renderFresh(request, 1);
-    EXPECT_EQ(frame->counters.at("polygons"), 6);
-    EXPECT_EQ(frame->counters.at("polygons culled: facing away"), 3);
+    EXPECT_EQ(frame->counters.at(MessageId::CountPolygons), 6);
+    EXPECT_EQ(frame->counters.at(MessageId::CountPolygonsAway), 3);
     request = brickRequest(SceneKind::Floor);
     request.camera.elevation = -30;
     frame = renderFresh(request, 1);
-    EXPECT_EQ(frame->counters.at("polygons culled: facing away"), 1);
-    EXPECT_EQ(frame->counters.at("rays traced"), 0);
+    EXPECT_EQ(frame->counters.at(MessageId::CountPolygonsAway), 1);
+    EXPECT_EQ(frame->counters.at(MessageId::CountRaysTraced), 0);
     request.camera.elevation = 30;
     request.camera.target = {50, 0, 0};
     frame = renderFresh(request, 1);
-    EXPECT_EQ(frame->counters.at("polygons culled: off screen"), 1);
+    EXPECT_EQ(frame->counters.at(MessageId::CountPolygonsOff), 1);
 }
 
 TEST(Frame, aPlateauNeedsNoTracing) {
@@ -152,9 +152,9 @@ TEST(Frame, aPlateauNeedsNoTracing) {
     request.height = 30;
     request.counts = true;
     const auto frame = renderFresh(request, 1);
-    EXPECT_EQ(frame->counters.at("rays traced"), 0);
-    EXPECT_EQ(frame->counters.at("rays not needed: flat ground"), frame->counters.at("rays"));
-    EXPECT_EQ(frame->counters.at("rays not needed: the start is the highest point"), 0) << "each ray counts once";
+    EXPECT_EQ(frame->counters.at(MessageId::CountRaysTraced), 0);
+    EXPECT_EQ(frame->counters.at(MessageId::CountRaysFlat), frame->counters.at(MessageId::CountRays));
+    EXPECT_EQ(frame->counters.at(MessageId::CountRaysHighest), 0) << "each ray counts once";
 }
 
 // Counting traces once more: the same hits, the counts of each ray as its own log has them.
@@ -164,11 +164,11 @@ TEST(Frame, countsComeWhenAskedForAndChangeNothing) {
     FrameRenderer renderer(std::make_shared<MapCache>());
     const auto plain = renderer.render(request, work);
     EXPECT_FALSE(plain->hits->counted());
-    EXPECT_FALSE(plain->counters.contains("steps"));
+    EXPECT_FALSE(plain->counters.contains(MessageId::CountSteps));
     request.counts = true;
     const auto counted = renderer.render(request, work);
     ASSERT_TRUE(counted->hits->counted());
-    EXPECT_EQ(counted->counters.at("rays traced"), 0) << "no stage was stale";
+    EXPECT_EQ(counted->counters.at(MessageId::CountRaysTraced), 0) << "no stage was stale";
     EXPECT_EQ(counted->color, plain->color);
     EXPECT_TRUE(samePicture(*counted, *plain));
     EXPECT_EQ(renderer.counted(work), counted);
@@ -187,7 +187,7 @@ TEST(Frame, countsComeWhenAskedForAndChangeNothing) {
         EXPECT_EQ(counted->hits->hits.steps[i], log.steps.size());
         EXPECT_EQ(counted->hits->hits.reads[i], log.reads[0]);
     }
-    EXPECT_EQ(counted->counters.at("steps"), steps);
+    EXPECT_EQ(counted->counters.at(MessageId::CountSteps), steps);
     request.camera.azimuth += 5;
     request.counts = false;
     EXPECT_FALSE(renderer.render(request, work)->hits->counted());

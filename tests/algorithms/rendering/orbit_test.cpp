@@ -59,7 +59,8 @@ TEST(Orbit, memoryDoesNotGrow) {
     std::printf("%lld frames, memory %+.1f MB\n", static_cast<long long>(frames), usedMegabytes() - used);
     EXPECT_EQ(maps->bytes(), bytes);
     // The max pyramid, its depths for the lanes, the cones once they pay.
-    EXPECT_EQ(work.counters().values()["map builds"], 3) << "neither depth nor filter nor light needs another map";
+    EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 3)
+        << "neither depth nor filter nor light needs another map";
     EXPECT_LT(usedMegabytes() - used, kMostGrowth);
 }
 

@@ -275,10 +275,10 @@ TEST(Shading, bakedNormalsFollowTheDepthAndAreBakedOnce) {
     renderer.render(request, work);
     request.light.azimuth += 20;
     renderer.render(request, work);
-    EXPECT_EQ(work.counters().values()["map builds"], 1);
+    EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 1);
     request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat, 0.3);
     const auto deeper = renderer.render(request, work);
-    EXPECT_EQ(work.counters().values()["map builds"], 2);
+    EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 2);
     EXPECT_TRUE(deeper->light->color == rendered(request)->light->color);
 }
 

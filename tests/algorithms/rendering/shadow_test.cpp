@@ -105,14 +105,14 @@ TEST(Shadows, onlyTheLightIsDoneAgain) {
     FrameRenderer renderer(std::make_shared<MapCache>());
     FrameRequest request = shadowed("bricks");
     const auto first = renderer.render(request, work);
-    EXPECT_GT(first->counters.at("shadow rays"), 500);
-    EXPECT_GT(first->counters.at("shadow rays blocked"), 100);
-    EXPECT_LE(first->counters.at("shadow rays blocked"), first->counters.at("shadow rays"));
-    EXPECT_GT(first->counters.at("shadow rays not needed: turned away from the light"), 10);
+    EXPECT_GT(first->counters.at(MessageId::CountShadowRays), 500);
+    EXPECT_GT(first->counters.at(MessageId::CountShadowBlocked), 100);
+    EXPECT_LE(first->counters.at(MessageId::CountShadowBlocked), first->counters.at(MessageId::CountShadowRays));
+    EXPECT_GT(first->counters.at(MessageId::CountShadowAway), 10);
     request.light.azimuth += 40;
     const auto moved = renderer.render(request, work);
     EXPECT_EQ(moved->hits, first->hits);
-    EXPECT_EQ(moved->counters.at("rays traced"), 0);
+    EXPECT_EQ(moved->counters.at(MessageId::CountRaysTraced), 0);
     EXPECT_NE(moved->shadows, first->shadows);
     EXPECT_TRUE(moved->light->color == rendered(request)->light->color);
     request.light.ambient = 0.5;
@@ -130,10 +130,11 @@ TEST(Shadows, onlyTheLightIsDoneAgain) {
     const auto without = renderer.render(request, work);
     EXPECT_EQ(without->hits, turned->hits);
     EXPECT_TRUE(without->shadows->shadowed.empty());
-    EXPECT_FALSE(without->counters.contains("shadow rays"));
+    EXPECT_FALSE(without->counters.contains(MessageId::CountShadowRays));
     EXPECT_TRUE(without->light->color == rendered(request)->light->color);
     // The max pyramid, its depths for the lanes, the cones of the shadow rays.
-    EXPECT_EQ(work.counters().values()["map builds"], 3) << "the view rays' and the shadow rays', each once";
+    EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 3)
+        << "the view rays' and the shadow rays', each once";
 }
 
 TEST(Shadows, polygonsTurnedAwayFromTheLightAreUnlit) {
@@ -142,7 +143,7 @@ TEST(Shadows, polygonsTurnedAwayFromTheLightAreUnlit) {
     request.light.ambient = 0.3;
     request.light.intensity = 1;
     const auto frame = rendered(request);
-    EXPECT_EQ(frame->counters.at("shadow rays"), 0);
+    EXPECT_EQ(frame->counters.at(MessageId::CountShadowRays), 0);
     int seen = 0;
     for (std::size_t i = 0; i < frame->hits->hits.size(); ++i) {
         if (frame->hits->hits.outcome[i] != Outcome::Hit) continue;
@@ -161,7 +162,7 @@ TEST(Shadows, approximateMethodsDoNotShadeThemselves) {
         request.method = {method.name, {}};
         const auto frame = rendered(request);
         const auto& c = frame->counters;
-        EXPECT_LE(c.at("shadow rays blocked"), 0.02 * (c.at("shadow rays") + 1)) << method.name;
+        EXPECT_LE(c.at(MessageId::CountShadowBlocked), 0.02 * (c.at(MessageId::CountShadowRays) + 1)) << method.name;
     }
 }
 

@@ -63,8 +63,8 @@ std::shared_ptr<const FloatImage> terraces() {
     return share(std::move(heights));
 }
 
-double counted(const Frame& frame, const char* name) {
-    const auto found = frame.counters.find(name);
+double counted(const Frame& frame, MessageId what) {
+    const auto found = frame.counters.find(what);
     return found == frame.counters.end() ? 0 : found->second;
 }
 
@@ -81,11 +81,11 @@ TEST(Skip, noBitChangesOverScenesAndMethods) {
                 FrameRequest request = small(HeightField(terraces(), surface, address, 0.12), scene);
                 request.method.name = method.name;
                 const auto skipping = rendered(request);
-                flat += counted(*skipping, "rays not needed: flat ground");
+                flat += counted(*skipping, MessageId::CountRaysFlat);
                 request.skip = false;
                 const auto plain = rendered(request);
-                EXPECT_EQ(counted(*plain, "rays not needed: flat ground"), 0);
-                EXPECT_EQ(counted(*plain, "maps not needed"), 0);
+                EXPECT_EQ(counted(*plain, MessageId::CountRaysFlat), 0);
+                EXPECT_EQ(counted(*plain, MessageId::CountMapsNotNeeded), 0);
                 expectSameBits(*skipping, *plain, request);
             }
         }
@@ -110,8 +110,9 @@ TEST(Skip, noBitChangesOverFilters) {
             const auto plain = rendered(request);
             expectSameBits(*skipping, *plain, request);
             if (choice.options.empty()) continue;
-            spared += counted(*skipping, "footprints not traced back") - counted(*plain, "footprints not traced back");
-            traced += counted(*plain, "texels traced back") - counted(*skipping, "texels traced back");
+            spared +=
+                counted(*skipping, MessageId::CountFootprintsClear) - counted(*plain, MessageId::CountFootprintsClear);
+            traced += counted(*plain, MessageId::CountTexelsTraced) - counted(*skipping, MessageId::CountTexelsTraced);
         }
     }
     EXPECT_GT(spared, 0);
@@ -131,7 +132,7 @@ TEST(Skip, noBitChangesFromNearForTexelsAtTheirOwnPlaces) {
         request.skip = false;
         const auto plain = rendered(request);
         expectSameBits(*skipping, *plain, request);
-        EXPECT_GT(counted(*plain, "texels hidden"), 1000);
+        EXPECT_GT(counted(*plain, MessageId::CountTexelsHidden), 1000);
     }
 }
 
@@ -148,8 +149,8 @@ TEST(Skip, workOfAViewAlongThePlaneIsBounded) {
         request.filter = {"elliptical-visible", {{"form", form}}};
         const auto frame = rendered(request);
         const double pixels = request.width * request.height;
-        EXPECT_GT(counted(*frame, "texels traced back"), 10 * pixels);
-        EXPECT_LE(counted(*frame, "texels traced back"), kMostLooks * pixels);
+        EXPECT_GT(counted(*frame, MessageId::CountTexelsTraced), 10 * pixels);
+        EXPECT_LE(counted(*frame, MessageId::CountTexelsTraced), kMostLooks * pixels);
     }
 }
 
@@ -177,12 +178,12 @@ TEST(Skip, noBitChangesOnShippedPictures) {
 TEST(Skip, almostFlatGroundIsTraced) {
     FloatImage heights(16, 16, 0.5F);
     FrameRequest request = small(HeightField(share(heights)));
-    EXPECT_EQ(counted(*rendered(request), "rays not needed: flat ground"), counted(*rendered(request), "rays"));
+    EXPECT_EQ(counted(*rendered(request), MessageId::CountRaysFlat), counted(*rendered(request), MessageId::CountRays));
     for (int y = 0; y < 16; ++y) {
         for (int x = y % 2; x < 16; x += 2) heights(x, y) = std::nextafter(0.5F, 1.0F);
     }
     request.field = HeightField(share(heights));
-    EXPECT_EQ(counted(*rendered(request), "rays not needed: flat ground"), 0);
+    EXPECT_EQ(counted(*rendered(request), MessageId::CountRaysFlat), 0);
 }
 
 TEST(Skip, theBoundHoldsAndIsMeasured) {
@@ -200,8 +201,8 @@ TEST(Skip, theBoundHoldsAndIsMeasured) {
         Work work;
         MapCache maps;
         const BoundedError error = measureBounded(*frame, request, maps, work);
-        EXPECT_EQ(static_cast<double>(error.rays), counted(*frame, "rays not traced: little parallax"));
-        EXPECT_EQ(static_cast<double>(error.footprints), counted(*frame, "footprints not filtered: tiny"));
+        EXPECT_EQ(static_cast<double>(error.rays), counted(*frame, MessageId::CountRaysParallax));
+        EXPECT_EQ(static_cast<double>(error.footprints), counted(*frame, MessageId::CountFootprintsTiny));
         EXPECT_GT(error.rays, before);
         before = error.rays;
         EXPECT_EQ(error.wrongOutcomes, 0);
@@ -217,7 +218,7 @@ TEST(Skip, theBoundHoldsAndIsMeasured) {
         }
     }
     request.bounded = 0;
-    EXPECT_FALSE(rendered(request)->counters.contains("rays not traced: little parallax"));
+    EXPECT_FALSE(rendered(request)->counters.contains(MessageId::CountRaysParallax));
 }
 
 TEST(Skip, tinyFootprintsAreReadPlainly) {
@@ -256,7 +257,7 @@ TEST(Skip, theLedgerNamesWhatHowMuchAndWhy) {
     EXPECT_EQ(names, (std::vector<std::string>{"stages", "maps", "polygons-away", "polygons-off-screen", "sky",
                                                "flat-ground", "highest-point", "small-footprints", "sight",
                                                "shadow-away", "shadow-top", "little-parallax", "tiny-footprints"}));
-    EXPECT_EQ(rows[2].count, frame->counters.at("polygons culled: facing away"));
+    EXPECT_EQ(rows[2].count, frame->counters.at(MessageId::CountPolygonsAway));
     EXPECT_GE(rows[2].count, 3);
     EXPECT_NE(sentence(rows[11].why).find("0.5"), std::string::npos);
 }
@@ -277,18 +278,17 @@ TEST(Skip, everyRayIsCountedOnce) {
                 FrameRenderer renderer(std::make_shared<MapCache>());
                 const auto plain = renderer.render(request, work);
                 const auto sum = [](const Frame& frame, bool counts) {
-                    return counted(frame, "rays traced") + counted(frame, "rays not needed: flat ground") +
-                           counted(frame, "rays not traced: little parallax") +
-                           (counts ? counted(frame, "rays not needed: the start is the highest point") : 0);
+                    return counted(frame, MessageId::CountRaysTraced) + counted(frame, MessageId::CountRaysFlat) +
+                           counted(frame, MessageId::CountRaysParallax) +
+                           (counts ? counted(frame, MessageId::CountRaysHighest) : 0);
                 };
-                EXPECT_EQ(sum(*plain, false), counted(*plain, "rays"));
+                EXPECT_EQ(sum(*plain, false), counted(*plain, MessageId::CountRays));
                 const auto later = renderer.counted(work);
-                EXPECT_EQ(sum(*later, true), counted(*later, "rays"));
+                EXPECT_EQ(sum(*later, true), counted(*later, MessageId::CountRays));
                 request.counts = true;
                 const auto atOnce = rendered(request);
-                EXPECT_EQ(sum(*atOnce, true), counted(*atOnce, "rays"));
-                highest +=
-                    static_cast<std::int64_t>(counted(*atOnce, "rays not needed: the start is the highest point"));
+                EXPECT_EQ(sum(*atOnce, true), counted(*atOnce, MessageId::CountRays));
+                highest += static_cast<std::int64_t>(counted(*atOnce, MessageId::CountRaysHighest));
             }
         }
     }
@@ -307,26 +307,27 @@ TEST(Skip, whatDidNotChangeIsNotComputedAgain) {
     };
     request.filter.name = "trilinear";
     const auto filtered = renderer.render(request, work);
-    EXPECT_EQ(filtered->counters.at("rays traced"), 0);
+    EXPECT_EQ(filtered->counters.at(MessageId::CountRaysTraced), 0);
     EXPECT_EQ(filtered->hits, first->hits);
     EXPECT_TRUE(reused(*filtered, Stage::Rays) && reused(*filtered, Stage::Hits) && reused(*filtered, Stage::Shadows));
     EXPECT_FALSE(reused(*filtered, Stage::Color) || reused(*filtered, Stage::Light));
     request.light.azimuth += 20;
     const auto lit = renderer.render(request, work);
-    EXPECT_EQ(lit->counters.at("rays traced"), 0);
+    EXPECT_EQ(lit->counters.at(MessageId::CountRaysTraced), 0);
     EXPECT_TRUE(reused(*lit, Stage::Hits) && reused(*lit, Stage::Color));
     EXPECT_FALSE(reused(*lit, Stage::Shadows) || reused(*lit, Stage::Light));
     request.filter.name = "elliptical-visible";
     renderer.render(request, work);
-    const double builds = work.counters().values()["map builds"];
+    const double builds = work.counters().values()[MessageId::CountMapBuilds];
     request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat, 0.2);
     const auto deeper = renderer.render(request, work);
-    EXPECT_GT(deeper->counters.at("rays traced"), 0);
-    EXPECT_EQ(work.counters().values()["map builds"], builds);
+    EXPECT_GT(deeper->counters.at(MessageId::CountRaysTraced), 0);
+    EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], builds);
     request.skip = false;
     renderer.render(request, work);
     request.light.azimuth += 20;
-    EXPECT_GT(renderer.render(request, work)->counters.at("rays traced"), 0) << "without skipping nothing is kept";
+    EXPECT_GT(renderer.render(request, work)->counters.at(MessageId::CountRaysTraced), 0)
+        << "without skipping nothing is kept";
 }
 
 TEST(Skip, aScenarioKeepsIt) {

@@ -313,7 +313,7 @@ TEST(Supersample, estimatesComeNearerAndACancelledPictureIsNone) {
     });
     EXPECT_EQ(told, (std::vector<int>{1, 2, 4, 8, 16, 32, 64, 128, 192}));
     EXPECT_EQ(frame->hits, plain->hits) << "pixel centres keep their rays";
-    EXPECT_EQ(frame->counters.at("samples a pixel"), 256);
+    EXPECT_EQ(frame->counters.at(MessageId::CountSamples), 256);
     const auto apart = [&](const ColorImage& a) {
         double sum = 0;
         for (std::size_t i = 0; i < a.size(); ++i) sum += glm::length(a.pixels()[i] - frame->light->color.pixels()[i]);

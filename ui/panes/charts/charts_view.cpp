@@ -236,7 +236,7 @@ QString ChartsView::textOf(const relief::ParetoPoint& point) const {
         tr("%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps")
             .arg(QString::fromStdString(point.label(true)), number(point.nanoseconds), number(50 * point.spread),
                  number(point.error[0]), number(point.error[3]), number(point.steps));
-    if (point.wrongOutcome > 0) text += tr(" · wrong outcome: %1 rays").arg(point.wrongOutcome);
+    if (point.wrongOutcome > 0) text += tr(" · wrong outcome: %n rays", nullptr, static_cast<int>(point.wrongOutcome));
     return text;
 }
 
@@ -246,20 +246,20 @@ QString ChartsView::textOf(const HistogramBar& bar) const {
 }
 
 QString ChartsView::rangeOf(const HistogramBar& bar) {
+    const auto rays = static_cast<int>(bar.rays);
     switch (bar.kind) {
         case BarKind::Exact:
-            return tr("exact: %1 rays").arg(bar.rays);
+            return tr("exact: %n rays", nullptr, rays);
         case BarKind::Wrong:
-            return tr("wrong outcome: %1 rays").arg(bar.rays);
+            return tr("wrong outcome: %n rays", nullptr, rays);
         case BarKind::Steps:
-            if (bar.high - bar.low <= 1) return tr("%1 steps: %2 rays").arg(number(bar.low)).arg(bar.rays);
-            return tr("%1 to %2 steps: %3 rays").arg(number(bar.low), number(bar.high - 1)).arg(bar.rays);
+            if (bar.high - bar.low <= 1) return tr("%1 steps: %n rays", nullptr, rays).arg(number(bar.low));
+            return tr("%1 to %2 steps: %n rays", nullptr, rays).arg(number(bar.low), number(bar.high - 1));
         case BarKind::Before:
-            return tr("%1 to %2 texels before the surface: %3 rays")
-                .arg(number(bar.low), number(bar.high))
-                .arg(bar.rays);
+            return tr("%1 to %2 texels before the surface: %n rays", nullptr, rays)
+                .arg(number(bar.low), number(bar.high));
         case BarKind::Behind:
-            return tr("%1 to %2 texels behind it: %3 rays").arg(number(bar.low), number(bar.high)).arg(bar.rays);
+            return tr("%1 to %2 texels behind it: %n rays", nullptr, rays).arg(number(bar.low), number(bar.high));
     }
     return {};
 }

@@ -82,7 +82,7 @@ void CompareView::setOption(std::size_t number, const QString& name, const QStri
     if (!same) std::erase_if(method.options, [&](const auto& option) { return option.first.starts_with(key + "."); });
     method.options[key] = value;
     const QChar letter(static_cast<char>('A' + number));
-    workspace_->change(scenario, tr("%1: %2").arg(letter).arg(controlTitle(key)),
+    workspace_->change(scenario, tr("%1: %2").arg(letter).arg(optionTitle(key)),
                        QStringLiteral("compare-%1-%2").arg(letter).arg(name), live);
 }
 

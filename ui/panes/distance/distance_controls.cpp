@@ -245,7 +245,7 @@ void DistanceView::tell(const QPointF& widget) {
     const DistanceReading at = distanceReading(source, frame, result_->secondSector, canvas_->toDrawing(widget));
     if (!at.inside) return setReadout({});
     if (!at.onMap) return setReadout(tr("beyond the edge"));
-    const QString unit = frame.slopes ? tr("heights a texel") : tr("texels");
+    const QString unit = frame.slopes ? tr("height per texel") : tr("texels");
     const auto value = [&](float v) {
         if (v == relief::StoredValues::kBuried) return tr("in the relief");
         if (v < 0) return tr("at the surface: to be tested");

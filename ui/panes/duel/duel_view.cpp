@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "panes/core_texts.h"
 #include "panes/drawing_canvas.h"
 #include "panes/duel/duel_figure.h"
 #include "panes/duel/duel_model.h"
@@ -70,7 +71,9 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
         verdict_->setText(tr("No duel: it was cancelled, or failed."));
     };
     listener.progress = [this](const QString& what, double fraction) {
-        if (fraction >= 0) verdict_->setText(tr("Preparing: %1, %2 %").arg(what).arg(static_cast<int>(100 * fraction)));
+        if (fraction >= 0)
+            verdict_->setText(
+                tr("Preparing: %1, %2 %").arg(coreText(what.toStdString())).arg(static_cast<int>(100 * fraction)));
     };
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,

@@ -36,14 +36,15 @@ struct Swatch {
 
 std::vector<Swatch> errorSwatches(const LayerPicture& layer) {
     const auto count = [&](relief::ErrorKind kind) { return layer.error->counts[static_cast<std::size_t>(kind)]; };
-    const QString some = ResultText::tr("%1: %2 pixels");
+    const auto some = [&](const QString& what, relief::ErrorKind kind) {
+        return ResultText::tr("%1: %n pixels", nullptr, static_cast<int>(count(kind))).arg(what);
+    };
     const QColor middle = toColor(Style().mapped(ColorMap::Count, 0.5));
-    return {{QColor(QRgb(kNoError)), false, some.arg(ResultText::tr("exact")).arg(count(relief::ErrorKind::Right))},
-            {middle, false, some.arg(ResultText::tr("too early")).arg(count(relief::ErrorKind::Short))},
-            {middle, true, some.arg(ResultText::tr("overshoot")).arg(count(relief::ErrorKind::Past)),
-             QColor(QRgb(kOvershoot))},
-            {QColor(QRgb(kWrongOutcome)), true,
-             some.arg(ResultText::tr("wrong outcome")).arg(count(relief::ErrorKind::Wrong)), Qt::black}};
+    return {{QColor(QRgb(kNoError)), false, some(ResultText::tr("exact"), relief::ErrorKind::Right)},
+            {middle, false, some(ResultText::tr("too early"), relief::ErrorKind::Short)},
+            {middle, true, some(ResultText::tr("overshoot"), relief::ErrorKind::Past), QColor(QRgb(kOvershoot))},
+            {QColor(QRgb(kWrongOutcome)), true, some(ResultText::tr("wrong outcome"), relief::ErrorKind::Wrong),
+             Qt::black}};
 }
 
 std::vector<Swatch> swatches(const LayerPicture& layer) {
@@ -62,8 +63,9 @@ std::vector<Swatch> swatches(const LayerPicture& layer) {
         if (layer.outcomes[i] == 0) continue;
         const auto outcome = static_cast<relief::Outcome>(i);
         const bool hatched = outcome == relief::Outcome::Miss || outcome == relief::Outcome::Limit;
-        list.push_back({QColor(QRgb(kOutcomeColors[i])), hatched,
-                        ResultText::tr("%1: %2 pixels").arg(outcomeTitle(outcome)).arg(layer.outcomes[i])});
+        list.push_back(
+            {QColor(QRgb(kOutcomeColors[i])), hatched,
+             ResultText::tr("%1: %n pixels", nullptr, static_cast<int>(layer.outcomes[i])).arg(outcomeTitle(outcome))});
     }
     std::reverse(list.begin(), list.end());
     return list;

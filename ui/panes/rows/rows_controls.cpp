@@ -74,7 +74,7 @@ void RowsView::makeBar() {
     connect(open_, &QToolButton::toggled, this, [this](bool on) { variants_->setVisible(on); });
     pixels_ = addChooser(bar, "rows-pixels", tr("How many pixels the picture is wide: on long rows rounding adds up"));
     pixels_->addItem(tr("the picture's width"), 0);
-    for (const int width : kWidths) pixels_->addItem(tr("%1 pixels").arg(width), width);
+    for (const int width : kWidths) pixels_->addItem(tr("%n pixels", nullptr, width), width);
     precision_ = addChooser(bar, "rows-precision", tr("The numbers that the variants compute in"));
     precision_->addItem(QStringLiteral("float"), false);
     precision_->addItem(QStringLiteral("double"), true);

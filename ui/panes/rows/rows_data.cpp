@@ -51,16 +51,16 @@ std::vector<relief::RowMethod> rowMethods(const RowsOptions& options, const std:
                 known += (v == 0 ? "" : ", ") + std::string(relief::rowVariantName(static_cast<RowVariant>(v)));
             }
             throw relief::InputError(
-                option,
-                relief::Message(relief::MessageId::UnknownName,
-                                {{"what", "row variant"}, {"name", method.description->name}, {"known", known}}));
+                option, relief::Message(relief::MessageId::UnknownName, {{"what", relief::MessageId::WordRowVariant},
+                                                                         {"name", method.description->name},
+                                                                         {"known", known}}));
         }
         methods.push_back(std::move(method));
     }
     if (methods.size() > kMostRowCurves) {
-        const std::string range = "1 to " + std::to_string(kMostRowCurves);
         throw relief::InputError(option, relief::Message(relief::MessageId::NumberOutOfRange,
-                                                         {{"value", methods.size()}, {"range", range}}));
+                                                         {{"value", methods.size()},
+                                                          {"range", relief::rangeOf<std::size_t>(1, kMostRowCurves)}}));
     }
     return methods;
 }

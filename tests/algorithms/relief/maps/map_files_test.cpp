@@ -173,7 +173,7 @@ TEST(MapFiles, TracersUseTheStoredMap) {
             }
             const MethodChoice chosen = useMap(folder / "map.tif", stored, asked, field, cache);
             const auto tracer = makeTracer(chosen, field, cache, counting);
-            EXPECT_EQ(counting.counters().values()["map builds"], outer.empty() ? 0 : 1);
+            EXPECT_EQ(counting.counters().values()[MessageId::CountMapBuilds], outer.empty() ? 0 : 1);
             EXPECT_EQ(chosen.options.at((outer.empty() ? "" : "inner.") + std::string("precision")),
                       choice.options.at("precision"));
         }

@@ -1,0 +1,254 @@
+// The Ukrainian texts: no English left in them, the papers' terms, one word a notion.
+#include <set>
+#include <string>
+#include <vector>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+#include "filtering/filters/filter_choice.h"
+#include "relief/messages.h"
+#include "relief/reliefs.h"
+#include "relief/tracers.h"
+#include "relief/tracers/map_choice.h"
+#include "scenario/row_methods.h"
+#include "window_fixture.h"
+
+namespace reliefui {
+
+namespace {
+
+struct Text {
+    QString english;
+    QString ukrainian;
+};
+
+// All of the .ts files and of the table of messages. Of plural forms each is a text.
+std::vector<Text> allTexts() {
+    std::vector<Text> texts;
+    for (const char* const name : {"reliefscope_uk.ts", "algorithms_uk.ts"}) {
+        QFile file(QStringLiteral(RELIEF_SOURCE "/ui/") + QLatin1String(name));
+        if (!file.open(QIODevice::ReadOnly)) ADD_FAILURE() << name;
+        QXmlStreamReader xml(&file);
+        QString source;
+        while (!xml.atEnd()) {
+            if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == QLatin1String("source")) {
+                source = xml.readElementText();
+            } else if (xml.isCharacters() && !xml.isWhitespace()) {
+                texts.push_back({source, xml.text().toString()});
+            }
+        }
+    }
+    for (int id = 0; id < static_cast<int>(relief::MessageId::Count); ++id) {
+        const auto said = [&](relief::Language language) {
+            const std::string_view text = relief::messageTemplate(static_cast<relief::MessageId>(id), language);
+            return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+        };
+        texts.push_back({said(relief::Language::English), said(relief::Language::Ukrainian)});
+    }
+    return texts;
+}
+
+void addWords(std::set<QString>& words, const std::string& text) {
+    static const QRegularExpression word(QStringLiteral("[A-Za-z][A-Za-z0-9]*"));
+    for (auto all = word.globalMatch(QString::fromStdString(text)); all.hasNext();) words.insert(all.next().captured());
+}
+
+void addOptions(std::set<QString>& words, const std::vector<relief::OptionDescription>& options) {
+    for (const relief::OptionDescription& option : options) {
+        addWords(words, option.name);
+        for (const std::string& choice : option.choices) addWords(words, choice);
+    }
+}
+
+// Names that are typed as they are: of methods, options and their values, files and columns; of keys; of measures,
+// formats and papers.
+const std::set<QString>& allowedWords() {
+    static const std::set<QString> words = [] {
+        std::set<QString> all;
+        addWords(all,
+                 "Reliefscope reliefscope relief bench tracers trace render merge stress map "  // commands
+                 "Alt Ctrl End Enter Esc Home Shift Tab "
+                 "CPU DIST17 FLIP MIP MIP18 MPI OpenGL GLX PERSP PSNR RMSE SIMD TEX "
+                 "CSV JSON PDF PNG SVG TIFF csv exr json "
+                 "DISPLAY HI LO auto beyond clamp double error false float full random true "
+                 "lambda_in lambda_out layers mapping parallax bump normal MiB px");
+        for (const relief::MethodDescription& method : relief::tracerList()) {
+            addWords(all, method.name);
+            addOptions(all, method.options);
+        }
+        for (const relief::FilterDescription& filter : relief::filterList()) {
+            addWords(all, filter.name);
+            addOptions(all, filter.options);
+        }
+        for (const relief::RowMethodDescription& row : relief::rowMethodList()) {
+            addWords(all, row.name);
+            addOptions(all, row.options);
+        }
+        for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) addWords(all, std::string(recipe.name));
+        for (const std::string& map : relief::mapKinds()) addWords(all, map);
+        return all;
+    }();
+    return words;
+}
+
+// Latin words that are neither allowed nor a symbol (u, S0, u_x), nor an option of the command line.
+QStringList foreignWords(QString text) {
+    static const QRegularExpression holes(QStringLiteral("\\{\\w+\\}|%(\\d|n)|<[^>]*>|--[a-z-]+|800x600|\\d+e-?\\d+"));
+    static const QRegularExpression word(QStringLiteral("[A-Za-z][A-Za-z0-9]*"));
+    text.remove(QLatin1Char('&')).replace(holes, QStringLiteral(" "));
+    QStringList found;
+    for (auto all = word.globalMatch(text); all.hasNext();) {
+        const QString one = all.next().captured();
+        const bool symbol = one.size() == 1 || (one.size() == 2 && one[1].isDigit());
+        const bool symbols = one == one.toLower() && one.size() == 2 && text.contains(one[0] + QLatin1Char('_'));
+        if (!symbol && !symbols && allowedWords().count(one) == 0) found << one;
+    }
+    return found;
+}
+
+bool isUkrainian(const QString& text) {
+    static const QRegularExpression letters(QStringLiteral("[А-Яа-яІіЇїЄєҐґ]"));
+    return text.contains(letters);
+}
+
+}  // namespace
+
+TEST(Ukrainian, NoEnglishIsLeftInTheTexts) {
+    EXPECT_EQ(foreignWords(QStringLiteral("{method}, step &open: λ %1 S0 u_x layers")), QStringList({"step", "open"}));
+    const std::vector<Text> texts = allTexts();
+    EXPECT_GT(texts.size(), 1000U);
+    for (const Text& text : texts) {
+        EXPECT_EQ(foreignWords(text.ukrainian).join(' ').toStdString(), "") << text.ukrainian.toStdString();
+        const bool sentence = foreignWords(text.english).size() > 1;
+        EXPECT_TRUE(!sentence || isUkrainian(text.ukrainian)) << text.english.toStdString();
+    }
+}
+
+// A word of the English and the stems of which one stands in the Ukrainian; names of methods do not count.
+TEST(Ukrainian, ATermHasOneTranslation) {
+    struct Term {
+        const char* english;
+        const char* ukrainian;
+    };
+    const std::vector<Term> terms{{"footprint", "проєкц|основ"},
+                                  {"view ray", "видов"},
+                                  {"maximum pyramid", "MIP-пірамід"},
+                                  {"max pyramid", "MIP-пірамід"},
+                                  {"relief slab", "товщ|рельєф"},
+                                  {"conservative", "консервативн"},
+                                  {"overshoot", "проскок"},
+                                  {"voxel", "воксел"},
+                                  {"breakpoint", "точ.?к"},
+                                  {"bookmark", "заклад"},
+                                  {"step limit", "меж"},
+                                  {"unsafe map", "ненадійна карта"},
+                                  {"missed spike", "непомічений шпиль"},
+                                  {"interpolation leak", "хибний перетин через інтерполяцію"},
+                                  {"stages", "етап"},
+                                  {"elevation", "кут"},
+                                  {"exact hit", "точн"},
+                                  {"texture coordinates", "текстурн"}};
+    const QRegularExpression names(QStringLiteral("[a-z]+-[a-z-]+|\\{\\w+\\}"));
+    for (const Text& text : allTexts()) {
+        const QString english = QString(text.english).remove(names).remove('&');
+        const QString ukrainian = QString(text.ukrainian).remove('&');
+        if (text.english == text.ukrainian) continue;
+        for (const Term& term : terms) {
+            if (!english.contains(QString::fromUtf8(term.english), Qt::CaseInsensitive)) continue;
+            const QRegularExpression said(QString::fromUtf8(term.ukrainian), QRegularExpression::CaseInsensitiveOption);
+            EXPECT_TRUE(ukrainian.contains(said)) << text.english.toStdString() << '\n' << text.ukrainian.toStdString();
+        }
+    }
+}
+
+// Words that the papers do not use for these notions, misspellings, typewriter's apostrophes, % without a space.
+TEST(Ukrainian, NoOtherWordsForTheSame) {
+    const QRegularExpression wrong(
+        QString::fromUtf8(
+            "картинк|малюнк|влуча|клітин|обережн|тексели|істин|схова|здогад|вгада|піксел(?![іюяье])|проекц|"
+            "відбит|простеж|зсув|колес|гаус(?!івськ)|[а-яіїєґ]'[а-яіїєґ]|[\\d}]%| …|3-D"),
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    ASSERT_TRUE(wrong.isValid()) << wrong.errorString().toStdString();
+    for (const Text& text : allTexts()) {
+        const QString ukrainian = QString(text.ukrainian).remove('&');
+        EXPECT_EQ(wrong.match(ukrainian).captured().toStdString(), "") << ukrainian.toStdString();
+    }
+}
+
+// Names, units and helps of numbers, methods, filters and their options.
+TEST(Ukrainian, TheAlgorithmsDescribeThemselvesInIt) {
+    QTranslator translator;
+    ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
+    const auto expectText = [&](const std::string& english) {
+        EXPECT_TRUE(english.empty() || isUkrainian(translator.translate("core", english.c_str()))) << english;
+    };
+    const auto expectOption = [&](const relief::OptionDescription& option) {
+        std::string title = option.name;
+        for (char& c : title) c = c == '-' ? ' ' : c;
+        title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+        if (translator.translate("core", title.c_str(), "option").isEmpty()) expectText(title);
+        expectText(option.help);
+        expectText(option.unit);
+    };
+    for (const relief::ScenarioNumber& number : relief::scenarioNumbers()) expectOption(number.description);
+    for (const relief::MethodDescription& method : relief::tracerList()) {
+        expectText(method.help);
+        for (const relief::OptionDescription& option : method.options) expectOption(option);
+    }
+    for (const relief::FilterDescription& filter : relief::filterList()) {
+        expectText(filter.help);
+        for (const relief::OptionDescription& option : filter.options) expectOption(option);
+    }
+    for (const relief::RowMethodDescription& row : relief::rowMethodList()) expectText(row.help);
+    for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) expectText(std::string(recipe.help));
+    for (const std::string& map : relief::mapKinds()) expectText("map " + map);
+}
+
+TEST_F(WindowTest, AUkrainianWindowHasNoEnglish) {
+    QTranslator translator;
+    ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::Ukrainian));
+    QApplication::installTranslator(&translator);
+    openWindow(deepRay());
+    QTest::qWait(300);
+    const auto expectForeignless = [](const QString& text) {
+        // Paths and commands are quoted as they are.
+        if (text.contains('/')) return;
+        EXPECT_EQ(foreignWords(text).join(' ').toStdString(), "") << text.toStdString();
+    };
+    int seen = 0;
+    for (const QWidget* const widget : window_->findChildren<QWidget*>()) {
+        expectForeignless(widget->toolTip());
+        expectForeignless(widget->accessibleName());
+        if (const auto* const label = qobject_cast<const QLabel*>(widget)) expectForeignless(label->text()), ++seen;
+        if (const auto* const button = qobject_cast<const QAbstractButton*>(widget)) expectForeignless(button->text());
+        const auto* const box = qobject_cast<const QComboBox*>(widget);
+        for (int n = 0; box != nullptr && n < box->count(); ++n) expectForeignless(box->itemText(n));
+    }
+    for (const QAction* const action : window_->findChildren<QAction*>()) expectForeignless(action->text()), ++seen;
+    for (const QWidget* const menu : window_->findChildren<QWidget*>()) {
+        if (!menu->inherits("QMenu") && !menu->inherits("QMenuBar")) continue;
+        std::set<QChar> letters;
+        for (const QAction* const action : menu->actions()) {
+            const int at = action->text().indexOf('&');
+            if (at < 0 || action->text().mid(at, 2) == QLatin1String("&&")) continue;
+            EXPECT_TRUE(letters.insert(action->text()[at + 1].toLower()).second) << action->text().toStdString();
+        }
+    }
+    EXPECT_GT(seen, 100);
+    window_.reset();
+    workspace_.reset();
+    QApplication::removeTranslator(&translator);
+    QLocale::setDefault(before);
+}
+
+}  // namespace reliefui
