@@ -67,7 +67,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     connect(closed_, &QTimer::timeout, this, &MainWindow::emptyClosed);
     status_ = new StatusLine(workspace_, this);
     setStatusBar(status_);
-    for (const PaneKind& kind : paneList()) kind.home == Home::Middle ? addResult(kind) : addPane(kind);
+    for (const PaneKind& kind : paneList()) kind.place == DockPlace::Center ? addResult(kind) : addPane(kind);
     time_ = pane<TimePane>();
     addTableMenus();
     makeMenus();
@@ -153,9 +153,9 @@ QDockWidget* MainWindow::dockOf(const QString& pane) const {
     return findChild<QDockWidget*>(pane + QStringLiteral("-pane"));
 }
 
-QDockWidget* MainWindow::front(Home home) const {
+QDockWidget* MainWindow::front(DockPlace place) const {
     return std::find_if(panes_.begin(), panes_.end(),
-                        [&](const Pane& pane) { return pane.dock != nullptr && pane.kind.home == home; })
+                        [&](const Pane& pane) { return pane.dock != nullptr && pane.kind.place == place; })
         ->dock;
 }
 
@@ -194,7 +194,7 @@ void MainWindow::addTableMenus() {
     connect(skipped->toggleViewAction(), &QAction::toggled, skipped, [this, skipped](bool shown) {
         if (!shown) return;
         if (!skipped->isFloating() && tabifiedDockWidgets(skipped).isEmpty()) {
-            tabifyDockWidget(front(Home::Time), skipped);
+            tabifyDockWidget(front(DockPlace::Bottom), skipped);
         }
         skipped->raise();
     });

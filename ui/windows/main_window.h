@@ -97,7 +97,7 @@ class MainWindow : public QMainWindow {
     void tipTabs();
     QDockWidget* dockOf(const QString& pane) const;
     // The dock that stands in front there at first.
-    QDockWidget* front(Home home) const;
+    QDockWidget* front(DockPlace place) const;
     static QString paneKey(std::size_t pane);
     PaneTitle* titleOf(const PaneKind& kind, QWidget* whole);
     void makeMessages();

@@ -44,19 +44,20 @@ void MainWindow::resetLayout() {
     for (const Pane& pane : panes_) {
         if (pane.dock != nullptr) pane.dock->setFloating(false);
     }
-    addDockWidget(Qt::RightDockWidgetArea, front(Home::High));
-    addDockWidget(Qt::RightDockWidgetArea, front(Home::Low));
-    addDockWidget(Qt::BottomDockWidgetArea, front(Home::Time));
-    addDockWidget(Qt::LeftDockWidgetArea, front(Home::Side));
-    splitDockWidget(front(Home::High), front(Home::Low), Qt::Vertical);
-    std::map<Home, QDockWidget*> last;
+    addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::UpperRight));
+    addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::LowerRight));
+    addDockWidget(Qt::BottomDockWidgetArea, front(DockPlace::Bottom));
+    addDockWidget(Qt::LeftDockWidgetArea, front(DockPlace::Left));
+    splitDockWidget(front(DockPlace::UpperRight), front(DockPlace::LowerRight), Qt::Vertical);
+    std::map<DockPlace, QDockWidget*> last;
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr) continue;
-        if (last.contains(pane.kind.home)) tabifyDockWidget(last[pane.kind.home], pane.dock);
-        last[pane.kind.home] = pane.dock;
+        if (last.contains(pane.kind.place)) tabifyDockWidget(last[pane.kind.place], pane.dock);
+        last[pane.kind.place] = pane.dock;
     }
     for (const Pane& pane : panes_) pane.whole->setVisible(pane.kind.open);
-    for (const Home home : {Home::High, Home::Side, Home::Low, Home::Time}) front(home)->raise();
+    for (const DockPlace place : {DockPlace::UpperRight, DockPlace::Left, DockPlace::LowerRight, DockPlace::Bottom})
+        front(place)->raise();
     tipTabs();
     shareRoom();
     // Again when the window has its size: before that, docks are as small as they can be.
@@ -65,7 +66,7 @@ void MainWindow::resetLayout() {
 
 // On a projector one pane beside the result, as high as it can be; the others wait in its tabs.
 void MainWindow::gatherPanes() {
-    QDockWidget* const trace = front(Home::High);
+    QDockWidget* const trace = front(DockPlace::UpperRight);
     QDockWidget* chosen = trace;
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden() || pane.dock->isFloating()) continue;
@@ -96,10 +97,10 @@ void MainWindow::emptyClosed() {
 }
 
 void MainWindow::shareRoom() {
-    QDockWidget* const trace = front(Home::High);
-    QDockWidget* const pyramid = front(Home::Low);
-    QDockWidget* const steps = front(Home::Time);
-    QDockWidget* const scene = front(Home::Side);
+    QDockWidget* const trace = front(DockPlace::UpperRight);
+    QDockWidget* const pyramid = front(DockPlace::LowerRight);
+    QDockWidget* const steps = front(DockPlace::Bottom);
+    QDockWidget* const scene = front(DockPlace::Left);
     const auto part = [](double of, double share) { return static_cast<int>(of * share); };
     resizeDocks({scene, trace}, {part(width(), kSceneWidth), part(width(), kTraceWidth)}, Qt::Horizontal);
     resizeDocks({steps}, {part(height(), kStepsHeight)}, Qt::Vertical);
@@ -110,7 +111,7 @@ void MainWindow::shareRoom() {
 
 // A pane fills the window; only time stays below it, so that one can go on stepping.
 void MainWindow::fill(QWidget* pane) {
-    QDockWidget* const steps = front(Home::Time);
+    QDockWidget* const steps = front(DockPlace::Bottom);
     if (filled_ == nullptr) {
         beforeFill_ = saveState();
         filled_ = pane;
@@ -142,7 +143,7 @@ QWidget* MainWindow::frontView() const {
 }
 
 void MainWindow::showTimeOnly(bool only) {
-    QDockWidget* const steps = front(Home::Time);
+    QDockWidget* const steps = front(DockPlace::Bottom);
     steps->titleBarWidget()->setVisible(!only);
     const int height = time_->showBarOnly(only);
     if (!only) return;
@@ -182,8 +183,8 @@ void MainWindow::setProjector(bool on) {
         beforeProjector_ = saveState();
         // Nobody reads controls from the last row; the panes need the room.
         for (const Pane& pane : panes_) {
-            if (pane.dock == nullptr || pane.kind.home != Home::Side) continue;
-            const bool worked = pane.dock != front(Home::Side) && !pane.dock->visibleRegion().isEmpty();
+            if (pane.dock == nullptr || pane.kind.place != DockPlace::Left) continue;
+            const bool worked = pane.dock != front(DockPlace::Left) && !pane.dock->visibleRegion().isEmpty();
             if (!worked) pane.dock->hide();
         }
         if (filled_ == nullptr) gatherPanes();
@@ -191,8 +192,9 @@ void MainWindow::setProjector(bool on) {
         // The large type of the panes at the right wants half of the window.
         QTimer::singleShot(0, this, [this] {
             if (!workspace_->style().projector) return;
-            resizeDocks({front(Home::High)}, {static_cast<int>(width() * kProjectorTraceWidth)}, Qt::Horizontal);
-            resizeDocks({front(Home::Time)}, {static_cast<int>(height() * kProjectorStepsHeight)}, Qt::Vertical);
+            resizeDocks({front(DockPlace::UpperRight)}, {static_cast<int>(width() * kProjectorTraceWidth)},
+                        Qt::Horizontal);
+            resizeDocks({front(DockPlace::Bottom)}, {static_cast<int>(height() * kProjectorStepsHeight)}, Qt::Vertical);
         });
     } else {
         showNormal();

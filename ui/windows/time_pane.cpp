@@ -16,7 +16,7 @@ PaneKind timePane() {
     kind.name = QStringLiteral("steps");
     kind.title = StepTable::tr("Steps");
     kind.help = StepTable::tr("The steps of the ray, one by one, and what each of them means");
-    kind.home = Home::Time;
+    kind.place = DockPlace::Bottom;
     kind.make = makePane<TimePane>;
     kind.focus = [](QWidget* pane) -> QWidget* { return qobject_cast<TimePane*>(pane)->table()->table(); };
     kind.figures = {{"steps", true, plainFigure<stepsFigure>}};
