@@ -33,6 +33,7 @@ struct Stroke {
 struct Style {
     Theme theme = Theme::Dark;
     bool projector = false;
+    double projectorScale = 1.8;  // of everything that is measured in points, on a projector
     relief::Language language = relief::Language::English;
     HeightColors heights = HeightColors::Grey;
     double screenPixelsPerPoint = 96.0 / 72.0;
@@ -40,7 +41,8 @@ struct Style {
     bool operator==(const Style&) const = default;
 
     // A point on this screen; a projector enlarges everything that is measured in points.
-    double pixelsPerPoint() const { return screenPixelsPerPoint * (projector ? 1.8 : 1.0); }
+    double pixelsPerPoint() const { return screenPixelsPerPoint * scale(); }
+    double scale() const { return projector ? projectorScale : 1.0; }
     double textPixels(double size = 1) const { return kTextPoints * size * pixelsPerPoint(); }
 
     Rgba background() const;

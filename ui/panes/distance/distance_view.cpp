@@ -83,7 +83,7 @@ void DistanceView::refresh() {
     canvas_->setStyle(workspace_->style());
     snapshot_ = workspace_->snapshot();
     if (!ready()) {
-        showEmpty(relief::MessageId::DrawNoPicture);
+        showEmpty(workspace_->whyEmpty());
         return;
     }
     point_.ask(snapshot_, query_);

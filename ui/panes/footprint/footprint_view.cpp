@@ -125,7 +125,7 @@ void FootprintView::refresh() {
             showEmpty(MessageId::DrawFootprintTooLarge);
             return;
         }
-        showEmpty(!shown_                   ? MessageId::DrawNoPicture
+        showEmpty(!shown_                   ? workspace_->whyEmpty()
                   : !shown_->scenario.pixel ? MessageId::DrawFootprintNoPixel
                                             : (hit ? MessageId::DrawFootprintNoHit : MessageId::DrawNoRelief));
         return;
