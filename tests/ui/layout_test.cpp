@@ -192,7 +192,7 @@ TEST_F(LayoutTest, AFilledPaneKeepsTheStepInWords) {
 
 TEST_F(LayoutTest, LayoutsOfOnesOwnAreKept) {
     openWindow(smallScenario());
-    auto* const layouts = window_->findChild<LayoutMenu*>();
+    auto* layouts = window_->findChild<LayoutMenu*>();
     ASSERT_NE(layouts, nullptr);
     dock("rows-pane")->raise();
     dock("scene-pane")->hide();
@@ -206,6 +206,8 @@ TEST_F(LayoutTest, LayoutsOfOnesOwnAreKept) {
     QTest::qWait(kLayoutMs);
     EXPECT_NE(places(), mine);
     // In another window as well.
+    window_.reset();
+    workspace_.reset();
     openWindow(smallScenario());
     layouts = window_->findChild<LayoutMenu*>();
     EXPECT_EQ(LayoutMenu::names(), (QStringList{QStringLiteral("rows & no controls"), QStringLiteral("taught")}));
