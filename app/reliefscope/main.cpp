@@ -11,6 +11,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QSettings>
 
 #include "arguments.h"
 #include "measuring/bench/bench_rows.h"
@@ -40,6 +41,7 @@ namespace {
 
 constexpr int kWorkFailed = 1;
 constexpr int kBadUsage = 2;
+constexpr int kOtherLanguage = 1000;  // how the loop of events ends, no exit status
 
 struct Start {
     Scenario scenario;
@@ -255,6 +257,37 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     return 0;
 }
 
+// The window is made anew over the same workspace, in the other language.
+void changeLanguage(const QString& language) {
+    QSettings().setValue(QStringLiteral("language"), language);
+    QApplication::exit(kOtherLanguage);
+}
+
+void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, const Arguments& arguments) {
+    // A screenshot is no session.
+    const bool shot = !arguments.screenshot.empty();
+    if (arguments.width > 0) {
+        const double fine = window.devicePixelRatioF();
+        window.resize(qRound(arguments.width / fine), qRound(arguments.height / fine));
+        window.resetLayout();
+    } else if (!shot && !arguments.anew) {
+        window.restoreLayout();
+    }
+    if (shot) {
+        reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
+    }
+    window.show();
+    if (!shot) window.welcome();
+    // A lesson's pane comes to the front, when its pictures are there; a file is among the recent ones.
+    const QString file = shot ? QString() : QString::fromStdString(arguments.file);
+    auto first = std::make_shared<QMetaObject::Connection>();
+    *first = QObject::connect(
+        &workspace, &reliefui::Workspace::snapshotChanged, &window, [first, file, &window, &workspace] {
+            QObject::disconnect(*first);
+            file.isEmpty() ? window.showLesson() : workspace.opened(QFileInfo(file).absoluteFilePath());
+        });
+}
+
 int run(int count, char** values, const Arguments& arguments) {
     if (!arguments.figure.empty()) return exportFigure(count, values, arguments);
     const std::string problem = reliefui::displayProblem();
@@ -276,37 +309,46 @@ int run(int count, char** values, const Arguments& arguments) {
     reliefui::prepareWindows();
     reliefui::Application application(count, values);
     reliefui::dressApplication(application);
+    if (!shot) reliefui::speak(reliefui::chosenLanguage());
     QApplication::setApplicationVersion(QStringLiteral(RELIEF_VERSION));
     reliefui::Workspace workspace;
     // Reads and draws while the window is being made.
     workspace.start(start.scenario, std::move(start.pictures));
-    reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
-    if (!shot && arguments.width == 0 && !arguments.anew) window.restoreLayout();
-    const double fine = window.devicePixelRatioF();
-    if (arguments.width > 0) window.resize(qRound(arguments.width / fine), qRound(arguments.height / fine));
-    if (shot) {
-        reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
-    }
-    window.show();
-    // A lesson's pane comes to the front, when its pictures are there; a file is among the recent ones.
-    const QString file = shot ? QString() : QString::fromStdString(arguments.file);
-    auto first = std::make_shared<QMetaObject::Connection>();
-    *first = QObject::connect(
-        &workspace, &reliefui::Workspace::snapshotChanged, &window, [first, file, &window, &workspace] {
-            QObject::disconnect(*first);
-            file.isEmpty() ? window.showLesson() : workspace.opened(QFileInfo(file).absoluteFilePath());
-        });
+    reliefui::MainWindow* shown = nullptr;
+    QVariantMap layout;
     std::optional<reliefui::StateKeeper> keeper;
     if (session) {
-        keeper.emplace(&workspace, std::move(*session), start.scenario, [&window] { return window.layoutNow(); });
+        keeper.emplace(&workspace, std::move(*session), start.scenario,
+                       [&] { return shown != nullptr ? shown->layoutNow() : layout; });
         QObject::connect(&*keeper, &reliefui::StateKeeper::problem, &workspace, &reliefui::Workspace::problem);
-        new reliefui::RestoreOffer(&window, &workspace, &*keeper, std::move(left));
     }
-    const int status = QApplication::exec();
-    if (keeper) {
-        const std::string fault = keeper->end();
-        if (!fault.empty()) std::fprintf(stderr, "relief: %s\n", fault.c_str());
-        window.keepLayout();
+    int status = 0;
+    for (bool first = true; first || status == kOtherLanguage; first = false) {
+        reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
+        shown = &window;
+        QObject::connect(&window, &reliefui::MainWindow::languageChosen, &workspace, &changeLanguage);
+        if (first) {
+            openFirst(window, workspace, arguments);
+            if (keeper) new reliefui::RestoreOffer(&window, &workspace, &*keeper, std::move(left));
+        } else {
+            window.takeLayout(layout);
+            window.show();
+            window.showLesson();
+        }
+        status = QApplication::exec();
+        layout = window.layoutNow();
+        if (status != kOtherLanguage && keeper) {
+            const std::string fault = keeper->end();
+            if (!fault.empty()) std::fprintf(stderr, "relief: %s\n", fault.c_str());
+            window.keepLayout();
+        }
+        shown = nullptr;
+        if (status == kOtherLanguage) {
+            reliefui::speak(reliefui::chosenLanguage());
+            reliefui::Style style = workspace.style();
+            style.language = reliefui::uiLanguage();
+            workspace.setStyle(style);
+        }
     }
     constexpr std::size_t kPauses = 20;
     if (arguments.log) std::fprintf(stderr, "%s\n", reliefui::PauseLog::instance().text(kPauses).toUtf8().constData());

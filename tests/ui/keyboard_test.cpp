@@ -113,6 +113,8 @@ class KeyboardTest : public WindowTest {
              [] { return QApplication::clipboard()->text().contains(QStringLiteral("relief trace")); }},
             {QStringLiteral("Ctrl+Alt+C"), [] { return !QApplication::clipboard()->image().isNull(); }},
             {QStringLiteral("F1"), [this] { return closeDialog(); }},
+            {QStringLiteral("T"), [this] { return window_->teaching(); }},
+            {QStringLiteral("H"), [this] { return scenario().camera != turned_; }},
             {QStringLiteral("F11"), [this] { return workspace_->style().projector; }},
             // The coarse picture may have come before the key.
             {QStringLiteral("Esc"),
@@ -153,6 +155,12 @@ class KeyboardTest : public WindowTest {
         } else if (key == QStringLiteral("Ctrl+B")) {
             workspace_->setBookmarks({}, QStringLiteral("none"));
         }
+        if (key == QStringLiteral("H")) {
+            relief::Scenario turned = scenario();
+            turned.camera.azimuth += 10;
+            workspace_->change(turned, QStringLiteral("turn"));
+            turned_ = turned.camera;
+        }
         if (key == QStringLiteral("F9")) workspace_->setBreakpoints({}, QStringLiteral("none"));
         if (key == QStringLiteral("F5") || key == QStringLiteral("Shift+F5")) {
             workspace_->setBreakpoints({}, QStringLiteral("none"));
@@ -171,6 +179,7 @@ class KeyboardTest : public WindowTest {
     // After it: as it was.
     void restore(const QString& key) {
         if (key == QStringLiteral("F11")) window_->setProjector(false);
+        if (key == QStringLiteral("T")) window_->setTeaching(false);
         if (key == QStringLiteral("Space")) window_->time()->bar()->togglePlay();
         if (key == QStringLiteral("F1")) delete window_->findChild<QDialog*>();
         if (key == QStringLiteral("Esc")) {
@@ -184,6 +193,7 @@ class KeyboardTest : public WindowTest {
     QString asked_;
     int before_ = 0;
     double depth_ = 0;
+    relief::Camera turned_;
     std::uint64_t version_ = 0;
     relief::Scenario small_;
     std::optional<relief::PixelChoice> bookmarked_;

@@ -45,7 +45,7 @@ const std::vector<Key>& viewingKeys() {
         std::vector<Key> all;
         for (const Qt::Key key : {Qt::Key_Home, Qt::Key_End, Qt::Key_Space, Qt::Key_Comma, Qt::Key_Period,
                                   Qt::Key_BracketLeft, Qt::Key_BracketRight, Qt::Key_F5, Qt::Key_F9, Qt::Key_F10,
-                                  Qt::Key_G, Qt::Key_R, Qt::Key_Left, Qt::Key_Up}) {
+                                  Qt::Key_G, Qt::Key_R, Qt::Key_T, Qt::Key_Left, Qt::Key_Up}) {
             all.push_back({key, Qt::NoModifier});
         }
         for (int digit = 0; digit < 10; ++digit) all.push_back({Qt::Key(Qt::Key_0 + digit), Qt::NoModifier});
@@ -145,7 +145,7 @@ class ViewingKeys : public WindowTest {
 TEST_F(ViewingKeys, afterAMethodIsChosenWithTheMouse) {
     open();
     auto* const method = control<QComboBox>("method");
-    choose(method, method->findText(QStringLiteral("layers")));
+    choose(method, method->findData(QStringLiteral("layers")));
     ASSERT_EQ(scenario().method.name, "layers");
     waitForFull();
     EXPECT_EQ(QApplication::focusWidget(), window_->result());
@@ -250,7 +250,7 @@ TEST_F(ViewingKeys, everythingIsReachedByTab) {
     QTest::keyClick(list, Qt::Key_Down);
     QTest::keyClick(list, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !list->isVisible(); }, 2000));
-    EXPECT_EQ(scenario().method.name, method->itemText(1).toStdString());
+    EXPECT_EQ(scenario().method.name, method->itemData(1).toString().toStdString());
     activate();
     EXPECT_EQ(QApplication::focusWidget(), method) << "who uses the keyboard goes on from here";
     press(Qt::Key_3);

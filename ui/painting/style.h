@@ -33,6 +33,7 @@ struct Stroke {
 struct Style {
     Theme theme = Theme::Dark;
     bool projector = false;
+    double projectorScale = 1.8;  // of everything that is measured in points, on a projector
     relief::Language language = relief::Language::English;
     HeightColors heights = HeightColors::Grey;
     double screenPixelsPerPoint = 96.0 / 72.0;
@@ -41,7 +42,8 @@ struct Style {
     bool operator==(const Style&) const = default;
 
     // A point on this screen; a projector enlarges everything that is measured in points.
-    double pixelsPerPoint() const { return screenPixelsPerPoint * (projector ? 1.8 : 1.0); }
+    double pixelsPerPoint() const { return screenPixelsPerPoint * scale(); }
+    double scale() const { return projector ? projectorScale : 1.0; }
     // Pixels for a picture that is so many units of the page wide: on a page of pixels each, of vectors as many an inch
     // as pictureDpi says.
     int picturePixels(double width) const;

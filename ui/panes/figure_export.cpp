@@ -1,10 +1,10 @@
 #include "panes/figure_export.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 
 #include "panes/figure_view.h"
+#include "panes/file_dialogs.h"
 
 namespace reliefui {
 
@@ -21,7 +21,7 @@ std::optional<FigureFile> askFigureFile(QWidget* parent, const QString& title, c
     const QString ending = vectors ? QStringLiteral(".svg") : QStringLiteral(".png");
     const QString known = vectors ? QStringLiteral(" (*.svg *.pdf *.png)") : QStringLiteral(" (*.png)");
     FigureFile file;
-    file.path = QFileDialog::getSaveFileName(parent, title, name + ending, FigureView::tr("Figures") + known);
+    file.path = askSaveFile(parent, QStringLiteral("figures"), title, name + ending, FigureView::tr("Figures") + known);
     if (file.path.isEmpty()) return std::nullopt;
     if (QFileInfo(file.path).suffix().isEmpty()) file.path += ending;
     if (QFileInfo(file.path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {

@@ -14,6 +14,8 @@ namespace {
 
 // At the poles the azimuth would turn the picture on the spot.
 constexpr double kHighest = 89.0;
+// Degrees from the middle of what is in front of a plane.
+constexpr double kPlane = 90.0;
 
 double rounded(double value, double unit) {
     return std::round(value / unit) * unit;
@@ -33,10 +35,15 @@ relief::Camera asOrbit(const relief::Camera& camera) {
     return orbit;
 }
 
-relief::Camera turned(const relief::Camera& camera, double azimuth, double elevation) {
+relief::Camera turned(const relief::Camera& camera, double azimuth, double elevation, relief::SceneKind scene) {
     relief::Camera orbit = asOrbit(camera);
-    orbit.azimuth = rounded(std::remainder(orbit.azimuth + azimuth, 360.0), 0.01);
-    orbit.elevation = rounded(std::clamp(orbit.elevation + elevation, -kHighest, kHighest), 0.01);
+    const bool wall = scene == relief::SceneKind::Wall && std::abs(orbit.azimuth) < kPlane;
+    const bool floor = scene == relief::SceneKind::Floor && orbit.elevation > 0;
+    const double around = orbit.azimuth + azimuth;
+    orbit.azimuth = wall ? std::clamp(around, -kHighest, kHighest) : std::remainder(around, 360.0);
+    orbit.azimuth = rounded(orbit.azimuth, 0.01);
+    const double lowest = floor ? std::min(kPlane - kHighest, orbit.elevation) : -kHighest;
+    orbit.elevation = rounded(std::clamp(orbit.elevation + elevation, lowest, kHighest), 0.01);
     return orbit;
 }
 

@@ -19,8 +19,8 @@ namespace reliefui {
 class Workspace;
 
 // Where a pane stands at first: in the middle (the result alone), right of it above or below, under it, left of it. The
-// first pane of a home stands in front, the others behind it in tabs.
-enum class Home : std::uint8_t { Middle, High, Low, Time, Side };
+// first pane of a place stands in front, the others behind it in tabs.
+enum class DockPlace : std::uint8_t { Center, UpperRight, LowerRight, Bottom, Left };
 
 struct FigureKind {
     std::string name;
@@ -36,7 +36,7 @@ struct PaneKind {
     QString title;  // in the pane
     QString tab;    // shorter, where there are many; empty: the title
     QString help;   // what it shows, in a line
-    Home home = Home::Low;
+    DockPlace place = DockPlace::LowerRight;
     std::function<QWidget*(Workspace* workspace, QWidget* parent)> make;
     // The part of it that gets the keyboard; empty: its focus proxy, as FigureView::setFace() sets it, or all of it.
     std::function<QWidget*(QWidget* pane)> focus{};

@@ -133,7 +133,8 @@ void PictureView::mouseReleaseEvent(QMouseEvent* event) {
 void PictureView::turn(QPointF delta) {
     if (!workspace_->snapshot()) return;
     relief::Scenario scenario = workspace_->scenario();
-    scenario.camera = turned(scenario.camera, -delta.x() * kDegreesPerPixel, delta.y() * kDegreesPerPixel);
+    scenario.camera =
+        turned(scenario.camera, -delta.x() * kDegreesPerPixel, delta.y() * kDegreesPerPixel, scenario.scene);
     workspace_->change(scenario, tr("Turn the camera"), QStringLiteral("orbit"), true);
 }
 

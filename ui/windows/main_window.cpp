@@ -5,8 +5,8 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QScreen>
+#include <QSettings>
 #include <QStatusBar>
-#include <QTabBar>
 #include <QTableView>
 #include <QTimer>
 #include <QToolBar>
@@ -16,7 +16,9 @@
 #include "panes/figure_view.h"
 #include "panes/result/result_painting.h"
 #include "panes/result/result_view.h"
+#include "panes/steps/step_sentence.h"
 #include "panes/steps/step_table.h"
+#include "windows/home_view.h"
 #include "windows/key_policy.h"
 #include "windows/message_bar.h"
 #include "windows/pane_title.h"
@@ -50,7 +52,6 @@ QComboBox* makeLayerChooser(Workspace* workspace, QWidget* parent) {
 
 MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* parent)
     : QMainWindow(parent), workspace_(workspace), datasets_(datasets) {
-    setWindowTitle(tr("Reliefscope"));
     setObjectName(QStringLiteral("main-window"));
     keys_ = new KeyPolicy(this, [this] { return frontView(); });
     setAcceptDrops(true);
@@ -67,8 +68,9 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     connect(closed_, &QTimer::timeout, this, &MainWindow::emptyClosed);
     status_ = new StatusLine(workspace_, this);
     setStatusBar(status_);
-    for (const PaneKind& kind : paneList()) kind.home == Home::Middle ? addResult(kind) : addPane(kind);
+    for (const PaneKind& kind : paneList()) kind.place == DockPlace::Center ? addResult(kind) : addPane(kind);
     time_ = pane<TimePane>();
+    home_ = new HomeView(workspace_, this);
     addTableMenus();
     makeMenus();
     topBar_ = new TopBar(workspace_, open_, {undo_, redo_, projector_}, this);
@@ -113,6 +115,9 @@ void MainWindow::addResult(const PaneKind& kind) {
     whole->setFocusProxy(result_);
     column->addWidget(title);
     column->addWidget(result_, 1);
+    sentence_ = new StepSentence(workspace_, whole);
+    sentence_->hide();
+    column->addWidget(sentence_, 1);
     setCentralWidget(whole);
     panes_.push_back({kind, whole, result_, nullptr});
     connect(result_, &ResultView::hovered, title, &PaneTitle::setNote);
@@ -134,10 +139,10 @@ void MainWindow::addPane(const PaneKind& kind) {
     connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
         if (!visible) closed_->start();
         keys_->panesMoved();
-        QTimer::singleShot(0, this, &MainWindow::tipTabs);
+        QTimer::singleShot(0, this, &MainWindow::dressTabs);
     });
     connect(dock, &QDockWidget::dockLocationChanged, this,
-            [this] { QTimer::singleShot(0, this, &MainWindow::tipTabs); });
+            [this] { QTimer::singleShot(0, this, &MainWindow::dressTabs); });
     QWidget* const proxy = kind.focus ? kind.focus(whole) : whole->focusProxy();
     QWidget* const focus = proxy != nullptr ? proxy : whole;
     panes_.push_back({kind, dock, focus, dock});
@@ -153,21 +158,10 @@ QDockWidget* MainWindow::dockOf(const QString& pane) const {
     return findChild<QDockWidget*>(pane + QStringLiteral("-pane"));
 }
 
-QDockWidget* MainWindow::front(Home home) const {
+QDockWidget* MainWindow::front(DockPlace place) const {
     return std::find_if(panes_.begin(), panes_.end(),
-                        [&](const Pane& pane) { return pane.dock != nullptr && pane.kind.home == home; })
+                        [&](const Pane& pane) { return pane.dock != nullptr && pane.kind.place == place; })
         ->dock;
-}
-
-// Qt makes a bar of tabs where docks lie behind each other, and knows their titles alone.
-void MainWindow::tipTabs() {
-    for (QTabBar* const bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
-        for (int n = 0; n < bar->count(); ++n) {
-            for (const Pane& pane : panes_) {
-                if (tabOf(pane.kind) == bar->tabText(n)) bar->setTabToolTip(n, pane.kind.help);
-            }
-        }
-    }
 }
 
 // 1 to 9 and 0; panes after the tenth have Alt and the same again.
@@ -194,7 +188,7 @@ void MainWindow::addTableMenus() {
     connect(skipped->toggleViewAction(), &QAction::toggled, skipped, [this, skipped](bool shown) {
         if (!shown) return;
         if (!skipped->isFloating() && tabifiedDockWidgets(skipped).isEmpty()) {
-            tabifyDockWidget(front(Home::Time), skipped);
+            tabifyDockWidget(front(DockPlace::Bottom), skipped);
         }
         skipped->raise();
     });
@@ -222,14 +216,45 @@ void MainWindow::makeMessages() {
     messageHolder_ = messageRow_->addWidget(both);
     addToolBar(messageRow_);
     showMessages();
-    connect(workspace_, &Workspace::problem, this, [this](const QString& text) {
-        messages_->showProblem(text);
-        showMessages();
+    connect(workspace_, &Workspace::problem, this, [this](const QString& text) { tell(text, true); });
+    connect(workspace_, &Workspace::notice, this, [this](const QString& text) { tell(text, false); });
+    connect(workspace_, &Workspace::scenarioChanged, this, &MainWindow::dropStaleMessage);
+    connect(workspace_, &Workspace::snapshotChanged, this, &MainWindow::dropStaleMessage);
+    // Something else was opened after what could not be.
+    connect(workspace_, &Workspace::opened, this, [this] {
+        if (messages_->isProblem()) messages_->close();
     });
-    connect(workspace_, &Workspace::notice, this, [this](const QString& text) {
-        messages_->showNotice(text);
-        showMessages();
-    });
+}
+
+void MainWindow::tell(const QString& text, bool problem) {
+    problem ? messages_->showProblem(text) : messages_->showNotice(text);
+    messagePictures_ = workspace_->scenario().pictures;
+    // What turned out impossible is taken back after that.
+    QTimer::singleShot(0, this, [this] { messageVersion_ = workspace_->version(); });
+    messageVersion_ = 0;
+    showMessages();
+}
+
+// A message goes with the pictures that were open when it was said; that something was impossible, also when something
+// else was done.
+void MainWindow::dropStaleMessage() {
+    if (messages_->isHidden() || workspace_->loading()) return;
+    const auto snapshot = workspace_->snapshot();
+    const bool shown = snapshot && !snapshot->coarse && snapshot->version == workspace_->version();
+    const bool later = messageVersion_ != 0 && shown && snapshot->version > messageVersion_;
+    const bool others = messagePictures_ && !(*messagePictures_ == workspace_->scenario().pictures);
+    if (others || (messages_->isProblem() && later)) messages_->close();
+}
+
+void MainWindow::welcome() {
+    const QString key = QStringLiteral("welcomed");
+    QSettings settings;
+    if (settings.value(key).toBool()) return;
+    settings.setValue(key, true);
+    tell(
+        tr("Welcome. Three things to do: click a pixel in the picture to choose its ray; step along the ray with , and "
+           ". (comma and full stop); drag the picture to look around. F1 lists all keys."),
+        false);
 }
 
 void MainWindow::showMessages() {

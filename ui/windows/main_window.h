@@ -1,11 +1,14 @@
 // The window: the result in the middle, the panes that explain it around, time below.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include <QMainWindow>
 #include <QVariantMap>
 
+#include "windows/layout_plan.h"
 #include "windows/pane_list.h"
 #include "workspace/mailbox.h"
 #include "workspace/workspace.h"
@@ -20,12 +23,14 @@ namespace reliefui {
 class FigureView;
 class KeyPolicy;
 class BookmarkMenu;
+class HomeView;
 class MessageBar;
 struct Lesson;
 class PaneTitle;
 class PixelFinder;
 class ResultView;
 class StatusLine;
+class StepSentence;
 class TimePane;
 class TopBar;
 
@@ -50,6 +55,8 @@ class MainWindow : public QMainWindow {
     MessageBar* question() { return question_; }
     // To be called when one of the two was shown or hidden.
     void showMessages();
+    // What somebody who sees the window for the first time may do with it; once in a user's life.
+    void welcome();
     TopBar* topBar() { return topBar_; }
     StatusLine* status() { return status_; }
 
@@ -59,18 +66,25 @@ class MainWindow : public QMainWindow {
     // One of the views that have no export of their own: "result", "steps", "skipped". pixels: the width of a PNG.
     void saveView(const QString& view, const QString& path, int pixels = 0);
 
-    // Size, panes and theme, from one window to the next, in the settings. A pane that fills the window and the
-    // projector's layout are not kept: what was there before them is.
+    // Size, panes and theme, from one window to the next, in the settings. A pane that fills the window, teaching and
+    // the projector's layout are not kept: what was there before them is.
     void keepLayout() const;
+    // Where nothing is kept, the window fits the screen.
     void restoreLayout();
     // The same as a value.
     QVariantMap layoutNow() const;
     void takeLayout(const QVariantMap& layout);
+    // Where the panes are, also while one fills the window or is taught with: a layout of one's own.
+    QVariantMap arrangement() const;
+    void takeArrangement(const QVariantMap& arrangement);
+    bool teaching() const { return view_ == View::Teach; }
 
   public slots:
     // The shipped pictures as they were the first time; can be undone.
     void startAnew();
     void setProjector(bool on);
+    // One pane large, the result in a corner, the step in words, the bar that steps.
+    void setTeaching(bool on);
     void setLightTheme(bool on);
     void resetLayout();
     void copyCommand();
@@ -79,7 +93,12 @@ class MainWindow : public QMainWindow {
     // Where the open scenario is a lesson: what it shows is said, its pane comes to the front.
     void showLesson();
 
+  signals:
+    // Another language was chosen in the menu, as Qt names it; empty: the system's. Who made the window makes it anew.
+    void languageChosen(const QString& language);
+
   protected:
+    void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -90,24 +109,34 @@ class MainWindow : public QMainWindow {
         QWidget* focus = nullptr;
         QDockWidget* dock = nullptr;
     };
+    enum class View : std::uint8_t { All, Filled, Teach };
 
     void addPane(const PaneKind& kind);
     void addResult(const PaneKind& kind);
     void addTableMenus();
-    void tipTabs();
+    void dressTabs();
     QDockWidget* dockOf(const QString& pane) const;
     // The dock that stands in front there at first.
-    QDockWidget* front(Home home) const;
+    QDockWidget* front(DockPlace place) const;
     static QString paneKey(std::size_t pane);
     PaneTitle* titleOf(const PaneKind& kind, QWidget* whole);
     void makeMessages();
+    void tell(const QString& text, bool problem);
+    void dropStaleMessage();
+    void arrange();
+    DockPlace placeOf(const Pane& pane) const;
+    QDockWidget* lookedAt() const;
     void shareRoom();
-    void gatherPanes();
     void closePane(QWidget* whole);
     void emptyClosed();
     void fill(QWidget* pane);
-    void showTimeOnly(bool only);
+    void showView(View view, QWidget* pane = nullptr);
+    void dressForView();
+    void restoreKept();
     void restorePanes(const QByteArray& state);
+    void takeType(const Style& style);
+    void fitScreen();
+    void focusWhole(QWidget* whole);
     void focusPane(std::size_t number);
     void focusPane(const QString& name);
     // Of the pane that fills the window; else the result.
@@ -117,6 +146,7 @@ class MainWindow : public QMainWindow {
     void makeFileMenu();
     void makeEditMenu();
     void makeViewMenu();
+    void makeLanguageMenu(QMenu* menu);
     void makeRayMenu();
     void makeWorthMenu(QMenu* menu);
     void makeDuelMenu(QMenu* menu);
@@ -157,15 +187,24 @@ class MainWindow : public QMainWindow {
     StatusLine* status_ = nullptr;
     TopBar* topBar_ = nullptr;
     std::vector<Pane> panes_;
+    LayoutPlan plan_;
+    View view_ = View::All;
     QWidget* filled_ = nullptr;  // the pane that fills the window
-    QByteArray beforeFill_;
-    QByteArray beforeProjector_;
+    // The panes of the desktop and of the projector while something else is shown; empty: as the plan has them.
+    std::array<QByteArray, 2> kept_;
+    QByteArray place_;                  // of the window that is not on the projector
+    StepSentence* sentence_ = nullptr;  // below the result while teaching
+    HomeView* home_ = nullptr;
+    // What the message speaks of.
+    std::optional<relief::Pictures> messagePictures_;
+    std::uint64_t messageVersion_ = 0;
     QTimer* closed_ = nullptr;  // runs when a pane has been closed, to empty it
     QMenu* recent_ = nullptr;
     QAction* open_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QAction* projector_ = nullptr;
+    QAction* teach_ = nullptr;
     QAction* light_ = nullptr;
     QAction* copyCommand_ = nullptr;
     Mailbox mailbox_{this};

@@ -5,7 +5,6 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QMenu>
@@ -17,6 +16,7 @@
 
 #include "panes/figure_export.h"
 #include "panes/figure_view.h"
+#include "panes/file_dialogs.h"
 #include "panes/result/result_painting.h"
 #include "windows/main_window.h"
 #include "windows/pane_list.h"
@@ -49,9 +49,8 @@ void MainWindow::askOpen() {
     const QString filter = tr("Height maps and scenarios") +
                            QStringLiteral(" (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.bmp *.tga *.pgm *.json);;") +
                            tr("All files") + QStringLiteral(" (*)");
-    const QString now = QString::fromStdString(workspace_->scenario().pictures.height);
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open a height map or a scenario"),
-                                                      now.isEmpty() ? datasets_ : now, filter);
+    const QString path =
+        askOpenFile(this, QStringLiteral("heights"), tr("Open a height map or a scenario"), filter, datasets_);
     if (!path.isEmpty()) workspace_->open(path);
 }
 
@@ -65,8 +64,8 @@ void MainWindow::askColor() {
 }
 
 void MainWindow::askSaveScenario() {
-    QString path = QFileDialog::getSaveFileName(this, tr("Save scenario"), QStringLiteral("scenario.json"),
-                                                tr("Scenarios") + QStringLiteral(" (*.json)"));
+    QString path = askSaveFile(this, QStringLiteral("scenarios"), tr("Save scenario"), QStringLiteral("scenario.json"),
+                               tr("Scenarios") + QStringLiteral(" (*.json)"));
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
     workspace_->save(path);
@@ -74,8 +73,8 @@ void MainWindow::askSaveScenario() {
 }
 
 void MainWindow::askSavePicture(bool legend) {
-    QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), QStringLiteral("result.png"),
-                                                tr("Pictures") + QStringLiteral(" (*.png *.jpg *.bmp)"));
+    QString path = askSaveFile(this, QStringLiteral("saved-pictures"), tr("Save picture"), QStringLiteral("result.png"),
+                               tr("Pictures") + QStringLiteral(" (*.png *.jpg *.bmp)"));
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
     savePicture(path, legend);

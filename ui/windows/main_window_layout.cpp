@@ -1,4 +1,5 @@
-// Where the panes are: the layout at first, one pane that fills the window, the projector's layout.
+// Where the panes are: the layout at first, one pane that fills the window or is taught with, the projector's layout.
+#include <algorithm>
 #include <map>
 
 #include <QAction>
@@ -6,9 +7,12 @@
 #include <QDockWidget>
 #include <QScreen>
 #include <QSettings>
+#include <QStyle>
+#include <QTabBar>
 #include <QTimer>
 
 #include "panes/figure_view.h"
+#include "panes/steps/step_sentence.h"
 #include "windows/main_window.h"
 #include "windows/status_line.h"
 #include "windows/theme.h"
@@ -17,15 +21,6 @@
 namespace reliefui {
 
 namespace {
-
-// Parts of the window that the panes get at first.
-constexpr double kSceneWidth = 0.20;
-constexpr double kTraceWidth = 0.36;
-constexpr double kProjectorTraceWidth = 0.48;
-constexpr int kLowWindow = 850;           // points
-constexpr double kTraceHeight = 5.0 / 9;  // of what it has together with the pane below it
-constexpr double kStepsHeight = 0.23;
-constexpr double kProjectorStepsHeight = 0.3;
 
 QString layoutKey() {
     return QStringLiteral("window/panes");
@@ -40,97 +35,159 @@ QString themeKey() {
 }  // namespace
 
 void MainWindow::resetLayout() {
-    if (filled_ != nullptr) fill(filled_);
+    showView(View::All);
     for (const Pane& pane : panes_) {
         if (pane.dock != nullptr) pane.dock->setFloating(false);
+        pane.whole->setVisible(pane.kind.open);
     }
-    addDockWidget(Qt::RightDockWidgetArea, front(Home::High));
-    addDockWidget(Qt::RightDockWidgetArea, front(Home::Low));
-    addDockWidget(Qt::BottomDockWidgetArea, front(Home::Time));
-    addDockWidget(Qt::LeftDockWidgetArea, front(Home::Side));
-    splitDockWidget(front(Home::High), front(Home::Low), Qt::Vertical);
-    std::map<Home, QDockWidget*> last;
+    arrange();
+}
+
+// As the plan of the mode has it. Panes that are closed or outside the window stay so.
+void MainWindow::arrange() {
+    plan_ = layoutPlan(view_ == View::Teach, workspace_->style().projector, size());
+    QDockWidget* const looked = lookedAt();
+    addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::UpperRight));
+    addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::LowerRight));
+    addDockWidget(Qt::BottomDockWidgetArea, front(DockPlace::Bottom));
+    addDockWidget(Qt::LeftDockWidgetArea, front(DockPlace::Left));
+    if (!plan_.oneStack) splitDockWidget(front(DockPlace::UpperRight), front(DockPlace::LowerRight), Qt::Vertical);
+    std::map<DockPlace, QDockWidget*> last;
     for (const Pane& pane : panes_) {
-        if (pane.dock == nullptr) continue;
-        if (last.contains(pane.kind.home)) tabifyDockWidget(last[pane.kind.home], pane.dock);
-        last[pane.kind.home] = pane.dock;
+        if (pane.dock == nullptr || pane.dock->isFloating()) continue;
+        const DockPlace place = placeOf(pane);
+        if (last.contains(place)) tabifyDockWidget(last[place], pane.dock);
+        last[place] = pane.dock;
     }
-    for (const Pane& pane : panes_) pane.whole->setVisible(pane.kind.open);
-    for (const Home home : {Home::High, Home::Side, Home::Low, Home::Time}) front(home)->raise();
-    tipTabs();
+    if (!plan_.controls) front(DockPlace::Left)->hide();
+    for (const DockPlace place : {DockPlace::UpperRight, DockPlace::Left, DockPlace::LowerRight, DockPlace::Bottom}) {
+        if (!plan_.oneStack || place != DockPlace::LowerRight) front(place)->raise();
+    }
+    if (plan_.oneStack) looked->raise();
+    dressTabs();
     shareRoom();
     // Again when the window has its size: before that, docks are as small as they can be.
     QTimer::singleShot(0, this, &MainWindow::shareRoom);
 }
 
-// On a projector one pane beside the result, as high as it can be; the others wait in its tabs.
-void MainWindow::gatherPanes() {
-    QDockWidget* const trace = front(Home::High);
-    QDockWidget* chosen = trace;
+DockPlace MainWindow::placeOf(const Pane& pane) const {
+    const bool controls = pane.dock == front(DockPlace::Left);
+    const bool joins = pane.kind.place == DockPlace::LowerRight || pane.kind.place == DockPlace::UpperRight ||
+                       (pane.kind.place == DockPlace::Left && !plan_.controls && !controls);
+    return plan_.oneStack && joins ? DockPlace::UpperRight : pane.kind.place;
+}
+
+// The pane that explains and is looked at: of those in sight the one with the keyboard, else a lower one. Before
+// anything is seen the profile, which explains most.
+QDockWidget* MainWindow::lookedAt() const {
+    QDockWidget* chosen = nullptr;
     for (const Pane& pane : panes_) {
-        if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden() || pane.dock->isFloating()) continue;
-        if (dockWidgetArea(pane.dock) != Qt::RightDockWidgetArea) continue;
-        const bool seen = !pane.dock->visibleRegion().isEmpty();
-        if (seen && (chosen == trace || pane.dock->isAncestorOf(QApplication::focusWidget()))) chosen = pane.dock;
+        if (pane.dock == nullptr || pane.dock->isFloating() || pane.dock->visibleRegion().isEmpty()) continue;
+        const bool explains = pane.kind.place != DockPlace::Bottom && pane.dock != front(DockPlace::Left);
+        const bool upper = chosen == nullptr || chosen == front(DockPlace::UpperRight);
+        if (explains && (upper || pane.dock->isAncestorOf(QApplication::focusWidget()))) chosen = pane.dock;
     }
-    for (const Pane& pane : panes_) {
-        if (pane.dock == nullptr || pane.dock == trace || pane.dock->isHidden() || pane.dock->isFloating()) continue;
-        if (dockWidgetArea(pane.dock) == Qt::RightDockWidgetArea) tabifyDockWidget(trace, pane.dock);
-    }
-    chosen->raise();
-    tipTabs();
+    return chosen != nullptr ? chosen : dockOf(QStringLiteral("profile"));
+}
+
+void MainWindow::shareRoom() {
+    const auto part = [](double of, double share) { return static_cast<int>(of * share); };
+    QDockWidget* const upper = front(DockPlace::UpperRight);
+    QDockWidget* const lower = front(DockPlace::LowerRight);
+    QDockWidget* const steps = front(DockPlace::Bottom);
+    resizeDocks({front(DockPlace::Left), upper}, {part(width(), plan_.left), part(width(), plan_.right)},
+                Qt::Horizontal);
+    if (plan_.table) resizeDocks({steps}, {part(height(), plan_.steps)}, Qt::Vertical);
+    // Of the room there is: what asks for more makes the window larger, perhaps than the screen.
+    const int room = upper->height() + lower->height();
+    if (!plan_.oneStack)
+        resizeDocks({upper, lower}, {part(room, plan_.upper), part(room, 1 - plan_.upper)}, Qt::Vertical);
 }
 
 void MainWindow::closePane(QWidget* whole) {
-    if (filled_ == whole) fill(whole);
+    if (filled_ == whole) showView(View::All);
     whole->hide();
 }
 
 // What a closed pane held goes; behind a tab, or behind the one that fills the window, it is soon back.
 void MainWindow::emptyClosed() {
-    if (filled_ != nullptr) return;
+    if (view_ != View::All) return;
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr || !pane.dock->isHidden()) continue;
         if (auto* const view = qobject_cast<FigureView*>(pane.dock->widget())) view->giveBack();
     }
 }
 
-void MainWindow::shareRoom() {
-    QDockWidget* const trace = front(Home::High);
-    QDockWidget* const pyramid = front(Home::Low);
-    QDockWidget* const steps = front(Home::Time);
-    QDockWidget* const scene = front(Home::Side);
-    const auto part = [](double of, double share) { return static_cast<int>(of * share); };
-    resizeDocks({scene, trace}, {part(width(), kSceneWidth), part(width(), kTraceWidth)}, Qt::Horizontal);
-    resizeDocks({steps}, {part(height(), kStepsHeight)}, Qt::Vertical);
-    // In low windows of the room there is: what asks for more makes the window larger, perhaps than the screen.
-    const int room = height() < kLowWindow ? trace->height() + pyramid->height() : 2 * height();
-    resizeDocks({trace, pyramid}, {part(room, kTraceHeight), part(room, 1 - kTraceHeight)}, Qt::Vertical);
-}
-
-// A pane fills the window; only time stays below it, so that one can go on stepping.
-void MainWindow::fill(QWidget* pane) {
-    QDockWidget* const steps = front(Home::Time);
-    if (filled_ == nullptr) {
-        beforeFill_ = saveState();
-        filled_ = pane;
+// All: the panes as they were arranged. Filled: one pane, and below it time and the step in words, so that one can go
+// on stepping. Teach: the panes that explain, one of them large, the result in a corner, the step in words below it.
+void MainWindow::showView(View view, QWidget* pane) {
+    if (view == View::All && view_ == View::All) return;
+    if (view_ == View::All) {
+        kept_[workspace_->style().projector] = saveState();
+    } else {
+        restoreKept();
+    }
+    view_ = view;
+    filled_ = view == View::Filled ? pane : nullptr;
+    QDockWidget* const steps = front(DockPlace::Bottom);
+    if (view == View::Filled) {
         auto* const dock = qobject_cast<QDockWidget*>(pane);
         if (dock != nullptr) dock->setFloating(false);
         const bool time = pane != steps && !steps->isHidden();
         for (const Pane& other : panes_) {
             other.whole->setVisible(other.whole == pane || (time && other.dock == steps));
         }
-        if (time) showTimeOnly(true);
-    } else {
-        filled_ = nullptr;
-        closed_->start();
-        showTimeOnly(false);
-        panes_.front().whole->show();
-        restorePanes(beforeFill_);
+    } else if (view == View::Teach) {
+        steps->show();
+        for (const Pane& other : panes_) {
+            if (other.kind.place == DockPlace::Bottom && other.dock != steps) other.dock->hide();
+        }
+        arrange();
     }
-    // Hiding the others has moved the focus.
+    dressForView();
+}
+
+// What goes with a view: how much of time is seen, the sentence in the result's corner.
+void MainWindow::dressForView() {
+    QDockWidget* const steps = front(DockPlace::Bottom);
+    const bool whole = view_ == View::All || filled_ == steps;
+    steps->titleBarWidget()->setVisible(whole);
+    using Parts = TimePane::Parts;
+    const int height = time_->showParts(whole ? Parts::All : view_ == View::Teach ? Parts::Bar : Parts::BarAndSentence);
+    sentence_->setVisible(view_ == View::Teach);
+    teach_->setChecked(view_ == View::Teach);
+    if (whole) return;
+    // The room that it does not need any more is the pane's; when the layout knows of it.
+    QTimer::singleShot(0, this, [this, steps, height] {
+        if (view_ != View::All) resizeDocks({steps}, {height}, Qt::Vertical);
+    });
+}
+
+void MainWindow::restoreKept() {
+    closed_->start();
+    panes_.front().whole->show();
+    const QByteArray& kept = kept_[workspace_->style().projector];
+    view_ = View::All;
+    filled_ = nullptr;
+    dressForView();
+    kept.isEmpty() ? arrange() : restorePanes(kept);
+}
+
+void MainWindow::fill(QWidget* pane) {
+    showView(filled_ == nullptr ? View::Filled : View::All, pane);
+    focusWhole(pane);
+}
+
+void MainWindow::setTeaching(bool on) {
+    if (on == (view_ == View::Teach)) return;
+    showView(on ? View::Teach : View::All);
+    focusWhole(lookedAt());
+}
+
+// Hiding the others has moved the focus.
+void MainWindow::focusWhole(QWidget* whole) {
     for (const Pane& one : panes_) {
-        if (one.whole == pane) one.focus->setFocus(Qt::OtherFocusReason);
+        if (one.whole == whole) one.focus->setFocus(Qt::OtherFocusReason);
     }
 }
 
@@ -139,17 +196,6 @@ QWidget* MainWindow::frontView() const {
         if (pane.whole == filled_) return pane.focus;
     }
     return panes_.front().focus;
-}
-
-void MainWindow::showTimeOnly(bool only) {
-    QDockWidget* const steps = front(Home::Time);
-    steps->titleBarWidget()->setVisible(!only);
-    const int height = time_->showBarOnly(only);
-    if (!only) return;
-    // The room that it does not need any more is the pane's; when the layout knows of it.
-    QTimer::singleShot(0, this, [this, steps, height] {
-        if (filled_ != nullptr) resizeDocks({steps}, {height}, Qt::Vertical);
-    });
 }
 
 void MainWindow::focusPane(const QString& name) {
@@ -161,68 +207,120 @@ void MainWindow::focusPane(const QString& name) {
 void MainWindow::focusPane(std::size_t number) {
     if (number >= panes_.size()) return;
     const Pane& pane = panes_[number];
-    if (filled_ != nullptr && filled_ != pane.whole) fill(filled_);
+    if (filled_ != nullptr && filled_ != pane.whole) showView(View::All);
     pane.whole->show();
     pane.whole->raise();
     pane.focus->setFocus(Qt::ShortcutFocusReason);
 }
 
+// The window as it was comes back afterwards: its panes, its size, maximised or not.
 void MainWindow::setProjector(bool on) {
     if (on == workspace_->style().projector) return;
+    const View view = view_;
+    QWidget* const filled = filled_;
+    showView(View::All);
+    kept_[!on] = saveState();
+    kept_[on] = on ? QByteArray() : kept_[on];
+    if (on) {
+        place_ = saveGeometry();
+        setWindowState(windowState() | Qt::WindowFullScreen);
+    } else {
+        restoreGeometry(place_);
+    }
     Style style = workspace_->style();
     style.projector = on;
-    QApplication::setFont(windowFont(on));
-    const QFont small = tabFont(on, screen()->geometry().width());
-    QApplication::setFont(small, "QTabBar");
-    // It is the lecturer's: not everything in it fits in large type.
-    status_->setFont(small);
-    workspace_->setStyle(style);
+    style.projectorScale = projectorScale(on ? screen()->geometry().height() : height());
+    takeType(style);
     projector_->setChecked(on);
-    if (on) {
-        beforeProjector_ = saveState();
-        // Nobody reads controls from the last row; the panes need the room.
-        for (const Pane& pane : panes_) {
-            if (pane.dock == nullptr || pane.kind.home != Home::Side) continue;
-            const bool worked = pane.dock != front(Home::Side) && !pane.dock->visibleRegion().isEmpty();
-            if (!worked) pane.dock->hide();
+    on ? arrange() : restorePanes(kept_[on]);
+    if (view != View::All) showView(view, filled);
+}
+
+// The type of the window's size and mode.
+void MainWindow::takeType(const Style& style) {
+    QApplication::setFont(windowFont(style.scale()));
+    // It is the lecturer's: not everything in it fits in large type.
+    status_->setFont(windowFont(1));
+    workspace_->setStyle(style);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    QTimer::singleShot(0, this, &MainWindow::dressTabs);
+    Style style = workspace_->style();
+    if (!style.projector) return;
+    style.projectorScale = projectorScale(height());
+    if (!(style == workspace_->style())) takeType(style);
+}
+
+// Qt makes a bar of tabs where docks lie behind each other, and knows their titles alone. All of a bar in type that
+// lets all be read; where even the smallest has no room, the bar scrolls.
+void MainWindow::dressTabs() {
+    constexpr double kSmallest = 7;
+    const double largest = Style::kTextPoints * std::min(workspace_->style().scale(), 1.4);
+    for (QTabBar* const bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+        bar->setElideMode(Qt::ElideNone);
+        for (int n = 0; n < bar->count(); ++n) {
+            for (const Pane& pane : panes_) {
+                if (pane.dock != nullptr && pane.dock->windowTitle() == bar->tabText(n)) {
+                    bar->setTabToolTip(n, pane.kind.help);
+                }
+            }
         }
-        if (filled_ == nullptr) gatherPanes();
-        showFullScreen();
-        // The large type of the panes at the right wants half of the window.
-        QTimer::singleShot(0, this, [this] {
-            if (!workspace_->style().projector) return;
-            resizeDocks({front(Home::High)}, {static_cast<int>(width() * kProjectorTraceWidth)}, Qt::Horizontal);
-            resizeDocks({front(Home::Time)}, {static_cast<int>(height() * kProjectorStepsHeight)}, Qt::Vertical);
-        });
-    } else {
-        showNormal();
-        restorePanes(beforeProjector_);
+        QFont type = bar->font();
+        for (double points = largest; points >= kSmallest; points -= 0.5) {
+            type.setPointSizeF(points);
+            bar->setFont(type);
+            if (bar->sizeHint().width() <= bar->width()) break;
+        }
     }
 }
 
 // Messages are where they are now, whatever was there when the state was kept.
 void MainWindow::restorePanes(const QByteArray& state) {
     restoreState(state);
-    tipTabs();
+    dressTabs();
     showMessages();
 }
 
 QVariantMap MainWindow::layoutNow() const {
     const bool projector = workspace_->style().projector;
     QVariantMap layout;
-    layout[layoutKey()] = filled_ != nullptr ? beforeFill_ : projector ? beforeProjector_ : saveState();
+    layout[layoutKey()] = projector || view_ != View::All ? kept_[0] : saveState();
     layout[themeKey()] = workspace_->style().theme == Theme::Light;
-    if (!projector) layout[placeKey()] = saveGeometry();
+    layout[placeKey()] = projector ? place_ : saveGeometry();
     return layout;
 }
 
 void MainWindow::takeLayout(const QVariantMap& layout) {
-    if (filled_ != nullptr) fill(filled_);
+    showView(View::All);
     setProjector(false);
     restoreGeometry(layout[placeKey()].toByteArray());
     // After the share of the room that every window begins with.
-    QTimer::singleShot(0, this, [this, panes = layout[layoutKey()].toByteArray()] { restorePanes(panes); });
+    QTimer::singleShot(0, this, [this, panes = layout[layoutKey()].toByteArray()] {
+        if (!panes.isEmpty()) restorePanes(panes);
+    });
     light_->setChecked(layout[themeKey()].toBool());
+}
+
+QVariantMap MainWindow::arrangement() const {
+    QVariantMap arrangement;
+    arrangement[layoutKey()] = view_ == View::All ? saveState() : kept_[workspace_->style().projector];
+    arrangement[QStringLiteral("teach")] = view_ == View::Teach;
+    for (const Pane& pane : panes_) {
+        if (pane.whole == filled_) arrangement[QStringLiteral("filled")] = pane.kind.name;
+    }
+    return arrangement;
+}
+
+void MainWindow::takeArrangement(const QVariantMap& arrangement) {
+    showView(View::All);
+    restorePanes(arrangement[layoutKey()].toByteArray());
+    const QString filled = arrangement[QStringLiteral("filled")].toString();
+    for (const Pane& pane : panes_) {
+        if (pane.kind.name == filled) fill(pane.whole);
+    }
+    if (arrangement[QStringLiteral("teach")].toBool()) setTeaching(true);
 }
 
 void MainWindow::keepLayout() const {
@@ -233,9 +331,21 @@ void MainWindow::keepLayout() const {
 
 void MainWindow::restoreLayout() {
     const QSettings settings;
+    if (!settings.contains(placeKey())) return fitScreen();
     QVariantMap layout;
     for (const QString& key : {layoutKey(), themeKey(), placeKey()}) layout[key] = settings.value(key);
     takeLayout(layout);
+}
+
+// The first window: inside what the desktop leaves of the screen, its frame too; all of that where it is no more.
+void MainWindow::fitScreen() {
+    const QRect area = screen()->availableGeometry();
+    const int frame =
+        style()->pixelMetric(QStyle::PM_TitleBarHeight) + 2 * style()->pixelMetric(QStyle::PM_MdiSubWindowFrameWidth);
+    const QSize room = area.size() - QSize(frame, 2 * frame);
+    resize(size().boundedTo(room));
+    move(area.topLeft() + QPoint((area.width() - width()) / 2, (area.height() - height()) / 2));
+    if (size() == room || width() == room.width()) setWindowState(windowState() | Qt::WindowMaximized);
 }
 
 void MainWindow::setLightTheme(bool on) {

@@ -1,5 +1,6 @@
 #include <QAbstractButton>
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
 #include <QDialog>
@@ -8,20 +9,25 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QInputDialog>
-#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScreen>
+#include <QSettings>
 #include <QStatusBar>
+#include <QTextBrowser>
 #include <QVBoxLayout>
 
 #include "panes/figure_view.h"
 #include "panes/result/result_painting.h"
 #include "panes/result/result_view.h"
 #include "windows/breakpoint_bar.h"
+#include "windows/home_view.h"
+#include "windows/layout_menu.h"
 #include "windows/main_window.h"
 #include "windows/step_bar.h"
 #include "windows/time_pane.h"
+#include "workspace/language.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -29,6 +35,10 @@ namespace reliefui {
 namespace {
 
 constexpr int kMessageMs = 4000;
+
+QString raysFromEndKey() {
+    return QStringLiteral("raysFromEnd");
+}
 
 }  // namespace
 
@@ -118,11 +128,24 @@ void MainWindow::makeViewMenu() {
     for (const Pane& pane : panes_) {
         if (pane.dock != nullptr) shown->addAction(pane.dock->toggleViewAction());
     }
+    teach_ = addAction(menu, tr("T&each"), QKeySequence(Qt::Key_T),
+                       tr("One pane large, the picture in a corner, the step in words"));
+    teach_->setCheckable(true);
+    connect(teach_, &QAction::toggled, this, &MainWindow::setTeaching);
     auto* const reset = addAction(menu, tr("Reset &layout"), {}, tr("Put the panes where they were at first"));
     connect(reset, &QAction::triggered, this, &MainWindow::resetLayout);
+    QMenu* const own = menu->addMenu(tr("Layo&uts of your own"));
+    auto* const save = addAction(own, tr("&Save this layout…"), {}, tr("Keep where the panes are, under a name"));
+    auto* const layouts = new LayoutMenu(this, own);
+    connect(save, &QAction::triggered, layouts, &LayoutMenu::askName);
     menu->addSeparator();
+    auto* const first = addAction(menu, tr("&First view"), QKeySequence(Qt::Key_H),
+                                  tr("The camera as it was when the scene was opened"));
+    connect(first, &QAction::triggered, home_, &HomeView::go);
     auto* const whole = addAction(menu, tr("Show the &whole picture"), {}, tr("No zoom in the result (R there)"));
     connect(whole, &QAction::triggered, result_, &ResultView::resetZoom);
+    menu->addSeparator();
+    makeLanguageMenu(menu->addMenu(tr("La&nguage")));
     light_ = addAction(menu, tr("Ligh&t theme"), {}, tr("Dark on light instead of light on dark"));
     light_->setCheckable(true);
     connect(light_, &QAction::toggled, this, &MainWindow::setLightTheme);
@@ -130,6 +153,26 @@ void MainWindow::makeViewMenu() {
         addAction(menu, tr("Pro&jector"), QKeySequence(Qt::Key_F11), tr("Full screen, large text, thick lines"));
     projector_->setCheckable(true);
     connect(projector_, &QAction::toggled, this, &MainWindow::setProjector);
+}
+
+// Each by its own name, so that it is found in a language that one does not read.
+void MainWindow::makeLanguageMenu(QMenu* menu) {
+    auto* const all = new QActionGroup(menu);
+    const QString now = chosenLanguage();
+    const auto add = [&](const QString& text, const QString& language) {
+        auto* const action = addAction(menu, text, {}, tr("The language of the window"));
+        action->setObjectName(QStringLiteral("language-") + language);
+        action->setCheckable(true);
+        action->setChecked(language == now);
+        all->addAction(action);
+        // When the menu is closed: the window that it belongs to goes.
+        connect(
+            action, &QAction::triggered, this, [this, language] { Q_EMIT languageChosen(language); },
+            Qt::QueuedConnection);
+    };
+    add(tr("As the system"), {});
+    add(QStringLiteral("English"), QStringLiteral("en"));
+    add(QStringLiteral("Українська"), QStringLiteral("uk"));
 }
 
 void MainWindow::makeRayMenu() {
@@ -159,6 +202,12 @@ void MainWindow::makeRayMenu() {
     makeWorthMenu(menu);
     makeDuelMenu(menu);
     makeBookmarkMenu(menu);
+    auto* const end = addAction(menu, tr("Show rays from the&ir end"), {},
+                                tr("A pixel that is chosen shows the last step of its ray, not the first"));
+    end->setCheckable(true);
+    connect(end, &QAction::toggled, workspace_, &Workspace::setRaysFromEnd);
+    end->setChecked(QSettings().value(raysFromEndKey()).toBool());
+    connect(end, &QAction::toggled, this, [](bool on) { QSettings().setValue(raysFromEndKey(), on); });
     auto* const guess = addAction(menu, tr("G&uess the hit"), QKeySequence(Qt::Key_G),
                                   tr("Hide the answer; a click in the profile guesses where the ray hits"));
     guess->setCheckable(true);
@@ -258,6 +307,7 @@ void MainWindow::showShortcuts() {
         {tr("Wheel in the result"), tr("change the camera's distance")},
         {tr("Ctrl + drag, Ctrl + wheel"), tr("pan and zoom the picture")},
         {QStringLiteral("R"), tr("the whole picture again")},
+        {QStringLiteral("H"), tr("the camera's first view")},
         {tr("Arrows in the result (with Shift: ten)"), tr("move the pixel")},
         {QStringLiteral(",   ."), tr("previous and next step")},
         {tr("Home   End"), tr("first and last step")},
@@ -281,6 +331,7 @@ void MainWindow::showShortcuts() {
         {QStringLiteral("Ctrl+E"), tr("export the pane as SVG, PDF or PNG")},
         {QStringLiteral("Ctrl+Z   Ctrl+Shift+Z"), tr("undo and redo")},
         {QStringLiteral("Ctrl+Shift+C"), tr("copy the relief trace command of the pixel")},
+        {QStringLiteral("T"), tr("teach: one pane large, the picture in a corner")},
         {QStringLiteral("F11"), tr("projector")},
         {QStringLiteral("Esc"), tr("cancel what is running")},
     };
@@ -293,10 +344,20 @@ void MainWindow::showShortcuts() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Mouse and keys"));
     auto* const column = new QVBoxLayout(dialog);
-    column->addWidget(new QLabel(html + QStringLiteral("</table>"), dialog));
+    auto* const list = new QTextBrowser(dialog);
+    list->setAccessibleName(dialog->windowTitle());
+    list->setFrameShape(QFrame::NoFrame);
+    list->setHtml(html + QStringLiteral("</table>"));
+    column->addWidget(list);
     auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
     connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     column->addWidget(buttons);
+    // All of it, or what fits the screen: the list scrolls.
+    constexpr double kMost = 0.85;
+    QTextDocument* const document = list->document();
+    document->setTextWidth(-1);
+    const QSize wanted = document->size().toSize() + QSize(60, 80);
+    dialog->resize(wanted.boundedTo(screen()->availableSize() * kMost));
     dialog->show();
 }
 

@@ -1,11 +1,11 @@
 // The main window's menus about rays: pixels worth seeing, bookmarks, somebody else's tracer.
-#include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
 
 #include "lessons/lessons.h"
 #include "panes/duel/duel_view.h"
+#include "panes/file_dialogs.h"
 #include "windows/bookmarks.h"
 #include "windows/main_window.h"
 #include "windows/other_bar.h"
@@ -109,11 +109,11 @@ void MainWindow::showBookmarks() {
 }
 
 void MainWindow::askOtherTracer() {
-    const QString rays = QFileDialog::getOpenFileName(this, tr("Rays of another tracer: s0,t0,a,b in texels"), {},
-                                                      tr("Rays (*.csv);;All files (*)"));
+    const QString kind = QStringLiteral("rays");
+    const QString rays =
+        askOpenFile(this, kind, tr("Rays of another tracer: s0,t0,a,b in texels"), tr("Rays (*.csv);;All files (*)"));
     if (rays.isEmpty()) return;
-    const QString steps =
-        QFileDialog::getOpenFileName(this, tr("Its steps on them"), rays, tr("Steps (*.csv *.json);;All files (*)"));
+    const QString steps = askOpenFile(this, kind, tr("Its steps on them"), tr("Steps (*.csv *.json);;All files (*)"));
     if (!steps.isEmpty()) time_->other()->open(rays, steps);
 }
 

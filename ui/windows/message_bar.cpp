@@ -1,5 +1,8 @@
 #include "windows/message_bar.h"
 
+#include <algorithm>
+
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -15,6 +18,7 @@ MessageBar::MessageBar(QWidget* parent)
     row_->setContentsMargins(10, 4, 4, 4);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     label_->setTextFormat(Qt::PlainText);
+    label_->setWordWrap(true);
     label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     label_->setAccessibleName(tr("Message"));
     auto* const close = new QToolButton(this);
@@ -25,11 +29,13 @@ MessageBar::MessageBar(QWidget* parent)
     row_->addWidget(sign_);
     row_->addWidget(label_, 1);
     row_->addWidget(close);
-    connect(close, &QToolButton::clicked, this, [this] {
-        label_->clear();
-        hide();
-        Q_EMIT closed();
-    });
+    connect(close, &QToolButton::clicked, this, &MessageBar::close);
+}
+
+void MessageBar::close() {
+    label_->clear();
+    hide();
+    Q_EMIT closed();
 }
 
 QPushButton* MessageBar::addAnswer(const QString& answer, const QString& help) {
@@ -56,7 +62,28 @@ void MessageBar::showText(const QString& text, bool problem) {
     sign_->setText(problem ? QStringLiteral("⚠") : QStringLiteral("ℹ"));
     label_->setText(text);
     label_->setToolTip(text);
+    problem_ = problem;
     show();
+    fitHeight();
+}
+
+// All lines of the text: bars of a window ask nobody how high they are for their width.
+void MessageBar::fitHeight() {
+    const int side = sign_->sizeHint().width() + 2 * row_->spacing() + row_->contentsMargins().left();
+    int answers = 0;
+    for (int n = 2; n < row_->count(); ++n) answers += row_->itemAt(n)->sizeHint().width() + row_->spacing();
+    const int height = label_->heightForWidth(std::max(1, width() - side - answers));
+    if (label_->minimumHeight() != height) label_->setFixedHeight(height);
+}
+
+void MessageBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fitHeight();
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitHeight();
 }
 
 }  // namespace reliefui

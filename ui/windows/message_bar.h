@@ -1,4 +1,5 @@
-// One line at the top of the window that says what went wrong, or what was done; it is in nobody's way.
+// A line at the top of the window, or as many as it needs, that says what went wrong, or what was done; it is in
+// nobody's way.
 #pragma once
 
 #include <QFrame>
@@ -17,18 +18,27 @@ class MessageBar : public QFrame {
     void showProblem(const QString& text) { showText(text, true); }
     void showNotice(const QString& text) { showText(text, false); }
     QString text() const;
+    bool isProblem() const { return problem_; }
+    // As its own button does.
+    void close();
     // A button beside the text.
     QPushButton* addAnswer(const QString& answer, const QString& help);
 
   signals:
     void closed();
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
   private:
+    void fitHeight();
     void showText(const QString& text, bool problem);
 
     QHBoxLayout* row_;
     QLabel* sign_;
     QLabel* label_;
+    bool problem_ = false;
 };
 
 }  // namespace reliefui

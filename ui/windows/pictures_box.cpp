@@ -1,7 +1,7 @@
 #include "windows/pictures_box.h"
 
 #include <QComboBox>
-#include <QFileDialog>
+#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "panes/core_texts.h"
+#include "panes/file_dialogs.h"
 #include "relief/reliefs.h"
 
 namespace reliefui {
@@ -28,7 +29,8 @@ QString askForPicture(QWidget* parent, const QString& title, const QString& curr
     const QString filter = PicturesBox::tr("Pictures") +
                            QStringLiteral(" (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.bmp *.tga *.pgm *.ppm);;") +
                            PicturesBox::tr("All files") + QStringLiteral(" (*)");
-    return QFileDialog::getOpenFileName(parent, title, QFileInfo(current).absolutePath(), filter);
+    const QString folder = current.isEmpty() ? QString() : QFileInfo(current).absolutePath();
+    return askOpenFile(parent, QStringLiteral("pictures"), title, filter, folder);
 }
 
 PicturesBox::PicturesBox(Workspace* workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {

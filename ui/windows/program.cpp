@@ -11,7 +11,6 @@
 #include <QLocale>
 #include <QPixmap>
 #include <QStandardPaths>
-#include <QStyleFactory>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <QTranslator>
@@ -19,6 +18,7 @@
 #include "windows/display_check.h"
 #include "windows/main_window.h"
 #include "windows/theme.h"
+#include "windows/window_style.h"
 
 // The implementations that VTK chooses at run time. Not by vtk_module_autoinit: it gives every source a macro with a
 // path of this checkout, and the compiler cache could not serve another.
@@ -75,23 +75,29 @@ void prepareFigures() {
     giveRuntimeFolder();
 }
 
-void dressApplication(QApplication& application) {
+void dressApplication(QApplication&) {
     std::setlocale(LC_NUMERIC, "C");
     initTranslations();
     QApplication::setApplicationName(QStringLiteral("reliefscope"));
     QApplication::setOrganizationName(QStringLiteral("reliefscope"));
-    auto* const own = new QTranslator(&application);
-    if (own->load(QLocale(), QStringLiteral("reliefscope"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
-        QApplication::installTranslator(own);
-        auto* const qt = new QTranslator(&application);
-        const QString folder = QLibraryInfo::location(QLibraryInfo::TranslationsPath);
-        if (qt->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"), folder)) {
-            QApplication::installTranslator(qt);
-        }
-    }
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    speak({});
+    QApplication::setStyle(new WindowStyle);
     QApplication::setPalette(themePalette(Theme::Dark));
-    QApplication::setFont(windowFont(false));
+    QApplication::setFont(windowFont(1));
+}
+
+void speak(const QString& language) {
+    QLocale::setDefault(language.isEmpty() ? QLocale::system() : QLocale(language));
+    for (QTranslator* const old : QCoreApplication::instance()->findChildren<QTranslator*>()) delete old;
+    const auto add = [](const QString& file, const QString& folder) {
+        auto* const texts = new QTranslator(QCoreApplication::instance());
+        const bool found = texts->load(QLocale(), file, QStringLiteral("_"), folder);
+        if (found) QCoreApplication::installTranslator(texts);
+        return found;
+    };
+    if (add(QStringLiteral("reliefscope"), QStringLiteral(":/translations"))) {
+        add(QStringLiteral("qtbase"), QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+    }
 }
 
 void screenshotThenQuit(MainWindow& window, Workspace& workspace, const QString& path) {

@@ -15,6 +15,8 @@ void prepareWindows();
 void prepareFigures();
 // After it: texts in the language of the locale, type, colours; numbers stay those of the C locale.
 void dressApplication(QApplication& application);
+// Texts of windows that are made from now on: in that language, as Qt names it ("uk"); empty: that of the system.
+void speak(const QString& language);
 
 // Grabs the window, OpenGL panes included, when its first full picture is there, and ends the application: exit status
 // 0, or 1 if the file cannot be written.

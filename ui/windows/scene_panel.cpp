@@ -304,7 +304,7 @@ PaneKind scenePane() {
     kind.name = QStringLiteral("scene");
     kind.title = ScenePanel::tr("Scene");
     kind.help = ScenePanel::tr("Pictures, method, filter, camera and light");
-    kind.home = Home::Side;
+    kind.place = DockPlace::Left;
     kind.make = [](Workspace* workspace, QWidget* parent) -> QWidget* {
         auto* const scroll = new QScrollArea(parent);
         auto* const panel = new ScenePanel(workspace, scroll);

@@ -28,18 +28,17 @@ QPalette themePalette(Theme theme) {
     return palette;
 }
 
-QFont windowFont(bool projector) {
-    QFont font(QStringLiteral("DejaVu Sans"), projector ? 18 : 10);
+QFont windowFont(double scale) {
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPointSizeF(Style::kTextPoints * scale);
     font.setStyleHint(QFont::SansSerif);
     return font;
 }
 
-QFont tabFont(bool projector, int width) {
-    constexpr int kLeast = 11, kMost = 18;
-    constexpr int kNarrow = 1600;  // pixels of a screen on half of which all tabs find room in the smallest
-    QFont font = windowFont(false);
-    if (projector) font.setPointSize(std::clamp(kLeast * width / kNarrow, kLeast, kMost));
-    return font;
+double projectorScale(int height) {
+    constexpr double kLeast = 1.3, kMost = 1.8;
+    constexpr double kHigh = 1000;  // points, of a screen with room for the largest
+    return std::clamp(kMost * height / kHigh, kLeast, kMost);
 }
 
 }  // namespace reliefui

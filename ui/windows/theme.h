@@ -8,9 +8,10 @@
 namespace reliefui {
 
 QPalette themePalette(Theme theme);
-// DejaVu Sans, 10 points; 18 on a projector.
-QFont windowFont(bool projector);
-// Of the panes' tabs, which stand all in one row on a projector.
-QFont tabFont(bool projector, int width = 0);
+// DejaVu Sans, 10 points at scale 1.
+QFont windowFont(double scale);
+// How much larger everything is on a projector whose picture is so many points high: what is read from the last row is
+// a share of the picture's height.
+double projectorScale(int height);
 
 }  // namespace reliefui

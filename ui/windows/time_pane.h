@@ -1,6 +1,8 @@
 // Time: the bar that steps and plays, breakpoints, somebody else's tracer, the table of steps.
 #pragma once
 
+#include <cstdint>
+
 #include <QWidget>
 
 #include "panes/pane.h"
@@ -10,6 +12,7 @@ namespace reliefui {
 class BreakpointBar;
 class OtherBar;
 class StepBar;
+class StepSentence;
 class StepTable;
 class Workspace;
 
@@ -25,14 +28,18 @@ class TimePane : public QWidget {
     OtherBar* other() { return other_; }
     StepTable* table() { return table_; }
 
-    // Below a pane that fills the window only the bar is shown. Its height then.
-    int showBarOnly(bool only);
+    // All: what a student works with. Bar: below something that is looked at. BarAndSentence: where nothing else says
+    // the sentence.
+    enum class Parts : std::uint8_t { All, Bar, BarAndSentence };
+    // The height that they need; All takes what there is.
+    int showParts(Parts parts);
 
   private:
     StepBar* bar_;
     BreakpointBar* breakpoints_;
     OtherBar* other_;
     StepTable* table_;
+    StepSentence* sentence_;
 };
 
 }  // namespace reliefui

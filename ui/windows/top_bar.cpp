@@ -2,10 +2,10 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QStandardItemModel>
 
 #include "panes/core_texts.h"
 #include "panes/number_control.h"
+#include "windows/method_list.h"
 #include "windows/scene_panel.h"
 #include "workspace/pause_log.h"
 
@@ -41,33 +41,12 @@ void TopBar::addLabeled(const QString& label, QWidget* control) {
     addWidget(control);
 }
 
-void TopBar::addMethods(bool tracers, const QString& group) {
-    bool first = true;
-    for (const relief::MethodDescription& method : relief::tracerList()) {
-        if ((method.kind == relief::MethodKind::Tracer) != tracers || method.kind == relief::MethodKind::AnyHit)
-            continue;
-        if (first && !group.isEmpty()) {
-            method_->insertSeparator(method_->count());
-            method_->addItem(group);
-            // A heading: not to be chosen.
-            if (auto* const items = qobject_cast<QStandardItemModel*>(method_->model())) {
-                items->item(method_->count() - 1)->setFlags(Qt::NoItemFlags);
-            }
-        }
-        first = false;
-        const QString name = QString::fromStdString(method.name);
-        method_->addItem(name, name);
-        method_->setItemData(method_->count() - 1, coreText(method.help), Qt::ToolTipRole);
-    }
-}
-
 void TopBar::makeMethod() {
     method_->setObjectName(QStringLiteral("method"));
     method_->setAccessibleName(tr("Method"));
     method_->setToolTip(tr("How the ray searches for the relief"));
     method_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    addMethods(true, {});
-    addMethods(false, tr("no search"));
+    fillMethods(method_);
     addLabeled(tr("Method"), method_);
     connect(method_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
@@ -94,6 +73,13 @@ void TopBar::makeFilter() {
         scenario.filter.options.clear();  // another filter takes none of them
         workspace_->change(scenario, tr("Filter"));
     });
+}
+
+// The slider goes first where there is no room for all: the number can still be turned in its box.
+void TopBar::resizeEvent(QResizeEvent* event) {
+    constexpr int kWide = 150;  // letters
+    depth_->slider()->setVisible(width() > kWide * fontMetrics().averageCharWidth());
+    QToolBar::resizeEvent(event);
 }
 
 void TopBar::refresh() {

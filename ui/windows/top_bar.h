@@ -21,10 +21,11 @@ class TopBar : public QToolBar {
     QComboBox* filter() { return filter_; }
     NumberControl* depth() { return depth_; }
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     void addLabeled(const QString& label, QWidget* control);
-    // Those that search for the relief, or the others (shading only, a mesh), under a heading if it has one.
-    void addMethods(bool tracers, const QString& group);
     void makeMethod();
     void makeFilter();
     void refresh();

@@ -1,7 +1,9 @@
-// The language of the window, chosen by the locale: of the catalogue's sentences; Qt's own texts go through tr().
+// The language of the window, that of the locale or one that was chosen: of the catalogue's sentences; Qt's own texts
+// go through tr().
 #pragma once
 
 #include <QLocale>
+#include <QSettings>
 
 #include "relief/messages.h"
 
@@ -9,6 +11,11 @@ namespace reliefui {
 
 inline relief::Language uiLanguage() {
     return QLocale().language() == QLocale::Ukrainian ? relief::Language::Ukrainian : relief::Language::English;
+}
+
+// As it was chosen in the window, as Qt names it ("uk"); empty: the system's.
+inline QString chosenLanguage() {
+    return QSettings().value(QStringLiteral("language")).toString();
 }
 
 }  // namespace reliefui

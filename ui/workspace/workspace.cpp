@@ -135,9 +135,13 @@ void Workspace::choosePixel(int x, int y) {
     wanted.pixel = relief::PixelChoice{x, y};
     clampPixel(wanted);
     if (wanted.pixel == scenario_.pixel || past_.empty()) return;
-    toLastStep_ = true;
+    toLastStep_ = raysFromEnd_;
+    // The search is looked at before its answer.
+    if (!raysFromEnd_) wanted.step = 0;
     // One entry a click; arrows in a row are one as well, as they follow each other without a settle().
+    keepStep_ = true;
     change(wanted, tr("Choose pixel"), QStringLiteral("pixel"));
+    keepStep_ = false;
 }
 
 void Workspace::chooseStep(int step) {
@@ -387,6 +391,8 @@ void Workspace::tellBusy() {
     if (busy() == toldBusy_) return;
     toldBusy_ = busy();
     Q_EMIT busyChanged(toldBusy_);
+    // Whether a first picture is to come is seen in the panes.
+    if (!snapshot_) Q_EMIT styleChanged();
 }
 
 }  // namespace reliefui

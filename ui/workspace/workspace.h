@@ -47,10 +47,13 @@ class Workspace : public QObject {
     void change(const relief::Scenario& scenario, const QString& what, const QString& mergeKey = {}, bool live = false);
     // Ends a run of merged changes (mouse released): the full picture is drawn.
     void settle();
-    // Chooses a pixel (clamped to the picture; its last step becomes the chosen one) or a step of its ray. Part of the
-    // undo history as well.
+    // Chooses a pixel (clamped to the picture) and the first step of its ray, or a step. Part of the undo history as
+    // well.
     void choosePixel(int x, int y);
     void chooseStep(int step);
+    // The last step instead, of each pixel that is chosen; not part of the scenario.
+    bool raysFromEnd() const { return raysFromEnd_; }
+    void setRaysFromEnd(bool on) { raysFromEnd_ = on; }
 
     // Where stepping stops, and pixels worth coming back to: entries of the undo history as well, nothing is rendered.
     void setBreakpoints(std::vector<relief::Breakpoint> breakpoints, const QString& what);
@@ -86,6 +89,10 @@ class Workspace : public QObject {
     void save(const QString& path);
     QString traceCommand() const;  // the `relief trace` line of the chosen pixel
     bool busy() const;
+    // What a pane says while there is no picture: it is being computed, or none is open.
+    relief::MessageId whyEmpty() const {
+        return busy() ? relief::MessageId::DrawCompareDrawing : relief::MessageId::DrawNoPicture;
+    }
     // Pictures of a scenario that is asked for are being read: it is not there yet.
     bool loading() const { return pending_.has_value(); }
 
@@ -137,7 +144,8 @@ class Workspace : public QObject {
     std::uint64_t version_ = 0;
     std::uint64_t lastVersion_ = 0;  // versions that turned out impossible are not given again
     bool toLastStep_ = false;        // the ray's last step becomes the chosen one when it is known
-    bool keepStep_ = false;          // what is being changed says which step is the chosen one
+    bool raysFromEnd_ = false;
+    bool keepStep_ = false;  // what is being changed says which step is the chosen one
     std::shared_ptr<const Snapshot> snapshot_;
     std::shared_ptr<const Snapshot> hidden_;  // the same while somebody guesses
     Layer layer_ = Layer::Color;

@@ -10,7 +10,7 @@ PaneKind chartsPane() {
     kind.name = QStringLiteral("charts");
     kind.title = ChartsView::tr("Charts");
     kind.help = ChartsView::tr("Run time against error, steps and errors of all pixels");
-    kind.home = Home::Low;
+    kind.place = DockPlace::LowerRight;
     kind.make = makePane<ChartsView>;
     kind.figures = {{"charts", true,
                      [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {

@@ -174,7 +174,7 @@ void ChartsView::showEmpty() {
     job_->drop();
     measuring_ = false;
     picture_ = {};
-    canvas_->showText(relief::MessageId::DrawNoPicture);
+    canvas_->showText(workspace_->whyEmpty());
     setReadout({});
     showBusy();
 }

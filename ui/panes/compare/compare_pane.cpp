@@ -10,7 +10,7 @@ PaneKind comparePane() {
     kind.name = QStringLiteral("compare");
     kind.title = CompareView::tr("Compare");
     kind.help = CompareView::tr("Pictures of several methods beside each other");
-    kind.home = Home::High;
+    kind.place = DockPlace::UpperRight;
     kind.make = makePane<CompareView>;
     kind.figures = {{"compare", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates&) {
                          return compareFigure(std::move(s), 0);

@@ -39,7 +39,7 @@ void CompareView::showSnapshot() {
         coarseRunning_ = false;
         view_.reset();
         snapshot_ = snapshot;
-        pictures_->show(nullptr, ready ? relief::MessageId::DrawCompareOne : relief::MessageId::DrawNoPicture);
+        pictures_->show(nullptr, ready ? relief::MessageId::DrawCompareOne : workspace_->whyEmpty());
         return;
     }
     if (view_ && view_->of(*snapshot)) {

@@ -11,7 +11,7 @@ PaneKind distancePane() {
     kind.title = DistanceView::tr("Distance map");
     kind.tab = DistanceView::tr("Distance map", "tab");
     kind.help = DistanceView::tr("A slice through what the method has stored");
-    kind.home = Home::Low;
+    kind.place = DockPlace::LowerRight;
     kind.make = makePane<DistanceView>;
     kind.figures = {{"distance", true, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
                          return distanceFigure(std::move(s), step, distanceOptions(p.distance), p.query);

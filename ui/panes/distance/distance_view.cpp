@@ -70,7 +70,7 @@ void DistanceView::showSnapshot() {
     canvas_->setStyle(workspace_->style());
     snapshot_ = workspace_->snapshot();
     if (!ready()) {
-        showEmpty(relief::MessageId::DrawNoPicture);
+        showEmpty(workspace_->whyEmpty());
         return;
     }
     point_.ask(snapshot_, query_);

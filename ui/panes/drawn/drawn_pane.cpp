@@ -10,7 +10,7 @@ PaneKind drawnPane() {
     kind.name = QStringLiteral("drawn");
     kind.title = DrawnView::tr("By hand");
     kind.help = DrawnView::tr("A small relief, drawn texel by texel");
-    kind.home = Home::Side;
+    kind.place = DockPlace::Left;
     kind.make = makePane<DrawnView>;
     kind.figures = {{"drawn", true, plainFigure<drawnFigure>}};
     return kind;

@@ -109,7 +109,7 @@ void DuelView::showNearRay(bool on) {
 
 void DuelView::applyFont() {
     QFont font = this->font();
-    font.setPointSizeF(workspace_->style().projector ? 18 : 10);
+    font.setPointSizeF(Style::kTextPoints * workspace_->style().scale());
     verdict_->setFont(font);
     table_->setFont(font);
     table_->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);

@@ -10,7 +10,7 @@ PaneKind duelPane() {
     kind.name = QStringLiteral("duel");
     kind.title = DuelView::tr("Duel");
     kind.help = DuelView::tr("Several methods on one ray, step by step");
-    kind.home = Home::Low;
+    kind.place = DockPlace::LowerRight;
     kind.make = makePane<DuelView>;
     kind.figures = {{"duel", true, plainFigure<computedDuel>}};
     return kind;

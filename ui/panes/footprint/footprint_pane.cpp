@@ -11,7 +11,7 @@ PaneKind footprintPane() {
     kind.title = FootprintView::tr("Footprint");
     kind.tab = FootprintView::tr("Footprint", "tab");
     kind.help = FootprintView::tr("The part of the texture that the pixel covers, and the weight of each texel");
-    kind.home = Home::Low;
+    kind.place = DockPlace::LowerRight;
     kind.make = makePane<FootprintView>;
     kind.figures = {{"footprint", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
                          FootprintOptions options;

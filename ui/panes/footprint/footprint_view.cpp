@@ -104,7 +104,7 @@ void FootprintView::showSnapshot() {
             showEmpty(MessageId::DrawFootprintTooLarge);
             return;
         }
-        showEmpty(!shown_                   ? MessageId::DrawNoPicture
+        showEmpty(!shown_                   ? workspace_->whyEmpty()
                   : !shown_->scenario.pixel ? MessageId::DrawFootprintNoPixel
                                             : (hit ? MessageId::DrawFootprintNoHit : MessageId::DrawNoRelief));
         return;

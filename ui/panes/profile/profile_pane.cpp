@@ -10,7 +10,7 @@ PaneKind profilePane() {
     kind.name = QStringLiteral("profile");
     kind.title = ProfileView::tr("Profile");
     kind.help = ProfileView::tr("The relief under the ray, cut along it");
-    kind.home = Home::Low;
+    kind.place = DockPlace::LowerRight;
     kind.make = makePane<ProfileView>;
     kind.figures = {{"profile", true, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
                          ProfileOptions options;

@@ -125,7 +125,7 @@ void ProfileView::showSnapshot() {
     // A guess is about one ray.
     if (options_.guess && shown_ && shown_->version != guessed_) options_.guess.reset();
     if (!ready()) {
-        showEmpty(!shown_ ? relief::MessageId::DrawNoPicture
+        showEmpty(!shown_ ? workspace_->whyEmpty()
                           : (shown_->scenario.pixel ? relief::MessageId::DrawNoRelief : relief::MessageId::DrawNoRay));
         return;
     }

@@ -10,7 +10,7 @@ PaneKind pyramidPane() {
     kind.name = QStringLiteral("pyramid");
     kind.title = PyramidView::tr("Pyramid");
     kind.help = PyramidView::tr("The levels of the pyramid and the texels that the ray looked at");
-    kind.home = Home::Low;
+    kind.place = DockPlace::LowerRight;
     kind.make = makePane<PyramidView>;
     kind.figures = {{"pyramid", true,
                      [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {

@@ -130,7 +130,7 @@ void PyramidView::showSnapshot() {
     const PyramidOptions options = pyramidOptions(pane_);
     const bool ready = shown_ && shown_->request && (options.all || shown_->has(options.kind));
     if (!ready) {
-        showEmpty(relief::MessageId::DrawNoPicture);
+        showEmpty(workspace_->whyEmpty());
         return;
     }
     // The legend first: what it needs is not left to the levels. Where it would take too much it is left
@@ -141,7 +141,7 @@ void PyramidView::showSnapshot() {
         kMostLegend);
     const QSizeF room = canvas_->room();
     parts_ = pyramidParts(*shown_, options, room.width(), room.height());
-    if (parts_.parts.empty()) return showEmpty(relief::MessageId::DrawNoPicture);
+    if (parts_.parts.empty()) return showEmpty(workspace_->whyEmpty());
     // Where there is no room for all levels, the one of the current step is shown.
     constexpr double kSmallest = 20;  // points
     const std::vector<LevelBlock>& blocks = parts_.parts.front().picture.blocks;

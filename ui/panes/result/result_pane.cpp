@@ -10,7 +10,7 @@ PaneKind resultPane() {
     kind.name = QStringLiteral("result");
     kind.title = ResultView::tr("Result");
     kind.help = ResultView::tr("The picture, or a layer of it: choose a pixel to see how it came about");
-    kind.home = Home::Middle;
+    kind.place = DockPlace::Center;
     kind.make = makePane<ResultView>;
     kind.figures = {{"result", true, plainFigure<resultFigure>}};
     return kind;

@@ -10,7 +10,7 @@ PaneKind rowsPane() {
     kind.name = QStringLiteral("rows");
     kind.title = RowsView::tr("Rows");
     kind.help = RowsView::tr("Texture coordinates along the pixel's row, computed in several ways");
-    kind.home = Home::Low;
+    kind.place = DockPlace::LowerRight;
     kind.make = makePane<RowsView>;
     kind.figures = {{"rows", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
                          return rowsFigure(std::move(s), rowsOptions(p.rows), {});

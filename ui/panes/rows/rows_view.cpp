@@ -61,7 +61,7 @@ void RowsView::showSnapshot() {
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
     // While something is dragged the row would be another one a moment later.
     if (snapshot && snapshot->coarse) return;
-    if (!snapshot || !snapshot->request) return showEmpty(relief::MessageId::DrawNoPicture);
+    if (!snapshot || !snapshot->request) return showEmpty(workspace_->whyEmpty());
     if (!snapshot->scenario.pixel) return showEmpty(relief::MessageId::DrawNoRow);
     if (options_.methods.empty()) return showEmpty(relief::MessageId::DrawRowNoVariant);
     const std::optional<RowsPlace> place = rowsPlace(*snapshot);

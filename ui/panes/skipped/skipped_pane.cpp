@@ -10,7 +10,7 @@ PaneKind skippedPane() {
     kind.name = QStringLiteral("skipped");
     kind.title = SkippedPanel::tr("Skipped");
     kind.help = SkippedPanel::tr("What the picture did without, and why");
-    kind.home = Home::Time;
+    kind.place = DockPlace::Bottom;
     kind.make = makePane<SkippedPanel>;
     kind.figures = {{"skipped", true, plainFigure<skippedFigure>}};
     kind.open = false;  // until it is opened from the menu, by its key or from the bottom line

@@ -4,10 +4,8 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QMenu>
 #include <QPainter>
 #include <QPixmap>
@@ -16,6 +14,8 @@
 #include <QTimer>
 
 #include "painting/painter.h"
+#include "panes/file_dialogs.h"
+#include "panes/steps/step_sentence.h"
 #include "scenario/ray_files.h"
 #include "scenario/step_sentence.h"
 #include "workspace/language.h"
@@ -177,7 +177,7 @@ StepTable::StepTable(Workspace* workspace, QWidget* parent)
       model_(new StepModel(this)),
       sorted_(new QSortFilterProxyModel(this)),
       table_(new QTableView(this)),
-      sentence_(new QLabel(this)) {
+      sentence_(new StepSentence(workspace, this)) {
     setAccessibleName(tr("Steps"));
     sorted_->setSourceModel(model_);
     sorted_->setSortRole(StepModel::kSortRole);
@@ -202,11 +202,6 @@ StepTable::StepTable(Workspace* workspace, QWidget* parent)
     table_->addActions({copy, save});
     connect(copy, &QAction::triggered, this, &StepTable::copyRows);
     connect(save, &QAction::triggered, this, &StepTable::exportRows);
-    sentence_->setWordWrap(true);
-    sentence_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    sentence_->setMargin(10);
-    sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    sentence_->setAccessibleName(tr("The chosen step in words"));
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
@@ -228,12 +223,9 @@ QString StepTable::sentence() const {
 
 void StepTable::applyStyle() {
     QFont font = this->font();
-    const double points = workspace_->style().projector ? 18 : 10;
-    font.setPointSizeF(points);
+    font.setPointSizeF(Style::kTextPoints * workspace_->style().scale());
     table_->setFont(font);
     table_->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);
-    font.setPointSizeF(points * 1.4);
-    sentence_->setFont(font);
 }
 
 void StepTable::refresh() {
@@ -277,42 +269,21 @@ void StepTable::shareColumns() {
 
 void StepTable::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    QTimer::singleShot(0, this, &StepTable::shareColumns);  // when the table has its part of it
+    // When the table has its part of it; the chosen row stays in sight.
+    QTimer::singleShot(0, this, [this] {
+        shareColumns();
+        table_->scrollTo(table_->currentIndex());
+    });
 }
 
 void StepTable::followStep(int step) {
     const auto snapshot = workspace_->snapshot();
-    if (!snapshot) {
-        sentence_->setText(tr("The steps of the chosen pixel's ray will stand here."));
-        return;
-    }
-    const relief::Language language = workspace_->style().language;
-    if (snapshot->trace.hidden) {
-        const std::string text = relief::sentence(relief::Message(relief::MessageId::DrawHidden), language);
-        sentence_->setText(QString::fromStdString(text));
-        return;
-    }
-    const PixelTrace& trace = snapshot->trace;
-    if (trace.steps.empty()) {
-        sentence_->setText(trace.onRelief ? tr("This method logged no step.")
-                                          : tr("No polygon covers the chosen pixel: click on the relief."));
-        return;
-    }
-    const int row = std::clamp(step, 0, static_cast<int>(trace.steps.size()) - 1);
-    const auto at = static_cast<std::size_t>(row);
+    if (!snapshot || snapshot->trace.steps.empty()) return;
+    const int row = std::clamp(step, 0, static_cast<int>(snapshot->trace.steps.size()) - 1);
     following_ = true;
     table_->setCurrentIndex(indexOf(row));
     table_->scrollTo(indexOf(row));
     following_ = false;
-    const relief::Message message = relief::stepSentence(trace.steps, at, trace.ray, trace.exact);
-    QString text = QString::fromStdString(relief::sentence(message, language));
-    // At the end, and all along where the answer is another one.
-    const bool last = at + 1 == trace.steps.size();
-    if (last || relief::answerError(trace.hit, trace.exact, trace.ray) > relief::kSameAnswer) {
-        const relief::Message answer = relief::answerSentence(trace.hit, trace.exact, trace.ray);
-        text += QStringLiteral("\n\n") + QString::fromStdString(relief::sentence(answer, language));
-    }
-    sentence_->setText(text);
 }
 
 QModelIndex StepTable::indexOf(int step) const {
@@ -340,8 +311,8 @@ void StepTable::copyRows() {
 void StepTable::exportRows() {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Export steps"), QStringLiteral("steps.csv"), tr("Tables (*.csv)"));
+    const QString path = askSaveFile(this, QStringLiteral("tables"), tr("Export steps"), QStringLiteral("steps.csv"),
+                                     tr("Tables (*.csv)"));
     if (path.isEmpty()) return;
     relief::StepLog log;
     log.steps = snapshot->trace.steps;

@@ -6,11 +6,12 @@
 
 #include "workspace/workspace.h"
 
-class QLabel;
 class QSortFilterProxyModel;
 class QTableView;
 
 namespace reliefui {
+
+class StepSentence;
 
 // Rows are steps; reads from the snapshot it was given, without a copy. The numbers are formatted without the locale.
 class StepModel : public QAbstractTableModel {
@@ -66,7 +67,7 @@ class StepTable : public QWidget {
     StepModel* model_;
     QSortFilterProxyModel* sorted_;
     QTableView* table_;
-    QLabel* sentence_;
+    StepSentence* sentence_;
     bool following_ = false;  // the selection moves because the workspace's step did
 };
 

@@ -237,13 +237,14 @@ void TracePicture::forget() {
     shown_.reset();
 }
 
-void TracePicture::show(std::shared_ptr<const Snapshot> snapshot, const Style& style, double exaggeration) {
+void TracePicture::show(std::shared_ptr<const Snapshot> snapshot, const Style& style, double exaggeration,
+                        relief::MessageId why) {
     clear(style);
     shown_ = std::move(snapshot);
     if (!shown_ || !shown_->request || !shown_->trace.onRelief) {
-        const auto why = !shown_ || !shown_->request ? relief::MessageId::DrawNoPicture
-                         : shown_->scenario.pixel    ? relief::MessageId::DrawNoRelief
-                                                     : relief::MessageId::DrawNoRay;
+        if (shown_ && shown_->request) {
+            why = shown_->scenario.pixel ? relief::MessageId::DrawNoRelief : relief::MessageId::DrawNoRay;
+        }
         addWords(QString::fromStdString(relief::sentence(relief::Message(why), style_.language)));
         return;
     }

@@ -37,7 +37,9 @@ class TracePicture {
     const std::shared_ptr<const Snapshot>& shown() const { return shown_; }
 
     // Replaces everything. style: in the pixels of the window; exaggeration: of heights.
-    void show(std::shared_ptr<const Snapshot> snapshot, const Style& style, double exaggeration);
+    // why: what is said where there is no snapshot.
+    void show(std::shared_ptr<const Snapshot> snapshot, const Style& style, double exaggeration,
+              relief::MessageId why = relief::MessageId::DrawNoPicture);
     void setColors(StepColors colors) { colors_ = colors; }  // of the steps shown next
     void setSize(const QSize& pixels);                       // of the window
     double relief() const { return relief_; }                // how much of its height, from the top, is not the legend

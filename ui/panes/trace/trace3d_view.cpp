@@ -116,7 +116,7 @@ void Trace3dView::showSnapshot() {
     note_->clear();
     takeSize();
     picture_.setColors(stepColors(pane_.colors));
-    picture_.show(snapshot, deviceStyle(), pane_.heights);
+    picture_.show(snapshot, deviceStyle(), pane_.heights, workspace_->whyEmpty());
     if (picture_.scene() == nullptr) return render();
     placed_ ? picture_.showAll() : picture_.fit();
     placed_ = true;

@@ -11,7 +11,7 @@ PaneKind tracePane() {
     kind.title = Trace3dView::tr("Trace 3-D");
     kind.tab = Trace3dView::tr("Trace 3-D", "tab");
     kind.help = Trace3dView::tr("The ray through the relief, in space");
-    kind.home = Home::High;
+    kind.place = DockPlace::UpperRight;
     kind.make = makePane<Trace3dView>;
     kind.figures = {{"trace", false, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
                          return traceFigure(std::move(s), step, {p.trace.heights, stepColors(p.trace.colors), {}});

@@ -1,0 +1,243 @@
+// Layouts that fit: on the usual projector, on a desk, large; in both languages; filled, taught with, projected.
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QDockWidget>
+#include <QScreen>
+#include <QTableView>
+
+#include "layout_laws.h"
+#include "lessons/lessons.h"
+#include "panes/profile/profile_view.h"
+#include "panes/pyramid/pyramid_view.h"
+#include "panes/steps/step_sentence.h"
+#include "panes/steps/step_table.h"
+#include "window_fixture.h"
+#include "windows/layout_menu.h"
+#include "windows/message_bar.h"
+#include "windows/pane_title.h"
+#include "windows/program.h"
+#include "windows/step_bar.h"
+#include "windows/time_pane.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr int kLayoutMs = 150;
+
+class LayoutTest : public WindowTest {
+  protected:
+    void TearDown() override {
+        WindowTest::TearDown();
+        if (haveDisplay()) speak({});
+    }
+    QDockWidget* dock(const char* name) const { return window_->findChild<QDockWidget*>(QLatin1String(name)); }
+    void fill(const char* name) {
+        auto* const title = qobject_cast<PaneTitle*>(dock(name)->titleBarWidget());
+        Q_EMIT title->fillRequested();
+    }
+    void setSize(const QSize& size) {
+        window_->resize(size);
+        QTest::qWait(kLayoutMs);
+        window_->resetLayout();
+    }
+    // In every mode, with a sentence and a lesson's note.
+    void holdIn(const QSize& size) {
+        const std::vector<std::pair<const char*, std::function<void()>>> modes{
+            {"all", [] {}},
+            {"filled", [this] { fill("profile-pane"); }},
+            {"taught with", [this] { window_->setTeaching(true); }},
+        };
+        for (const bool projector : {false, true}) {
+            window_->setProjector(projector);
+            for (const auto& [name, enter] : modes) {
+                setSize(size);
+                enter();
+                QTest::qWait(kLayoutMs);
+                SCOPED_TRACE(std::to_string(size.width()) + " x " + std::to_string(size.height()) + ", " + name +
+                             (projector ? ", projector" : ""));
+                EXPECT_EQ(window_->size(), size);
+                EXPECT_TRUE(window_->messages()->isVisible()) << "the lesson's text";
+                for (const std::string& fault : layoutFaults(*window_)) ADD_FAILURE() << fault;
+            }
+        }
+        window_->setProjector(false);
+    }
+    void openLessonIn(const QString& language) {
+        speak(language);
+        openWindow(lessonScenario(QStringLiteral("unsafe_distance")));
+        window_->showLesson();
+        // The longest sentence: with the answer.
+        workspace_->chooseStep(static_cast<int>(snapshot()->trace.steps.size()) - 1);
+    }
+    std::map<QString, QRect> places() const {
+        std::map<QString, QRect> all;
+        for (const QDockWidget* const dock : window_->findChildren<QDockWidget*>()) {
+            if (!dock->visibleRegion().isEmpty()) all[dock->objectName()] = dock->geometry();
+        }
+        all[QStringLiteral("result")] = window_->centralWidget()->geometry();
+        return all;
+    }
+};
+
+TEST_F(LayoutTest, NothingIsCutAndNothingLiesOverAnother) {
+    openLessonIn(QStringLiteral("en"));
+    // The last is a screen of 3840 x 2160, on which all is drawn twice as large.
+    for (const QSize& size : {QSize(1280, 720), QSize(1366, 768), QSize(1600, 1000), QSize(1920, 1080)}) holdIn(size);
+}
+
+TEST_F(LayoutTest, NorInUkrainian) {
+    openLessonIn(QStringLiteral("uk"));
+    for (const QSize& size : {QSize(1280, 720), QSize(1366, 768)}) holdIn(size);
+}
+
+TEST_F(LayoutTest, ResetGivesTheModesLayout) {
+    openWindow(smallScenario());
+    window_->setProjector(true);
+    QTest::qWait(kLayoutMs);
+    const auto projected = places();
+    EXPECT_FALSE(projected.contains(QStringLiteral("scene-pane"))) << "nobody reads controls from the last row";
+    dock("rows-pane")->setFloating(true);
+    dock("profile-pane")->hide();
+    window_->resetLayout();
+    QTest::qWait(kLayoutMs);
+    EXPECT_EQ(places(), projected);
+    window_->setProjector(false);
+    window_->resetLayout();
+    QTest::qWait(kLayoutMs);
+    EXPECT_TRUE(places().contains(QStringLiteral("scene-pane")));
+    EXPECT_TRUE(places().contains(QStringLiteral("trace-pane")));
+    EXPECT_TRUE(places().contains(QStringLiteral("pyramid-pane")));
+    // In a low window one large pane instead of two small ones.
+    setSize({1280, 720});
+    QTest::qWait(kLayoutMs);
+    EXPECT_GT(dock("profile-pane")->height() + dock("pyramid-pane")->height(), 380);
+    EXPECT_EQ(places().contains(QStringLiteral("trace-pane")) + places().contains(QStringLiteral("pyramid-pane")) +
+                  places().contains(QStringLiteral("profile-pane")),
+              1);
+}
+
+TEST_F(LayoutTest, TheWindowIsAsItWasAfterTheProjector) {
+    openWindow(smallScenario());
+    window_->resize(1400, 880);
+    dock("charts-pane")->raise();
+    QTest::qWait(kLayoutMs);
+    const auto before = places();
+    const QSize size = window_->size();
+    for (const bool teaching : {false, true}) {
+        window_->setProjector(true);
+        QTest::qWait(kLayoutMs);
+        window_->setTeaching(teaching);
+        QTest::qWait(kLayoutMs);
+        window_->setProjector(false);
+        QTest::qWait(kLayoutMs);
+        EXPECT_EQ(window_->teaching(), teaching) << "the mode is another matter";
+        window_->setTeaching(false);
+        QTest::qWait(kLayoutMs);
+        EXPECT_EQ(window_->size(), size);
+        EXPECT_EQ(window_->windowState() & Qt::WindowFullScreen, 0);
+        EXPECT_EQ(places(), before);
+    }
+    // Maximised windows are maximised again.
+    window_->setWindowState(Qt::WindowMaximized);
+    window_->setProjector(true);
+    window_->setProjector(false);
+    EXPECT_TRUE(window_->isMaximized());
+}
+
+TEST_F(LayoutTest, TeachingShowsOnePaneThePictureAndTheStepInWords) {
+    openWindow(deepRay());
+    dock("pyramid-pane")->raise();
+    QTest::qWait(kLayoutMs);
+    const auto before = places();
+    window_->result()->setFocus();
+    QTest::keyClick(window_->result(), Qt::Key_T);
+    QTest::qWait(kLayoutMs);
+    EXPECT_TRUE(window_->teaching());
+    EXPECT_GT(window_->pane<PyramidView>()->width(), window_->width() * 3 / 5);
+    EXPECT_TRUE(window_->result()->isVisible());
+    EXPECT_TRUE(window_->time()->bar()->isVisible());
+    EXPECT_FALSE(window_->time()->table()->isVisible());
+    const auto* const words = window_->centralWidget()->findChild<StepSentence*>();
+    ASSERT_TRUE(words->isVisible());
+    EXPECT_EQ(words->text(), window_->time()->table()->sentence());
+    // Another pane, a step on: the same view.
+    QTest::keyClick(window_.get(), Qt::Key_6);
+    QTest::qWait(kLayoutMs);
+    EXPECT_TRUE(window_->teaching());
+    EXPECT_GT(window_->pane<ProfileView>()->width(), window_->width() * 3 / 5);
+    const QString said = words->text();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Comma);
+    EXPECT_NE(words->text(), said);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_T);
+    QTest::qWait(kLayoutMs);
+    EXPECT_FALSE(window_->teaching());
+    EXPECT_EQ(places(), before);
+    EXPECT_FALSE(words->isVisible());
+}
+
+TEST_F(LayoutTest, AFilledPaneKeepsTheStepInWords) {
+    openWindow(deepRay());
+    fill("profile-pane");
+    QTest::qWait(kLayoutMs);
+    const auto* const words = window_->time()->findChild<StepSentence*>(QString(), Qt::FindDirectChildrenOnly);
+    ASSERT_TRUE(words->isVisible());
+    EXPECT_EQ(words->text(), window_->time()->table()->sentence());
+    EXPECT_GT(window_->pane<ProfileView>()->height(), window_->height() * 7 / 10);
+    fill("profile-pane");
+    QTest::qWait(kLayoutMs);
+    EXPECT_FALSE(words->isVisible());
+}
+
+TEST_F(LayoutTest, LayoutsOfOnesOwnAreKept) {
+    openWindow(smallScenario());
+    auto* layouts = window_->findChild<LayoutMenu*>();
+    ASSERT_NE(layouts, nullptr);
+    dock("rows-pane")->raise();
+    dock("scene-pane")->hide();
+    QTest::qWait(kLayoutMs);
+    const auto mine = places();
+    layouts->save(QStringLiteral("rows & no controls"));
+    window_->setTeaching(true);
+    layouts->save(QStringLiteral("taught"));
+    window_->setTeaching(false);
+    window_->resetLayout();
+    QTest::qWait(kLayoutMs);
+    EXPECT_NE(places(), mine);
+    // In another window as well.
+    window_.reset();
+    workspace_.reset();
+    openWindow(smallScenario());
+    layouts = window_->findChild<LayoutMenu*>();
+    EXPECT_EQ(LayoutMenu::names(), (QStringList{QStringLiteral("rows & no controls"), QStringLiteral("taught")}));
+    layouts->choose(QStringLiteral("taught"));
+    QTest::qWait(kLayoutMs);
+    EXPECT_TRUE(window_->teaching());
+    layouts->choose(QStringLiteral("rows & no controls"));
+    QTest::qWait(kLayoutMs);
+    EXPECT_FALSE(window_->teaching());
+    EXPECT_EQ(places(), mine);
+    for (const QString& name : LayoutMenu::names()) layouts->remove(name);
+    EXPECT_TRUE(LayoutMenu::names().isEmpty());
+}
+
+TEST_F(LayoutTest, TheHelpFitsTheScreen) {
+    openWindow(smallScenario());
+    for (const bool projector : {false, true}) {
+        window_->setProjector(projector);
+        QTest::keyClick(window_.get(), Qt::Key_F1);
+        auto* const dialog = window_->findChild<QDialog*>();
+        ASSERT_NE(dialog, nullptr);
+        QTest::qWait(kLayoutMs);
+        EXPECT_LE(dialog->height(), QApplication::primaryScreen()->availableSize().height());
+        EXPECT_LE(dialog->width(), QApplication::primaryScreen()->availableSize().width());
+        EXPECT_GT(dialog->height(), 400);
+        delete dialog;
+    }
+    window_->setProjector(false);
+}
+
+}  // namespace
+
+}  // namespace reliefui

@@ -1,0 +1,36 @@
+#include "windows/home_view.h"
+
+#include "windows/scene_panel.h"
+
+namespace reliefui {
+
+HomeView::HomeView(Workspace* workspace, QObject* parent)
+    : QObject(parent), workspace_(workspace), seen_(workspace->scenario()), camera_(seen_.camera) {
+    connect(workspace_, &Workspace::scenarioChanged, this, &HomeView::watch);
+}
+
+// A scenario that came whole brings its own camera; turning the camera or going to a bookmark leaves the rest as it is.
+// On another ground: the slanted view.
+void HomeView::watch() {
+    const relief::Scenario& now = workspace_->scenario();
+    relief::Scenario turned = seen_;
+    turned.camera = now.camera;
+    turned.pixel = now.pixel;
+    turned.step = now.step;
+    const bool whole = !(now.camera == seen_.camera) && !(relief::withNotesOf(turned, now) == now);
+    if (whole) {
+        camera_ = now.camera;
+    } else if (now.scene != seen_.scene) {
+        camera_ = presetCamera(viewPresets()[1], now.scene);
+        camera_.fov = now.camera.fov;
+    }
+    seen_ = now;
+}
+
+void HomeView::go() {
+    relief::Scenario scenario = workspace_->scenario();
+    scenario.camera = camera_;
+    workspace_->change(scenario, tr("First view"));
+}
+
+}  // namespace reliefui
