@@ -228,7 +228,9 @@ void MainWindow::makeMessages() {
 
 void MainWindow::tell(const QString& text, bool problem) {
     problem ? messages_->showProblem(text) : messages_->showNotice(text);
-    messagePictures_ = workspace_->scenario().pictures;
+    // Of what is being opened, if anything is.
+    messagePictures_.reset();
+    if (workspace_->version() > 0 && !workspace_->loading()) messagePictures_ = workspace_->scenario().pictures;
     // What turned out impossible is taken back after that.
     QTimer::singleShot(0, this, [this] { messageVersion_ = workspace_->version(); });
     messageVersion_ = 0;
@@ -242,7 +244,9 @@ void MainWindow::dropStaleMessage() {
     const auto snapshot = workspace_->snapshot();
     const bool shown = snapshot && !snapshot->coarse && snapshot->version == workspace_->version();
     const bool later = messageVersion_ != 0 && shown && snapshot->version > messageVersion_;
-    const bool others = messagePictures_ && !(*messagePictures_ == workspace_->scenario().pictures);
+    const relief::Pictures& pictures = workspace_->scenario().pictures;
+    if (!messagePictures_) messagePictures_ = pictures;
+    const bool others = !(*messagePictures_ == pictures);
     if (others || (messages_->isProblem() && later)) messages_->close();
 }
 

@@ -98,6 +98,7 @@ class MainWindow : public QMainWindow {
     void languageChosen(const QString& language);
 
   protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -188,6 +189,7 @@ class MainWindow : public QMainWindow {
     TopBar* topBar_ = nullptr;
     std::vector<Pane> panes_;
     LayoutPlan plan_;
+    bool arranged_ = false;  // as the plan has it, and nobody has changed it
     View view_ = View::All;
     QWidget* filled_ = nullptr;  // the pane that fills the window
     // The panes of the desktop and of the projector while something else is shown; empty: as the plan has them.

@@ -65,6 +65,7 @@ void MainWindow::arrange() {
     }
     if (plan_.oneStack) looked->raise();
     dressTabs();
+    arranged_ = true;
     shareRoom();
     // Again when the window has its size: before that, docks are as small as they can be.
     QTimer::singleShot(0, this, &MainWindow::shareRoom);
@@ -90,18 +91,22 @@ QDockWidget* MainWindow::lookedAt() const {
     return chosen != nullptr ? chosen : dockOf(QStringLiteral("profile"));
 }
 
+// Until somebody moves what stands between the panes.
 void MainWindow::shareRoom() {
+    if (!arranged_) return;
     const auto part = [](double of, double share) { return static_cast<int>(of * share); };
     QDockWidget* const upper = front(DockPlace::UpperRight);
     QDockWidget* const lower = front(DockPlace::LowerRight);
     QDockWidget* const steps = front(DockPlace::Bottom);
-    resizeDocks({front(DockPlace::Left), upper}, {part(width(), plan_.left), part(width(), plan_.right)},
-                Qt::Horizontal);
+    if (plan_.controls) resizeDocks({front(DockPlace::Left)}, {part(width(), plan_.left)}, Qt::Horizontal);
+    resizeDocks({upper}, {part(width(), plan_.right)}, Qt::Horizontal);
     if (plan_.table) resizeDocks({steps}, {part(height(), plan_.steps)}, Qt::Vertical);
     // Of the room there is: what asks for more makes the window larger, perhaps than the screen.
     const int room = upper->height() + lower->height();
     if (!plan_.oneStack)
         resizeDocks({upper, lower}, {part(room, plan_.upper), part(room, 1 - plan_.upper)}, Qt::Vertical);
+    // Their bars have another width.
+    QTimer::singleShot(0, this, &MainWindow::dressTabs);
 }
 
 void MainWindow::closePane(QWidget* whole) {
@@ -248,9 +253,15 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     QTimer::singleShot(0, this, &MainWindow::dressTabs);
     Style style = workspace_->style();
+    QTimer::singleShot(0, this, &MainWindow::shareRoom);
     if (!style.projector) return;
     style.projectorScale = projectorScale(height());
     if (!(style == workspace_->style())) takeType(style);
+}
+
+bool MainWindow::event(QEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress) arranged_ = false;
+    return QMainWindow::event(event);
 }
 
 // Qt makes a bar of tabs where docks lie behind each other, and knows their titles alone. All of a bar in type that
@@ -278,6 +289,7 @@ void MainWindow::dressTabs() {
 
 // Messages are where they are now, whatever was there when the state was kept.
 void MainWindow::restorePanes(const QByteArray& state) {
+    arranged_ = false;
     restoreState(state);
     dressTabs();
     showMessages();
@@ -345,7 +357,8 @@ void MainWindow::fitScreen() {
     const QSize room = area.size() - QSize(frame, 2 * frame);
     resize(size().boundedTo(room));
     move(area.topLeft() + QPoint((area.width() - width()) / 2, (area.height() - height()) / 2));
-    if (size() == room || width() == room.width()) setWindowState(windowState() | Qt::WindowMaximized);
+    const bool all = width() >= room.width() || height() >= room.height();
+    if (all) setWindowState(windowState() | Qt::WindowMaximized);
 }
 
 void MainWindow::setLightTheme(bool on) {

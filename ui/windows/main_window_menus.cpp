@@ -16,6 +16,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <QVBoxLayout>
 
 #include "panes/figure_view.h"
@@ -354,10 +355,11 @@ void MainWindow::showShortcuts() {
     column->addWidget(buttons);
     // All of it, or what fits the screen: the list scrolls.
     constexpr double kMost = 0.85;
-    QTextDocument* const document = list->document();
-    document->setTextWidth(-1);
-    const QSize wanted = document->size().toSize() + QSize(60, 80);
-    dialog->resize(wanted.boundedTo(screen()->availableSize() * kMost));
+    QTextDocument document;
+    document.setDefaultFont(dialog->font());
+    document.setHtml(list->toHtml());
+    const QSize around(60, 80);
+    dialog->resize((document.size().toSize() + around).boundedTo(screen()->availableSize() * kMost));
     dialog->show();
 }
 

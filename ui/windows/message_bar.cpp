@@ -10,6 +10,12 @@
 
 namespace reliefui {
 
+namespace {
+
+constexpr int kLeastWidth = 200;  // of the text
+
+}  // namespace
+
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), row_(new QHBoxLayout(this)), sign_(new QLabel(this)), label_(new QLabel(this)) {
     setObjectName(QStringLiteral("message-bar"));
@@ -72,7 +78,8 @@ void MessageBar::fitHeight() {
     const int side = sign_->sizeHint().width() + 2 * row_->spacing() + row_->contentsMargins().left();
     int answers = 0;
     for (int n = 2; n < row_->count(); ++n) answers += row_->itemAt(n)->sizeHint().width() + row_->spacing();
-    const int height = label_->heightForWidth(std::max(1, width() - side - answers));
+    const QRect room(0, 0, std::max(kLeastWidth, width() - side - answers), 1 << 20);
+    const int height = label_->fontMetrics().boundingRect(room, Qt::TextWordWrap, label_->text()).height();
     if (label_->minimumHeight() != height) label_->setFixedHeight(height);
 }
 

@@ -20,6 +20,8 @@ class PaneTitle : public QWidget {
     void setClosable();
     // A line beside the name.
     void setNote(const QString& note);
+    // Hidden, it takes no room of its pane.
+    QSize sizeHint() const override { return isHidden() ? QSize(0, 0) : QWidget::sizeHint(); }
 
   signals:
     void fillRequested();

@@ -78,7 +78,9 @@ void TopBar::makeFilter() {
 // The slider goes first where there is no room for all: the number can still be turned in its box.
 void TopBar::resizeEvent(QResizeEvent* event) {
     constexpr int kWide = 150;  // letters
-    depth_->slider()->setVisible(width() > kWide * fontMetrics().averageCharWidth());
+    const bool wide = width() > kWide * fontMetrics().averageCharWidth();
+    depth_->slider()->setVisible(wide);
+    depth_->setSizePolicy(wide ? QSizePolicy::Preferred : QSizePolicy::Maximum, QSizePolicy::Preferred);
     QToolBar::resizeEvent(event);
 }
 

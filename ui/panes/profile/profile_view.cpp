@@ -185,6 +185,8 @@ void ProfileView::guessAt(double lambda) {
     options_.guess = std::clamp(lambda, 0.0, frame_.lambdaEnd);
     guessed_ = workspace_->version();
     workspace_->setGuessing(false);
+    // The answer.
+    workspace_->chooseStep(static_cast<int>(shown_->trace.steps.size()) - 1);
 }
 
 void ProfileView::showEmpty(relief::MessageId why) {
