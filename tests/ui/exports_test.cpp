@@ -376,7 +376,7 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     openWindow(scenario);
     const QTemporaryDir folder;
     const QString trace = folder.filePath(QStringLiteral("trace.png"));
-    window_->pane<Trace3dView>()->saveFigure(trace, 900);
+    window_->pane<Trace3dView>()->saveFigure({trace, 900});
     const QImage solid(trace);
     ASSERT_EQ(solid.width(), 900);
     Style style = workspace_->style();
@@ -388,7 +388,7 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     window_->pane<PyramidView>()->setStacked(true);
     grab(window_->pane<PyramidView>());
     const QString slabs = folder.filePath(QStringLiteral("slabs.png"));
-    window_->pane<PyramidView>()->saveFigure(slabs, 900);
+    window_->pane<PyramidView>()->saveFigure({slabs, 900});
     EXPECT_EQ(QImage(slabs).width(), 900);
     EXPECT_GT(colorsIn(QImage(slabs)), 30);
     // They fill the page.
@@ -409,7 +409,7 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     EXPECT_GT(colorsIn(grab(window_->pane<Trace3dView>())), 30);
     for (const QString& view : {QStringLiteral("result"), QStringLiteral("steps"), QStringLiteral("skipped")}) {
         const QString path = folder.filePath(view + QStringLiteral(".png"));
-        window_->saveView(view, path, 640);
+        window_->saveView(view, {path, 640});
         ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path); }, 10000));
         EXPECT_EQ(QImage(path).width(), 640) << view.toStdString();
         EXPECT_GT(colorsIn(QImage(path)), 8) << view.toStdString();
@@ -417,11 +417,11 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     // The chosen step is the one that the table marks.
     workspace_->chooseStep(0);
     const QString first = folder.filePath(QStringLiteral("first.svg"));
-    window_->saveView(QStringLiteral("steps"), first);
+    window_->saveView(QStringLiteral("steps"), {first});
     ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(first); }, 10000));
     workspace_->chooseStep(2);
     const QString third = folder.filePath(QStringLiteral("third.svg"));
-    window_->saveView(QStringLiteral("steps"), third);
+    window_->saveView(QStringLiteral("steps"), {third});
     ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(third); }, 10000));
     EXPECT_NE(contents(first), contents(third));
     EXPECT_TRUE(contents(third).contains(window_->time()->table()->sentence().left(12).toUtf8()));

@@ -71,7 +71,7 @@ QImage WindowTest::grab(QWidget* widget) {
 }
 
 void WindowTest::saveFigure(FigureView* view, const QString& path, int pixels) {
-    view->saveFigure(path, pixels);
+    view->saveFigure({path, pixels});
     EXPECT_TRUE(QTest::qWaitFor([&] { return !view->saving(); }, kPatienceMs)) << path.toStdString();
 }
 

@@ -1,7 +1,13 @@
 #include "panes/figure_export.h"
 
+#include <QCheckBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QFileInfo>
-#include <QInputDialog>
+#include <QFormLayout>
+#include <QSettings>
+#include <QSpinBox>
 
 #include "panes/figure_view.h"
 #include "panes/file_dialogs.h"
@@ -12,8 +18,59 @@ namespace {
 
 constexpr int kStandardWidth = 1600;  // pixels
 constexpr int kLeastWidth = 160;
-constexpr int kMostWidth = 15000;
+constexpr int kMostWidth = 16384;
+constexpr double kLeastMm = 20;
+constexpr double kMostMm = 500;
 constexpr double kMmPerInch = 25.4;
+
+QString settingOf(const char* option) {
+    return QStringLiteral("figures/") + QString::fromLatin1(option);
+}
+
+// Changes file to what is chosen; false: it was called off.
+bool askFigureOptions(QWidget* parent, const QString& title, bool png, FigureFile& file) {
+    QSettings settings;
+    QDialog dialog(parent);
+    dialog.setWindowTitle(title);
+    auto* const form = new QFormLayout(&dialog);
+    auto* const width = new QDoubleSpinBox(&dialog);
+    width->setObjectName(QStringLiteral("figure-width"));
+    width->setLocale(QLocale::c());
+    width->setDecimals(0);
+    width->setRange(kLeastMm, kMostMm);
+    width->setValue(settings.value(settingOf("mm"), file.widthMm).toDouble());
+    width->setToolTip(FigureView::tr("On paper; letters and lines are as large on any width"));
+    form->addRow(FigureView::tr("Width, mm:"), width);
+    auto* const pixels = new QSpinBox(&dialog);
+    pixels->setObjectName(QStringLiteral("figure-pixels"));
+    pixels->setRange(kLeastWidth, kMostWidth);
+    pixels->setSingleStep(100);
+    pixels->setValue(settings.value(settingOf("pixels"), kStandardWidth).toInt());
+    if (png) form->addRow(FigureView::tr("Width, pixels:"), pixels);
+    pixels->setVisible(png);
+    auto* const caption = new QCheckBox(FigureView::tr("Say below what is shown of what"), &dialog);
+    caption->setObjectName(QStringLiteral("figure-caption"));
+    caption->setChecked(settings.value(settingOf("caption"), true).toBool());
+    form->addRow(caption);
+    auto* const dark = new QCheckBox(FigureView::tr("Light on dark, as in the window"), &dialog);
+    dark->setObjectName(QStringLiteral("figure-dark"));
+    dark->setChecked(settings.value(settingOf("dark"), false).toBool());
+    form->addRow(dark);
+    auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    form->addRow(buttons);
+    if (dialog.exec() != QDialog::Accepted) return false;
+    file.widthMm = width->value();
+    file.pixels = png ? pixels->value() : 0;
+    file.caption = caption->isChecked();
+    file.dark = dark->isChecked();
+    settings.setValue(settingOf("mm"), file.widthMm);
+    if (png) settings.setValue(settingOf("pixels"), file.pixels);
+    settings.setValue(settingOf("caption"), file.caption);
+    settings.setValue(settingOf("dark"), file.dark);
+    return true;
+}
 
 }  // namespace
 
@@ -24,17 +81,14 @@ std::optional<FigureFile> askFigureFile(QWidget* parent, const QString& title, c
     file.path = askSaveFile(parent, QStringLiteral("figures"), title, name + ending, FigureView::tr("Figures") + known);
     if (file.path.isEmpty()) return std::nullopt;
     if (QFileInfo(file.path).suffix().isEmpty()) file.path += ending;
-    if (QFileInfo(file.path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {
-        bool accepted = false;
-        file.pixels = QInputDialog::getInt(parent, title, FigureView::tr("Width, pixels:"), kStandardWidth, kLeastWidth,
-                                           kMostWidth, 100, &accepted);
-        if (!accepted) return std::nullopt;
-    }
-    return file;
+    const bool png = QFileInfo(file.path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0;
+    return askFigureOptions(parent, title, png, file) ? std::optional(file) : std::nullopt;
 }
 
 QString saveFigureFile(const Figure& figure, FigurePage page, const FigureFile& file) {
-    page.style.theme = Theme::Light;
+    if (!file.dark) page.style.theme = Theme::Light;
+    page.widthMm = file.widthMm;
+    page.caption = file.caption;
     // So many pixels of the same page: text grows with the picture.
     if (file.pixels > 0) page.dpi = file.pixels / page.widthMm * kMmPerInch;
     try {

@@ -13,13 +13,17 @@ namespace reliefui {
 
 struct FigureFile {
     QString path;
-    int pixels = 0;  // the width of a PNG; 0: the standard
+    int pixels = 0;        // the width of a PNG; 0: the standard
+    double widthMm = 160;  // on the page; letters and lines have the same size on any
+    bool dark = false;     // as in the window; else as in print
+    bool caption = true;
 };
 
-// name: of the view and of the file. vectors: SVG and PDF, too. Nothing: it was called off.
+// Where to, then how; what was chosen is offered again the next time. name: of the view and of the file. vectors: SVG
+// and PDF, too. Nothing: it was called off.
 std::optional<FigureFile> askFigureFile(QWidget* parent, const QString& title, const QString& name, bool vectors);
 
-// As in print: dark on white. Empty: done; else why not, in a line.
+// Empty: done; else why not, in a line.
 QString saveFigureFile(const Figure& figure, FigurePage page, const FigureFile& file);
 
 }  // namespace reliefui

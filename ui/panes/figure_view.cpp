@@ -9,7 +9,6 @@
 #include <QMenu>
 #include <QTimer>
 
-#include "panes/figure_export.h"
 #include "panes/gl_release.h"
 #include "workspace/aside.h"
 #include "workspace/pane_states.h"
@@ -119,13 +118,13 @@ void FigureView::askPoint(const QPointF& widget) {
 void FigureView::askFigure() {
     const auto shown = figure();
     const bool vectors = !shown || shown->vectors();
-    if (const auto file = askFigureFile(this, dialog_, name_, vectors)) saveFigure(file->path, file->pixels);
+    if (const auto file = askFigureFile(this, dialog_, name_, vectors)) saveFigure(*file);
 }
 
-void FigureView::saveFigure(const QString& path, int pixels) {
+void FigureView::saveFigure(const FigureFile& file) {
     const auto shown = figure();
     if (!shown) return;
-    drawAside(*shown, [this, shown, page = page(), file = FigureFile{path, pixels}]() -> std::function<void()> {
+    drawAside(*shown, [this, shown, page = page(), file]() -> std::function<void()> {
         const QString problem = saveFigureFile(*shown, page, file);
         if (problem.isEmpty()) return [this, path = file.path] { Q_EMIT saved(path); };
         return [this, problem] { Q_EMIT workspace_->problem(problem); };

@@ -9,7 +9,7 @@
 #include <QImage>
 #include <QWidget>
 
-#include "panes/figure.h"
+#include "panes/figure_export.h"
 #include "workspace/mailbox.h"
 #include "workspace/pane_states.h"
 #include "workspace/workspace.h"
@@ -31,9 +31,8 @@ class FigureView : public QWidget {
     void giveBack();
 
   public slots:
-    // SVG, PDF or PNG, by the ending; drawn aside, and said when it is done, or why not. pixels: the width of a PNG; 0:
-    // the standard.
-    void saveFigure(const QString& path, int pixels = 0);
+    // SVG, PDF or PNG, by the ending; drawn aside, and said when it is done, or why not.
+    void saveFigure(const reliefui::FigureFile& file);
     // Drawn aside as well.
     void copyPicture();
     // Asks where to first.

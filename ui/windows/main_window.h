@@ -63,8 +63,8 @@ class MainWindow : public QMainWindow {
     // The drawn picture as it is, without marks, in the format of its ending, on request with the layer's legend below;
     // says when it is done, or why not.
     void savePicture(const QString& path, bool legend = false);
-    // One of the views that have no export of their own: "result", "steps", "skipped". pixels: the width of a PNG.
-    void saveView(const QString& view, const QString& path, int pixels = 0);
+    // One of the views that have no export of their own: "result", "steps", "skipped".
+    void saveView(const QString& view, const FigureFile& file);
 
     // Size, panes and theme, from one window to the next, in the settings. A pane that fills the window, teaching and
     // the projector's layout are not kept: what was there before them is.

@@ -104,41 +104,53 @@ void MainWindow::savePicture(const QString& path, bool legend) {
 }
 
 void MainWindow::askView(const QString& view) {
-    const auto file = askFigureFile(this, tr("Export figure"), view, true);
-    if (file) saveView(view, file->path, file->pixels);
+    if (const auto file = askFigureFile(this, tr("Export figure"), view, true)) saveView(view, *file);
 }
 
-void MainWindow::saveView(const QString& view, const QString& path, int pixels) {
+void MainWindow::saveView(const QString& view, const FigureFile& file) {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
     const relief::Scenario& now = workspace_->scenario();
-    const auto figure = figureKind(view.toStdString()).make(snapshot, now.step, panesOf(now));
+    std::shared_ptr<const Figure> figure;
+    try {
+        figure = figureKind(view.toStdString()).make(snapshot, now.step, panesOf(now));
+    } catch (const relief::InputError&) {
+        Q_EMIT workspace_->problem(tr("There is nothing to export in this pane: choose a pixel on the relief first."));
+        return;
+    }
     FigurePage page;
     page.title = view.toStdString();
     page.style = workspace_->style();
     // Drawn aside, as the panes' are.
-    runAside([this, figure, page, path, pixels, back = mailbox_.address()] {
-        const QString problem = saveFigureFile(*figure, page, {path, pixels});
-        back.post([this, path, problem] {
+    runAside([this, figure, page, file, back = mailbox_.address()] {
+        const QString problem = saveFigureFile(*figure, page, file);
+        back.post([this, file, problem] {
             if (!problem.isEmpty()) {
                 Q_EMIT workspace_->problem(problem);
             } else {
-                statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
+                statusBar()->showMessage(tr("Saved: %1").arg(file.path), kMessageMs);
             }
         });
     });
 }
 
-// Of the pane in which the keyboard is; the result where it is in none.
+// Of the pane that fills the window; else of the one in which the keyboard is; the result where it is in none.
 void MainWindow::exportFocused() {
-    QWidget* at = QApplication::focusWidget();
-    for (; at != nullptr; at = at->parentWidget()) {
-        if (auto* const figure = qobject_cast<FigureView*>(at)) return figure->askFigure();
-        const auto* const dock = qobject_cast<QDockWidget*>(at);
+    const auto exportPane = [this](const Pane& pane) {
+        auto* const figure = pane.dock != nullptr ? qobject_cast<FigureView*>(pane.dock->widget()) : nullptr;
+        if (figure != nullptr) {
+            figure->askFigure();
+        } else if (!pane.kind.figures.empty()) {
+            askView(pane.kind.name);
+        }
+        return figure != nullptr || !pane.kind.figures.empty();
+    };
+    for (const Pane& pane : panes_) {
+        if (filled_ != nullptr && pane.whole == filled_ && exportPane(pane)) return;
+    }
+    for (QWidget* at = QApplication::focusWidget(); at != nullptr; at = at->parentWidget()) {
         for (const Pane& pane : panes_) {
-            if (dock == nullptr || dock != pane.dock) continue;
-            if (auto* const figure = qobject_cast<FigureView*>(dock->widget())) return figure->askFigure();
-            if (!pane.kind.figures.empty()) return askView(pane.kind.name);
+            if (pane.dock != nullptr && pane.dock == at && exportPane(pane)) return;
         }
     }
     askView(QStringLiteral("result"));
