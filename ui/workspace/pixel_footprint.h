@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct RayHit {
 
 struct PixelFootprint {
     relief::FilterChoice filter;
+    std::optional<relief::EllipticalSettings> weighing;  // of filters that weigh the texels of an ellipse
     // Texels: those that the filter logged, those that readings at points take otherwise. Each once with its whole
     // weight, at its centre, and once more with the weight that is hidden.
     relief::FootprintLog log;

@@ -14,6 +14,7 @@
 #include "relief/cell_record.h"
 #include "relief/maps/distance_map.h"
 #include "relief/methods/distance_walk_lanes.h"
+#include "relief/ray_length.h"
 
 namespace relief {
 
@@ -53,7 +54,7 @@ class DistanceWalk {
     bool serves(const GridRay& ray) const { return std::hypot(ray.x.run, ray.y.run) <= map_->maxRun && ray.inDomain(); }
     // Of the map's metric, a unit of lambda.
     double perLambda(const GridRay& ray) const {
-        return std::hypot(std::hypot(ray.x.run, ray.y.run), map_->slabTexels);
+        return texelsPerLambda(ray.x.run, ray.y.run, map_->slabTexels);
     }
     // Steps after which it is given up.
     double records(const GridRay& ray) const {

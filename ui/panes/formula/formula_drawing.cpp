@@ -1,0 +1,240 @@
+#include "panes/formula/formula_drawing.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "painting/formula_text.h"
+
+namespace reliefui {
+
+namespace {
+
+// Points.
+constexpr double kLine = 13.5;
+constexpr double kNoteLine = 12;
+constexpr double kGap = 9;              // between what stands on one line
+constexpr double kIndent = 10;          // of what belongs to the line above
+constexpr double kBetweenGroups = 9;
+constexpr double kBetweenColumns = 20;
+constexpr double kLeastColumn = 290;    // where there is more than one
+constexpr double kLeastSheet = 225;     // narrower ones are set smaller
+constexpr std::size_t kMostColumns = 3;
+constexpr double kRowSize = kChartText;
+constexpr double kNoteSize = 0.78;
+constexpr double kTitleSize = 0.95;
+
+std::string valueText(const FormulaValue& value) {
+    return value.symbol + " = " + formulaNumber(value.number);
+}
+
+// One group in a column of this width. Its parts are measured first, so that the group's lines are set alike.
+class GroupSheet {
+  public:
+    GroupSheet(const FormulaGroup& group, double x, double width) : group_(group), x_(x), width_(width) { measure(); }
+
+    // From y down; where it ends.
+    double set(Drawing& drawing, double y) {
+        drawing_ = &drawing;
+        y_ = y;
+        words(group_.title, kTitleSize, Role::Title, 0, true, false);
+        drawing.add({}, Role::Frame, Polyline{{{x_, y_}, {x_ + width_, y_}}, false});
+        y_ += 2;
+        if (!group_.note.empty()) words(group_.note, kNoteSize, Role::Layer, 0, false, true);
+        for (const FormulaRow& row : group_.rows) {
+            if (row.formula.empty()) {
+                list(row);
+            } else {
+                equation(row);
+            }
+        }
+        return y_;
+    }
+
+  private:
+    void measure() {
+        double numbers = 0;
+        for (const FormulaRow& row : group_.rows) {
+            if (!row.source.empty()) sources_ = std::max(sources_, kGap + textWidth(row.source, kNoteSize));
+            if (row.formula.empty()) {
+                cells_.resize(std::max(cells_.size(), row.values.size()), 0);
+                for (std::size_t c = 0; c < row.values.size(); ++c) {
+                    cells_[c] = std::max(cells_[c], formulaWidth(valueText(row.values[c]), kRowSize) + kGap);
+                }
+                continue;
+            }
+            equations_ = std::max(equations_, formulaWidth(row.formula, kRowSize));
+            if (!row.result.empty()) results_ = std::max(results_, formulaWidth("= " + row.result, kRowSize) + kGap);
+            if (!row.numbers.empty()) {
+                numbers = std::max(numbers, formulaWidth("= " + row.numbers, kNoteSize) + kGap);
+            }
+        }
+        inOneLine_ = equations_ + numbers + results_ + sources_ <= width_;
+        numbersAt_ = equations_ + kGap;
+        resultAt_ = inOneLine_ ? numbersAt_ + numbers : std::min(equations_, width_ - results_ - sources_) + kGap;
+    }
+
+    void label(double x, double y, const std::string& text, double size, Role role, Anchor anchor = Anchor::Left,
+               bool bold = false, bool formula = true) {
+        Label label;
+        label.at = {x_ + x, y};
+        label.text = plainText(text);
+        label.anchor = anchor;
+        label.size = size;
+        label.formula = formula;
+        drawing_->add({}, role, std::move(label), bold ? Emphasis::Strong : Emphasis::Normal);
+    }
+    // In as many lines as it takes.
+    void words(const std::string& text, double size, Role role, double indent, bool bold, bool formula) {
+        const double high = size == kTitleSize ? kLine + 1 : kNoteLine;
+        const auto lines = wrappedText(text, width_ - indent, [&](const std::string& line) {
+            return formula ? formulaWidth(line, size, bold) : textWidth(line, size, bold);
+        });
+        for (const std::string& line : lines) {
+            label(indent, y_ + high / 2, line, size, role, Anchor::Left, bold, formula);
+            y_ += high;
+        }
+    }
+    void source(const FormulaRow& row, double y) {
+        if (!row.source.empty()) label(width_, y, row.source, kNoteSize, Role::Layer, Anchor::Right, false, false);
+    }
+
+    void list(const FormulaRow& row) {
+        double x = 0;
+        source(row, y_ + kLine / 2);
+        for (std::size_t c = 0; c < row.values.size(); ++c) {
+            if (x > 0 && x + cells_[c] > width_ - (row.source.empty() ? 0 : sources_)) {
+                x = 0;
+                y_ += kLine;
+            }
+            label(x, y_ + kLine / 2, valueText(row.values[c]), kRowSize, Role::Label);
+            x += cells_[c];
+        }
+        y_ += kLine;
+    }
+
+    void equation(const FormulaRow& row) {
+        const double y = y_ + kLine / 2;
+        const auto lines = wrappedText(row.formula, width_ - (row.result.empty() ? sources_ : 0),
+                                       [](const std::string& line) { return formulaWidth(line, kRowSize); });
+        const bool apart = !row.result.empty() && formulaWidth(lines.back(), kRowSize) + kGap > resultAt_ + 0.5;
+        for (std::size_t l = 0; l < lines.size(); ++l) {
+            label(l > 0 ? kIndent : 0, y_ + kLine / 2, lines[l], kRowSize, Role::Label);
+            y_ += kLine;
+        }
+        if (inOneLine_) {
+            if (!row.numbers.empty()) label(numbersAt_, y, numbersOf(row), kNoteSize, Role::Layer);
+        } else if (!row.numbers.empty()) {
+            words(numbersOf(row), kNoteSize, Role::Layer, kIndent, false, true);
+        }
+        // Beside the equation; below it where that is too long.
+        double at = y;
+        if (!row.result.empty()) {
+            if (apart) {
+                at = y_ + kLine / 2;
+                y_ += kLine;
+            }
+            label(resultAt_, at, "= " + row.result, kRowSize, Role::Label);
+        }
+        source(row, at);
+    }
+    // A relation has its own sign.
+    static std::string numbersOf(const FormulaRow& row) {
+        return row.result.empty() ? row.numbers : "= " + row.numbers;
+    }
+
+    const FormulaGroup& group_;
+    double x_;
+    double width_;
+    double equations_ = 0, results_ = 0, sources_ = 0;  // widths
+    std::vector<double> cells_;                         // widths of lists' columns
+    bool inOneLine_ = true;
+    double numbersAt_ = 0, resultAt_ = 0;
+    Drawing* drawing_ = nullptr;
+    double y_ = 0;
+};
+
+// The sheet's columns: first group of each, and how high the highest is.
+struct Columns {
+    std::vector<std::size_t> first{0};
+    double height = std::numeric_limits<double>::infinity();
+};
+
+double heightOf(const std::vector<double>& heights, std::size_t from, std::size_t to) {
+    double height = 0;
+    for (std::size_t g = from; g < to; ++g) height += heights[g] + (g > from ? kBetweenGroups : 0);
+    return height;
+}
+
+// The split of the groups from `from` on into so many columns whose highest is least.
+Columns split(const std::vector<double>& heights, std::size_t from, std::size_t columns) {
+    Columns best;
+    if (columns == 1 || from + 1 >= heights.size()) return {{from}, heightOf(heights, from, heights.size())};
+    for (std::size_t next = from + 1; next < heights.size(); ++next) {
+        Columns rest = split(heights, next, columns - 1);
+        rest.height = std::max(rest.height, heightOf(heights, from, next));
+        if (rest.height >= best.height) continue;
+        rest.first.insert(rest.first.begin(), from);
+        best = std::move(rest);
+    }
+    return best;
+}
+
+double columnWidth(double width, std::size_t columns) {
+    return (width - kBetweenColumns * static_cast<double>(columns - 1)) / static_cast<double>(columns);
+}
+
+// As many as make the sheet least high.
+Columns columnsFor(const std::vector<FormulaGroup>& groups, double width, double& own) {
+    Columns best;
+    for (std::size_t n = 1; n <= std::min(kMostColumns, groups.size()); ++n) {
+        const double column = columnWidth(width, n);
+        if (n > 1 && column < kLeastColumn) break;
+        std::vector<double> heights;
+        for (const FormulaGroup& group : groups) {
+            Drawing tried;
+            heights.push_back(GroupSheet(group, 0, column).set(tried, 0));
+        }
+        Columns columns = split(heights, 0, n);
+        if (columns.height >= best.height) continue;
+        best = std::move(columns);
+        own = column;
+    }
+    return best;
+}
+
+void scale(Drawing& drawing, double by) {
+    for (Item& item : drawing.items) {
+        if (auto* const label = std::get_if<Label>(&item.primitive)) {
+            label->at = {label->at.x * by, label->at.y * by};
+            label->size *= by;
+        } else if (auto* const line = std::get_if<Polyline>(&item.primitive)) {
+            for (Point& p : line->points) p = {p.x * by, p.y * by};
+        }
+    }
+    drawing.bounds = {0, 0, drawing.bounds.x1 * by, drawing.bounds.y1 * by};
+}
+
+}  // namespace
+
+Drawing formulaDrawing(const std::vector<FormulaGroup>& groups, double width) {
+    const double set = std::max(width, kLeastSheet);
+    double column = set;
+    const Columns columns = columnsFor(groups, set, column);
+    Drawing drawing;
+    double bottom = 0;
+    for (std::size_t c = 0; c < columns.first.size(); ++c) {
+        const std::size_t end = c + 1 < columns.first.size() ? columns.first[c + 1] : groups.size();
+        const double x = static_cast<double>(c) * (column + kBetweenColumns);
+        double y = 0;
+        for (std::size_t g = columns.first[c]; g < end; ++g) {
+            if (g > columns.first[c]) y += kBetweenGroups;
+            y = GroupSheet(groups[g], x, column).set(drawing, y);
+        }
+        bottom = std::max(bottom, y);
+    }
+    drawing.bounds = {0, 0, set, bottom};
+    if (width < set) scale(drawing, width / set);
+    return drawing;
+}
+
+}  // namespace reliefui
