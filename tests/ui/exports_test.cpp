@@ -23,13 +23,13 @@ namespace {
 constexpr int kPatienceMs = 60000;
 
 // No display and no platform asked for, Ukrainian.
-int exportFigure(const QStringList& arguments, QString* complaint) {
+int exportFigure(const QStringList& arguments, QString* complaint, const char* language = "uk_UA.UTF-8") {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
         environment.remove(QLatin1String(name));
     }
-    environment.insert(QStringLiteral("LC_ALL"), QStringLiteral("uk_UA.UTF-8"));
+    environment.insert(QStringLiteral("LC_ALL"), QLatin1String(language));
     environment.insert(QStringLiteral("LIBGL_ALWAYS_SOFTWARE"), QStringLiteral("1"));  // as the stored figures
     environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
     process.setProcessEnvironment(environment);
@@ -175,6 +175,27 @@ TEST(Exports, whatMethodsLookAtIsAsStored) {
                                                    folder.filePath(QStringLiteral("figure.png")), pictureSize());
             expectGolden(picture, std::string(view) + "-" + shown.name);
         }
+    }
+}
+
+// In English and dark: a descent of the paper's recursion, and how an ellipse's texels are weighed.
+TEST(Exports, formulasAndWeightsAreAsStored) {
+    const QTemporaryDir folder;
+    relief::Scenario scenario = deepRay();
+    scenario.filter.name = "elliptical";
+    scenario.filter.options = {{"levels", "exhaustive"}};
+    scenario.step = 2;
+    const QString file = folder.filePath(QStringLiteral("scenario.json"));
+    relief::saveScenario(file.toStdString(), scenario);
+    for (const char* const view : {"formula", "footprint"}) {
+        const QString path = folder.filePath(QString::fromLatin1(view) + QStringLiteral(".png"));
+        QString complaint;
+        const int status = exportFigure(QStringList{file, QStringLiteral("--export"), QString::fromLatin1(view),
+                                                    QStringLiteral("-o"), path, QStringLiteral("--dark")} +
+                                            pictureSize(),
+                                        &complaint, "C.UTF-8");
+        EXPECT_EQ(status, 0) << complaint.toStdString();
+        expectGolden(path, std::string(view) + "-english");
     }
 }
 

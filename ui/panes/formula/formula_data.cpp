@@ -57,14 +57,12 @@ class Groups {
     std::string with(double value, MessageId unit, const char* power = "") const {
         return formulaNumber(value) + " " + say(unit) + power;
     }
-    void group(std::string title, std::string note = {}) {
-        groups_.push_back({std::move(title), std::move(note), {}});
-    }
+    void group(std::string title, std::string note = {}) { groups_.push_back({std::move(title), std::move(note), {}}); }
     // "SYMBOL = right": the value is that of the symbol.
     void row(const std::string& symbol, const std::string& right, std::string numbers, double value, std::string result,
              std::string source) {
-        groups_.back().rows.push_back({symbol + " = " + right, std::move(numbers), std::move(result), std::move(source),
-                                       {{symbol, value}}});
+        groups_.back().rows.push_back(
+            {symbol + " = " + right, std::move(numbers), std::move(result), std::move(source), {{symbol, value}}});
     }
     void list(std::vector<FormulaValue> values, std::string source = {}) {
         groups_.back().rows.push_back({{}, {}, {}, std::move(source), std::move(values)});
@@ -189,8 +187,11 @@ class Groups {
             atPoint(du, dv, weight);
         }
         const double share = f.weightSum > 0 ? weight / f.weightSum : 0;
-        groups_.back().rows.push_back({"w / Σw", term::atom(weight) + " / " + term::atom(f.weightSum),
-                                       formulaNumber(share), kTex, {{"w / Σw", share}}});
+        groups_.back().rows.push_back({"w / Σw",
+                                       term::atom(weight) + " / " + term::atom(f.weightSum),
+                                       formulaNumber(share),
+                                       kTex,
+                                       {{"w / Σw", share}}});
     }
 
     // The weight, with the formula where it is what the filter did: tables, maps and texels taken in parts are not.
@@ -239,9 +240,8 @@ class Groups {
         } else {
             list({{"σ", settings.sigma}, {"R", settings.radius}});
             const double byFormula = relief::radialWeight(settings, std::sqrt(square));
-            weight("exp(−r² / (2 σ²))",
-                   "exp(−" + term::atom(square) + " / (2 · " + term::square(settings.sigma) + "))", byFormula, logged,
-                   "[TEX] fig. 3");
+            weight("exp(−r² / (2 σ²))", "exp(−" + term::atom(square) + " / (2 · " + term::square(settings.sigma) + "))",
+                   byFormula, logged, "[TEX] fig. 3");
         }
     }
 

@@ -12,12 +12,12 @@ namespace {
 // Points.
 constexpr double kLine = 13.5;
 constexpr double kNoteLine = 12;
-constexpr double kGap = 9;              // between what stands on one line
-constexpr double kIndent = 10;          // of what belongs to the line above
+constexpr double kGap = 9;      // between what stands on one line
+constexpr double kIndent = 10;  // of what belongs to the line above
 constexpr double kBetweenGroups = 9;
 constexpr double kBetweenColumns = 20;
-constexpr double kLeastColumn = 290;    // where there is more than one
-constexpr double kLeastSheet = 225;     // narrower ones are set smaller
+constexpr double kLeastColumn = 290;  // where there is more than one
+constexpr double kLeastSheet = 225;   // narrower ones are set smaller
 constexpr std::size_t kMostColumns = 3;
 constexpr double kRowSize = kChartText;
 constexpr double kNoteSize = 0.78;
@@ -27,25 +27,38 @@ std::string valueText(const FormulaValue& value) {
     return value.symbol + " = " + formulaNumber(value.number);
 }
 
+std::string wordsOf(const FormulaRow& row) {
+    std::string words = row.formula;
+    if (row.formula.empty()) {
+        for (const FormulaValue& value : row.values) words += (words.empty() ? "" : ", ") + valueText(value);
+    }
+    if (!row.numbers.empty()) words += (row.result.empty() ? ": " : " = ") + row.numbers;
+    if (!row.result.empty()) words += " = " + row.result;
+    if (!row.source.empty()) words += " · " + row.source;
+    return formulaWords(words);
+}
+
 // One group in a column of this width. Its parts are measured first, so that the group's lines are set alike.
 class GroupSheet {
   public:
     GroupSheet(const FormulaGroup& group, double x, double width) : group_(group), x_(x), width_(width) { measure(); }
 
     // From y down; where it ends.
-    double set(Drawing& drawing, double y) {
-        drawing_ = &drawing;
+    double set(FormulaSheet& sheet, double y) {
+        drawing_ = &sheet.drawing;
         y_ = y;
         words(group_.title, kTitleSize, Role::Title, 0, true, false);
-        drawing.add({}, Role::Frame, Polyline{{{x_, y_}, {x_ + width_, y_}}, false});
+        drawing_->add({}, Role::Frame, Polyline{{{x_, y_}, {x_ + width_, y_}}, false});
         y_ += 2;
         if (!group_.note.empty()) words(group_.note, kNoteSize, Role::Layer, 0, false, true);
         for (const FormulaRow& row : group_.rows) {
+            const double top = y_;
             if (row.formula.empty()) {
                 list(row);
             } else {
                 equation(row);
             }
+            sheet.places.push_back({{x_, top, x_ + width_, y_}, wordsOf(row)});
         }
         return y_;
     }
@@ -191,7 +204,7 @@ Columns columnsFor(const std::vector<FormulaGroup>& groups, double width, double
         if (n > 1 && column < kLeastColumn) break;
         std::vector<double> heights;
         for (const FormulaGroup& group : groups) {
-            Drawing tried;
+            FormulaSheet tried;
             heights.push_back(GroupSheet(group, 0, column).set(tried, 0));
         }
         Columns columns = split(heights, 0, n);
@@ -202,8 +215,8 @@ Columns columnsFor(const std::vector<FormulaGroup>& groups, double width, double
     return best;
 }
 
-void scale(Drawing& drawing, double by) {
-    for (Item& item : drawing.items) {
+void scale(FormulaSheet& sheet, double by) {
+    for (Item& item : sheet.drawing.items) {
         if (auto* const label = std::get_if<Label>(&item.primitive)) {
             label->at = {label->at.x * by, label->at.y * by};
             label->size *= by;
@@ -211,16 +224,18 @@ void scale(Drawing& drawing, double by) {
             for (Point& p : line->points) p = {p.x * by, p.y * by};
         }
     }
-    drawing.bounds = {0, 0, drawing.bounds.x1 * by, drawing.bounds.y1 * by};
+    const auto scaled = [&](const Box& b) { return Box{b.x0 * by, b.y0 * by, b.x1 * by, b.y1 * by}; };
+    for (FormulaSheet::Place& place : sheet.places) place.box = scaled(place.box);
+    sheet.drawing.bounds = scaled(sheet.drawing.bounds);
 }
 
 }  // namespace
 
-Drawing formulaDrawing(const std::vector<FormulaGroup>& groups, double width) {
+FormulaSheet formulaSheet(const std::vector<FormulaGroup>& groups, double width) {
     const double set = std::max(width, kLeastSheet);
     double column = set;
     const Columns columns = columnsFor(groups, set, column);
-    Drawing drawing;
+    FormulaSheet sheet;
     double bottom = 0;
     for (std::size_t c = 0; c < columns.first.size(); ++c) {
         const std::size_t end = c + 1 < columns.first.size() ? columns.first[c + 1] : groups.size();
@@ -228,13 +243,13 @@ Drawing formulaDrawing(const std::vector<FormulaGroup>& groups, double width) {
         double y = 0;
         for (std::size_t g = columns.first[c]; g < end; ++g) {
             if (g > columns.first[c]) y += kBetweenGroups;
-            y = GroupSheet(groups[g], x, column).set(drawing, y);
+            y = GroupSheet(groups[g], x, column).set(sheet, y);
         }
         bottom = std::max(bottom, y);
     }
-    drawing.bounds = {0, 0, set, bottom};
-    if (width < set) scale(drawing, width / set);
-    return drawing;
+    sheet.drawing.bounds = {0, 0, set, bottom};
+    if (width < set) scale(sheet, width / set);
+    return sheet;
 }
 
 }  // namespace reliefui

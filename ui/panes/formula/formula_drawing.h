@@ -7,7 +7,17 @@
 
 namespace reliefui {
 
+struct FormulaSheet {
+    // Where a row stands, and what it says in one line.
+    struct Place {
+        Box box;
+        std::string words;
+    };
+    Drawing drawing;
+    std::vector<Place> places;
+};
+
 // In points, `width` of them wide; its height follows. A sheet too narrow for its words is set smaller as a whole.
-Drawing formulaDrawing(const std::vector<FormulaGroup>& groups, double width);
+FormulaSheet formulaSheet(const std::vector<FormulaGroup>& groups, double width);
 
 }  // namespace reliefui

@@ -50,8 +50,7 @@ class StepRows {
     }
     void row(const std::string& symbol, const std::string& right, std::string numbers, double value,
              const char* source = "") {
-        rows_.push_back(
-            {symbol + " = " + right, std::move(numbers), formulaNumber(value), source, {{symbol, value}}});
+        rows_.push_back({symbol + " = " + right, std::move(numbers), formulaNumber(value), source, {{symbol, value}}});
     }
     // A height of the surface or of a maximum against the ray's: which one is larger.
     void compare(const std::string& symbol, double height, const std::string& rayHeight, double z, const char* source) {
@@ -154,7 +153,8 @@ class StepRows {
         const bool known = before_ != nullptr && before_->atPoint() && before_->lambdaOut == step_.lambdaIn;
         const double high = known ? before_->value - before_->zOut() : 0;
         const auto gap = [&](const char* symbol, const char* right, double height, double lambda, double value) {
-            row(symbol, right, formulaNumber(height) + " − (1 − " + formulaNumber(lambda) + ")", value, "Tatarchuk 2006");
+            row(symbol, right, formulaNumber(height) + " − (1 − " + formulaNumber(lambda) + ")", value,
+                "Tatarchuk 2006");
         };
         if (known) gap("d_0", "h(λ_{in}) − (1 − λ_{in})", before_->value, step_.lambdaIn, high);
         gap("d_1", "h(λ_{out}) − (1 − λ_{out})", step_.value, step_.lambdaOut, low);
