@@ -143,8 +143,9 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --size WxH            size of the window, pixels
   --screenshot FILE     open the window, save it as a PNG, and end
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
-                        VIEW: charts, compare, distance, drawn, duel, footprint, formula, pareto, profile,
-                        pyramid, result, rows, skipped, slabs, steps, trace (the last and slabs: PNG alone)
+                        VIEW: charts, compare, distance, drawn, duel, footprint, formula, formula-footprint,
+                        formula-mapping, formula-ray, pareto, profile, pyramid, result, rows, skipped, slabs,
+                        steps, trace (the last and slabs: PNG alone)
   --layer NAME          of result, with its legend: color, steps, error, outcome, depth, normal, uv, footprint, hidden
   --map KIND            of distance: euclidean, euclidean-conservative, refined-sampled, refined, cone, cone-dummer,
                         relaxed-cone (the method's)

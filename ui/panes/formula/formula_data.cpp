@@ -57,7 +57,9 @@ class Groups {
     std::string with(double value, MessageId unit, const char* power = "") const {
         return formulaNumber(value) + " " + say(unit) + power;
     }
-    void group(std::string title, std::string note = {}) { groups_.push_back({std::move(title), std::move(note), {}}); }
+    void group(FormulaPart part, std::string title, std::string note = {}) {
+        groups_.push_back({part, std::move(title), std::move(note), {}});
+    }
     // "SYMBOL = right": the value is that of the symbol.
     void row(const std::string& symbol, const std::string& right, std::string numbers, double value, std::string result,
              std::string source) {
@@ -69,7 +71,9 @@ class Groups {
     }
 
     void mapping(const relief::PixelCoefficients& p) {
-        group(say(MessageId::DrawFormulaMapping, {{"x", p.x}, {"y", p.y}}), say(MessageId::DrawFormulaLetters));
+        group(FormulaPart::Mapping,
+              say(MessageId::DrawFormulaMapping, {{"x", s_.scenario.pixel->x}, {"y", s_.scenario.pixel->y}}),
+              say(MessageId::DrawFormulaLetters));
         const relief::Homography& f = p.map;
         list({{"A", f.sx}, {"B", f.sy}, {"C", f.s1}}, kPersp);
         list({{"D", f.tx}, {"E", f.ty}, {"F", f.t1}}, kPersp);
@@ -88,7 +92,7 @@ class Groups {
 
     void ray() {
         const relief::ViewRay& ray = s_.trace.ray;
-        group(say(MessageId::DrawFormulaRay));
+        group(FormulaPart::Ray, say(MessageId::DrawFormulaRay));
         list({{"s_0", ray.s0}, {"t_0", ray.t0}, {"a", ray.a}, {"b", ray.b}});
         const relief::Hit& hit = s_.trace.hit;
         if (hit.outcome != relief::Outcome::Hit) return;
@@ -103,7 +107,7 @@ class Groups {
     }
 
     void derivatives(const relief::PixelCoefficients& p) {
-        group(say(MessageId::DrawFormulaDerivatives));
+        group(FormulaPart::Mapping, say(MessageId::DrawFormulaDerivatives));
         const relief::Homography& f = p.map;
         const relief::DerivativeTerms<double> terms = relief::derivativeTerms<double>(f);
         const auto minor = [&](const char* symbol, const char* right, double k, double l, double r, double s,
@@ -135,7 +139,7 @@ class Groups {
     }
 
     void ellipse(const relief::PixelCoefficients& p) {
-        group(say(MessageId::DrawFormulaEllipse), say(MessageId::DrawFormulaEllipsePlace));
+        group(FormulaPart::Footprint, say(MessageId::DrawFormulaEllipse), say(MessageId::DrawFormulaEllipsePlace));
         const relief::Jacobian& j = p.derivatives;
         const relief::Ellipse& e = p.ellipse;
         const auto texels = [&](double value, const char* power) {
@@ -164,14 +168,16 @@ class Groups {
         std::string note = ellipse ? say(MessageId::DrawFormulaSeen, {{"level", log.level}}) + " " : "";
         const relief::FootprintTexel* const texel = f.listed ? heaviestTexel(f) : nullptr;
         if (texel != nullptr) {
-            note += say(MessageId::DrawFormulaTexel, {{"i", texel->i},
-                                                      {"j", texel->j},
-                                                      {"level", texel->level},
-                                                      {"texels", static_cast<std::int64_t>(f.log.texels.size())}});
+            const auto& texels = f.log.texels;
+            const auto counted =
+                std::count_if(texels.begin(), texels.end(), [](const relief::FootprintTexel& t) { return !t.hidden; });
+            note += say(MessageId::DrawFormulaTexel,
+                        {{"i", texel->i}, {"j", texel->j}, {"level", texel->level}, {"texels", counted}});
         } else if (!f.listed) {
             note += say(MessageId::DrawFootprintMany, {{"texels", f.counts.texels}});
         }
-        group(say(MessageId::DrawFormulaFilter, {{"filter", f.filter.name}, {"level", log.level}}), std::move(note));
+        group(FormulaPart::Footprint,
+              say(MessageId::DrawFormulaFilter, {{"filter", f.filter.name}, {"level", log.level}}), std::move(note));
         if (ellipse) {
             const relief::Ellipse& e = log.ellipse;
             list({{"A", e.a}, {"B", e.b}, {"C", e.c}, {"F", e.f}}, kTex);
@@ -184,7 +190,7 @@ class Groups {
         if (ellipse) {
             inEllipse(f, du, dv, weight);
         } else {
-            atPoint(du, dv, weight);
+            atPoint(f, du, dv, weight);
         }
         const double share = f.weightSum > 0 ? weight / f.weightSum : 0;
         groups_.back().rows.push_back({"w / Σw",
@@ -206,7 +212,11 @@ class Groups {
         row("w", right, std::move(numbers), logged, formulaNumber(logged), source);
     }
 
-    void atPoint(double du, double dv, double logged) {
+    // Read between four texels, unless the filter takes one alone or many places.
+    void atPoint(const PixelFootprint& f, double du, double dv, double logged) {
+        const bool between =
+            f.log.footprint.kind == relief::FootprintKind::Bilinear && f.filter.name != "nearest" && f.rays.empty();
+        if (!between) return list({{"w", logged}});
         const auto side = [](double d) { return "(1 − " + formulaNumber(std::abs(d)) + ")"; };
         weight("(1 − |U|) (1 − |V|)", side(du) + " " + side(dv), (1 - std::abs(du)) * (1 - std::abs(dv)), logged, "");
     }

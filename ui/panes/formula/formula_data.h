@@ -25,7 +25,11 @@ struct FormulaRow {
     std::vector<FormulaValue> values;  // what it gives, unrounded: several of a point; the names of a list
 };
 
+// What a group is about.
+enum class FormulaPart : std::uint8_t { Mapping, Ray, Footprint };
+
 struct FormulaGroup {
+    FormulaPart part = FormulaPart::Mapping;
     std::string title;
     std::string note;  // in words, below the title
     std::vector<FormulaRow> rows;

@@ -21,6 +21,8 @@ constexpr double kLeastSheet = 225;   // narrower ones are set smaller
 constexpr std::size_t kMostColumns = 3;
 constexpr double kRowSize = kChartText;
 constexpr double kNoteSize = 0.78;
+// Letters on a screen are whole pixels high, and by so much wider than measured.
+constexpr double kRounding = 1.04;
 constexpr double kTitleSize = 0.95;
 
 std::string valueText(const FormulaValue& value) {
@@ -64,8 +66,18 @@ class GroupSheet {
     }
 
   private:
+    // What equation and numbers of a row take on one line.
+    static double equationRoom(const FormulaRow& row) { return formulaWidth(row.formula, kRowSize) + kGap; }
+    static double numbersRoom(const FormulaRow& row) {
+        return row.numbers.empty() ? 0 : formulaWidth(numbersOf(row), kNoteSize) + kGap;
+    }
+    // Rows whose numbers stand beside the equation, where all such rows of the group find room.
+    bool onOneLine(const FormulaRow& row) const {
+        return equationRoom(row) <= numbersAt_ && numbersAt_ + numbersRoom(row) <= resultAt_;
+    }
+
     void measure() {
-        double numbers = 0;
+        double equations = 0;
         for (const FormulaRow& row : group_.rows) {
             if (!row.source.empty()) sources_ = std::max(sources_, kGap + textWidth(row.source, kNoteSize));
             if (row.formula.empty()) {
@@ -75,15 +87,19 @@ class GroupSheet {
                 }
                 continue;
             }
-            equations_ = std::max(equations_, formulaWidth(row.formula, kRowSize));
+            equations = std::max(equations, equationRoom(row));
             if (!row.result.empty()) results_ = std::max(results_, formulaWidth("= " + row.result, kRowSize) + kGap);
-            if (!row.numbers.empty()) {
-                numbers = std::max(numbers, formulaWidth("= " + row.numbers, kNoteSize) + kGap);
-            }
         }
-        inOneLine_ = equations_ + numbers + results_ + sources_ <= width_;
-        numbersAt_ = equations_ + kGap;
-        resultAt_ = inOneLine_ ? numbersAt_ + numbers : std::min(equations_, width_ - results_ - sources_) + kGap;
+        const double room = width_ / kRounding - results_ - sources_;
+        double numbers = 0;
+        for (const FormulaRow& row : group_.rows) {
+            if (row.formula.empty() || equationRoom(row) + numbersRoom(row) > room) continue;
+            numbersAt_ = std::max(numbersAt_, equationRoom(row));
+            numbers = std::max(numbers, numbersRoom(row));
+        }
+        // Else below each other: the value beside the equation, the numbers under both.
+        if (numbersAt_ + numbers > room) numbersAt_ = numbers = 0;
+        resultAt_ = numbersAt_ > 0 ? numbersAt_ + numbers : std::min(equations, room);
     }
 
     void label(double x, double y, const std::string& text, double size, Role role, Anchor anchor = Anchor::Left,
@@ -96,26 +112,30 @@ class GroupSheet {
         label.formula = formula;
         drawing_->add({}, role, std::move(label), bold ? Emphasis::Strong : Emphasis::Normal);
     }
-    // In as many lines as it takes.
-    void words(const std::string& text, double size, Role role, double indent, bool bold, bool formula) {
-        const double high = size == kTitleSize ? kLine + 1 : kNoteLine;
-        const auto lines = wrappedText(text, width_ - indent, [&](const std::string& line) {
-            return formula ? formulaWidth(line, size, bold) : textWidth(line, size, bold);
-        });
+    // In as many lines as it takes; where the last one ends.
+    double words(const std::string& text, double size, Role role, double indent, bool bold, bool formula) {
+        const double high = size == kNoteSize ? kNoteLine : kLine;
+        const auto wide = [&](const std::string& line) {
+            return kRounding * (formula ? formulaWidth(line, size, bold) : textWidth(line, size, bold));
+        };
+        const auto lines = wrappedText(text, width_ - indent, wide);
         for (const std::string& line : lines) {
             label(indent, y_ + high / 2, line, size, role, Anchor::Left, bold, formula);
             y_ += high;
         }
+        return indent + wide(lines.back());
     }
     void source(const FormulaRow& row, double y) {
         if (!row.source.empty()) label(width_, y, row.source, kNoteSize, Role::Layer, Anchor::Right, false, false);
     }
 
     void list(const FormulaRow& row) {
+        double all = 0;
+        for (std::size_t c = 0; c < row.values.size(); ++c) all += cells_[c];
+        if (all + sources_ <= width_) source(row, y_ + kLine / 2);
         double x = 0;
-        source(row, y_ + kLine / 2);
         for (std::size_t c = 0; c < row.values.size(); ++c) {
-            if (x > 0 && x + cells_[c] > width_ - (row.source.empty() ? 0 : sources_)) {
+            if (x > 0 && x + cells_[c] > width_) {
                 x = 0;
                 y_ += kLine;
             }
@@ -126,28 +146,24 @@ class GroupSheet {
     }
 
     void equation(const FormulaRow& row) {
-        const double y = y_ + kLine / 2;
-        const auto lines = wrappedText(row.formula, width_ - (row.result.empty() ? sources_ : 0),
-                                       [](const std::string& line) { return formulaWidth(line, kRowSize); });
-        const bool apart = !row.result.empty() && formulaWidth(lines.back(), kRowSize) + kGap > resultAt_ + 0.5;
-        for (std::size_t l = 0; l < lines.size(); ++l) {
-            label(l > 0 ? kIndent : 0, y_ + kLine / 2, lines[l], kRowSize, Role::Label);
+        double at = y_ + kLine / 2;
+        if (onOneLine(row)) {
+            label(0, at, row.formula, kRowSize, Role::Label);
+            if (!row.numbers.empty()) label(numbersAt_, at, numbersOf(row), kNoteSize, Role::Layer);
             y_ += kLine;
-        }
-        if (inOneLine_) {
-            if (!row.numbers.empty()) label(numbersAt_, y, numbersOf(row), kNoteSize, Role::Layer);
-        } else if (!row.numbers.empty()) {
-            words(numbersOf(row), kNoteSize, Role::Layer, kIndent, false, true);
-        }
-        // Beside the equation; below it where that is too long.
-        double at = y;
-        if (!row.result.empty()) {
-            if (apart) {
+        } else {
+            words(row.formula, kRowSize, Role::Label, 0, false, true);
+            const bool beside = row.result.empty() || equationRoom(row) <= resultAt_;
+            double end = 0;  // of what stands on the last line
+            if (!row.numbers.empty()) end = words(numbersOf(row), kNoteSize, Role::Layer, kIndent, false, true);
+            if (!beside && end + kGap <= resultAt_) {
+                at = y_ - kNoteLine / 2;
+            } else if (!beside) {
                 at = y_ + kLine / 2;
                 y_ += kLine;
             }
-            label(resultAt_, at, "= " + row.result, kRowSize, Role::Label);
         }
+        if (!row.result.empty()) label(resultAt_, at, "= " + row.result, kRowSize, Role::Label);
         source(row, at);
     }
     // A relation has its own sign.
@@ -158,9 +174,8 @@ class GroupSheet {
     const FormulaGroup& group_;
     double x_;
     double width_;
-    double equations_ = 0, results_ = 0, sources_ = 0;  // widths
-    std::vector<double> cells_;                         // widths of lists' columns
-    bool inOneLine_ = true;
+    double results_ = 0, sources_ = 0;  // widths
+    std::vector<double> cells_;         // widths of lists' columns
     double numbersAt_ = 0, resultAt_ = 0;
     Drawing* drawing_ = nullptr;
     double y_ = 0;

@@ -9,9 +9,12 @@ namespace {
 
 struct FormulaFigure : Figure {
     std::shared_ptr<const Snapshot> snapshot;
+    std::optional<FormulaPart> part;
 
     Drawing sheet(double points, relief::Language language) const {
-        return formulaSheet(formulas(*snapshot, language), points).drawing;
+        std::vector<FormulaGroup> groups = formulas(*snapshot, language);
+        std::erase_if(groups, [&](const FormulaGroup& group) { return part && group.part != *part; });
+        return groups.empty() ? Drawing() : formulaSheet(groups, points).drawing;
     }
     double aspect(const FigurePage& page) const override {
         const double points = page.widthMm / kMmPerPoint - kFigureMargins;
@@ -28,9 +31,10 @@ struct FormulaFigure : Figure {
 
 }  // namespace
 
-std::shared_ptr<const Figure> formulaFigure(std::shared_ptr<const Snapshot> snapshot) {
+std::shared_ptr<const Figure> formulaFigure(std::shared_ptr<const Snapshot> snapshot, std::optional<FormulaPart> part) {
     auto figure = std::make_shared<FormulaFigure>();
     figure->snapshot = std::move(snapshot);
+    figure->part = part;
     return figure;
 }
 

@@ -12,7 +12,15 @@ PaneKind formulaPane() {
     kind.help = FormulaView::tr("The papers' equations with the numbers of the chosen pixel and step put in");
     kind.home = Home::Low;
     kind.make = makePane<FormulaView>;
-    kind.figures = {{"formula", true, plainFigure<formulaFigure>}};
+    const auto figure = [&](const char* name, std::optional<FormulaPart> part) {
+        kind.figures.push_back({name, true, [part](std::shared_ptr<const Snapshot> snapshot, const PaneStates&) {
+                                    return formulaFigure(std::move(snapshot), part);
+                                }});
+    };
+    figure("formula", std::nullopt);
+    figure("formula-mapping", FormulaPart::Mapping);
+    figure("formula-ray", FormulaPart::Ray);
+    figure("formula-footprint", FormulaPart::Footprint);
     return kind;
 }
 

@@ -217,6 +217,7 @@ FormulaGroup stepFormulas(const Snapshot& snapshot, relief::Language language) {
     const int last = static_cast<int>(trace.steps.size()) - 1;
     const auto index = static_cast<std::size_t>(std::clamp(snapshot.scenario.step, 0, last));
     FormulaGroup group;
+    group.part = FormulaPart::Ray;
     const std::string& method = trace.fromFile ? snapshot.scenario.other.steps : snapshot.scenario.method.name;
     group.title = relief::sentence(
         relief::Message(MessageId::DrawFormulaStep, {{"step", static_cast<std::int64_t>(index) + 1},
