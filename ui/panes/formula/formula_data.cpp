@@ -119,18 +119,21 @@ class Groups {
         minor("N", "D H − E G", f.tx, f.qy, f.ty, f.qx, p.n);
         minor("O", "B G − A H", f.sy, f.qx, f.sx, f.qy, p.o);
         minor("P", "E G − D H", f.ty, f.qx, f.tx, f.qy, p.p);
-        const auto line = [&](const char* symbol, const char* right, double slope, double at, double own,
-                              double value) {
-            row(symbol, right, term::product(slope, at) + term::plus(formulaNumber(own)), value, formulaNumber(value),
-                kTex);
+        // k l − r s, or nothing where only rounding is left of it.
+        const auto rounded = [](double value, double k, double l, double r, double s) {
+            constexpr double kLost = 1e-13;
+            return std::abs(value) > kLost * (std::abs(k * l) + std::abs(r * s)) ? formulaNumber(value) : "0";
         };
-        line("a", "M y + (A I − C G)", terms.m, p.y, terms.a1, terms.a(p.y));
-        line("b", "N y + (D I − F G)", terms.n, p.y, terms.b1, terms.b(p.y));
-        line("c", "O x + (B I − C H)", terms.o, p.x, terms.c1, terms.c(p.x));
-        line("d", "P x + (E I − F H)", terms.p, p.x, terms.d1, terms.d(p.x));
+        const auto line = [&](const char* symbol, const char* right, double slope, double at, const std::string& own,
+                              double value) {
+            row(symbol, right, term::product(slope, at) + term::plus(own), value, formulaNumber(value), kTex);
+        };
+        line("a", "M y + (A I − C G)", terms.m, p.y, rounded(terms.a1, f.sx, f.q1, f.s1, f.qx), terms.a(p.y));
+        line("b", "N y + (D I − F G)", terms.n, p.y, rounded(terms.b1, f.tx, f.q1, f.t1, f.qx), terms.b(p.y));
+        line("c", "O x + (B I − C H)", terms.o, p.x, rounded(terms.c1, f.sy, f.q1, f.s1, f.qy), terms.c(p.x));
+        line("d", "P x + (E I − F H)", terms.p, p.x, rounded(terms.d1, f.ty, f.q1, f.t1, f.qy), terms.d(p.x));
         const auto slope = [&](const char* symbol, const char* right, double top, double value) {
-            row(symbol, right, term::atom(top) + " / " + term::square(p.q), value,
-                with(value, MessageId::DrawFormulaSlope), kTex);
+            row(symbol, right, term::atom(top) + " / " + term::square(p.q), value, formulaNumber(value), kTex);
         };
         slope("u_x", "a / q²", terms.a(p.y), p.derivatives.ux);
         slope("v_x", "b / q²", terms.b(p.y), p.derivatives.vx);

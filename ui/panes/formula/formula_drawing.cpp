@@ -77,29 +77,41 @@ class GroupSheet {
     }
 
     void measure() {
+        measureLists(kRowSize, kGap);
+        double all = 0;
+        for (const double cell : cells_) all += cell;
+        if (all > width_ / kRounding) measureLists(kNoteSize, kGap / 2);
         double equations = 0;
         for (const FormulaRow& row : group_.rows) {
             if (!row.source.empty()) sources_ = std::max(sources_, kGap + textWidth(row.source, kNoteSize));
-            if (row.formula.empty()) {
-                cells_.resize(std::max(cells_.size(), row.values.size()), 0);
-                for (std::size_t c = 0; c < row.values.size(); ++c) {
-                    cells_[c] = std::max(cells_[c], formulaWidth(valueText(row.values[c]), kRowSize) + kGap);
-                }
-                continue;
-            }
+            if (row.formula.empty()) continue;
             equations = std::max(equations, equationRoom(row));
-            if (!row.result.empty()) results_ = std::max(results_, formulaWidth("= " + row.result, kRowSize) + kGap);
+            results_ = std::max(results_, resultRoom(row));
         }
-        const double room = width_ / kRounding - results_ - sources_;
+        const double room = width_ / kRounding - results_;
         double numbers = 0;
         for (const FormulaRow& row : group_.rows) {
-            if (row.formula.empty() || equationRoom(row) + numbersRoom(row) > room) continue;
+            if (row.formula.empty() || equationRoom(row) + numbersRoom(row) > room - sources_) continue;
             numbersAt_ = std::max(numbersAt_, equationRoom(row));
             numbers = std::max(numbers, numbersRoom(row));
         }
         // Else below each other: the value beside the equation, the numbers under both.
-        if (numbersAt_ + numbers > room) numbersAt_ = numbers = 0;
+        if (numbersAt_ + numbers > room - sources_) numbersAt_ = numbers = 0;
         resultAt_ = numbersAt_ > 0 ? numbersAt_ + numbers : std::min(equations, room);
+    }
+    static double resultRoom(const FormulaRow& row) {
+        return row.result.empty() ? 0 : formulaWidth("= " + row.result, kRowSize) + kGap;
+    }
+    void measureLists(double size, double gap) {
+        listSize_ = size;
+        cells_.clear();
+        for (const FormulaRow& row : group_.rows) {
+            if (!row.formula.empty()) continue;
+            cells_.resize(std::max(cells_.size(), row.values.size()), 0);
+            for (std::size_t c = 0; c < row.values.size(); ++c) {
+                cells_[c] = std::max(cells_[c], formulaWidth(valueText(row.values[c]), size) + gap);
+            }
+        }
     }
 
     void label(double x, double y, const std::string& text, double size, Role role, Anchor anchor = Anchor::Left,
@@ -125,46 +137,60 @@ class GroupSheet {
         }
         return indent + wide(lines.back());
     }
-    void source(const FormulaRow& row, double y) {
-        if (!row.source.empty()) label(width_, y, row.source, kNoteSize, Role::Layer, Anchor::Right, false, false);
+    // At the right, where a line of the row ends before it, or on a line of its own.
+    void source(const FormulaRow& row, double y, double end, double lastEnd) {
+        if (row.source.empty()) return;
+        const double from = width_ - kRounding * textWidth(row.source, kNoteSize) - kGap / 2;
+        if (end > from) {
+            y = y_ - kNoteLine / 2;
+            if (lastEnd > from) {
+                y += kNoteLine;
+                y_ += kNoteLine;
+            }
+        }
+        label(width_, y, row.source, kNoteSize, Role::Layer, Anchor::Right, false, false);
     }
 
     void list(const FormulaRow& row) {
-        double all = 0;
-        for (std::size_t c = 0; c < row.values.size(); ++c) all += cells_[c];
-        if (all + sources_ <= width_) source(row, y_ + kLine / 2);
         double x = 0;
         for (std::size_t c = 0; c < row.values.size(); ++c) {
             if (x > 0 && x + cells_[c] > width_) {
                 x = 0;
                 y_ += kLine;
             }
-            label(x, y_ + kLine / 2, valueText(row.values[c]), kRowSize, Role::Label);
+            label(x, y_ + kLine / 2, valueText(row.values[c]), listSize_, Role::Label);
             x += cells_[c];
         }
         y_ += kLine;
+        // What the equations below are of is said there.
+        if (x + sources_ <= width_) source(row, y_ - kLine / 2, 0, 0);
     }
 
     void equation(const FormulaRow& row) {
         double at = y_ + kLine / 2;
+        double end = equationRoom(row), lastEnd = 0;  // of the value's line, of the last one
         if (onOneLine(row)) {
             label(0, at, row.formula, kRowSize, Role::Label);
             if (!row.numbers.empty()) label(numbersAt_, at, numbersOf(row), kNoteSize, Role::Layer);
             y_ += kLine;
+            if (row.result.empty()) end = numbersAt_ + numbersRoom(row);
         } else {
-            words(row.formula, kRowSize, Role::Label, 0, false, true);
+            lastEnd = words(row.formula, kRowSize, Role::Label, 0, false, true);
             const bool beside = row.result.empty() || equationRoom(row) <= resultAt_;
-            double end = 0;  // of what stands on the last line
-            if (!row.numbers.empty()) end = words(numbersOf(row), kNoteSize, Role::Layer, kIndent, false, true);
-            if (!beside && end + kGap <= resultAt_) {
+            if (!row.numbers.empty()) lastEnd = words(numbersOf(row), kNoteSize, Role::Layer, kIndent, false, true);
+            if (!beside && lastEnd + kGap <= resultAt_) {
                 at = y_ - kNoteLine / 2;
             } else if (!beside) {
                 at = y_ + kLine / 2;
                 y_ += kLine;
             }
+            if (!beside) lastEnd = resultAt_ + resultRoom(row);
         }
-        if (!row.result.empty()) label(resultAt_, at, "= " + row.result, kRowSize, Role::Label);
-        source(row, at);
+        if (!row.result.empty()) {
+            label(resultAt_, at, "= " + row.result, kRowSize, Role::Label);
+            end = resultAt_ + resultRoom(row);
+        }
+        source(row, at, kRounding * end, onOneLine(row) ? kRounding * end : lastEnd);
     }
     // A relation has its own sign.
     static std::string numbersOf(const FormulaRow& row) {
@@ -176,6 +202,7 @@ class GroupSheet {
     double width_;
     double results_ = 0, sources_ = 0;  // widths
     std::vector<double> cells_;         // widths of lists' columns
+    double listSize_ = kRowSize;
     double numbersAt_ = 0, resultAt_ = 0;
     Drawing* drawing_ = nullptr;
     double y_ = 0;

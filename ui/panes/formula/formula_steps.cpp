@@ -61,16 +61,15 @@ class StepRows {
                          source,
                          {{symbol, height}, {rayHeight, z}}});
     }
-    // Where the tracer went on: as the formula says, or to the end of what it searched, if that comes first; the record
-    // is right if it is neither.
-    void goesOn(const std::string& right, std::string numbers, double byFormula, const char* source) {
-        constexpr double kSame = 1e-3;
+    // Where the tracer went on: as the formula says; or not as far, by a margin for rounding or because what it
+    // searched ends there. The record is right where it is neither.
+    void goesOn(const std::string& right, const std::string& numbers, double byFormula, const char* source) {
+        constexpr double kSame = 1e-4;
         const double after = step_.lambdaAfter;
-        if (std::abs(byFormula - after) <= kSame * std::max(1.0, std::abs(byFormula))) {
-            row("λ′", right, std::move(numbers), after, source);
+        if (std::abs(byFormula - after) <= kSame * std::abs(after)) {
+            row("λ′", right, numbers, after, source);
         } else if (after < byFormula) {
-            row("λ′", "min(λ_{end}, " + right + ")", "min(" + formulaNumber(after) + ", " + numbers + ")", after,
-                source);
+            rows_.push_back({"λ′ ≤ " + right, formulaNumber(after) + " ≤ " + numbers, {}, source, {{"λ′", after}}});
         }
     }
 
@@ -78,7 +77,7 @@ class StepRows {
     void highest() {
         const auto* const texel = step_.as<subject::Texel>();
         const auto* const quad = step_.as<subject::Quad>();
-        const double maximum = texel != nullptr ? texel->maximum : quad->maximum;
+        const double maximum = texel != nullptr ? step_.value : quad->maximum;
         const char* const source = texel != nullptr && texel->level > 0 ? kMip : "";
         if (step_.decision == Decision::Start || step_.decision == Decision::Miss) return;
         if (step_.phase == relief::Phase::Start) {

@@ -23,6 +23,8 @@ FormulaFace::FormulaFace(QWidget* parent) : QAbstractScrollArea(parent) {
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     viewport()->setMouseTracking(true);
+    // Else it would cover the pane, which then is never in sight.
+    viewport()->setAutoFillBackground(false);
 }
 
 double FormulaFace::margin() const {
