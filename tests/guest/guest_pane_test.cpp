@@ -23,7 +23,7 @@ TEST_F(WindowTest, TheGuestPaneIsEverywhere) {
         if (action->text() == QStringLiteral("Numbers") && !action->shortcut().isEmpty()) go = action;
     }
     ASSERT_NE(go, nullptr);
-    EXPECT_EQ(go->shortcut(), QKeySequence(QStringLiteral("Alt+5")));
+    EXPECT_EQ(go->shortcut(), QKeySequence(QStringLiteral("Alt+6")));
     go->trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !dock->visibleRegion().isEmpty(); }, 5000));
     auto* const canvas = view->findChild<DrawingCanvas*>();

@@ -1,4 +1,5 @@
 // Every view goes into a file without a display: lines and words into SVG and PDF, everything into PNG.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -24,13 +25,13 @@ namespace {
 constexpr int kPatienceMs = 60000;
 
 // No display and no platform asked for, Ukrainian.
-int exportFigure(const QStringList& arguments, QString* complaint) {
+int exportFigure(const QStringList& arguments, QString* complaint, const char* language = "uk_UA.UTF-8") {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
         environment.remove(QLatin1String(name));
     }
-    environment.insert(QStringLiteral("LC_ALL"), QStringLiteral("uk_UA.UTF-8"));
+    environment.insert(QStringLiteral("LC_ALL"), QLatin1String(language));
     environment.insert(QStringLiteral("LIBGL_ALWAYS_SOFTWARE"), QStringLiteral("1"));  // as the stored figures
     environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
     process.setProcessEnvironment(environment);
@@ -179,6 +180,27 @@ TEST(Exports, whatMethodsLookAtIsAsStored) {
     }
 }
 
+// In English and dark: a descent of the paper's recursion, and how an ellipse's texels are weighed.
+TEST(Exports, formulasAndWeightsAreAsStored) {
+    const QTemporaryDir folder;
+    relief::Scenario scenario = deepRay();
+    scenario.filter.name = "elliptical";
+    scenario.filter.options = {{"levels", "exhaustive"}};
+    scenario.step = 2;
+    const QString file = folder.filePath(QStringLiteral("scenario.json"));
+    relief::saveScenario(file.toStdString(), scenario);
+    for (const char* const view : {"formula", "footprint"}) {
+        const QString path = folder.filePath(QString::fromLatin1(view) + QStringLiteral(".png"));
+        QString complaint;
+        const int status = exportFigure(QStringList{file, QStringLiteral("--export"), QString::fromLatin1(view),
+                                                    QStringLiteral("-o"), path, QStringLiteral("--dark")} +
+                                            pictureSize(),
+                                        &complaint, "C.UTF-8");
+        EXPECT_EQ(status, 0) << complaint.toStdString();
+        expectGolden(path, std::string(view) + "-english");
+    }
+}
+
 std::vector<std::string> exportedViews() {
     std::vector<std::string> views;
     for (const FigureKind& kind : figureList()) {
@@ -187,7 +209,11 @@ std::vector<std::string> exportedViews() {
     return views;
 }
 INSTANTIATE_TEST_SUITE_P(Exports, EveryExport, ::testing::ValuesIn(exportedViews()),
-                         [](const auto& made) { return made.param; });
+                         [](const auto& made) {
+                             std::string name = made.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
 
 // A figure of more pixels is the same figure: lines cover the same part of it.
 TEST(Exports, linesOnSlabsAreAsWideAtAnyResolution) {

@@ -8,6 +8,7 @@
 #include <QPaintEngine>
 
 #include "painting/cell_image.h"
+#include "painting/formula_text.h"
 
 namespace reliefui {
 
@@ -248,16 +249,65 @@ struct ItemPainter {
     void operator()(const Label&) const {}
 };
 
+// The words of a label in the fonts that they are set in: a formula's pieces, or all of it as one.
+class SetText {
+  public:
+    SetText(const Label& label, const Style& style, bool bold)
+        : pixels_(std::max(1, static_cast<int>(std::lround(style.textPixels(label.size))))), bold_(bold) {
+        const std::string text = labelText(label, style.language);
+        if (label.formula) {
+            runs_ = formulaRuns(text);
+        } else {
+            runs_.push_back({text, 0});
+        }
+    }
+
+    int pixels() const { return pixels_; }
+    double height() const { return QFontMetricsF(fontOf(0)).height(); }
+    double width() const {
+        double width = 0;
+        for (const FormulaRun& run : runs_) width += advance(run);
+        return width;
+    }
+    void draw(QPainter& painter, const QRectF& box) const {
+        if (runs_.size() == 1) {
+            painter.setFont(fontOf(0));
+            painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, QString::fromStdString(runs_.front().text));
+            return;
+        }
+        const QFontMetricsF metrics(fontOf(0));
+        const double line = box.center().y() + (metrics.ascent() - metrics.descent()) / 2;
+        double x = box.center().x() - width() / 2;
+        for (const FormulaRun& run : runs_) {
+            const double shift = run.level < 0 ? kLowered : run.level > 0 ? -kRaised : 0;
+            painter.setFont(fontOf(run.level));
+            painter.drawText(QPointF(x, line + shift * pixels_), QString::fromStdString(run.text));
+            x += advance(run);
+        }
+    }
+
+  private:
+    QFont fontOf(int level) const {
+        QFont font("DejaVu Sans");
+        font.setPixelSize(level == 0 ? pixels_ : std::max(1, static_cast<int>(std::lround(pixels_ * kScriptSize))));
+        font.setBold(bold_);
+        return font;
+    }
+    double advance(const FormulaRun& run) const {
+        return QFontMetricsF(fontOf(run.level)).horizontalAdvance(QString::fromStdString(run.text));
+    }
+
+    std::vector<FormulaRun> runs_;
+    int pixels_;
+    bool bold_;
+};
+
 void paintLabel(QPainter& painter, const Item& item, const Label& label, const ViewMap& map, const Style& style,
                 LabelRoom& room, const Box& screen) {
-    QFont font("DejaVu Sans");
-    font.setPixelSize(std::max(1, static_cast<int>(std::lround(style.textPixels(label.size)))));
-    font.setBold(item.emphasis == Emphasis::Strong && !label.plate);
-    const QString text = QString::fromStdString(labelText(label, style.language));
-    const QFontMetricsF metrics(font);
-    const double pad = label.plate ? 0.28 * font.pixelSize() : 0;
-    const double width = metrics.horizontalAdvance(text) + 2 * pad;
-    const double height = metrics.height() * 0.92 + (label.plate ? 0 : 1);
+    const SetText text(label, style, item.emphasis == Emphasis::Strong && !label.plate);
+    const double pad = label.plate ? 0.28 * text.pixels() : 0;
+    const double width = text.width() + 2 * pad;
+    const double height = text.height() * 0.92 + (label.plate ? 0 : 1);
     const Box box = labelBox(label, map, width, height, style.pixelsPerPoint());
     if (box.empty() || !box.overlaps(screen)) return;
     if (!room.place(box) && label.yields) return;
@@ -269,9 +319,8 @@ void paintLabel(QPainter& painter, const Item& item, const Label& label, const V
         painter.drawRoundedRect(qrect(box), pad, pad);
         color = Style::textOn(color);
     }
-    painter.setFont(font);
     painter.setPen(toColor(color));
-    painter.drawText(qrect(box), Qt::AlignCenter | Qt::TextDontClip, text);
+    text.draw(painter, qrect(box));
 }
 
 }  // namespace

@@ -19,20 +19,7 @@ constexpr double kIndent = 8;  // of rows under a heading
 
 // Lines of at most this width, broken between words.
 std::vector<std::string> wrapped(const std::string& text, double room, double size, bool bold = false) {
-    std::vector<std::string> lines{{}};
-    std::size_t from = 0;
-    while (from <= text.size()) {
-        const std::size_t space = std::min(text.find(' ', from), text.size());
-        const std::string word = text.substr(from, space - from);
-        std::string& line = lines.back();
-        if (!line.empty() && textWidth(line + " " + word, size, bold) > room) {
-            lines.push_back(word);
-        } else {
-            line += (line.empty() ? "" : " ") + word;
-        }
-        from = space + 1;
-    }
-    return lines;
+    return wrappedText(text, room, [&](const std::string& line) { return textWidth(line, size, bold); });
 }
 
 class Table {

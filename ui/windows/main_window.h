@@ -25,6 +25,7 @@ class KeyPolicy;
 class BookmarkMenu;
 class HomeView;
 class MessageBar;
+struct FigureFile;
 struct Lesson;
 class PaneTitle;
 class PixelFinder;

@@ -8,6 +8,7 @@
 #include "panes/drawn/drawn_pane.h"
 #include "panes/duel/duel_pane.h"
 #include "panes/footprint/footprint_pane.h"
+#include "panes/formula/formula_pane.h"
 #include "panes/profile/profile_pane.h"
 #include "panes/pyramid/pyramid_pane.h"
 #include "panes/result/result_pane.h"
@@ -22,8 +23,9 @@ namespace reliefui {
 
 std::vector<PaneKind> paneList() {
     return {
-        resultPane(),    tracePane(), pyramidPane(), timePane(),    scenePane(), profilePane(), distancePane(),
-        footprintPane(), rowsPane(),  chartsPane(),  comparePane(), drawnPane(), duelPane(),    skippedPane(),
+        resultPane(),  tracePane(),    pyramidPane(),   timePane(),    scenePane(),
+        profilePane(), distancePane(), footprintPane(), rowsPane(),    chartsPane(),
+        comparePane(), drawnPane(),    duelPane(),      skippedPane(), formulaPane(),
     };
 }
 

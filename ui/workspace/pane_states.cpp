@@ -144,6 +144,7 @@ void readPanes(JsonReader reader, PaneStates& panes) {
     if (reader.has("footprint")) {
         JsonReader part = reader.child("footprint");
         part.readWhole("neighbours", panes.footprint.neighbours);
+        part.read("weights", panes.footprint.weights);
         part.finish();
     }
     if (reader.has("rows")) readRows(reader.child("rows"), panes.rows);
@@ -177,7 +178,9 @@ Json panesJson(const PaneStates& panes) {
                            {"true-aspect", panes.profile.trueAspect}};
     }
     if (panes.distance != standard.distance) json["distance"] = distanceJson(panes.distance);
-    if (panes.footprint != standard.footprint) json["footprint"] = {{"neighbours", panes.footprint.neighbours}};
+    if (panes.footprint != standard.footprint) {
+        json["footprint"] = {{"neighbours", panes.footprint.neighbours}, {"weights", panes.footprint.weights}};
+    }
     if (panes.rows != standard.rows) {
         json["rows"] = {{"variants", panes.rows.variants},
                         {"pixels", panes.rows.pixels},

@@ -37,7 +37,8 @@ struct DistancePane {
 };
 
 struct FootprintPane {
-    int neighbours = 0;  // 0, 4 or 8
+    int neighbours = 0;   // 0, 4 or 8
+    bool weights = true;  // the weight function and its map beside it
     bool operator==(const FootprintPane&) const = default;
 };
 

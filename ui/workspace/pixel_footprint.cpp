@@ -207,6 +207,7 @@ std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame,
     const glm::dvec2 place = query->place * perField;
 
     out->filter = request.filter;
+    out->weighing = relief::ellipticalSettings(request.filter);
     out->log.footprint.kind = FootprintKind::Bilinear;
     out->log.footprint.centre = place;
     if (frame.filter) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,9 +58,10 @@ struct PixelFootprint {
     bool bounded = true;                  // the pixel's circle is finite
     std::vector<RayHit> rays;             // of supersample: those that met the relief
     std::vector<PixelCircle> neighbours;  // of the eight pixels around
-    std::shared_ptr<const relief::ColorImage> colors;  // of the level, linear
-    relief::LevelAxis across, down;                    // of the level
-    glm::dvec2 perHeight{1};                           // texels of the level a texel of the height map
+    std::shared_ptr<const relief::ColorImage> colors;    // of the level, linear
+    relief::LevelAxis across, down;                      // of the level
+    glm::dvec2 perHeight{1};                             // texels of the level a texel of the height map
+    std::optional<relief::EllipticalSettings> weighing;  // of filters that weigh the texels of an ellipse
 
     int level() const { return log.footprint.level; }
     glm::dvec2 centre() const { return log.footprint.centre; }

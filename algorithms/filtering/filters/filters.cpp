@@ -1,6 +1,7 @@
 #include "filtering/filters/filters.h"
 
 #include <cassert>
+#include <type_traits>
 
 #include "base/for_each_type.h"
 #include "filtering/filters/filter_types.h"
@@ -58,6 +59,17 @@ const FilterDescription& findFilter(std::string_view name) {
 
 bool needsLevels(const FilterChoice& choice) {
     return findFilter(choice.name).footprint;
+}
+
+std::optional<EllipticalSettings> ellipticalSettings(const FilterChoice& choice) {
+    std::optional<EllipticalSettings> settings;
+    withFilter(findFilter(choice.name).name, [&]<class Filter>() {
+        using Options = typename Filter::Options;
+        if constexpr (std::is_base_of_v<EllipticalOptions, Options>) {
+            settings = EllipticalSettings::of(parseOptions<Options>(choice.name, choice.options, "--filter-set"));
+        }
+    });
+    return settings;
 }
 
 void checkFilter(const FilterChoice& choice, const std::string& subject) {

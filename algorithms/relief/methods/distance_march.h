@@ -12,6 +12,7 @@
 #include "relief/maps/distance_map.h"
 #include "relief/methods/distance_march_lanes.h"
 #include "relief/methods/exact.h"
+#include "relief/ray_length.h"
 #include "relief/sampled_surface.h"
 
 namespace relief {
@@ -79,7 +80,7 @@ class DistanceMarch {
 template <class Sink>
 Hit DistanceMarch::march(const ViewRay& ray, const SampledSurface& surface, Segment segment, bool whole,
                          Sink& sink) const {
-    const double perLambda = std::hypot(std::hypot(ray.a, ray.b), map_->slabTexels);
+    const double perLambda = texelsPerLambda(ray.a, ray.b, map_->slabTexels);
     double lambda = segment.in;
     double above = lambda;  // the last point that is above the surface, and by how much (negative)
     double gapAbove = 0;

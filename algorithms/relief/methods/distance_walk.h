@@ -14,6 +14,7 @@
 #include "relief/cell_record.h"
 #include "relief/maps/distance_map.h"
 #include "relief/methods/distance_walk_lanes.h"
+#include "relief/ray_length.h"
 
 namespace relief {
 
@@ -52,9 +53,7 @@ class DistanceWalk {
     // Whether the map holds for the ray.
     bool serves(const GridRay& ray) const { return std::hypot(ray.x.run, ray.y.run) <= map_->maxRun && ray.inDomain(); }
     // Of the map's metric, a unit of lambda.
-    double perLambda(const GridRay& ray) const {
-        return std::hypot(std::hypot(ray.x.run, ray.y.run), map_->slabTexels);
-    }
+    double perLambda(const GridRay& ray) const { return texelsPerLambda(ray.x.run, ray.y.run, map_->slabTexels); }
     // Steps after which it is given up.
     double records(const GridRay& ray) const {
         const double walked = 2 * ray.cellBound() + map_->layers() + 4;

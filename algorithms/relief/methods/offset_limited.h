@@ -8,6 +8,7 @@
 #pragma once
 
 #include "relief/methods/offset.h"
+#include "relief/ray_length.h"
 
 namespace relief {
 
@@ -47,7 +48,7 @@ class OffsetLimitedTracer {
 
   private:
     double share(const ViewRay& ray) const {
-        const double length = std::hypot(std::hypot(ray.a, ray.b), field_.slabTexels());
+        const double length = texelsPerLambda(ray.a, ray.b, field_.slabTexels());
         // A vertical ray through a slab without thickness: there is nothing to limit.
         return length > 0 ? field_.slabTexels() / length : 1.0;
     }

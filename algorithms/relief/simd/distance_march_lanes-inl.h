@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "relief/methods/distance_march_lanes.h"
+#include "relief/ray_length.h"
 #include "relief/sampled_surface.h"
 #include "relief/simd/surface_lanes-inl.h"
 
@@ -108,7 +109,7 @@ bool DistanceSteps<Visits>::take(std::size_t lane, const ViewRay& ray, std::size
     }
     const auto [s0, t0] = surface.placeAt(0);
     s0_[lane] = s0, t0_[lane] = t0, a_[lane] = ray.a, b_[lane] = ray.b;
-    perLambda_[lane] = std::hypot(std::hypot(ray.a, ray.b), queue_.search.map.slabTexels);
+    perLambda_[lane] = texelsPerLambda(ray.a, ray.b, queue_.search.map.slabTexels);
     lambda_[lane] = 0;
     left_[lane] = queue_.search.iterations;
     return true;

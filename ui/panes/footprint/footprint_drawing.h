@@ -13,6 +13,7 @@ namespace reliefui {
 struct FootprintOptions {
     int neighbours = 0;    // 0, 4 or 8 pixels around, their ellipses
     bool numbers = false;  // derivatives and the ellipse's coefficients in the legend: figures have the room
+    bool weights = true;   // beside it the weight function and the map of weights, where there are any
 
     bool operator==(const FootprintOptions&) const = default;
 };

@@ -1,29 +1,63 @@
 #include "panes/footprint/footprint_figure.h"
 
+#include <algorithm>
+
 #include "painting/painter.h"
 #include "panes/figure_caption.h"
+#include "panes/footprint/weight_drawing.h"
 
 namespace reliefui {
+
+namespace {
+
+// Points of the page for the weights below the footprint: plots, their legend, a margin.
+double weightsHeight(const PixelFootprint& footprint, const FootprintOptions& options, double points,
+                     relief::Language language) {
+    if (!options.weights || !hasWeights(footprint)) return 0;
+    const Drawing legend = weightLegend(footprint, points - kFigureMargins, language);
+    return std::clamp(0.42 * points, 110.0, 220.0) + legend.bounds.height() + 1.5 * kFigureMargins;
+}
+
+void paintWeights(QPainter& painter, const PixelFootprint& footprint, const Box& page, const Style& style) {
+    const double unit = style.pixelsPerPoint();
+    const Drawing legend = weightLegend(footprint, page.width() / unit - kFigureMargins, style.language);
+    const Box room = figureRoom(legend, page, style);
+    const Drawing plots = weightDrawing(footprint, {0, 0, room.width() / unit, room.height() / unit});
+    paintFigure(painter, {&plots}, legend, page, style);
+}
+
+void paintFootprint(QPainter& painter, const PixelFootprint& footprint, const FootprintOptions& options,
+                    const Box& page, const Style& style) {
+    const double width = page.width() / style.pixelsPerPoint() - kFigureMargins;
+    FootprintOptions named = options;
+    named.numbers = true;
+    Drawing legend = footprintLegend(footprint, named, true, width, style.language);
+    const Box room = figureRoom(legend, page, style);
+    const Drawing texture = footprintTexture(footprint, room.width() / room.height());
+    const double scale = ViewMap::fitting(texture.bounds, room).scale / style.pixelsPerPoint();
+    const FootprintMarks marks = footprintMarks(footprint, options, texture.bounds, scale);
+    if (!marks.weights) legend = footprintLegend(footprint, named, false, width, style.language);
+    paintFigure(painter, {&texture, &marks.drawing}, legend, page, style);
+}
+
+}  // namespace
 
 std::shared_ptr<const Figure> footprintFigure(std::shared_ptr<const Snapshot> snapshot,
                                               const FootprintOptions& options) {
     requireRay("footprint", *snapshot);
     if (!snapshot->footprint) emptyFigure("footprint", relief::MessageId::ExportNoHit);
-    return paintedFigure(
-        [snapshot, options](QPainter& painter, const Box& page, const Style& style) {
-            const PixelFootprint& footprint = *snapshot->footprint;
-            const double width = page.width() / style.pixelsPerPoint() - kFigureMargins;
-            FootprintOptions named = options;
-            named.numbers = true;
-            Drawing legend = footprintLegend(footprint, named, true, width, style.language);
-            const Box room = figureRoom(legend, page, style);
-            const Drawing texture = footprintTexture(footprint, room.width() / room.height());
-            const double scale = ViewMap::fitting(texture.bounds, room).scale / style.pixelsPerPoint();
-            const FootprintMarks marks = footprintMarks(footprint, options, texture.bounds, scale);
-            if (!marks.weights) legend = footprintLegend(footprint, named, false, width, style.language);
-            paintFigure(painter, {&texture, &marks.drawing}, legend, page, style);
-        },
-        figureCaption(snapshot));
+    const auto paint = [snapshot, options](QPainter& painter, const Box& page, const Style& style) {
+        const PixelFootprint& footprint = *snapshot->footprint;
+        const double unit = style.pixelsPerPoint();
+        const double below = weightsHeight(footprint, options, page.width() / unit, style.language) * unit;
+        paintFootprint(painter, footprint, options, {page.x0, page.y0, page.x1, page.y1 - below}, style);
+        if (below > 0) paintWeights(painter, footprint, {page.x0, page.y1 - below, page.x1, page.y1}, style);
+    };
+    const auto aspect = [snapshot, options](const FigurePage& page) {
+        const double points = page.widthMm / kMmPerPoint;
+        return kFigureAspect + weightsHeight(*snapshot->footprint, options, points, page.style.language) / points;
+    };
+    return paintedFigure(paint, figureCaption(snapshot), aspect);
 }
 
 }  // namespace reliefui

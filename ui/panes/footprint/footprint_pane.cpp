@@ -16,6 +16,7 @@ PaneKind footprintPane() {
     kind.figures = {{"footprint", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
                          FootprintOptions options;
                          options.neighbours = p.footprint.neighbours;
+                         options.weights = p.footprint.weights;
                          return footprintFigure(std::move(s), options);
                      }}};
     return kind;

@@ -10,6 +10,7 @@
 #include "panes/coefficient_text.h"
 #include "panes/drawing_canvas.h"
 #include "panes/footprint/footprint_figure.h"
+#include "panes/footprint/weight_drawing.h"
 #include "panes/pane_controls.h"
 #include "scenario/step_sentence.h"
 #include "workspace/pane_states.h"
@@ -32,15 +33,23 @@ QString number(double value, int decimals) {
 
 FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Footprint"), QStringLiteral("footprint"), tr("Export the footprint"), parent),
-      canvas_(new DrawingCanvas(this)) {
+      canvas_(new DrawingCanvas(this)),
+      weights_(new DrawingCanvas(this)) {
     setFace(canvas_);
+    weights_->setAccessibleName(tr("Weight function and map of weights"));
+    weights_->hide();
     auto* const bar = new QHBoxLayout;
     makeBar(bar);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(bar);
-    column->addWidget(canvas_, 1);
+    both_ = new QBoxLayout(QBoxLayout::LeftToRight);
+    both_->setSpacing(0);
+    both_->addWidget(canvas_, 3);
+    both_->addWidget(weights_, 2);
+    column->addLayout(both_, 1);
+    connect(weights_, &DrawingCanvas::resized, this, &FootprintView::drawWeights);
     connect(canvas_, &DrawingCanvas::pointed, this, &FootprintView::tell);
     connect(canvas_, &DrawingCanvas::left, this, [this] {
         setReadout({});
@@ -63,6 +72,14 @@ void FootprintView::makeBar(QHBoxLayout* bar) {
     neighbours_->addItem(tr("this pixel alone"), 0);
     neighbours_->addItem(tr("and 4 neighbours"), 4);
     neighbours_->addItem(tr("and 8 neighbours"), 8);
+    weigh_ = addToolButton(bar, tr("weights"),
+                           tr("The weight function and the map of weights, where the pane has room for them"), true);
+    weigh_->setObjectName(QStringLiteral("footprint-weights"));
+    connect(weigh_, &QToolButton::clicked, this, [this](bool on) {
+        FootprintOptions next = options_;
+        next.weights = on;
+        setOptions(next);
+    });
     bar->addStretch(1);
     auto* const fit = addToolButton(bar, tr("fit"), tr("Show all of the footprint (R); wheel zooms, drag moves"));
     connect(fit, &QToolButton::clicked, canvas_, &DrawingCanvas::resetZoom);
@@ -75,11 +92,17 @@ void FootprintView::makeBar(QHBoxLayout* bar) {
 
 void FootprintView::setOptions(const FootprintOptions& options) {
     if (options == options_) return;
-    keep(&PaneStates::footprint, FootprintPane{options.neighbours}, tr("Footprint: neighbours"));
+    const bool neighbours = options.neighbours != options_.neighbours;
+    keep(&PaneStates::footprint, FootprintPane{options.neighbours, options.weights},
+         neighbours ? tr("Footprint: neighbours") : tr("Footprint: weights"));
 }
 
 void FootprintView::adopt() {
-    const FootprintOptions options{panesOf(workspace_->scenario()).footprint.neighbours};
+    const FootprintPane state = panesOf(workspace_->scenario()).footprint;
+    FootprintOptions options = options_;
+    options.neighbours = state.neighbours;
+    options.weights = state.weights;
+    weigh_->setChecked(options.weights);
     if (options == options_) return;
     options_ = options;
     neighbours_->setCurrentIndex(neighbours_->findData(options.neighbours));
@@ -97,6 +120,7 @@ void FootprintView::showSnapshot() {
     const std::shared_ptr<const PixelFootprint> before = footprint_;
     footprint_ = shown_ ? shown_->footprint : nullptr;
     if (footprint_ != before) chosen_.reset();
+    makeRoom();
     if (!footprint_) {
         using relief::MessageId;
         const bool hit = shown_ && shown_->trace.onRelief;
@@ -124,7 +148,32 @@ void FootprintView::showSnapshot() {
     redraw();
 }
 
+void FootprintView::makeRoom() {
+    constexpr double kWide = 470, kHigh = 150;        // points of the pane, for both beside each other
+    constexpr double kNarrow = 230, kVeryHigh = 420;  // one below the other
+    const double unit = workspace_->style().pixelsPerPoint();
+    const double wide = width() / unit, high = height() / unit;
+    const bool beside = wide >= kWide && high >= kHigh;
+    const bool below = !beside && wide >= kNarrow && high >= kVeryHigh;
+    weights_->setStyle(workspace_->style());
+    both_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    weights_->setVisible(options_.weights && (beside || below) && footprint_ && hasWeights(*footprint_));
+    drawWeights();
+}
+
+void FootprintView::drawWeights() {
+    if (!footprint_ || !hasWeights(*footprint_) || weights_->isHidden()) return weights_->letGo();
+    const double unit = workspace_->style().pixelsPerPoint();
+    const Drawing legend =
+        weightLegend(*footprint_, weights_->width() / unit - kFigureMargins, workspace_->style().language);
+    weights_->setLayers({}, std::make_shared<const Drawing>(legend));
+    const QSizeF room = weights_->room();
+    auto plots = std::make_shared<const Drawing>(weightDrawing(*footprint_, {0, 0, room.width(), room.height()}));
+    weights_->setLayers({std::move(plots)}, std::make_shared<const Drawing>(legend));
+}
+
 void FootprintView::letGo() {
+    weights_->letGo();
     shown_.reset();
     footprint_.reset();
     texture_.reset();

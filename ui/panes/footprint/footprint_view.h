@@ -8,8 +8,10 @@
 #include "panes/figure_view.h"
 #include "panes/footprint/footprint_drawing.h"
 
+class QBoxLayout;
 class QComboBox;
 class QHBoxLayout;
+class QToolButton;
 
 namespace reliefui {
 
@@ -21,6 +23,7 @@ class FootprintView : public FigureView {
     explicit FootprintView(Workspace* workspace, QWidget* parent = nullptr);
 
     DrawingCanvas* canvas() const { return canvas_; }
+    DrawingCanvas* weights() const { return weights_; }
     const FootprintOptions& options() const { return options_; }
     void setOptions(const FootprintOptions& options);
     // What is on the screen; null where there is nothing to show.
@@ -39,11 +42,16 @@ class FootprintView : public FigureView {
 
   private:
     void makeBar(QHBoxLayout* bar);
-    void adopt();   // what the scenario says
-    void redraw();  // another part is seen, or another texel is under the pointer
+    void makeRoom();     // for the weights, beside or below, where there is some
+    void drawWeights();  // another footprint or room
+    void adopt();        // what the scenario says
+    void redraw();       // another part is seen, or another texel is under the pointer
     void showEmpty(relief::MessageId why);
 
     DrawingCanvas* canvas_;
+    DrawingCanvas* weights_;  // the weight function and its map
+    QBoxLayout* both_ = nullptr;
+    QToolButton* weigh_ = nullptr;
     QComboBox* neighbours_ = nullptr;
     FootprintOptions options_;
     std::shared_ptr<const Snapshot> shown_;

@@ -1,0 +1,14 @@
+// The length of a view ray, in the metric of distance maps.
+#pragma once
+
+#include <cmath>
+
+namespace relief {
+
+// Texels of the metric (x, y, D z) that a ray of run (a, b) covers in a unit of lambda; D: the slab's thickness in
+// texels. A step of distance d advances lambda by d over this.
+inline double texelsPerLambda(double a, double b, double slabTexels) {
+    return std::hypot(std::hypot(a, b), slabTexels);
+}
+
+}  // namespace relief

@@ -1,0 +1,391 @@
+// The formula pane: its numbers are the core's, worked out as they are printed they agree, and they fit their sheet.
+#include <cmath>
+#include <map>
+
+#include <QDockWidget>
+
+#include "filtering/weight_map.h"
+#include "painting/formula_text.h"
+#include "panes/footprint/weight_drawing.h"
+#include "panes/formula/formula_drawing.h"
+#include "panes/formula/formula_view.h"
+#include "printed_formula.h"
+#include "relief/ray_length.h"
+#include "window_fixture.h"
+#include "workspace/snapshot_maker.h"
+
+namespace reliefui {
+
+namespace {
+
+using relief::Language;
+
+relief::Scenario tiny() {
+    relief::Scenario scenario = smallScenario();
+    scenario.width = 60;
+    scenario.height = 45;
+    scenario.pixel = relief::PixelChoice{27, 24};
+    return scenario;
+}
+
+// Snapshots without a window.
+class Maker {
+  public:
+    std::shared_ptr<const Snapshot> operator()(const relief::Scenario& scenario) {
+        relief::Work work(1);
+        SnapshotOrder order;
+        order.scenario = scenario;
+        return maker_.make(order, work);
+    }
+
+  private:
+    SnapshotMaker maker_;
+};
+
+// Every value by its symbol, of the groups from `first` on; the first of a name.
+std::map<std::string, double> valuesOf(const std::vector<FormulaGroup>& groups, std::size_t first, std::size_t count) {
+    std::map<std::string, double> values;
+    for (std::size_t g = first; g < std::min(groups.size(), first + count); ++g) {
+        for (const FormulaRow& row : groups[g].rows) {
+            for (const FormulaValue& value : row.values) values.emplace(value.symbol, value.number);
+        }
+    }
+    return values;
+}
+
+// "0.70 ≥ 0.65" holds, as far as its digits tell.
+void expectRelation(const std::string& numbers) {
+    for (const char* const sign : {" < ", " ≤ ", " ≥ "}) {
+        const std::size_t at = numbers.find(sign);
+        if (at == std::string::npos) continue;
+        const Range left = PrintedFormula::value(numbers.substr(0, at));
+        const Range right = PrintedFormula::value(numbers.substr(at + std::string(sign).size()));
+        if (sign == std::string(" ≥ ")) {
+            EXPECT_GE(left.high, right.low);
+        } else {
+            EXPECT_LE(left.low, right.high);
+        }
+        return;
+    }
+    EXPECT_EQ(numbers, "") << "no relation";
+}
+
+// What is printed is a number, and what stands on the right gives it.
+void expectConsistent(const std::vector<FormulaGroup>& groups, const std::string& what) {
+    for (const FormulaGroup& group : groups) {
+        EXPECT_FALSE(group.title.empty()) << what;
+        for (const FormulaRow& row : group.rows) {
+            SCOPED_TRACE(what + " · " + row.formula + " = " + row.numbers + " = " + row.result);
+            for (const FormulaValue& value : row.values) EXPECT_TRUE(std::isfinite(value.number)) << value.symbol;
+            if (row.formula.empty()) {
+                EXPECT_FALSE(row.values.empty());
+                continue;
+            }
+            if (row.result.empty()) expectRelation(row.numbers);
+            if (row.result.empty() || row.result.starts_with("(")) continue;
+            const Range result = PrintedFormula::leading(row.result);
+            ASSERT_EQ(row.values.size(), 1U);
+            const double exactly = 1e-12 * std::abs(row.values[0].number);
+            EXPECT_LE(result.low, row.values[0].number + exactly);
+            EXPECT_GE(result.high, row.values[0].number - exactly);
+            if (row.numbers.empty()) continue;
+            // The core works in double, the filter's weights in float.
+            const Range worked = PrintedFormula::value(row.numbers);
+            const double rounding = 1e-3 * std::max(std::abs(result.low), 1e-6);
+            EXPECT_LE(worked.low - rounding, result.high);
+            EXPECT_GE(worked.high + rounding, result.low);
+        }
+    }
+}
+
+TEST(Formula, SignsAreLoweredAndRaised) {
+    const auto runs = formulaRuns("V_{i+1} = 2 V_i^2 + λ_0");
+    ASSERT_EQ(runs.size(), 7U);
+    EXPECT_EQ(runs[1].text, "i+1");
+    EXPECT_EQ(runs[1].level, -1);
+    EXPECT_EQ(runs[4].text, "2");
+    EXPECT_EQ(runs[4].level, 1);
+    EXPECT_EQ(runs[5].text, " + λ");
+    EXPECT_LT(formulaWidth("a^2"), formulaWidth("a2"));
+    EXPECT_EQ(formulaNumber(-0.25), "−0.2500");
+    EXPECT_EQ(formulaNumber(-1.5e-7), "−1.500×10^{−7}");
+    EXPECT_EQ(formulaNumber(1234.4), "1234");
+}
+
+TEST(Formula, CoefficientsGiveTheTextureCoordinatesAndTheirDerivatives) {
+    Maker make;
+    for (const relief::SceneKind scene : {relief::SceneKind::Floor, relief::SceneKind::Wall, relief::SceneKind::Cube}) {
+        relief::Scenario scenario = tiny();
+        scenario.scene = scene;
+        const auto snapshot = make(scenario);
+        const auto groups = formulas(*snapshot, snapshot->scenario.step, Language::English);
+        ASSERT_GE(groups.size(), 5U);
+        auto v = valuesOf(groups, 0, 1);
+        const auto at = [&](double x, double y) {
+            const double q = v["G"] * x + v["H"] * y + v["I"];
+            return Point{(v["A"] * x + v["B"] * y + v["C"]) / q, (v["D"] * x + v["E"] * y + v["F"]) / q};
+        };
+        const relief::TexelPoint core =
+            snapshot->frame->visible(*snapshot->request).at(27, 24, 60)->texelFromScreen.at(27.5, 24.5);
+        EXPECT_NEAR(at(v["x"], v["y"]).x, core.s, 1e-9);
+        EXPECT_NEAR(at(v["x"], v["y"]).y, core.t, 1e-9);
+        EXPECT_NEAR(v["u"], core.s, 1e-9);
+        EXPECT_NEAR(v["v"], core.t, 1e-9);
+        EXPECT_EQ(v["q"], core.q);
+        // The ray enters the slab there.
+        EXPECT_NEAR(snapshot->trace.ray.s0, core.s, 1e-6);
+        auto d = valuesOf(groups, 3, 1);
+        constexpr double kStep = 1e-4;
+        const Point right = at(27.5 + kStep, 24.5), left = at(27.5 - kStep, 24.5);
+        const Point down = at(27.5, 24.5 + kStep), up = at(27.5, 24.5 - kStep);
+        const auto near = [](double shown, double by) { EXPECT_NEAR(shown, by, 1e-5 * std::max(1.0, std::abs(by))); };
+        near(d["u_x"], (right.x - left.x) / (2 * kStep));
+        near(d["v_x"], (right.y - left.y) / (2 * kStep));
+        near(d["u_y"], (down.x - up.x) / (2 * kStep));
+        near(d["v_y"], (down.y - up.y) / (2 * kStep));
+        EXPECT_EQ(d["M"], -d["O"]);
+        // The ellipse through the ends of its axes.
+        auto e = valuesOf(groups, 4, 1);
+        EXPECT_NEAR(e["F"], e["A"] * e["C"] - e["B"] * e["B"] / 4, 1e-9 * e["A"] * e["C"]);
+        const relief::SemiAxes<double> axes = snapshot->footprint->behind.axes;
+        EXPECT_NEAR(e["l_1"], axes.major, 1e-12 * axes.major);
+        EXPECT_NEAR(e["l_2"], axes.minor, 1e-12 * axes.major);
+        const auto form = [&](double u, double w) { return e["A"] * u * u + e["B"] * u * w + e["C"] * w * w; };
+        EXPECT_NEAR(form(e["l_1"] * axes.majorU, e["l_1"] * axes.majorV), e["F"], 1e-6 * e["F"]);
+        EXPECT_NEAR(form(-e["l_2"] * axes.majorV, e["l_2"] * axes.majorU), e["F"], 1e-6 * e["F"]);
+        expectConsistent(groups, std::string(relief::sceneName(scene)));
+    }
+}
+
+TEST(Formula, EveryFilterHasItsHeaviestTexelAndTheFiltersSum) {
+    Maker make;
+    std::vector<relief::FilterChoice> choices = relief::filterForms();
+    for (const char* const text : {"elliptical:weights=uniform", "elliptical:weights=texel-distance",
+                                   "elliptical:weights=lcd", "elliptical:source=map", "elliptical:levels=exhaustive"}) {
+        choices.push_back(relief::parseFilter(text, "test"));
+    }
+    int formulasOfWeights = 0;
+    for (const relief::FilterChoice& choice : choices) {
+        const std::string name = relief::filterText(choice);
+        SCOPED_TRACE(name);
+        relief::Scenario scenario = tiny();
+        scenario.filter = choice;
+        const auto snapshot = make(scenario);
+        const auto groups = formulas(*snapshot, snapshot->scenario.step, Language::English);
+        expectConsistent(groups, name);
+        ASSERT_NE(snapshot->footprint, nullptr);
+        const PixelFootprint& f = *snapshot->footprint;
+        double sum = 0, heaviest = 0;
+        for (const relief::FootprintTexel& texel : f.log.texels) {
+            if (texel.hidden) continue;
+            sum += PixelFootprint::weightOf(texel);
+            heaviest = std::max(heaviest, PixelFootprint::weightOf(texel));
+        }
+        if (!(sum > 0)) continue;  // a shape that is read at many places
+        auto v = valuesOf(groups, groups.size() - 1, 1);
+        EXPECT_NEAR(v["w / Σw"], heaviest / sum, 1e-6);
+        if (!f.weighing || f.log.footprint.kind != relief::FootprintKind::Ellipse) continue;
+        EXPECT_NEAR(v["r²"] * v["F"], v["A"] * v["U"] * v["U"] + v["B"] * v["U"] * v["V"] + v["C"] * v["V"] * v["V"],
+                    1e-9 * v["F"]);
+        for (const FormulaRow& row : groups.back().rows) formulasOfWeights += row.formula.starts_with("w = ") ? 1 : 0;
+    }
+    EXPECT_GE(formulasOfWeights, 4) << "Gaussian, uniform and by distance, from the formula and from level 0";
+}
+
+// Of a step: the record's numbers, in formulas of the kind that it is of.
+void expectTheRecord(const FormulaGroup& group, const Snapshot& snapshot, const relief::Step& step,
+                     std::map<std::string, int>& seen) {
+    std::map<std::string, double> v;
+    for (const FormulaRow& row : group.rows) {
+        for (const FormulaValue& value : row.values) {
+            const auto [at, fresh] = v.emplace(value.symbol, value.number);
+            EXPECT_EQ(at->second, value.number) << value.symbol << ": twice, and not the same";
+        }
+        ++seen[row.formula];
+    }
+    EXPECT_EQ(v["λ_{in}"], step.lambdaIn);
+    EXPECT_EQ(v["λ_{out}"], step.lambdaOut);
+    EXPECT_EQ(v["λ′"], step.lambdaAfter);
+    if (v.contains("z_{out}")) {
+        EXPECT_EQ(v["z_{out}"], step.zOut());
+    }
+    if (v.contains("h_{max}")) {
+        EXPECT_EQ(v["h_{max}"], step.value);
+    }
+    const relief::ViewRay& ray = snapshot.trace.ray;
+    if (v.contains("D") && v.contains("L")) {
+        EXPECT_EQ(v["L"], relief::texelsPerLambda(ray.a, ray.b, snapshot.request->field.slabTexels()));
+    }
+    if (const auto* const texel = step.as<relief::subject::Texel>();
+        texel != nullptr && texel->ray && v.contains("x")) {
+        EXPECT_EQ(v["x"], 2 * texel->ray->x);
+        EXPECT_EQ(v["y"], 2 * texel->ray->y);
+    }
+}
+
+TEST(Formula, StepsAreSetAsTheirRecordsSay) {
+    Maker make;
+    std::map<std::string, int> seen;
+    for (const relief::MethodDescription& method : relief::tracerList()) {
+        relief::Scenario scenario = tiny();
+        scenario.method = {method.name, {}};
+        const auto made = make(scenario);
+        const Snapshot& snapshot = *made;
+        for (std::size_t step = 0; step < snapshot.trace.steps.size(); ++step) {
+            SCOPED_TRACE(method.name + ", step " + std::to_string(step + 1));
+            const FormulaGroup group = stepFormulas(snapshot, static_cast<int>(step), Language::English);
+            expectTheRecord(group, snapshot, snapshot.trace.steps[step], seen);
+            expectConsistent({group}, method.name);
+        }
+        expectConsistent(formulas(snapshot, 0, Language::Ukrainian), method.name);
+    }
+    for (const char* const formula :
+         {"V_{i+1} = 2 V_i", "h_{max} < z_{out}", "h_{max} ≥ z_{out}", "λ_{out} = n / N", "λ′ = 1 − h(s_0, t_0)",
+          "λ′ = (1 − h(s_0, t_0)) D / L", "λ′ = (λ_0 + λ_1) / 2", "λ′ = λ_{out} + d / L", "λ′ = λ_{in} + d / L",
+          "λ′ = λ_{in} + (λ_{out} − λ_{in}) d_0 / (d_0 − d_1)", "λ′ = λ_{in} + (z − h_{apex}) / (1 + κ L)",
+          "λ′ = λ_{out} + (z − h_{apex}) / (1 + κ L)"}) {
+        std::string bound = formula;  // by a margin less, or at the ray's end
+        bound.replace(bound.find(" = ") != std::string::npos ? bound.find(" = ") : 0, 3, " ≤ ");
+        EXPECT_GT(seen[formula] + seen[bound], 0) << formula << " was never set";
+    }
+}
+
+// [MIP18]: a descent's doubled coordinates are where the next descent begins, if the ray has not moved.
+TEST(Formula, CoordinatesDoubleFromLevelToLevel) {
+    Maker make;
+    relief::Scenario scenario = tiny();
+    scenario.method = {"max-pyramid-paper", {}};
+    const auto snapshot = make(scenario);
+    const auto& steps = snapshot->trace.steps;
+    int pairs = 0;
+    for (std::size_t k = 1; k < steps.size(); ++k) {
+        const auto* const coarse = steps[k - 1].as<relief::subject::Texel>();
+        const auto* const fine = steps[k].as<relief::subject::Texel>();
+        if (coarse == nullptr || fine == nullptr || !coarse->ray || !fine->ray) continue;
+        if (steps[k].lambdaIn != steps[k - 1].lambdaIn || fine->level + 1 != coarse->level) continue;
+        EXPECT_NEAR(fine->ray->x, 2 * coarse->ray->x, 1e-9);
+        EXPECT_NEAR(fine->ray->y, 2 * coarse->ray->y, 1e-9);
+        ++pairs;
+    }
+    EXPECT_GT(pairs, 0);
+}
+
+TEST(Formula, NothingStandsBesideTheSheet) {
+    Maker make;
+    relief::Scenario scenario = tiny();
+    scenario.filter = relief::parseFilter("elliptical", "test");
+    scenario.method = {"cone", {}};
+    scenario.step = 2;
+    const auto snapshot = make(scenario);
+    for (const Language language : {Language::English, Language::Ukrainian}) {
+        for (const double width : {120.0, 226.0, 300.0, 442.0, 700.0, 960.0}) {
+            const FormulaSheet sheet = formulaSheet(formulas(*snapshot, snapshot->scenario.step, language), width);
+            EXPECT_NEAR(sheet.drawing.bounds.width(), width, 1e-9);
+            std::vector<Box> taken;
+            for (const Item& item : sheet.drawing.items) {
+                const auto* const label = std::get_if<Label>(&item.primitive);
+                if (label == nullptr) continue;
+                const std::string words = labelText(*label, language);
+                const bool bold = item.emphasis == Emphasis::Strong;
+                const double wide =
+                    label->formula ? formulaWidth(words, label->size, bold) : textWidth(words, label->size, bold);
+                const double left = label->anchor == Anchor::Right ? label->at.x - wide : label->at.x;
+                EXPECT_GE(left, -0.5) << words << " on " << width;
+                EXPECT_LE(left + wide, width + 0.5) << words << " on " << width;
+                EXPECT_LT(label->at.y, sheet.drawing.bounds.y1);
+                const double high = 4 * label->size;
+                const Box box{left, label->at.y - high, left + wide, label->at.y + high};
+                for (const Box& other : taken) EXPECT_FALSE(box.overlaps(other)) << words << " on " << width;
+                taken.push_back(box);
+            }
+            EXPECT_GT(taken.size(), 60U);
+        }
+    }
+}
+
+TEST(Formula, WeightsLieOnTheWeightFunctionAndTheMapIsTheFilters) {
+    Maker make;
+    for (const char* const filter : {"elliptical:levels=exhaustive", "elliptical:weights=uniform",
+                                     "elliptical:weights=texel-distance", "elliptical:weights=crt"}) {
+        SCOPED_TRACE(filter);
+        relief::Scenario scenario = tiny();
+        scenario.filter = relief::parseFilter(filter, "test");
+        const auto snapshot = make(scenario);
+        const PixelFootprint& f = *snapshot->footprint;
+        if (!hasWeights(f)) {
+            EXPECT_STREQ(filter, "elliptical:weights=crt");  // too few texels to carry the shape
+            continue;
+        }
+        const Drawing drawing = weightDrawing(f, {0, 0, 400, 180});
+        const Polyline* curve = nullptr;
+        const relief::FloatImage* map = nullptr;
+        std::vector<Point> dots;
+        for (const Item& item : drawing.items) {
+            if (const auto* const line = std::get_if<Polyline>(&item.primitive)) {
+                if (item.role == Role::Footprint) curve = line;
+                for (const Point& p : line->points) EXPECT_TRUE(drawing.bounds.contains(p));
+            }
+            if (const auto* const dot = std::get_if<Marker>(&item.primitive)) {
+                EXPECT_TRUE(drawing.bounds.contains(dot->at));
+                if (item.role == Role::Weight && dot->size > 4) dots.push_back(dot->at);
+            }
+            if (const auto* const cells = std::get_if<Cells>(&item.primitive)) map = cells->values.get();
+        }
+        EXPECT_EQ(dots.size(), f.log.texels.size());
+        const bool byTexels = f.weighing->weights == relief::WeightKind::TexelDistance;
+        EXPECT_EQ(map == nullptr, byTexels);
+        EXPECT_EQ(curve == nullptr, byTexels);
+        if (byTexels) continue;
+        // Each dot lies on the curve between the points around it.
+        for (const Point& dot : dots) {
+            const auto after = std::find_if(curve->points.begin() + 1, curve->points.end(),
+                                            [&](const Point& p) { return p.x >= dot.x; });
+            ASSERT_NE(after, curve->points.end());
+            const Point& a = *(after - 1);
+            const double at = a.y + (after->y - a.y) * (dot.x - a.x) / std::max(after->x - a.x, 1e-9);
+            EXPECT_NEAR(dot.y, at, 1.0) << "points";
+        }
+        const int n = map->width();
+        const relief::EllipticalSettings& settings = *f.weighing;
+        const double centre = settings.radius / n * std::sqrt(2.0);
+        EXPECT_NEAR(static_cast<double>((*map)(n / 2, n / 2)), relief::radialWeight(settings, centre), 1e-6);
+        EXPECT_EQ((*map)(0, 0), 0.0F) << "a corner lies beyond R";
+    }
+}
+
+TEST_F(WindowTest, TheFormulaPaneFollowsTheStepAndHidesWhatIsGuessed) {
+    openWindow(deepRay());
+    QDockWidget* const dock = window_->findChild<QDockWidget*>(QStringLiteral("formula-pane"));
+    ASSERT_NE(dock, nullptr);
+    dock->show();
+    dock->raise();
+    FormulaView* const view = window_->pane<FormulaView>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !view->face()->sheet().places.empty(); }, 5000));
+    EXPECT_GT(colorsIn(grab(view)), 4);
+    const auto says = [&](const char* words) {
+        const auto& places = view->face()->sheet().places;
+        return std::any_of(places.begin(), places.end(),
+                           [&](const FormulaSheet::Place& p) { return p.words.starts_with(words); });
+    };
+    int descent = 0;
+    while (!snapshot()->trace.steps[static_cast<std::size_t>(descent)].as<relief::subject::Texel>()->ray) ++descent;
+    workspace_->chooseStep(descent);
+    EXPECT_TRUE(says("V_(i+1) = 2 V_i"));
+    workspace_->chooseStep(0);
+    EXPECT_FALSE(says("V_(i+1) = 2 V_i"));
+    EXPECT_TRUE(says("s = s_0"));
+    workspace_->setGuessing(true);
+    EXPECT_FALSE(says("s = s_0")) << "where it hits";
+    EXPECT_FALSE(says("w / Σw"));
+    EXPECT_TRUE(says("u_x = a / q²"));
+    workspace_->setGuessing(false);
+    // Hover reads a row out.
+    const FormulaSheet::Place& place = view->face()->sheet().places.front();
+    const double unit = workspace_->style().pixelsPerPoint();
+    const QPointF at(12 * unit, (place.box.center().y + 6) * unit);
+    EXPECT_EQ(view->face()->rowAt(at).toStdString(), place.words);
+}
+
+}  // namespace
+
+}  // namespace reliefui

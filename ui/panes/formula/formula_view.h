@@ -1,0 +1,61 @@
+// The formulas' pane: a sheet that is scrolled where it is higher than the pane. It follows the pixel, the step, the
+// method and the filter.
+#pragma once
+
+#include <QAbstractScrollArea>
+
+#include "panes/figure_view.h"
+#include "panes/formula/formula_drawing.h"
+
+namespace reliefui {
+
+// Shows the groups at full size, as wide as it is.
+class FormulaFace : public QAbstractScrollArea {
+    Q_OBJECT
+  public:
+    explicit FormulaFace(QWidget* parent);
+
+    // Without groups: why there are none.
+    void setGroups(std::vector<FormulaGroup> groups, relief::MessageId missing, const Style& style);
+    const FormulaSheet& sheet() const { return sheet_; }
+    // The row under this point of the viewport, in one line; empty: none.
+    QString rowAt(const QPointF& at) const;
+
+  signals:
+    void pointed(const QPointF& at);
+    void left();
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+
+  private:
+    void lay();
+    double margin() const;  // pixels
+
+    std::vector<FormulaGroup> groups_;
+    relief::MessageId missing_{};
+    Style style_;
+    FormulaSheet sheet_;
+};
+
+class FormulaView : public FigureView {
+    Q_OBJECT
+  public:
+    explicit FormulaView(Workspace* workspace, QWidget* parent = nullptr);
+
+    const FormulaFace* face() const { return face_; }
+
+  protected:
+    void showSnapshot() override;
+    std::shared_ptr<const Figure> figure() const override;
+    void tell(const QPointF& at) override;
+    void letGo() override;
+
+  private:
+    FormulaFace* face_;
+};
+
+}  // namespace reliefui
