@@ -185,11 +185,11 @@
     </message>
     <message>
         <source>error of 95%</source>
-        <translation>похибка для 95 % променів</translation>
+        <translation>похибка для 95&#xa0;% променів</translation>
     </message>
     <message>
         <source>error of 99.99%</source>
-        <translation>похибка для 99.99 % променів</translation>
+        <translation>похибка для 99.99&#xa0;% променів</translation>
     </message>
     <message>
         <source>largest error</source>
@@ -213,7 +213,7 @@
     </message>
     <message>
         <source>cancel (%1%)</source>
-        <translation>зупинити (%1 %)</translation>
+        <translation>зупинити (%1&#xa0;%)</translation>
     </message>
     <message>
         <source>Choose method and its worst pixel</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps</source>
-        <translation>%1: %2 нс на промінь ± %3 %, похибка в середньому %4, найбільша %5, кроків %6</translation>
+        <translation>%1: %2 нс на промінь ± %3&#xa0;%, похибка в середньому %4, найбільша %5, кроків %6</translation>
     </message>
     <message numerus="yes">
         <source> · wrong outcome: %n rays</source>
@@ -746,7 +746,7 @@
     </message>
     <message>
         <source>Preparing: %1, %2 %</source>
-        <translation>Підготовка: %1, %2 %</translation>
+        <translation>Підготовка: %1, %2&#xa0;%</translation>
     </message>
     <message>
         <source>Method against it, number %1</source>
@@ -851,6 +851,22 @@
         <source>Width, pixels:</source>
         <translation>Ширина, пікселі:</translation>
     </message>
+    <message>
+        <source>On paper; letters and lines are as large on any width</source>
+        <translation>На папері; літери й лінії однакові за будь-якої ширини</translation>
+    </message>
+    <message>
+        <source>Width, mm:</source>
+        <translation>Ширина, мм:</translation>
+    </message>
+    <message>
+        <source>Say below what is shown of what</source>
+        <translation>Підпис унизу: що і звідки показано</translation>
+    </message>
+    <message>
+        <source>Light on dark, as in the window</source>
+        <translation>Світле на темному, як у вікні</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::FilterBox</name>
@@ -911,7 +927,7 @@
     </message>
     <message>
         <source> · ray: %1% of the pixel</source>
-        <translation> · промінь: %1 % пікселя</translation>
+        <translation> · промінь: %1&#xa0;% пікселя</translation>
     </message>
     <message>
         <source>: hidden by the relief at (%1, %2), weight %3 left out</source>
@@ -919,7 +935,7 @@
     </message>
     <message>
         <source>: weight %1, %2%</source>
-        <translation>: ваговий коефіцієнт %1, %2 %</translation>
+        <translation>: ваговий коефіцієнт %1, %2&#xa0;%</translation>
     </message>
     <message>
         <source> (%1, %2, %3)</source>
@@ -946,12 +962,69 @@
         <source>The part of the texture that the pixel covers, and the weight of each texel</source>
         <translation>Проєкція пікселя на текстуру та ваговий коефіцієнт кожного текселя</translation>
     </message>
+    <message>
+        <source>Weight function and map of weights</source>
+        <translation>Вагова функція і карта вагових коефіцієнтів</translation>
+    </message>
+    <message>
+        <source>weights</source>
+        <translation>вага</translation>
+    </message>
+    <message>
+        <source>The weight function and the map of weights, where the pane has room for them</source>
+        <translation>Вагова функція і карта вагових коефіцієнтів, якщо на панелі вистачає місця</translation>
+    </message>
+    <message>
+        <source>Footprint: weights</source>
+        <translation>Проєкція пікселя: вагові коефіцієнти</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::FormulaView</name>
+    <message>
+        <source>Formulas</source>
+        <translation>Формули</translation>
+    </message>
+    <message>
+        <source>The papers&apos; equations with the numbers of the chosen pixel and step put in</source>
+        <translation>Рівняння зі статей із підставленими числами вибраного пікселя та кроку</translation>
+    </message>
+    <message>
+        <source>Export the formulas</source>
+        <translation>Експортувати формули</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::HomeView</name>
+    <message>
+        <source>First view</source>
+        <translation>Початковий вигляд</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::LatestJob</name>
     <message>
         <source>not enough memory for this</source>
         <translation>на це бракує пам’яті</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::LayoutMenu</name>
+    <message>
+        <source>Save layout</source>
+        <translation>Зберегти розташування</translation>
+    </message>
+    <message>
+        <source>Name of the layout:</source>
+        <translation>Назва розташування:</translation>
+    </message>
+    <message>
+        <source>Layout %1</source>
+        <translation>Розташування %1</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>Ви&amp;далити</translation>
     </message>
 </context>
 <context>
@@ -1767,6 +1840,70 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>go to a control, change it; Enter in a number: back to the view</source>
         <translation>перейти до елемента керування, змінити його; Enter у числі: назад до зображення</translation>
     </message>
+    <message>
+        <source>Welcome. Three things to do: click a pixel in the picture to choose its ray; step along the ray with , and . (comma and full stop); drag the picture to look around. F1 lists all keys.</source>
+        <translation>Вітаємо. Три перші дії: клацніть піксель на зображенні, щоб вибрати його промінь; крокуйте вздовж променя клавішами , та . (кома й крапка); тягніть зображення, щоб оглянути сцену. F1 показує всі клавіші.</translation>
+    </message>
+    <message>
+        <source>There is nothing to export in this pane: choose a pixel on the relief first.</source>
+        <translation>На цій панелі нема чого експортувати: спершу виберіть піксель на рельєфі.</translation>
+    </message>
+    <message>
+        <source>T&amp;each</source>
+        <translation>&amp;Викладання</translation>
+    </message>
+    <message>
+        <source>One pane large, the picture in a corner, the step in words</source>
+        <translation>Одна панель великою, зображення в кутку, крок словами</translation>
+    </message>
+    <message>
+        <source>Layo&amp;uts of your own</source>
+        <translation>Власні &amp;розташування</translation>
+    </message>
+    <message>
+        <source>&amp;Save this layout…</source>
+        <translation>&amp;Зберегти це розташування…</translation>
+    </message>
+    <message>
+        <source>Keep where the panes are, under a name</source>
+        <translation>Запам’ятати розташування панелей під назвою</translation>
+    </message>
+    <message>
+        <source>&amp;First view</source>
+        <translation>П&amp;очатковий вигляд</translation>
+    </message>
+    <message>
+        <source>The camera as it was when the scene was opened</source>
+        <translation>Камера, якою вона була, коли відкрили сцену</translation>
+    </message>
+    <message>
+        <source>La&amp;nguage</source>
+        <translation>&amp;Мова</translation>
+    </message>
+    <message>
+        <source>The language of the window</source>
+        <translation>Мова вікна</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Як у системі</translation>
+    </message>
+    <message>
+        <source>Show rays from the&amp;ir end</source>
+        <translation>Показувати промені з &amp;кінця</translation>
+    </message>
+    <message>
+        <source>A pixel that is chosen shows the last step of its ray, not the first</source>
+        <translation>Вибраний піксель показує останній крок свого променя, а не перший</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s first view</source>
+        <translation>початковий вигляд камери</translation>
+    </message>
+    <message>
+        <source>teach: one pane large, the picture in a corner</source>
+        <translation>викладання: одна панель великою, зображення в кутку</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -2421,7 +2558,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>%1% of the footprint hidden</source>
-        <translation>перекрито %1 % проєкції</translation>
+        <translation>перекрито %1&#xa0;% проєкції</translation>
     </message>
     <message>
         <source>footprint: semi-axes %1 × %2 texels, ratio %3</source>
@@ -2709,7 +2846,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <name>reliefui::SkippedPanel</name>
     <message>
         <source>%1 of %2 (%3 %)</source>
-        <translation>%1 з %2 (%3 %)</translation>
+        <translation>%1 з %2 (%3&#xa0;%)</translation>
     </message>
     <message>
         <source>measured: %1 texels in the mean, %2 at most</source>
@@ -2869,7 +3006,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>skipped: %1 %</source>
-        <translation>пропущено: %1 %</translation>
+        <translation>пропущено: %1&#xa0;%</translation>
     </message>
     <message>
         <source>steps: %1, reads: %2</source>
@@ -3035,6 +3172,25 @@ Click to switch the method to %1</source>
     </message>
 </context>
 <context>
+    <name>reliefui::StepSentence</name>
+    <message>
+        <source>The chosen step in words</source>
+        <translation>Вибраний крок словами</translation>
+    </message>
+    <message>
+        <source>The steps of the chosen pixel&apos;s ray will stand here.</source>
+        <translation>Тут стоятимуть кроки променя вибраного пікселя.</translation>
+    </message>
+    <message>
+        <source>This method logged no step.</source>
+        <translation>Цей метод не записав жодного кроку.</translation>
+    </message>
+    <message>
+        <source>No polygon covers the chosen pixel: click on the relief.</source>
+        <translation>Вибраного пікселя не накриває жоден полігон: клацніть на рельєфі.</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::StepTable</name>
     <message>
         <source>Steps</source>
@@ -3051,22 +3207,6 @@ Click to switch the method to %1</source>
     <message>
         <source>Export steps as CSV...</source>
         <translation>Експортувати кроки як CSV…</translation>
-    </message>
-    <message>
-        <source>The chosen step in words</source>
-        <translation>Вибраний крок словами</translation>
-    </message>
-    <message>
-        <source>The steps of the chosen pixel&apos;s ray will stand here.</source>
-        <translation>Тут стоятимуть кроки променя вибраного пікселя.</translation>
-    </message>
-    <message>
-        <source>This method logged no step.</source>
-        <translation>Цей метод не записав жодного кроку.</translation>
-    </message>
-    <message>
-        <source>No polygon covers the chosen pixel: click on the relief.</source>
-        <translation>Вибраного пікселя не накриває жоден полігон: клацніть на рельєфі.</translation>
     </message>
     <message>
         <source>Export steps</source>

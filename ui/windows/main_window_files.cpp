@@ -15,7 +15,6 @@
 #include <QUrl>
 
 #include "panes/figure_export.h"
-#include "panes/figure_export.h"
 #include "panes/figure_view.h"
 #include "panes/file_dialogs.h"
 #include "panes/result/result_painting.h"
