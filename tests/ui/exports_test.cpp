@@ -184,6 +184,7 @@ TEST(Exports, whatMethodsLookAtIsAsStored) {
 TEST(Exports, formulasAndWeightsAreAsStored) {
     const QTemporaryDir folder;
     relief::Scenario scenario = deepRay();
+    scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = 512;
     scenario.filter.name = "elliptical";
     scenario.filter.options = {{"levels", "exhaustive"}};
     scenario.step = 2;

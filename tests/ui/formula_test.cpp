@@ -70,6 +70,18 @@ void expectRelation(const std::string& numbers) {
     EXPECT_EQ(numbers, "") << "no relation";
 }
 
+// "(10.44, 9.41) texels".
+void expectPair(const FormulaRow& row) {
+    ASSERT_EQ(row.values.size(), 2U);
+    const std::size_t comma = row.result.find(", ");
+    for (const auto& [text, value] : {std::pair(row.result.substr(1), row.values[0].number),
+                                      std::pair(row.result.substr(comma + 2), row.values[1].number)}) {
+        const Range printed = PrintedFormula::leading(text);
+        EXPECT_LE(printed.low, value);
+        EXPECT_GE(printed.high, value);
+    }
+}
+
 // What is printed is a number, and what stands on the right gives it.
 void expectConsistent(const std::vector<FormulaGroup>& groups, const std::string& what) {
     for (const FormulaGroup& group : groups) {
@@ -82,6 +94,7 @@ void expectConsistent(const std::vector<FormulaGroup>& groups, const std::string
                 continue;
             }
             if (row.result.empty()) expectRelation(row.numbers);
+            if (row.result.starts_with("(")) expectPair(row);
             if (row.result.empty() || row.result.starts_with("(")) continue;
             const Range result = PrintedFormula::leading(row.result);
             ASSERT_EQ(row.values.size(), 1U);

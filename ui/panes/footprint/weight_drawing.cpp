@@ -144,7 +144,9 @@ class WeightPictures {
         });
     }
 
+    // A round pixel's is 1, in its middle; of others as in the map.
     double highest(const relief::WeightMap& weights) const {
+        if (!settings_.shaped()) return 1;
         float high = 0;
         for (const glm::vec3& w : weights.weights().pixels()) high = std::max({high, w.x, w.y, w.z});
         return high > 0 ? static_cast<double>(high) : 1;

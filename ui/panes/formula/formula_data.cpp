@@ -180,8 +180,10 @@ class Groups {
         } else if (!f.listed) {
             note += say(MessageId::DrawFootprintMany, {{"texels", f.counts.texels}});
         }
-        group(FormulaPart::Footprint,
-              say(MessageId::DrawFormulaFilter, {{"filter", f.filter.name}, {"level", log.level}}), std::move(note));
+        std::string title = say(MessageId::DrawFormulaFilter, {{"filter", f.filter.name}, {"level", log.level}});
+        const bool small = f.weighing && log.kind == relief::FootprintKind::Bilinear;
+        if (small) title += " · " + say(MessageId::DrawFootprintSmall);
+        group(FormulaPart::Footprint, std::move(title), std::move(note));
         if (ellipse) {
             const relief::Ellipse& e = log.ellipse;
             list({{"A", e.a}, {"B", e.b}, {"C", e.c}, {"F", e.f}}, kTex);
