@@ -2413,7 +2413,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Footprint anisotropy</source>
-        <translation>Анізотропія проєкції пікселя</translation>
+        <translation>Анізотропія проєкції</translation>
     </message>
     <message>
         <source>Hidden by the relief</source>
@@ -2987,7 +2987,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>ray height in → out</source>
-        <translation>висота променя вхід → вихід</translation>
+        <translation>висота вхід → вихід</translation>
     </message>
     <message>
         <source>value</source>
@@ -3163,8 +3163,8 @@ Click to switch the method to %1</source>
         <translation>%1: рівень %2, %3</translation>
     </message>
     <message>
-        <source>%1 × %2 texels, relief depth %3 texels</source>
-        <translation>%1 × %2, товща, у текселях: %3</translation>
+        <source>%1 × %2 × %3 texels</source>
+        <translation>%1 × %2 × %3 текселів</translation>
     </message>
     <message>
         <source>%1: surface at %2</source>
