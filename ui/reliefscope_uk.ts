@@ -2159,6 +2159,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>MIP-піраміда</translation>
     </message>
     <message>
+        <source>Pyramid</source>
+        <comment>tab</comment>
+        <translation>Піраміда</translation>
+    </message>
+    <message>
         <source>max</source>
         <translation>макс.</translation>
     </message>
@@ -3193,7 +3198,7 @@ Click to switch the method to %1</source>
     <message>
         <source>Trace 3-D</source>
         <comment>tab</comment>
-        <translation>Трасування 3D</translation>
+        <translation>3D</translation>
     </message>
     <message>
         <source>The ray through the relief, in space</source>
