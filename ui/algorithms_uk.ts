@@ -733,5 +733,9 @@
         <source>map packed-cones</source>
         <translation>карта конусів: packed</translation>
     </message>
+    <message>
+        <source>Layout</source>
+        <translation>Компонування карти</translation>
+    </message>
 </context>
 </TS>
