@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>Light elevation</source>
-        <translation>Кут піднесення світла</translation>
+        <translation>Піднесення світла</translation>
     </message>
     <message>
         <source>Ambient</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>Intensity</source>
-        <translation>Інтенсивність світла</translation>
+        <translation>Інтенсивність</translation>
     </message>
     <message>
         <source>Width</source>
@@ -732,6 +732,10 @@
     <message>
         <source>map packed-cones</source>
         <translation>карта конусів: packed</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Компонування карти</translation>
     </message>
 </context>
 </TS>

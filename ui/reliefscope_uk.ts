@@ -2296,6 +2296,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>MIP-піраміда</translation>
     </message>
     <message>
+        <source>Pyramid</source>
+        <comment>tab</comment>
+        <translation>Піраміда</translation>
+    </message>
+    <message>
         <source>max</source>
         <translation>макс.</translation>
     </message>
@@ -2550,7 +2555,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Footprint anisotropy</source>
-        <translation>Анізотропія проєкції пікселя</translation>
+        <translation>Анізотропія проєкції</translation>
     </message>
     <message>
         <source>Hidden by the relief</source>
@@ -3124,7 +3129,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>ray height in → out</source>
-        <translation>висота променя вхід → вихід</translation>
+        <translation>висота вхід → вихід</translation>
     </message>
     <message>
         <source>value</source>
@@ -3303,8 +3308,8 @@ Click to switch the method to %1</source>
         <translation>%1: рівень %2, %3</translation>
     </message>
     <message>
-        <source>%1 × %2 texels, relief depth %3 texels</source>
-        <translation>%1 × %2, товща, у текселях: %3</translation>
+        <source>%1 × %2 × %3 texels</source>
+        <translation>%1 × %2 × %3 текселів</translation>
     </message>
     <message>
         <source>%1: surface at %2</source>
@@ -3333,7 +3338,7 @@ Click to switch the method to %1</source>
     <message>
         <source>Trace 3-D</source>
         <comment>tab</comment>
-        <translation>Трасування 3D</translation>
+        <translation>3D</translation>
     </message>
     <message>
         <source>The ray through the relief, in space</source>

@@ -199,10 +199,10 @@ struct Label {
     Point offset;        // points
     bool plate = false;  // on a plate of its role's colour
     bool yields = false;
-    bool formula = false;  // set as one: formula_text.h
     Box room;              // drawn only if it fits in here (drawing units); empty: always
     bool evades = false;   // drawn beside the room where it does not fit
     int part = -1;         // of what stands between " · " in the text this one alone, from 0; -1: all
+    bool formula = false;  // set as one: formula_text.h
 };
 
 // Its words in a language.

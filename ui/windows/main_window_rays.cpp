@@ -58,8 +58,9 @@ void MainWindow::makeLessonMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&Lessons"));
     int number = 0;
     for (const Lesson& lesson : lessons()) {
-        auto* const action =
-            addAction(menu, QStringLiteral("&%1  %2").arg(++number).arg(lesson.title), {}, lesson.about);
+        // Keys are for nine: "1" would be that of the tenth as well.
+        const QString key = ++number < 10 ? QStringLiteral("&%1  %2") : QStringLiteral("%1  %2");
+        auto* const action = addAction(menu, key.arg(number).arg(lesson.title), {}, lesson.about);
         action->setObjectName(QStringLiteral("lesson-") + lesson.name);
         connect(action, &QAction::triggered, this, [this, name = lesson.name] { openLesson(name); });
     }

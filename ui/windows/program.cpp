@@ -19,6 +19,7 @@
 #include "windows/main_window.h"
 #include "windows/theme.h"
 #include "windows/window_style.h"
+#include "workspace/language.h"
 
 // The implementations that VTK chooses at run time. Not by vtk_module_autoinit: it gives every source a macro with a
 // path of this checkout, and the compiler cache could not serve another.

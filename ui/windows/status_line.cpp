@@ -11,6 +11,8 @@
 #include "panes/result/result_painting.h"
 #include "relief/messages.h"
 #include "scenario/step_sentence.h"
+#include "workspace/language.h"
+#include "workspace/language.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {

@@ -9,6 +9,7 @@ PaneKind pyramidPane() {
     PaneKind kind;
     kind.name = QStringLiteral("pyramid");
     kind.title = PyramidView::tr("Pyramid");
+    kind.tab = PyramidView::tr("Pyramid", "tab");
     kind.help = PyramidView::tr("The levels of the pyramid and the texels that the ray looked at");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<PyramidView>;

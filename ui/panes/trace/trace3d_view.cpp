@@ -134,7 +134,7 @@ void Trace3dView::showStep(int step) {
     picture_.showStep(step);
     if (const TraceScene* const scene = picture_.scene()) {
         const auto number = [](double v) { return QString::fromStdString(relief::numberText(v, 3)); };
-        note_->setText(tr("%1 × %2 texels, relief depth %3 texels")
+        note_->setText(tr("%1 × %2 × %3 texels")
                            .arg(number(scene->patch.width()), number(scene->patch.height()),
                                 number(picture_.shown()->request->field.slabTexels())));
         if (pane_.follow) picture_.follow(step);
