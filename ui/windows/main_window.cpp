@@ -56,6 +56,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     keys_ = new KeyPolicy(this, [this] { return frontView(); });
     setAcceptDrops(true);
     setDockNestingEnabled(true);
+    setAnimated(false);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     // As much as there is, where the screen is small or all is drawn large.

@@ -6,6 +6,7 @@
 
 #include "panes/charts/charts_view.h"
 #include "panes/drawing_canvas.h"
+#include "panes/narrow_bar.h"
 
 namespace reliefui {
 
@@ -25,11 +26,13 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
         showBusy();
     };
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
+    auto* const bar = new NarrowBar(this);
+    bar_ = bar->widget();
     makeBar();
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(bar_);
+    column->addWidget(bar);
     column->addWidget(canvas_, 1);
     canvas_->installEventFilter(this);
     connect(canvas_, &DrawingCanvas::pointed, this, &ChartsView::tell);
@@ -74,9 +77,6 @@ QComboBox* ChartsView::addChooser(const char* name, const QString& help) {
 }
 
 void ChartsView::makeBar() {
-    bar_ = new QWidget(this);
-    auto* const bar = new QHBoxLayout(bar_);
-    bar->setContentsMargins(4, 2, 6, 2);
     measureButton_ =
         addButton("charts-measure", tr("measure"),
                   tr("Measure run time and error of the methods on this view's rays; or cancel it (Esc)"), false);
@@ -93,7 +93,7 @@ void ChartsView::makeBar() {
     shown_->addItem(tr("all charts"));
     shown_->addItem(tr("time and error"));
     shown_->addItem(tr("histograms"));
-    bar->addStretch(1);
+    qobject_cast<QHBoxLayout*>(bar_->layout())->addStretch(1);
     connect(measureButton_, &QToolButton::clicked, this, [this] {
         if (measuring_) {
             cancel();

@@ -1,5 +1,4 @@
 // The controls of the compare pane: which methods, how they are shown, against what.
-#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -9,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "panes/compare/compare_view.h"
+#include "panes/name_box.h"
 #include "panes/narrow_bar.h"
 
 namespace reliefui {
@@ -59,7 +59,7 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
 CompareView::~CompareView() = default;
 
 QComboBox* CompareView::addChooser(const char* name, const QString& help) {
-    auto* const box = new QComboBox(this);
+    auto* const box = new NameBox(this);
     box->setObjectName(QString::fromLatin1(name));
     box->setToolTip(help);
     box->setAccessibleName(help);
@@ -83,11 +83,6 @@ void CompareView::makeMethodBar() {
         const QString letter(QChar(static_cast<char>('A' + n)));
         QComboBox* const box =
             addChooser(qPrintable(QStringLiteral("compare-method-") + letter), tr("Method %1").arg(letter));
-        // Narrow panes: the beginning of the name says which.
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(7);
-        box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        box->view()->setMinimumWidth(fontMetrics().horizontalAdvance(QLatin1Char('n')) * 26);
         for (const relief::MethodDescription& method : relief::tracerList()) {
             if (method.kind == relief::MethodKind::AnyHit) continue;
             const QString name = QString::fromStdString(method.name);

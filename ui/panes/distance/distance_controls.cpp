@@ -15,6 +15,8 @@
 #include "panes/core_texts.h"
 #include "panes/distance/distance_view.h"
 #include "panes/drawing_canvas.h"
+#include "panes/name_box.h"
+#include "panes/narrow_bar.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/step_sentence.h"
 
@@ -28,28 +30,21 @@ QString number(double value, int decimals) {
     return QString::fromStdString(relief::fixedText(value, decimals));
 }
 
-// A pane may be narrower than the longest name.
-void letShrink(QComboBox* box) {
-    constexpr int kLetters = 9;
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(kLetters);
-}
-
 }  // namespace
 
 DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Distance map"), QStringLiteral("distance"), tr("Export the distance map"), parent),
       canvas_(new DrawingCanvas(this)) {
     setFace(canvas_);
-    auto* const maps = new QHBoxLayout;
-    auto* const slices = new QHBoxLayout;
-    makeMapBar(maps);
-    makeSliceBar(slices);
+    auto* const maps = new NarrowBar(this);
+    auto* const slices = new NarrowBar(this);
+    makeMapBar(maps->row());
+    makeSliceBar(slices->row());
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(maps);
-    column->addLayout(slices);
+    column->addWidget(maps);
+    column->addWidget(slices);
     column->addWidget(canvas_, 1);
     makeWaiting();
     LatestJob::Listener listener;
@@ -90,11 +85,10 @@ QToolButton* DistanceView::addButton(QHBoxLayout* bar, const QString& text, cons
 void DistanceView::makeMapBar(QHBoxLayout* bar) {
     bar->setContentsMargins(4, 2, 6, 0);
     const auto chooser = [&](const char* name, const QString& help) {
-        auto* const box = new QComboBox(this);
+        auto* const box = new NameBox(this);
         box->setObjectName(QString::fromLatin1(name));
         box->setToolTip(help);
         box->setAccessibleName(help);
-        letShrink(box);
         bar->addWidget(box);
         return box;
     };
