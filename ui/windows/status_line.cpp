@@ -113,6 +113,7 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     });
     connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
     connect(walk_, &QToolButton::clicked, this, &StatusLine::takeWalk);
+    refresh();  // of a workspace that another window has shown
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
