@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QPainter>
@@ -198,6 +199,7 @@ TEST_F(FirstMinute, TheLanguageIsChosenInTheMenu) {
     window_->show();
     EXPECT_NE(window_->menuBar()->actions().front()->text(), english);
     EXPECT_EQ(scenario(), before);
+    EXPECT_FALSE(window_->findChild<QLabel*>(QStringLiteral("status-pixel"))->text().isEmpty());
     speak({});
 }
 

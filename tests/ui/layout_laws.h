@@ -5,10 +5,11 @@
 #include <vector>
 
 class QMainWindow;
+class QSize;
 
 namespace reliefui {
 
-// A line for each place where it does not hold.
-std::vector<std::string> layoutFaults(QMainWindow& window);
+// A line for each place where it does not hold. size: that the window is to have.
+std::vector<std::string> layoutFaults(QMainWindow& window, const QSize& size);
 
 }  // namespace reliefui

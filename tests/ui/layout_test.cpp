@@ -25,6 +25,7 @@ namespace reliefui {
 namespace {
 
 constexpr int kLayoutMs = 150;
+constexpr int kSettledMs = 3000;
 
 class LayoutTest : public WindowTest {
   protected:
@@ -38,8 +39,15 @@ class LayoutTest : public WindowTest {
         Q_EMIT title->fillRequested();
     }
     void setSize(const QSize& size) {
+        // Until the type of a projector has followed the height, large type may ask for more.
         window_->resize(size);
         QTest::qWait(kLayoutMs);
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] {
+                window_->resize(size);
+                return window_->size() == size;
+            },
+            kSettledMs));
         window_->resetLayout();
     }
     // In every mode, with a sentence and a lesson's note.
@@ -54,12 +62,13 @@ class LayoutTest : public WindowTest {
             for (const auto& [name, enter] : modes) {
                 setSize(size);
                 enter();
-                QTest::qWait(kLayoutMs);
+                // Panes say something else while they compute.
+                const bool settled = QTest::qWaitFor([&] { return layoutFaults(*window_, size).empty(); }, kSettledMs);
                 SCOPED_TRACE(std::to_string(size.width()) + " x " + std::to_string(size.height()) + ", " + name +
                              (projector ? ", projector" : ""));
-                EXPECT_EQ(window_->size(), size);
                 EXPECT_TRUE(window_->messages()->isVisible()) << "the lesson's text";
-                for (const std::string& fault : layoutFaults(*window_)) ADD_FAILURE() << fault;
+                if (settled) continue;
+                for (const std::string& fault : layoutFaults(*window_, size)) ADD_FAILURE() << fault;
             }
         }
         window_->setProjector(false);

@@ -186,10 +186,10 @@ TEST_F(WindowTest, APaneFillsTheWindowAndComesBack) {
     QTest::qWait(100);
     EXPECT_GT(window_->result()->width(), window_->width() - 20);
     EXPECT_FALSE(window_->pane<PyramidView>()->isVisible());
-    // Only time stays below.
+    // Only time and the step in words stay below.
     EXPECT_TRUE(window_->time()->bar()->isVisible());
     EXPECT_FALSE(window_->time()->table()->isVisible());
-    EXPECT_GT(window_->result()->height(), window_->height() * 3 / 4);
+    EXPECT_GT(window_->result()->height(), window_->height() * 2 / 3);
     QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(20, title->height() / 2));
     QTest::qWait(100);
     EXPECT_TRUE(window_->pane<PyramidView>()->isVisible());

@@ -170,7 +170,7 @@ TEST_F(WindowTest, MethodsAreChosen) {
     QComboBox* const methods = window_->topBar()->method();
     // And a line and a heading before those that do not search.
     ASSERT_EQ(methods->count(), static_cast<int>(relief::tracerList().size()) + 2);
-    const int exact = methods->findText(QStringLiteral("exact"));
+    const int exact = methods->findData(QStringLiteral("exact"));
     methods->setCurrentIndex(exact);
     Q_EMIT methods->activated(exact);
     waitForFull();

@@ -1,8 +1,9 @@
 #include "panes/pane_controls.h"
 
-#include <QComboBox>
 #include <QLayout>
 #include <QToolButton>
+
+#include "panes/name_box.h"
 
 namespace reliefui {
 
@@ -18,7 +19,7 @@ QToolButton* addToolButton(QLayout* bar, const QString& text, const QString& hel
 }
 
 QComboBox* addChooser(QLayout* bar, const char* name, const QString& help) {
-    auto* const box = new QComboBox(bar->parentWidget());
+    auto* const box = new NameBox(bar->parentWidget());
     box->setObjectName(QString::fromLatin1(name));
     box->setToolTip(help);
     box->setAccessibleName(help);

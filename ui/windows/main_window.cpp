@@ -56,6 +56,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     keys_ = new KeyPolicy(this, [this] { return frontView(); });
     setAcceptDrops(true);
     setDockNestingEnabled(true);
+    setAnimated(false);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     // As much as there is, where the screen is small or all is drawn large.
@@ -255,10 +256,9 @@ void MainWindow::welcome() {
     QSettings settings;
     if (settings.value(key).toBool()) return;
     settings.setValue(key, true);
-    tell(
-        tr("Welcome. Three things to do: click a pixel in the picture to choose its ray; step along the ray with , and "
-           ". (comma and full stop); drag the picture to look around. F1 lists all keys."),
-        false);
+    tell(tr("Welcome. Three things to do: click a pixel to choose its ray; step along it with , and . (comma, full "
+            "stop); drag the picture to look around. F1 lists all keys."),
+         false);
 }
 
 void MainWindow::showMessages() {

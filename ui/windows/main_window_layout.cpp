@@ -36,9 +36,11 @@ QString themeKey() {
 
 void MainWindow::resetLayout() {
     showView(View::All);
+    // Not for a moment more than there is room for: the window would grow.
+    const LayoutPlan plan = layoutPlan(false, workspace_->style().projector, size());
     for (const Pane& pane : panes_) {
         if (pane.dock != nullptr) pane.dock->setFloating(false);
-        pane.whole->setVisible(pane.kind.open);
+        pane.whole->setVisible(pane.kind.open && (plan.controls || pane.dock != front(DockPlace::Left)));
     }
     arrange();
 }
@@ -227,6 +229,7 @@ void MainWindow::setProjector(bool on) {
     kept_[!on] = saveState();
     kept_[on] = on ? QByteArray() : kept_[on];
     if (on) {
+        front(DockPlace::Left)->hide();  // there is no room for it in large type
         place_ = saveGeometry();
         setWindowState(windowState() | Qt::WindowFullScreen);
     } else {

@@ -12,7 +12,6 @@
 #include "relief/messages.h"
 #include "scenario/step_sentence.h"
 #include "workspace/language.h"
-#include "workspace/language.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -118,6 +117,7 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     });
     connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
     connect(walk_, &QToolButton::clicked, this, &StatusLine::takeWalk);
+    refresh();  // of a workspace that another window has shown
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {

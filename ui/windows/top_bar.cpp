@@ -4,6 +4,7 @@
 #include <QLabel>
 
 #include "panes/core_texts.h"
+#include "panes/name_box.h"
 #include "panes/number_control.h"
 #include "windows/method_list.h"
 #include "windows/scene_panel.h"
@@ -14,7 +15,7 @@ namespace reliefui {
 TopBar::TopBar(Workspace* workspace, QAction* open, const QList<QAction*>& others, QWidget* parent)
     : QToolBar(tr("Main bar"), parent),
       workspace_(workspace),
-      method_(new QComboBox(this)),
+      method_(new NameBox(this)),
       filter_(new QComboBox(this)),
       depth_(makeNumberControl(workspace, "relief-depth", this)) {
     setObjectName(QStringLiteral("top-bar"));
@@ -45,7 +46,6 @@ void TopBar::makeMethod() {
     method_->setObjectName(QStringLiteral("method"));
     method_->setAccessibleName(tr("Method"));
     method_->setToolTip(tr("How the ray searches for the relief"));
-    method_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     fillMethods(method_);
     addLabeled(tr("Method"), method_);
     connect(method_, qOverload<int>(&QComboBox::activated), this, [this](int) {

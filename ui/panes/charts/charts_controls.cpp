@@ -6,6 +6,7 @@
 
 #include "panes/charts/charts_view.h"
 #include "panes/drawing_canvas.h"
+#include "panes/narrow_bar.h"
 #include "panes/pane_controls.h"
 
 namespace reliefui {
@@ -26,11 +27,13 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
         showBusy();
     };
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
+    auto* const bar = new NarrowBar(this);
+    bar_ = bar->widget();
     makeBar();
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(bar_);
+    column->addWidget(bar);
     column->addWidget(canvas_, 1);
     canvas_->installEventFilter(this);
     connect(canvas_, &DrawingCanvas::pointed, this, &ChartsView::tell);
@@ -53,9 +56,7 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
 ChartsView::~ChartsView() = default;
 
 void ChartsView::makeBar() {
-    bar_ = new QWidget(this);
-    auto* const bar = new QHBoxLayout(bar_);
-    bar->setContentsMargins(4, 2, 6, 2);
+    auto* const bar = qobject_cast<QHBoxLayout*>(bar_->layout());
     measureButton_ = addToolButton(
         bar, tr("measure"), tr("Measure run time and error of the methods on this view's rays; or cancel it (Esc)"));
     measureButton_->setObjectName(QStringLiteral("charts-measure"));

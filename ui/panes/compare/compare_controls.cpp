@@ -1,5 +1,4 @@
 // The controls of the compare pane: which methods, how they are shown, against what.
-#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -63,11 +62,6 @@ void CompareView::makeMethodBar() {
         const QString letter(QChar(static_cast<char>('A' + n)));
         QComboBox* const box =
             addChooser(bar_, qPrintable(QStringLiteral("compare-method-") + letter), tr("Method %1").arg(letter));
-        // Narrow panes: the beginning of the name says which.
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(7);
-        box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        box->view()->setMinimumWidth(fontMetrics().horizontalAdvance(QLatin1Char('n')) * 26);
         for (const relief::MethodDescription& method : relief::tracerList()) {
             if (method.kind == relief::MethodKind::AnyHit) continue;
             const QString name = QString::fromStdString(method.name);

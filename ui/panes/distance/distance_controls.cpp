@@ -15,6 +15,7 @@
 #include "panes/core_texts.h"
 #include "panes/distance/distance_view.h"
 #include "panes/drawing_canvas.h"
+#include "panes/narrow_bar.h"
 #include "panes/pane_controls.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/step_sentence.h"
@@ -29,28 +30,21 @@ QString number(double value, int decimals) {
     return QString::fromStdString(relief::fixedText(value, decimals));
 }
 
-// A pane may be narrower than the longest name.
-void letShrink(QComboBox* box) {
-    constexpr int kLetters = 9;
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(kLetters);
-}
-
 }  // namespace
 
 DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Distance map"), QStringLiteral("distance"), tr("Export the distance map"), parent),
       canvas_(new DrawingCanvas(this)) {
     setFace(canvas_);
-    auto* const maps = new QHBoxLayout;
-    auto* const slices = new QHBoxLayout;
-    makeMapBar(maps);
-    makeSliceBar(slices);
+    auto* const maps = new NarrowBar(this);
+    auto* const slices = new NarrowBar(this);
+    makeMapBar(maps->row());
+    makeSliceBar(slices->row());
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(maps);
-    column->addLayout(slices);
+    column->addWidget(maps);
+    column->addWidget(slices);
     column->addWidget(canvas_, 1);
     makeWaiting();
     LatestJob::Listener listener;
@@ -78,14 +72,9 @@ DistanceView::~DistanceView() {
 
 void DistanceView::makeMapBar(QHBoxLayout* bar) {
     bar->setContentsMargins(4, 2, 6, 0);
-    const auto chooser = [&](const char* name, const QString& help) {
-        QComboBox* const box = addChooser(bar, name, help);
-        letShrink(box);
-        return box;
-    };
-    kind_ = chooser("distance-kind", tr("The map that is shown"));
-    minus_ = chooser("distance-minus", tr("Another map that is taken away: what is left is where they differ"));
-    sector_ = chooser("distance-sector", tr("Azimuth sector of the rays that the values are for"));
+    kind_ = addChooser(bar, "distance-kind", tr("The map that is shown"));
+    minus_ = addChooser(bar, "distance-minus", tr("Another map that is taken away: what is left is where they differ"));
+    sector_ = addChooser(bar, "distance-sector", tr("Azimuth sector of the rays that the values are for"));
     kind_->addItem(tr("the method's map"), QString());
     minus_->addItem(tr("no difference"), QString());
     for (const std::string& kind : relief::mapKinds()) {

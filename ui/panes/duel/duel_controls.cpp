@@ -13,6 +13,7 @@
 
 #include "panes/drawing_canvas.h"
 #include "panes/duel/duel_view.h"
+#include "panes/name_box.h"
 #include "panes/pane_controls.h"
 
 namespace reliefui {
@@ -20,7 +21,6 @@ namespace reliefui {
 namespace {
 
 constexpr int kPlaces = 3;  // beside the scenario's own method
-constexpr int kShownLetters = 6;
 constexpr int kColumnLetters = 21;
 constexpr int kDrawingLines = 26;
 constexpr int kLowDrawingLines = 16;
@@ -33,13 +33,10 @@ void DuelView::makeBar(QHBoxLayout* bar) {
     own_ = new QLabel(this);
     bar->addWidget(own_);
     for (int place = 0; place < kPlaces; ++place) {
-        auto* const box = new QComboBox(this);
+        auto* const box = new NameBox(this);
         box->setObjectName(QStringLiteral("duel-method-%1").arg(place));
         box->setAccessibleName(tr("Method against it, number %1").arg(place + 1));
         box->setToolTip(tr("A method that is set against it; those of the comparison are the same"));
-        // The names may be long; the pane is not to be as wide as three of them.
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(kShownLetters);
         box->addItem(QStringLiteral("–"), QString());
         for (const relief::MethodDescription& method : relief::tracerList()) {
             if (method.kind != relief::MethodKind::Tracer) continue;
