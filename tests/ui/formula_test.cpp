@@ -11,6 +11,7 @@
 #include "panes/formula/formula_view.h"
 #include "printed_formula.h"
 #include "relief/ray_length.h"
+#include "scenario/row_methods.h"
 #include "window_fixture.h"
 #include "workspace/snapshot_maker.h"
 
@@ -167,6 +168,32 @@ TEST(Formula, CoefficientsGiveTheTextureCoordinatesAndTheirDerivatives) {
         EXPECT_NEAR(form(e["l_1"] * axes.majorU, e["l_1"] * axes.majorV), e["F"], 1e-6 * e["F"]);
         EXPECT_NEAR(form(-e["l_2"] * axes.majorV, e["l_2"] * axes.majorU), e["F"], 1e-6 * e["F"]);
         expectConsistent(groups, std::string(relief::sceneName(scene)));
+    }
+}
+
+// Where coordinates come along the row: the row's constants give them, but for what the variant is off by.
+TEST(Formula, EveryMappingHasItsEquationAndWhatItIsOffBy) {
+    Maker make;
+    for (const std::string& mapping : relief::mappingNames()) {
+        SCOPED_TRACE(mapping);
+        relief::Scenario scenario = tiny();
+        scenario.mapping = mapping;
+        const auto snapshot = make(scenario);
+        const auto groups = formulas(*snapshot, Language::English);
+        expectConsistent(groups, mapping);
+        auto v = valuesOf(groups, 0, 1);
+        auto r = valuesOf(groups, 1, 1);
+        EXPECT_EQ(r.contains("u_t"), mapping != "direct");
+        if (mapping == "direct") continue;
+        const double n = v["x"] - r["x_0"];
+        EXPECT_NEAR((r["u_t"] + n * v["A"]) / (r["u_b"] + n * v["G"]), v["u"], 1e-9);
+        EXPECT_NEAR((r["v_t"] + n * v["D"]) / (r["u_b"] + n * v["G"]), v["v"], 1e-9);
+        EXPECT_EQ(r["u_n − u"], snapshot->trace.ray.s0 - v["u"]);
+        if (mapping == "affine") {
+            EXPECT_GT(std::abs(r["u_n − u"]), 1e-3);
+        } else {
+            EXPECT_LT(std::abs(r["u_n − u"]), 1.0);
+        }
     }
 }
 
