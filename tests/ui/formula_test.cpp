@@ -2,13 +2,10 @@
 #include <cmath>
 #include <map>
 
-#include <QDockWidget>
-
 #include "filtering/weight_map.h"
 #include "painting/formula_text.h"
 #include "panes/footprint/weight_drawing.h"
 #include "panes/formula/formula_drawing.h"
-#include "panes/formula/formula_view.h"
 #include "printed_formula.h"
 #include "relief/ray_length.h"
 #include "scenario/row_methods.h"
@@ -392,39 +389,6 @@ TEST(Formula, WeightsLieOnTheWeightFunctionAndTheMapIsTheFilters) {
         EXPECT_NEAR(static_cast<double>((*map)(n / 2, n / 2)), relief::radialWeight(settings, centre), 1e-6);
         EXPECT_EQ((*map)(0, 0), 0.0F) << "a corner lies beyond R";
     }
-}
-
-TEST_F(WindowTest, TheFormulaPaneFollowsTheStepAndHidesWhatIsGuessed) {
-    openWindow(deepRay());
-    QDockWidget* const dock = window_->findChild<QDockWidget*>(QStringLiteral("formula-pane"));
-    ASSERT_NE(dock, nullptr);
-    dock->show();
-    dock->raise();
-    FormulaView* const view = window_->pane<FormulaView>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !view->face()->sheet().places.empty(); }, 5000));
-    EXPECT_GT(colorsIn(grab(view)), 4);
-    const auto says = [&](const char* words) {
-        const auto& places = view->face()->sheet().places;
-        return std::any_of(places.begin(), places.end(),
-                           [&](const FormulaSheet::Place& p) { return p.words.starts_with(words); });
-    };
-    int descent = 0;
-    while (!snapshot()->trace.steps[static_cast<std::size_t>(descent)].as<relief::subject::Texel>()->ray) ++descent;
-    workspace_->chooseStep(descent);
-    EXPECT_TRUE(says("V_(i+1) = 2 V_i"));
-    workspace_->chooseStep(0);
-    EXPECT_FALSE(says("V_(i+1) = 2 V_i"));
-    EXPECT_TRUE(says("s = s_0"));
-    workspace_->setGuessing(true);
-    EXPECT_FALSE(says("s = s_0")) << "where it hits";
-    EXPECT_FALSE(says("w / Σw"));
-    EXPECT_TRUE(says("u_x = a / q²"));
-    workspace_->setGuessing(false);
-    // Hover reads a row out.
-    const FormulaSheet::Place& place = view->face()->sheet().places.front();
-    const double unit = workspace_->style().pixelsPerPoint();
-    const QPointF at(12 * unit, (place.box.center().y + 6) * unit);
-    EXPECT_EQ(view->face()->rowAt(at).toStdString(), place.words);
 }
 
 }  // namespace
