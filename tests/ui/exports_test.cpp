@@ -209,12 +209,11 @@ std::vector<std::string> exportedViews() {
     }
     return views;
 }
-INSTANTIATE_TEST_SUITE_P(Exports, EveryExport, ::testing::ValuesIn(exportedViews()),
-                         [](const auto& made) {
-                             std::string name = made.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Exports, EveryExport, ::testing::ValuesIn(exportedViews()), [](const auto& made) {
+    std::string name = made.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
 
 // A figure of more pixels is the same figure: lines cover the same part of it.
 TEST(Exports, linesOnSlabsAreAsWideAtAnyResolution) {

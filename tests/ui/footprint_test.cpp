@@ -7,15 +7,18 @@
 #include <QComboBox>
 #include <QDir>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 #include "panes/drawing_canvas.h"
 #include "panes/figure.h"
 #include "panes/footprint/footprint_drawing.h"
 #include "panes/footprint/footprint_view.h"
+#include "panes/footprint/weight_drawing.h"
 #include "panes/number_control.h"
 #include "panes/result/result_painting.h"
 #include "window_fixture.h"
 #include "windows/filter_box.h"
+#include "workspace/pane_states.h"
 
 namespace reliefui {
 
@@ -117,6 +120,30 @@ TEST_F(FootprintTest, DotsLieOnTheTexelsAndTheirAreasAreTheWeights) {
         }
     }
     EXPECT_GE(yellow, 4);
+}
+
+TEST_F(FootprintTest, WeightsStandBesideItWhereThereIsRoom) {
+    openPane(filtered("elliptical", {{"levels", "exhaustive"}}));
+    ASSERT_TRUE(choose([](const PixelFootprint& f) { return hasWeights(f) && f.log.texels.size() >= 6; }));
+    FootprintView wide(workspace_.get());
+    wide.resize(1000, 400);
+    wide.show();
+    const DrawingCanvas* const weights = wide.weights();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return weights->isVisible() && weights->x() > wide.canvas()->x(); }, 5000));
+    EXPECT_GT(colorsIn(grab(wide.weights())), 20);
+    EXPECT_TRUE(wide.canvas()->isVisible());
+    // Off and on again by the button, kept with the scenario.
+    auto* const button = wide.findChild<QToolButton*>(QStringLiteral("footprint-weights"));
+    button->click();
+    EXPECT_TRUE(weights->isHidden());
+    EXPECT_FALSE(panesOf(scenario()).footprint.weights);
+    workspace_->undo();
+    EXPECT_FALSE(weights->isHidden());
+    // High: below it. Small: the footprint alone.
+    wide.resize(330, 800);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return weights->y() > wide.canvas()->y(); }, 5000));
+    wide.resize(330, 250);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return weights->isHidden(); }, 5000));
 }
 
 TEST_F(FootprintTest, TexelsAreNumberedAtTwoSides) {

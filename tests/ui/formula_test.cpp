@@ -2,15 +2,13 @@
 #include <cmath>
 #include <map>
 
-#include <QDockWidget>
-
 #include "filtering/weight_map.h"
 #include "painting/formula_text.h"
 #include "panes/footprint/weight_drawing.h"
 #include "panes/formula/formula_drawing.h"
-#include "panes/formula/formula_view.h"
 #include "printed_formula.h"
 #include "relief/ray_length.h"
+#include "scenario/row_methods.h"
 #include "window_fixture.h"
 #include "workspace/snapshot_maker.h"
 
@@ -167,6 +165,32 @@ TEST(Formula, CoefficientsGiveTheTextureCoordinatesAndTheirDerivatives) {
         EXPECT_NEAR(form(e["l_1"] * axes.majorU, e["l_1"] * axes.majorV), e["F"], 1e-6 * e["F"]);
         EXPECT_NEAR(form(-e["l_2"] * axes.majorV, e["l_2"] * axes.majorU), e["F"], 1e-6 * e["F"]);
         expectConsistent(groups, std::string(relief::sceneName(scene)));
+    }
+}
+
+// Where coordinates come along the row: the row's constants give them, but for what the variant is off by.
+TEST(Formula, EveryMappingHasItsEquationAndWhatItIsOffBy) {
+    Maker make;
+    for (const std::string& mapping : relief::mappingNames()) {
+        SCOPED_TRACE(mapping);
+        relief::Scenario scenario = tiny();
+        scenario.mapping = mapping;
+        const auto snapshot = make(scenario);
+        const auto groups = formulas(*snapshot, Language::English);
+        expectConsistent(groups, mapping);
+        auto v = valuesOf(groups, 0, 1);
+        auto r = valuesOf(groups, 1, 1);
+        EXPECT_EQ(r.contains("u_t"), mapping != "direct");
+        if (mapping == "direct") continue;
+        const double n = v["x"] - r["x_0"];
+        EXPECT_NEAR((r["u_t"] + n * v["A"]) / (r["u_b"] + n * v["G"]), v["u"], 1e-9);
+        EXPECT_NEAR((r["v_t"] + n * v["D"]) / (r["u_b"] + n * v["G"]), v["v"], 1e-9);
+        EXPECT_EQ(r["u_n − u"], snapshot->trace.ray.s0 - v["u"]);
+        if (mapping == "affine") {
+            EXPECT_GT(std::abs(r["u_n − u"]), 1e-3);
+        } else {
+            EXPECT_LT(std::abs(r["u_n − u"]), 1.0);
+        }
     }
 }
 
@@ -364,39 +388,6 @@ TEST(Formula, WeightsLieOnTheWeightFunctionAndTheMapIsTheFilters) {
         EXPECT_NEAR(static_cast<double>((*map)(n / 2, n / 2)), relief::radialWeight(settings, centre), 1e-6);
         EXPECT_EQ((*map)(0, 0), 0.0F) << "a corner lies beyond R";
     }
-}
-
-TEST_F(WindowTest, TheFormulaPaneFollowsTheStepAndHidesWhatIsGuessed) {
-    openWindow(deepRay());
-    QDockWidget* const dock = window_->findChild<QDockWidget*>(QStringLiteral("formula-pane"));
-    ASSERT_NE(dock, nullptr);
-    dock->show();
-    dock->raise();
-    FormulaView* const view = window_->pane<FormulaView>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !view->face()->sheet().places.empty(); }, 5000));
-    EXPECT_GT(colorsIn(grab(view)), 4);
-    const auto says = [&](const char* words) {
-        const auto& places = view->face()->sheet().places;
-        return std::any_of(places.begin(), places.end(),
-                           [&](const FormulaSheet::Place& p) { return p.words.starts_with(words); });
-    };
-    int descent = 0;
-    while (!snapshot()->trace.steps[static_cast<std::size_t>(descent)].as<relief::subject::Texel>()->ray) ++descent;
-    workspace_->chooseStep(descent);
-    EXPECT_TRUE(says("V_(i+1) = 2 V_i"));
-    workspace_->chooseStep(0);
-    EXPECT_FALSE(says("V_(i+1) = 2 V_i"));
-    EXPECT_TRUE(says("s = s_0"));
-    workspace_->setGuessing(true);
-    EXPECT_FALSE(says("s = s_0")) << "where it hits";
-    EXPECT_FALSE(says("w / Σw"));
-    EXPECT_TRUE(says("u_x = a / q²"));
-    workspace_->setGuessing(false);
-    // Hover reads a row out.
-    const FormulaSheet::Place& place = view->face()->sheet().places.front();
-    const double unit = workspace_->style().pixelsPerPoint();
-    const QPointF at(12 * unit, (place.box.center().y + 6) * unit);
-    EXPECT_EQ(view->face()->rowAt(at).toStdString(), place.words);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ PaneStates allOther() {
     panes.pyramid = {"all", true, false, true};
     panes.profile = {true, false, true};
     panes.distance = {"refined", "euclidean", "z", 3, 2, false, false};
-    panes.footprint = {8};
+    panes.footprint = {8, false};
     panes.rows = {{"direct", "subspan:error=0.25"}, 3840, true, false};
     panes.charts = {"histograms", "p9999", false, true};
     panes.trace = {"level", 2, true};

@@ -56,6 +56,7 @@ class PaneChoices : public WindowTest {
         EXPECT_EQ(window_->pane<DistanceView>()->options(), distanceOptions(panes.distance));
         EXPECT_EQ(window_->pane<RowsView>()->options(), rowsOptions(panes.rows));
         EXPECT_EQ(window_->pane<FootprintView>()->options().neighbours, panes.footprint.neighbours);
+        EXPECT_EQ(window_->pane<FootprintView>()->options().weights, panes.footprint.weights);
         EXPECT_EQ(window_->pane<ProfileView>()->options().levels == LevelsShown::All, panes.profile.allLevels);
         EXPECT_EQ(window_->pane<ProfileView>()->options().trueAspect, panes.profile.trueAspect);
         const auto* const colors = window_->pane<Trace3dView>()->findChild<QComboBox*>(QStringLiteral("trace-colors"));

@@ -6,6 +6,7 @@
 
 #include "filtering/weight_map.h"
 #include "mapping/rows/derivatives.h"
+#include "mapping/rows/row_terms.h"
 #include "panes/formula/formula_terms.h"
 
 namespace reliefui {
@@ -18,8 +19,13 @@ using relief::MessageId;
 constexpr const char* kPersp = "[PERSP] (1)";
 constexpr const char* kTex = "[TEX]";
 
+struct PixelNumbers {
+    relief::PixelCoefficients at;
+    std::int64_t first = 0;  // pixel of the polygon's row, column
+};
+
 // Of the top plane at the pixel; nothing where no polygon is seen there.
-std::optional<relief::PixelCoefficients> coefficientsOf(const Snapshot& snapshot) {
+std::optional<PixelNumbers> numbersOf(const Snapshot& snapshot) {
     if (!snapshot.frame || !snapshot.scenario.pixel) return std::nullopt;
     const relief::Frame& frame = *snapshot.frame;
     const relief::FrameRequest& request = *snapshot.request;
@@ -29,7 +35,36 @@ std::optional<relief::PixelCoefficients> coefficientsOf(const Snapshot& snapshot
     const relief::VisiblePolygons visible = frame.visible(request);
     const relief::VisiblePolygon* const polygon = visible.at(x, y, frame.width);
     if (polygon == nullptr) return std::nullopt;
-    return relief::pixelCoefficients(polygon->texelFromScreen, x + 0.5, y + 0.5);
+    return PixelNumbers{relief::pixelCoefficients(polygon->texelFromScreen, x + 0.5, y + 0.5),
+                        polygon->span(y, frame.width).begin};
+}
+
+// How a variant goes along the row, as [PERSP] writes it with the letters of these formulas.
+struct RowFormula {
+    const char* formula;
+    const char* source;
+};
+RowFormula rowFormula(relief::RowVariant variant) {
+    using relief::RowVariant;
+    switch (variant) {
+        case RowVariant::Affine:
+            return {"u_{n+1} = u_n + Δu, v_{n+1} = v_n + Δv", ""};
+        case RowVariant::Direct:
+        case RowVariant::RowConstant:
+            return {"u_n = (u_t + A n) / (u_b + G n), v_n = (v_t + D n) / (u_b + G n)", "[PERSP] (3)"};
+        case RowVariant::Incremental:
+        case RowVariant::IncrementalShared:
+        case RowVariant::IncrementalReciprocal:
+            return {"w_{n+1} = w_n + A, q_{n+1} = q_n + G, u_n = w_n / q_n", "[PERSP] (4)"};
+        case RowVariant::Streams:
+        case RowVariant::RowsParallel:
+            return {"w_{n+k} = w_n + k A, q_{n+k} = q_n + k G, u_n = w_n / q_n", "[PERSP] (5)"};
+        case RowVariant::Opposed:
+            return {"w_{n±1} = w_n ± A, q_{n±1} = q_n ± G, u_n = w_n / q_n", "[PERSP]"};
+        case RowVariant::Subspan:
+            break;
+    }
+    return {"u_{n+1} = u_n + (u_m − u_0) / m", ""};
 }
 
 // The groups of one pixel in one language.
@@ -39,13 +74,15 @@ class Groups {
         : s_(snapshot), step_(step), language_(language) {}
 
     std::vector<FormulaGroup> take() {
-        const auto pixel = coefficientsOf(s_);
-        if (pixel) mapping(*pixel);
+        const auto pixel = numbersOf(s_);
+        if (pixel) mapping(pixel->at);
+        if (pixel && s_.request->mapping.variant != relief::RowVariant::Direct && !s_.trace.fromFile)
+            alongTheRow(*pixel);
         if (pixel || s_.trace.fromFile) ray();
         if (!s_.trace.steps.empty()) groups_.push_back(stepFormulas(s_, step_, language_));
         if (pixel) {
-            derivatives(*pixel);
-            ellipse(*pixel);
+            derivatives(pixel->at);
+            ellipse(pixel->at);
         }
         if (s_.footprint) weights(*s_.footprint);
         return std::move(groups_);
@@ -89,6 +126,31 @@ class Groups {
             kPersp);
         row("v", "(D x + E y + F) / q", over(sum(f.tx, f.ty, f.t1)), p.v, with(p.v, MessageId::DrawFormulaTexels),
             kPersp);
+    }
+
+    // Where the ray's coordinates come along the row, and not from the equation at the pixel: by how much they differ.
+    void alongTheRow(const PixelNumbers& pixel) {
+        const relief::PixelCoefficients& p = pixel.at;
+        const relief::Homography& f = p.map;
+        const auto n = static_cast<std::int64_t>(std::floor(p.x)) - pixel.first;
+        group(FormulaPart::Mapping, say(MessageId::DrawFormulaRow, {{"mapping", s_.scenario.mapping}, {"n", n}}));
+        const auto terms = relief::rowTerms<double>(
+            f, p.y, pixel.first, n + 1, 0, [](double value) { return value; }, [](double value) { return value; });
+        const double x = terms.x(0);
+        list({{"x_0", x}});
+        const auto start = [&](const char* symbol, const char* right, double a, double b, double c, double value) {
+            row(symbol, right, term::product(a, x) + term::plus(term::product(b, p.y)) + term::plus(formulaNumber(c)),
+                value, formulaNumber(value), "[PERSP] (3)");
+        };
+        start("u_t", "A x_0 + B y + C", f.sx, f.sy, f.s1, terms.ut);
+        start("v_t", "D x_0 + E y + F", f.tx, f.ty, f.t1, terms.vt);
+        start("u_b", "G x_0 + H y + I", f.qx, f.qy, f.q1, terms.ub);
+        const RowFormula formula = rowFormula(s_.request->mapping.variant);
+        groups_.back().rows.push_back({formula.formula, {}, {}, formula.source, {}});
+        const relief::ViewRay& ray = s_.trace.ray;
+        if (!s_.trace.onRelief) return;
+        list({{"u_n", ray.s0}, {"v_n", ray.t0}});
+        list({{"u_n − u", ray.s0 - p.u}, {"v_n − v", ray.t0 - p.v}});
     }
 
     void ray() {

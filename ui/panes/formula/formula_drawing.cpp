@@ -85,7 +85,7 @@ class GroupSheet {
         for (const FormulaRow& row : group_.rows) {
             if (!row.source.empty()) sources_ = std::max(sources_, kGap + textWidth(row.source, kNoteSize));
             if (row.formula.empty()) continue;
-            equations = std::max(equations, equationRoom(row));
+            if (!row.result.empty()) equations = std::max(equations, equationRoom(row));
             results_ = std::max(results_, resultRoom(row));
         }
         const double room = width_ / kRounding - results_;

@@ -20,7 +20,7 @@ inline std::string atom(double value) {
 // "−0.5 · 12": the sign of both in front.
 inline std::string product(double a, double b) {
     const std::string text = formulaNumber(std::abs(a)) + " · " + formulaNumber(std::abs(b));
-    return std::signbit(a) != std::signbit(b) ? "−" + text : text;
+    return a * b < 0 ? "−" + text : text;  // nothing is not negative
 }
 inline std::string square(double value) {
     return atom(value) + "²";
