@@ -1841,10 +1841,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>перейти до елемента керування, змінити його; Enter у числі: назад до зображення</translation>
     </message>
     <message>
-        <source>Welcome. Three things to do: click a pixel in the picture to choose its ray; step along the ray with , and . (comma and full stop); drag the picture to look around. F1 lists all keys.</source>
-        <translation>Вітаємо. Три перші дії: клацніть піксель на зображенні, щоб вибрати його промінь; крокуйте вздовж променя клавішами , та . (кома й крапка); тягніть зображення, щоб оглянути сцену. F1 показує всі клавіші.</translation>
-    </message>
-    <message>
         <source>There is nothing to export in this pane: choose a pixel on the relief first.</source>
         <translation>На цій панелі нема чого експортувати: спершу виберіть піксель на рельєфі.</translation>
     </message>
@@ -1903,6 +1899,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>teach: one pane large, the picture in a corner</source>
         <translation>викладання: одна панель великою, зображення в кутку</translation>
+    </message>
+    <message>
+        <source>Welcome. Three things to do: click a pixel to choose its ray; step along it with , and . (comma, full stop); drag the picture to look around. F1 lists all keys.</source>
+        <translation>Вітаємо. Три перші дії: клацніть піксель, щоб вибрати його промінь; крокуйте ним клавішами , та . (кома, крапка); тягніть зображення, щоб оглянути сцену. F1 показує всі клавіші.</translation>
     </message>
 </context>
 <context>

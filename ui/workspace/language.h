@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QLocale>
-#include <QSettings>
 
 #include "relief/messages.h"
 
@@ -14,8 +13,6 @@ inline relief::Language uiLanguage() {
 }
 
 // As it was chosen in the window, as Qt names it ("uk"); empty: the system's.
-inline QString chosenLanguage() {
-    return QSettings().value(QStringLiteral("language")).toString();
-}
+QString chosenLanguage();
 
 }  // namespace reliefui
