@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QScrollBar>
+#include <QTimer>
 
 namespace reliefui {
 
@@ -36,6 +37,8 @@ QSize NarrowBar::minimumSizeHint() const {
 
 bool NarrowBar::event(QEvent* event) {
     if (event->type() == QEvent::Polish || event->type() == QEvent::StyleChange) fitHeight();
+    // When the controls know what they need in sight.
+    if (event->type() == QEvent::Show) QTimer::singleShot(0, this, [this] { fitHeight(); });
     return QScrollArea::event(event);
 }
 

@@ -11,7 +11,7 @@ constexpr QSize kWide(1400, 850);
 
 LayoutPlan layoutPlan(bool teaching, bool projector, const QSize& window) {
     //                           controls one    table  left  right  steps  upper
-    constexpr LayoutPlan kDesktop{true, false, true, 0.20, 0.36, 0.23, 5.0 / 9};
+    constexpr LayoutPlan kDesktop{true, false, true, 0.20, 0.38, 0.23, 5.0 / 9};
     constexpr LayoutPlan kSmallDesktop{true, true, true, 0.20, 0.42, 0.27, 1};
     constexpr LayoutPlan kProjector{false, true, true, 0, 0.52, 0.30, 1};
     constexpr LayoutPlan kTeaching{false, true, false, 0, 0.70, 0, 1};

@@ -77,7 +77,7 @@ void DuelView::showChoosers() {
     for (std::size_t place = 0; place < choosers_.size(); ++place) {
         const std::string name = place < rivals.size() ? rivals[place].name : std::string();
         choosers_[place]->setCurrentIndex(std::max(0, choosers_[place]->findData(QString::fromStdString(name))));
-        choosers_[place]->setEnabled(place <= rivals.size());
+        choosers_[place]->setVisible(place <= rivals.size());
     }
     if (rivals != rivals_) refresh();
 }
