@@ -968,7 +968,7 @@
     </message>
     <message>
         <source>weights</source>
-        <translation>вага</translation>
+        <translation>коефіцієнти</translation>
     </message>
     <message>
         <source>The weight function and the map of weights, where the pane has room for them</source>
@@ -998,7 +998,7 @@
     <name>reliefui::HomeView</name>
     <message>
         <source>First view</source>
-        <translation>Початковий вигляд</translation>
+        <translation>Початковий ракурс</translation>
     </message>
 </context>
 <context>
@@ -1846,7 +1846,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>T&amp;each</source>
-        <translation>&amp;Викладання</translation>
+        <translation>Виклада&amp;ння</translation>
     </message>
     <message>
         <source>One pane large, the picture in a corner, the step in words</source>
@@ -1854,7 +1854,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Layo&amp;uts of your own</source>
-        <translation>Власні &amp;розташування</translation>
+        <translation>Власні розта&amp;шування</translation>
     </message>
     <message>
         <source>&amp;Save this layout…</source>
@@ -1866,7 +1866,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>&amp;First view</source>
-        <translation>П&amp;очатковий вигляд</translation>
+        <translation>П&amp;очатковий ракурс</translation>
     </message>
     <message>
         <source>The camera as it was when the scene was opened</source>
@@ -1886,7 +1886,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Show rays from the&amp;ir end</source>
-        <translation>Показувати промені з &amp;кінця</translation>
+        <translation>Показувати промені з кін&amp;ця</translation>
     </message>
     <message>
         <source>A pixel that is chosen shows the last step of its ray, not the first</source>
@@ -1894,7 +1894,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>the camera&apos;s first view</source>
-        <translation>початковий вигляд камери</translation>
+        <translation>початковий ракурс камери</translation>
     </message>
     <message>
         <source>teach: one pane large, the picture in a corner</source>
