@@ -2,9 +2,10 @@
 
 #include <cstdlib>
 
-#include <X11/Xlib.h>
-
 #include "workspace/language.h"
+
+// After Qt: it defines Bool.
+#include <X11/Xlib.h>
 
 namespace reliefui {
 
