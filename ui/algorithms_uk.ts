@@ -737,5 +737,81 @@
         <source>Layout</source>
         <translation>Компонування карти</translation>
     </message>
+    <message>
+        <source>bump mapping</source>
+        <translation>нахили висот (bump mapping)</translation>
+    </message>
+    <message>
+        <source>cone steps, conservative</source>
+        <translation>конуси, консервативні</translation>
+    </message>
+    <message>
+        <source>cone steps, as published</source>
+        <translation>конуси, як опубліковано</translation>
+    </message>
+    <message>
+        <source>displacement mapping</source>
+        <translation>зміщення вершин (displacement mapping)</translation>
+    </message>
+    <message>
+        <source>distance map</source>
+        <translation>карта відстаней</translation>
+    </message>
+    <message>
+        <source>distance map, conservative</source>
+        <translation>карта відстаней, консервативна</translation>
+    </message>
+    <message>
+        <source>refined distance map</source>
+        <translation>уточнена карта відстаней</translation>
+    </message>
+    <message>
+        <source>refined distance map, sampled</source>
+        <translation>уточнена карта відстаней, вибіркова</translation>
+    </message>
+    <message>
+        <source>every cell</source>
+        <translation>кожна комірка</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>плоска поверхня</translation>
+    </message>
+    <message>
+        <source>layers, secant</source>
+        <translation>шари, січна</translation>
+    </message>
+    <message>
+        <source>layers, bisection</source>
+        <translation>шари, ділення навпіл</translation>
+    </message>
+    <message>
+        <source>max pyramid</source>
+        <translation>MIP-піраміда</translation>
+    </message>
+    <message>
+        <source>max pyramid, the paper&apos;s recursion</source>
+        <translation>MIP-піраміда, рекурсія</translation>
+    </message>
+    <message>
+        <source>normal mapping</source>
+        <translation>карта нормалей (normal mapping)</translation>
+    </message>
+    <message>
+        <source>parallax offset</source>
+        <translation>зміщення</translation>
+    </message>
+    <message>
+        <source>parallax offset, limited</source>
+        <translation>зміщення з обмеженням</translation>
+    </message>
+    <message>
+        <source>relaxed cone steps</source>
+        <translation>розширені конуси</translation>
+    </message>
+    <message>
+        <source>hybrid</source>
+        <translation>гібрид</translation>
+    </message>
 </context>
 </TS>
