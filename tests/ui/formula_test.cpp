@@ -176,7 +176,7 @@ TEST(Formula, EveryMappingHasItsEquationAndWhatItIsOffBy) {
         relief::Scenario scenario = tiny();
         scenario.mapping = mapping;
         const auto snapshot = make(scenario);
-        const auto groups = formulas(*snapshot, Language::English);
+        const auto groups = formulas(*snapshot, snapshot->scenario.step, Language::English);
         expectConsistent(groups, mapping);
         auto v = valuesOf(groups, 0, 1);
         auto r = valuesOf(groups, 1, 1);
