@@ -222,7 +222,9 @@ TEST(Painter, figuresHoldWordsInBothLanguages) {
         style.language = language;
         const PyramidPicture picture = pyramidPicture(t.source(), 700, 400);
         const Drawing marks = pyramidMarks(t.source(), picture, 3);
-        const Drawing legend = pyramidLegend(t.source(), 700, language);
+        RangedValues heights;
+        heights.spread = std::make_shared<const ValueSpread>();
+        const Drawing legend = pyramidLegend(t.source(), heights, 700, language);
         QByteArray bytes;
         QBuffer buffer(&bytes);
         QSvgGenerator svg;

@@ -415,15 +415,15 @@ TEST_F(FootprintTest, LayersShowTheFootprintAndWhatIsHiddenOfIt) {
     waitForFull();
     ASSERT_TRUE(QTest::qWaitFor([&] { return snapshot()->layer.layer == Layer::Hidden; }, 20000));
     EXPECT_TRUE(snapshot()->layer.applies);
-    EXPECT_GT(snapshot()->layer.high, 0);
-    EXPECT_LE(snapshot()->layer.high, 1);
+    EXPECT_GT(snapshot()->layer.ends.high, 0);
+    EXPECT_LE(snapshot()->layer.ends.high, 100);
     EXPECT_GT(colorsIn(snapshot()->layer.image), 3);
     workspace_->setLayer(Layer::Anisotropy);
     ASSERT_TRUE(QTest::qWaitFor([&] { return snapshot()->layer.layer == Layer::Anisotropy; }, 20000));
     const LayerPicture& layer = snapshot()->layer;
-    EXPECT_EQ(layer.low, 1);
+    EXPECT_EQ(layer.ends.low, 1);
     // A floor seen at 20 degrees is foreshortened to about a third.
-    EXPECT_GT(layer.high, 2.5);
+    EXPECT_GT(layer.ends.high, 2.5);
     const relief::PixelChoice pixel = *scenario().pixel;
     const auto& footprint = snapshot()->footprint;
     ASSERT_NE(footprint, nullptr);

@@ -165,7 +165,8 @@ TEST_F(PaneChoices, ThePyramidStandsInSpace) {
                 const Point wanted = view->blocks()[static_cast<std::size_t>(level)].toDrawing(texel);
                 // Hidden by a slab above it.
                 if (std::abs(wanted.x - drawing.x) > 1 || std::abs(wanted.y - drawing.y) > 1) continue;
-                const Rgba color = workspace_->style().mapped(ColorMap::Height, static_cast<double>(image(i, j)));
+                const Rgba color =
+                    workspace_->style().cell(ColorMap::Height, static_cast<double>(image(i, j)), view->heights().scale);
                 const QColor seen = shown.pixelColor(at.toPoint());
                 ++probes;
                 const int off = std::max({std::abs(seen.red() - color.r), std::abs(seen.green() - color.g),
@@ -226,7 +227,7 @@ TEST_F(PaneChoices, AllThreePyramidsStandBesideEachOther) {
         const auto value = static_cast<double>(pyramids[n]->level(block.level)(0, 0));
         EXPECT_TRUE(view->reading(middle).contains(QString::fromStdString(relief::fixedText(value, 3))))
             << view->reading(middle).toStdString();
-        const Rgba color = workspace_->style().mapped(ColorMap::Height, value);
+        const Rgba color = workspace_->style().cell(ColorMap::Height, value, view->heights().scale);
         // From near: marks of steps and the number lie over some of it.
         view->canvas()->zoomTo(block.box);
         const QImage shown = grab(view->canvas());

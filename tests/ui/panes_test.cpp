@@ -154,7 +154,8 @@ TEST_F(WindowTest, ThePyramidShowsItsTexels) {
                 const Point at = block.toDrawing(Point{(i + 0.25) * side, (j + 0.25) * side});
                 const QPoint pixel = view->canvas()->toWidget(at).toPoint();
                 if (!shown.valid(pixel)) continue;
-                const QColor expected = toColor(workspace_->style().mapped(ColorMap::Height, level(i, j)));
+                const QColor expected = toColor(workspace_->style().cell(
+                    ColorMap::Height, static_cast<double>(level(i, j)), view->heights().scale));
                 ++probes;
                 if (distance(shown.pixelColor(pixel), expected) <= 6) ++right;
             }

@@ -28,20 +28,23 @@ CellImage cellImage(const Cells& cells, const Style& style, const CellRange& par
     image.width = (part.i1 - part.i0 + step - 1) / step;
     image.height = (part.j1 - part.j0 + step - 1) / step;
     image.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
-    const bool marks = cells.map == ColorMap::Distance || cells.map == ColorMap::Difference;
-    const bool flat = !(cells.high > cells.low);
-    const double range = flat ? 1 : cells.high - cells.low;
-    const auto factor = static_cast<float>((kCodes - 1) / range);
-    const auto low = static_cast<float>(cells.low);
+    const ColorScale& scale = cells.scale;
+    // What is no straight line is looked up one by one.
+    const bool straight = scale.high > scale.low && !scale.logarithmic && !scale.twoSided;
+    const auto factor = static_cast<float>((kCodes - 1) / (straight ? scale.high - scale.low : 1));
+    const auto low = static_cast<float>(scale.low);
     std::uint8_t* out = image.rgb.data();
     for (int y = 0; y < image.height; ++y) {
         const auto row = values.row(image.j0 + y * image.step);
         for (int x = 0; x < image.width; ++x) {
             const float value = row[static_cast<std::size_t>(image.i0 + x * image.step)];
-            const float code = (value - low) * factor + 0.5F;
-            const bool special = cells.map == ColorMap::Picture || (marks && (flat || !(code >= 0.0F)));
-            const Rgba color = special ? style.cell(cells.map, static_cast<double>(value), cells.low, cells.high)
-                                       : codes[static_cast<std::size_t>(std::clamp(code, 0.0F, kCodes - 1.0F))];
+            const auto exact = static_cast<double>(value);
+            const bool mark = std::isnan(value) || (cells.map == ColorMap::Distance && value < 0);
+            const bool special = cells.map == ColorMap::Picture || mark || scale.under(exact);
+            const float code =
+                straight ? (value - low) * factor : static_cast<float>(scale.place(exact)) * (kCodes - 1.0F);
+            const Rgba color = special ? style.cell(cells.map, exact, scale)
+                                       : codes[static_cast<std::size_t>(std::clamp(code + 0.5F, 0.0F, kCodes - 1.0F))];
             *out++ = color.r;
             *out++ = color.g;
             *out++ = color.b;
@@ -78,9 +81,12 @@ namespace {
 // Distances and slopes of one grid all with the same decimals, about three figures of the largest.
 CellText measuredText(const Cells& cells, double scale, const Style& style) {
     CellText text;
-    text.digits = cells.high >= 10 ? 2 : 1;
-    text.decimals = cells.high >= 10 ? 1 : (cells.high >= 1 ? 2 : 3);
-    text.sign = cells.low < 0;
+    const double high = cells.scale.high;
+    text.digits = high >= 10 ? 2 : 1;
+    text.decimals = high >= 10 ? 1 : (high >= 1 ? 2 : 3);
+    // The small values of a logarithmic scale are what it is chosen for.
+    if (cells.scale.logarithmic) text.decimals = std::min(text.decimals + 1, 4);
+    text.sign = cells.scale.twoSided;
     const double pixels = std::min({cells.cellWidth * scale * 0.84 / (text.characters() * kDigitWidth),
                                     cells.cellHeight * scale * 0.45, style.textPixels(1.7)});
     constexpr double kSmallest = 0.6;  // times the text size

@@ -7,7 +7,7 @@
 namespace reliefui {
 
 bool CellPictures::Picture::serves(const Cells& cells, const Style& style) const {
-    return values == cells.values && map == cells.map && low == cells.low && high == cells.high &&
+    return values == cells.values && map == cells.map && scale == cells.scale &&
            (map != ColorMap::Height || heights == style.heights) &&
            ((map != ColorMap::Distance && map != ColorMap::Difference) || theme == style.theme);
 }
@@ -49,8 +49,7 @@ void CellPictures::draw(QPainter& painter, const Cells& cells, const ViewMap& ma
         picture.map = cells.map;
         picture.heights = style.heights;
         picture.theme = style.theme;
-        picture.low = cells.low;
-        picture.high = cells.high;
+        picture.scale = cells.scale;
     }
     picture.used = true;
     // Up to twice as fine as the screen; never more than this.

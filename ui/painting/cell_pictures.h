@@ -26,8 +26,7 @@ class CellPictures {
         ColorMap map = ColorMap::Height;
         HeightColors heights = HeightColors::Grey;
         Theme theme = Theme::Dark;
-        double low = 0;
-        double high = 1;
+        ColorScale scale;
         CellRange range;  // of the cells that the image shows; empty: it was not made yet
         int step = 1;     // cells a pixel
         QImage image;

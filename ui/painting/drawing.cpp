@@ -19,8 +19,8 @@ std::string labelText(const Label& label, relief::Language language) {
 }
 
 std::string idText(const ItemId& id) {
-    constexpr std::array<std::string_view, 10> kNames{"",    "level",  "texel",   "step",  "ray",
-                                                      "hit", "legend", "surface", "layer", "iso-line"};
+    constexpr std::array<std::string_view, 11> kNames{"",       "level",   "texel", "step",     "ray",      "hit",
+                                                      "legend", "surface", "layer", "iso-line", "color-bar"};
     std::string text(kNames[static_cast<std::size_t>(id.kind)]);
     const auto part = [&](std::int64_t number) {
         text += '/';

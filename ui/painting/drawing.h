@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "painting/color_range.h"
 #include "relief/image.h"
 #include "relief/messages.h"
 #include "relief/step_log.h"
@@ -49,7 +50,7 @@ struct Box {
 };
 
 // What an item stands for, the same from one build of the drawing to the next.
-enum class ItemKind : std::uint8_t { None, Level, Texel, Step, Ray, Hit, Legend, Surface, Layer, IsoLine };
+enum class ItemKind : std::uint8_t { None, Level, Texel, Step, Ray, Hit, Legend, Surface, Layer, IsoLine, ColorBar };
 struct ItemId {
     ItemKind kind = ItemKind::None;
     int level = 0;
@@ -123,9 +124,9 @@ enum class Shape : std::uint8_t {
 Shape shapeOf(relief::Decision decision);
 
 // Distance: values from 0; marks below 0 (surface voxels) and NaN (in the relief) have colours of their own.
-// Difference: around 0, which is white.
+// Difference: around 0, which is white. Signed: around 0, which is dark: a colour for each sign, lighter with the size.
 // Picture: the values are colours, 65536 red + 256 green + blue (whole numbers that a float holds exactly).
-enum class ColorMap : std::uint8_t { Height, Level, Count, Distance, Difference, Picture };
+enum class ColorMap : std::uint8_t { Height, Level, Count, Distance, Difference, Signed, Picture };
 
 // Outline or fill of a box. inset: points by which the outline lies inside it; minSide: points below which it is not
 // drawn smaller, so that single texels of a big map can still be seen.
@@ -146,8 +147,7 @@ struct Cells {
     double cellHeight = 1;
     Box clip;
     ColorMap map = ColorMap::Height;
-    double low = 0;
-    double high = 1;
+    ColorScale scale;
     bool print = false;
     std::int64_t firstI = 0;  // names of the first column and row, for picking
     std::int64_t firstJ = 0;

@@ -89,6 +89,12 @@ void LegendRows::ramp(ColorMap map, const Message& what) {
     text({at.x + kBar + 5, at.y}, what);
 }
 
+void LegendRows::block(Drawing drawing) {
+    right_ = drawing.bounds.width();
+    y_ = drawing.bounds.height();
+    drawing_ = std::move(drawing);
+}
+
 void LegendRows::bodies(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& exact,
                         const std::function<bool(const StepBody&)>& drawn) {
     StepBody some;
@@ -119,7 +125,7 @@ void LegendRows::decisions(const std::array<bool, relief::kDecisionNames.size()>
 }
 
 Drawing LegendRows::take() {
-    drawing_.bounds = {0, 0, right_, y_ + kRow};
+    drawing_.bounds = {0, 0, right_, x_ > 0 ? y_ + kRow : y_};
     return std::move(drawing_);
 }
 

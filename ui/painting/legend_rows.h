@@ -25,6 +25,8 @@ class LegendRows {
     void swatch(Role role, const relief::Message& what, LevelTint tint = {});
     // The colours of a map, and what they are of.
     void ramp(ColorMap map, const relief::Message& what);
+    // What takes more than one row, before all others.
+    void block(Drawing drawing);
     // What the steps' spheres or cones are, where there are any; and that a promise is broken, where one is that is
     // `drawn` (all of them, if it is empty). exact: the ray's first hit.
     void bodies(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& exact,

@@ -60,9 +60,15 @@ struct ItemPainter {
         if (r.fill) painter.fillRect(qrect(box), toColor(style.fill(item)));
         if (r.fill && item.emphasis != Emphasis::Strong) return;
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(qpen(stroke()));
         const double inner = onPixels() ? 1 : 0;  // the last pixel of the box
-        painter.drawRect(qrect({middle(box.x0), middle(box.y0), middle(box.x1 - inner), middle(box.y1 - inner)}));
+        const QRectF edge = qrect({middle(box.x0), middle(box.y0), middle(box.x1 - inner), middle(box.y1 - inner)});
+        // What is chosen is seen on any ground.
+        if (item.role == Role::Highlight) {
+            painter.setPen(haloPen(stroke().width));
+            painter.drawRect(edge);
+        }
+        painter.setPen(qpen(stroke()));
+        painter.drawRect(edge);
     }
 
     void operator()(const Cells& cells) const {
@@ -84,7 +90,7 @@ struct ItemPainter {
     }
 
     Rgba colorOf(const Cells& cells, int i, int j) const {
-        return style.cell(cells.map, static_cast<double>((*cells.values)(i, j)), cells.low, cells.high);
+        return style.cell(cells.map, static_cast<double>((*cells.values)(i, j)), cells.scale);
     }
     Box seenOf(const Cells& cells, int i, int j) const {
         return map.toScreen(cellBox(cells, i, j)).cut(screen.grown(2));

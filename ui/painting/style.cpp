@@ -41,6 +41,14 @@ constexpr std::array<Rgba, 3> kLevels{{{0xDE, 0xEB, 0xF7, 255}, {0x42, 0x92, 0xC
 constexpr std::array<Rgba, 5> kAroundZero{
     {{0x7A, 0x43, 0x06, 255}, {0xD9, 0xA4, 0x5B, 255}, kWhite, {0x74, 0xAD, 0xD8, 255}, {0x14, 0x4E, 0x94, 255}}};
 
+// Errors of either sign, from the least to the largest: short of the surface, past it.
+constexpr std::array<Rgba, 4> kShortOf{
+    {{0x0C, 0x35, 0x66, 255}, {0x1B, 0x6C, 0xAB, 255}, {0x4D, 0xA8, 0xE0, 255}, {0xA8, 0xDC, 0xFF, 255}}};
+constexpr std::array<Rgba, 4> kPast{
+    {{0x5C, 0x28, 0x06, 255}, {0xA8, 0x4C, 0x08, 255}, {0xE8, 0x8A, 0x1C, 255}, {0xFF, 0xD3, 0x8C, 255}}};
+// What a threshold leaves out: darker than all that the maps of one sign begin with.
+constexpr Rgba kUnder{0x14, 0x0C, 0x18, 255};
+
 Rgba between(std::span<const Rgba> anchors, double t) {
     const double place = t * static_cast<double>(anchors.size() - 1);
     const auto low = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
@@ -274,7 +282,11 @@ Rgba Style::textOn(Rgba ground) {
     return luma > 140 ? Rgba{0x10, 0x10, 0x10, 255} : Rgba{0xF4, 0xF4, 0xF4, 255};
 }
 
-Rgba Style::cell(ColorMap map, double value, double low, double high) const {
+Rgba Style::under(ColorMap map) {
+    return map == ColorMap::Difference ? kWhite : kUnder;
+}
+
+Rgba Style::cell(ColorMap map, double value, const ColorScale& scale) const {
     if (map == ColorMap::Picture) {
         const auto code = static_cast<std::uint32_t>(std::clamp(value, 0.0, 16777215.0));
         const auto byte = [&](unsigned shift) { return static_cast<std::uint8_t>(code >> shift & 0xFFU); };
@@ -283,8 +295,8 @@ Rgba Style::cell(ColorMap map, double value, double low, double high) const {
     const bool marks = map == ColorMap::Distance || map == ColorMap::Difference;
     if (marks && std::isnan(value)) return color(Role::HeightFill);
     if (map == ColorMap::Distance && value < 0) return color(Role::Tested);
-    if (map == ColorMap::Difference && high <= low) return kWhite;
-    return mapped(map, (value - low) / (high > low ? high - low : 1));
+    if (scale.under(value)) return under(map);
+    return mapped(map, scale.place(value));
 }
 
 Rgba Style::mapped(ColorMap map, double t) const {
@@ -298,6 +310,8 @@ Rgba Style::mapped(ColorMap map, double t) const {
             return between(kCividis, clamped);
         case ColorMap::Difference:
             return between(kAroundZero, clamped);
+        case ColorMap::Signed:
+            return clamped < 0.5 ? between(kShortOf, 1 - 2 * clamped) : between(kPast, 2 * clamped - 1);
         case ColorMap::Height:
         case ColorMap::Picture:
             break;

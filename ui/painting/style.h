@@ -73,8 +73,10 @@ struct Style {
 
     // t in [0, 1], clamped; NaN is shown as no colour of the map.
     Rgba mapped(ColorMap map, double t) const;
-    // Of a value between `low` and `high`, or a mark of its map.
-    Rgba cell(ColorMap map, double value, double low, double high) const;
+    // Of a value, or a mark of its map.
+    Rgba cell(ColorMap map, double value, const ColorScale& scale) const;
+    // Of all values up to a threshold.
+    static Rgba under(ColorMap map);
 
     static constexpr double kTextPoints = 10;
 };

@@ -110,9 +110,22 @@ double DrawingCanvas::zoom() const {
     return map_.scale / deviceStyle().pixelsPerPoint();
 }
 
+// It stands at the lower edge.
+ViewMap DrawingCanvas::legendMap() const {
+    const double unit = deviceStyle().pixelsPerPoint();
+    return {unit, kFigureMargin * unit, height() * devicePixelRatioF() - legendHeight() - kFigureMargin * unit / 2};
+}
+
 ItemId DrawingCanvas::itemAt(QPointF widget) const {
     const QPointF at = widget * devicePixelRatioF();
     const double unit = deviceStyle().pixelsPerPoint();
+    if (legend_ && !legend_->bounds.empty()) {
+        const Point legend = legendMap().toDrawing(Point{at.x(), at.y()});
+        for (const Item& item : legend_->items) {
+            const auto* const bar = std::get_if<Rectangle>(&item.primitive);
+            if (bar != nullptr && item.id.kind == ItemKind::ColorBar && bar->box.contains(legend)) return item.id;
+        }
+    }
     for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
         if (const ItemId id = pick(**layer, map_, {at.x(), at.y()}, unit)) return id;
     }
@@ -159,9 +172,7 @@ void DrawingCanvas::paintEvent(QPaintEvent*) {
     for (const auto& layer : layers_) reliefui::paint(painter, *layer, map_, style, screen, &cells_);
     cells_.end();
     if (!legend_) return;
-    const double unit = style.pixelsPerPoint();
-    const ViewMap legendMap{unit, kFigureMargin * unit, screen.y1 - legendHeight() - kFigureMargin * unit / 2};
-    reliefui::paint(painter, *legend_, legendMap, style, screen);
+    reliefui::paint(painter, *legend_, legendMap(), style, screen);
 }
 
 void DrawingCanvas::resizeEvent(QResizeEvent* event) {

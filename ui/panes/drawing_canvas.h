@@ -66,6 +66,7 @@ class DrawingCanvas : public QWidget {
   private:
     Box screenRoom() const;  // physical pixels
     double legendHeight() const;
+    ViewMap legendMap() const;
     Box bounds() const;
     void setMap(const ViewMap& map);
     Style deviceStyle() const;  // in physical pixels

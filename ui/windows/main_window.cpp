@@ -113,6 +113,7 @@ void MainWindow::addResult(const PaneKind& kind) {
     title->addControl(makeLayerChooser(workspace_, title));
     auto* const view = kind.make(workspace_, whole);
     result_ = qobject_cast<ResultView*>(view);
+    title->addControl(result_->rangeButton());
     whole->setFocusProxy(result_);
     column->addWidget(title);
     column->addWidget(result_, 1);

@@ -13,21 +13,11 @@ namespace reliefui {
 namespace {
 
 constexpr std::uint32_t kNothing = 0xff2b3038;  // where a layer has no value
-constexpr std::size_t kMapSize = 256;
+constexpr std::size_t kMapSize = 1024;
 
 std::uint32_t packed(int r, int g, int b) {
     const auto byte = [](int v) { return static_cast<std::uint32_t>(std::clamp(v, 0, 255)); };
     return 0xff000000U | byte(r) << 16U | byte(g) << 8U | byte(b);
-}
-
-std::array<std::uint32_t, kMapSize> countColors() {
-    std::array<std::uint32_t, kMapSize> colors{};
-    const Style style;
-    for (std::size_t i = 0; i < kMapSize; ++i) {
-        const Rgba c = style.mapped(ColorMap::Count, static_cast<double>(i) / (kMapSize - 1));
-        colors[i] = packed(c.r, c.g, c.b);
-    }
-    return colors;
 }
 
 template <class Color>
@@ -40,16 +30,27 @@ void eachPixel(QImage& image, const Color& color) {
     });
 }
 
-// value(x, y): NaN where there is none.
-template <class Value>
-void mapValues(LayerPicture& out, const Value& value) {
-    static const std::array<std::uint32_t, kMapSize> colors = countColors();
-    const double scale = out.high > out.low ? (kMapSize - 1) / (out.high - out.low) : 0;
-    eachPixel(out.image, [&](int x, int y) {
-        const double v = value(x, y);
-        if (std::isnan(v)) return kNothing;
-        return colors[static_cast<std::size_t>(std::clamp((v - out.low) * scale + 0.5, 0.0, kMapSize - 1.0))];
+// value(x, y): NaN where there is none. counts(x, y): whether it belongs to the spread.
+template <class Value, class Counts>
+void takeValues(LayerPicture& out, const Value& value, const Counts& counts) {
+    relief::FloatImage values(out.image.width(), out.image.height());
+    relief::parallelFor(values.height(), [&](int y) {
+        for (int x = 0; x < values.width(); ++x) values(x, y) = static_cast<float>(value(x, y));
     });
+    ValueSpread spread;
+    for (int y = 0; y < values.height(); ++y) {
+        for (int x = 0; x < values.width(); ++x) {
+            if (counts(x, y)) spread.add(values(x, y));
+        }
+    }
+    spread.finish();
+    out.values = std::make_shared<const relief::FloatImage>(std::move(values));
+    out.spread = std::make_shared<const ValueSpread>(std::move(spread));
+}
+
+template <class Value>
+void takeValues(LayerPicture& out, const Value& value) {
+    takeValues(out, value, [](int, int) { return true; });
 }
 
 void paintColor(LayerPicture& out, const relief::Frame& frame) {
@@ -57,28 +58,18 @@ void paintColor(LayerPicture& out, const relief::Frame& frame) {
     relief::toSrgb32(pixels, {reinterpret_cast<std::uint32_t*>(out.image.bits()), pixels.size()});
 }
 
-void paintSteps(LayerPicture& out, const relief::Frame& frame) {
+void takeSteps(LayerPicture& out, const relief::Frame& frame) {
     const auto& steps = frame.hits->hits.steps;
-    out.high = steps.empty() ? 0 : *std::max_element(steps.begin(), steps.end());
-    mapValues(out, [&](int x, int y) {
+    takeValues(out, [&](int x, int y) {
         const std::size_t i = frame.index(x, y);
         return frame.rays->polygon[i] == relief::kNoPolygon ? std::nan("") : static_cast<double>(steps[i]);
     });
+    out.ends = {0, out.spread->largest()};
 }
 
-void paintDepth(LayerPicture& out, const relief::Frame& frame) {
-    std::vector<float> depths(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-    relief::parallelFor(frame.height, [&](int y) {
-        for (int x = 0; x < frame.width; ++x) depths[frame.index(x, y)] = static_cast<float>(frame.depth(x, y));
-    });
-    bool any = false;
-    for (const float d : depths) {
-        if (std::isnan(d)) continue;
-        out.low = any ? std::min<double>(out.low, d) : d;
-        out.high = any ? std::max<double>(out.high, d) : d;
-        any = true;
-    }
-    mapValues(out, [&](int x, int y) { return static_cast<double>(depths[frame.index(x, y)]); });
+void takeDepth(LayerPicture& out, const relief::Frame& frame) {
+    takeValues(out, [&](int x, int y) { return static_cast<double>(frame.depth(x, y)); });
+    out.ends = {out.spread->least(), out.spread->largest()};
 }
 
 void paintNormals(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request) {
@@ -112,31 +103,41 @@ void paintTexturePlaces(LayerPicture& out, const relief::Frame& frame, const rel
     });
 }
 
-void paintError(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
-                relief::MapCache& maps, relief::Work& work, int hatch) {
-    static const std::array<std::uint32_t, kMapSize> colors = countColors();
+void takeError(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
+               relief::MapCache& maps, relief::Work& work) {
     auto error = std::make_shared<relief::ErrorLayer>(relief::errorAgainstExact(frame, request, maps, work));
-    out.low = kLeastError;
-    out.high = std::max(error->largest, 10 * kLeastError);
-    eachPixel(out.image, [&](int x, int y) {
-        const std::size_t i = frame.index(x, y);
-        switch (error->kinds[i]) {
-            case relief::ErrorKind::None:
-                return kNothing;
-            case relief::ErrorKind::Right:
-                return kNoError;
-            case relief::ErrorKind::Wrong:
-                return wrongOutcomeMarked(x, y, hatch) ? 0xff000000U : kWrongOutcome;
-            case relief::ErrorKind::Past:
-                if (overshootHatched(x, y, hatch)) return kOvershoot;
-                break;
-            case relief::ErrorKind::Short:
-                break;
-        }
-        const double share = kErrorFloor + (1 - kErrorFloor) * errorShare(out, static_cast<double>(error->texels[i]));
-        return colors[static_cast<std::size_t>(share * (kMapSize - 1) + 0.5)];
-    });
+    const auto off = [&](relief::ErrorKind kind) {
+        return kind == relief::ErrorKind::Short || kind == relief::ErrorKind::Past;
+    };
+    takeValues(
+        out,
+        [&](int x, int y) {
+            const std::size_t i = frame.index(x, y);
+            const relief::ErrorKind kind = error->kinds[i];
+            const auto texels = static_cast<double>(error->texels[i]);
+            if (off(kind)) return kind == relief::ErrorKind::Past ? texels : -texels;
+            return kind == relief::ErrorKind::Right ? 0 : std::nan("");
+        },
+        [&](int x, int y) { return off(error->kinds[frame.index(x, y)]); });
+    out.ends = {0, std::max(out.spread->largestMagnitude(), 10 * kLeastError), true, kLeastError};
     out.error = std::move(error);
+}
+
+// What is no number, of the error's layer: none where it is one.
+std::optional<std::uint32_t> markOfError(const LayerPicture& layer, int x, int y) {
+    if (!layer.error) return std::nullopt;
+    switch (layer.error->kinds[std::size_t(y) * std::size_t(layer.values->width()) + std::size_t(x)]) {
+        case relief::ErrorKind::None:
+            return kNothing;
+        case relief::ErrorKind::Right:
+            return kNoError;
+        case relief::ErrorKind::Wrong:
+            return wrongOutcomeMarked(x, y, layer.hatch) ? 0xff000000U : kWrongOutcome;
+        case relief::ErrorKind::Past:
+        case relief::ErrorKind::Short:
+            break;
+    }
+    return std::nullopt;
 }
 
 // Of a plane of the core's, in the order of the frame's pixels.
@@ -144,29 +145,18 @@ float planeValue(const relief::NamedPlane& plane, int x, int y) {
     return plane.plane(x, y);
 }
 
-void paintAnisotropy(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
-                     relief::MapCache& maps, relief::Work& work) {
-    static const std::array<std::uint32_t, kMapSize> colors = countColors();
+void takeAnisotropy(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
+                    relief::MapCache& maps, relief::Work& work) {
     auto planes = std::make_shared<const std::vector<relief::NamedPlane>>(
         relief::layerPlanes(frame, request, {"footprint"}, maps, work));
-    out.low = 1;
-    out.high = 2;
-    for (int y = 0; y < frame.height; ++y) {
-        for (int x = 0; x < frame.width; ++x) {
-            const double ratio = anisotropy(*planes, x, y);
-            if (std::isfinite(ratio)) out.high = std::max(out.high, std::min(ratio, kLargestAnisotropy));
-        }
-    }
-    eachPixel(out.image, [&](int x, int y) {
-        const double ratio = anisotropy(*planes, x, y);
-        if (std::isnan(ratio)) return kNothing;
-        return colors[static_cast<std::size_t>(errorShare(out, ratio) * (kMapSize - 1) + 0.5)];
-    });
+    takeValues(out, [&](int x, int y) { return anisotropy(*planes, x, y); });
+    out.ends = {1, std::clamp(out.spread->largest(), 2.0, kLargestAnisotropy)};
     out.planes = std::move(planes);
 }
 
-void paintHidden(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
-                 relief::MapCache& maps, relief::Work& work) {
+void takeHidden(LayerPicture& out, const relief::Frame& frame, const relief::FrameRequest& request,
+                relief::MapCache& maps, relief::Work& work) {
+    constexpr double kPercent = 100;
     out.applies = frame.filter && frame.filter->description().visible;
     if (!out.applies) {
         out.image.fill(kNothing);
@@ -175,12 +165,8 @@ void paintHidden(LayerPicture& out, const relief::Frame& frame, const relief::Fr
     auto planes = std::make_shared<const std::vector<relief::NamedPlane>>(
         relief::layerPlanes(frame, request, {"hidden"}, maps, work));
     const relief::NamedPlane& shares = planes->front();
-    for (int y = 0; y < frame.height; ++y) {
-        for (int x = 0; x < frame.width; ++x) {
-            out.high = std::max(out.high, static_cast<double>(planeValue(shares, x, y)));  // NaN is never larger
-        }
-    }
-    mapValues(out, [&](int x, int y) { return static_cast<double>(planeValue(shares, x, y)); });
+    takeValues(out, [&](int x, int y) { return kPercent * static_cast<double>(planeValue(shares, x, y)); });
+    out.ends = {0, out.spread->largest()};
     out.planes = std::move(planes);
 }
 
@@ -192,31 +178,21 @@ double anisotropy(const std::vector<relief::NamedPlane>& planes, int x, int y) {
     return minor > 0 ? major / minor : (std::isnan(major) ? major : std::numeric_limits<double>::infinity());
 }
 
-double errorShare(const LayerPicture& layer, double texels) {
-    const double range = std::log(layer.high / layer.low);
-    return range > 0 && texels > layer.low ? std::clamp(std::log(texels / layer.low) / range, 0.0, 1.0) : 0;
-}
-
-bool overshootHatched(int x, int y, int hatch) {
-    // As wide a part of the picture at any size.
-    return (x + y) % hatch < hatch / kHatch;
-}
-
 bool wrongOutcomeMarked(int x, int y, int hatch) {
     const int thick = hatch / kHatch;
     return (x + y) % hatch < thick || (((x - y) % hatch) + hatch) % hatch < thick;
 }
 
 bool outcomeHatched(relief::Outcome outcome, int x, int y, int hatch) {
-    if (outcome == relief::Outcome::Miss) return overshootHatched(x, y, hatch);
+    if (outcome == relief::Outcome::Miss) return (x + y) % hatch < hatch / kHatch;
     if (outcome == relief::Outcome::Limit) return wrongOutcomeMarked(x, y, hatch);
     return false;
 }
 
 LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::FrameRequest& request,
                        relief::MapCache& maps, relief::Work& work, double enlarged) {
-    const int hatch = kHatch * std::max(1, static_cast<int>(std::lround(enlarged)));
     LayerPicture out;
+    out.hatch = kHatch * std::max(1, static_cast<int>(std::lround(enlarged)));
     out.layer = layer;
     out.image = QImage(frame.width, frame.height, QImage::Format_RGB32);
     switch (layer) {
@@ -224,31 +200,76 @@ LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::Fr
             paintColor(out, frame);
             break;
         case Layer::Steps:
-            paintSteps(out, frame);
+            takeSteps(out, frame);
             break;
         case Layer::Error:
-            paintError(out, frame, request, maps, work, hatch);
+            takeError(out, frame, request, maps, work);
             break;
         case Layer::TexturePlace:
             paintTexturePlaces(out, frame, request);
             break;
         case Layer::Anisotropy:
-            paintAnisotropy(out, frame, request, maps, work);
+            takeAnisotropy(out, frame, request, maps, work);
             break;
         case Layer::Hidden:
-            paintHidden(out, frame, request, maps, work);
+            takeHidden(out, frame, request, maps, work);
             break;
         case Layer::Outcome:
-            paintOutcomes(out, frame, hatch);
+            paintOutcomes(out, frame, out.hatch);
             break;
         case Layer::Depth:
-            paintDepth(out, frame);
+            takeDepth(out, frame);
             break;
         case Layer::Normals:
             paintNormals(out, frame, request);
             break;
     }
+    if (const auto of = rangeOf(layer)) colorLayer(out, standardRange(*of));
     return out;
+}
+
+std::optional<RangeOf> rangeOf(Layer layer) {
+    switch (layer) {
+        case Layer::Steps:
+            return RangeOf::Steps;
+        case Layer::Error:
+            return RangeOf::Error;
+        case Layer::Depth:
+            return RangeOf::Depth;
+        case Layer::Anisotropy:
+            return RangeOf::Anisotropy;
+        case Layer::Hidden:
+            return RangeOf::Hidden;
+        default:
+            return std::nullopt;
+    }
+}
+
+ColorMap colorMapOf(Layer layer) {
+    return layer == Layer::Error ? ColorMap::Signed : ColorMap::Count;
+}
+
+void colorLayer(LayerPicture& layer, const ColorRange& range) {
+    layer.range = range;
+    if (!layer.values) return;
+    layer.scale = colorScale(range, *layer.spread, layer.ends);
+    const auto code = [](Rgba c) { return packed(c.r, c.g, c.b); };
+    const ColorMap map = colorMapOf(layer.layer);
+    std::array<std::uint32_t, kMapSize> colors{};
+    const Style style;  // the maps are the same in both themes
+    for (std::size_t i = 0; i < kMapSize; ++i) {
+        colors[i] = code(style.mapped(map, static_cast<double>(i) / (kMapSize - 1)));
+    }
+    const std::uint32_t under = code(Style::under(map));
+    layer.image = QImage(layer.values->width(), layer.values->height(), QImage::Format_RGB32);
+    eachPixel(layer.image, [&](int x, int y) {
+        if (const auto mark = markOfError(layer, x, y)) return *mark;
+        const auto value = static_cast<double>((*layer.values)(x, y));
+        if (std::isnan(value)) return kNothing;
+        if (layer.scale.under(value)) return under;
+        const double place = std::clamp(layer.scale.place(value), 0.0, 1.0);
+        return colors[static_cast<std::size_t>(place * (kMapSize - 1) + 0.5)];
+    });
 }
 
 }  // namespace reliefui

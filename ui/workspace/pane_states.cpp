@@ -8,6 +8,7 @@
 #include "relief/tracers/map_choice.h"
 #include "scenario/json_reader.h"
 #include "scenario/row_methods.h"
+#include "workspace/range_json.h"
 
 namespace reliefui {
 
@@ -160,6 +161,7 @@ void readPanes(JsonReader reader, PaneStates& panes) {
         part.finish();
     }
     if (reader.has("query")) readQuery(reader.child("query"), panes.query);
+    if (reader.has("ranges")) readRanges(reader.child("ranges"), panes.ranges);
     reader.finish();
 }
 
@@ -198,6 +200,7 @@ Json panesJson(const PaneStates& panes) {
             {"colors", panes.trace.colors}, {"heights", panes.trace.heights}, {"follow", panes.trace.follow}};
     }
     if (panes.query) json["query"] = {{"s", panes.query->s}, {"t", panes.query->t}, {"z", panes.query->z}};
+    if (panes.ranges != standard.ranges) json["ranges"] = rangesJson(panes.ranges);
     return json;
 }
 
@@ -230,6 +233,7 @@ void checkPanes(const PaneStates& panes, const std::string& subject) {
     checkPaneName("colors", panes.trace.colors, tracePaneColors());
     inRange(subject, "heights", panes.trace.heights, kLeastHeights, kMostHeights);
     if (panes.query) checkQuery(subject, *panes.query);
+    checkRanges(panes.ranges, subject);
 }
 
 PaneStates panesOf(const relief::Scenario& scenario) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "painting/color_range.h"
 #include "scenario/scenario.h"
 
 namespace reliefui {
@@ -84,6 +85,7 @@ struct PaneStates {
     ChartsPane charts;
     TracePane trace;
     std::optional<QueryPoint> query;
+    ColorRanges ranges;  // of layers, maps and pyramids
     bool operator==(const PaneStates&) const = default;
 };
 

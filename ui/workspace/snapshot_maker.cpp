@@ -7,6 +7,7 @@
 
 #include "relief/maps/map_memory.h"
 #include "workspace/discard.h"
+#include "workspace/pane_states.h"
 
 namespace reliefui {
 
@@ -125,6 +126,10 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     if (order.layer == Layer::Steps) picture.frame = renderer_.counted(picture, work);
     if (shown.layer.layer != order.layer) {
         shown.layer = makeLayer(order.layer, *picture.frame, *picture.request, *maps_, work);
+    }
+    if (const auto of = rangeOf(order.layer)) {
+        const ColorRange range = panesOf(scenario).ranges.of(*of);
+        if (range != shown.layer.range) colorLayer(shown.layer, range);
     }
     snapshot->request = picture.request;
     snapshot->frame = picture.frame;

@@ -104,9 +104,12 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
     const bool panes = scenario.ui != scenario_.ui;
     const bool notes =
         panes || scenario.breakpoints != scenario_.breakpoints || scenario.bookmarks != scenario_.bookmarks;
+    const auto range = [&](const relief::Scenario& of) { return panesOf(of).ranges.of(*rangeOf(layer_)); };
+    const bool recolor = notesOnly && panes && rangeOf(layer_) && range(scenario) != range(scenario_);
     scenario_ = scenario;
     if (panes) Q_EMIT panesChanged();
     if (notesOnly) {
+        if (recolor) requestRender(false);  // of what is drawn already, in other colours
         if (agreed) good_ = past_;
         if (step) Q_EMIT stepChanged(scenario_.step);
         if (notes) Q_EMIT notesChanged();

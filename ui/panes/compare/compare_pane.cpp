@@ -9,6 +9,7 @@ PaneKind comparePane() {
     PaneKind kind;
     kind.name = QStringLiteral("compare");
     kind.title = CompareView::tr("Compare");
+    kind.tab = CompareView::tr("Compare", "tab");
     kind.help = CompareView::tr("Pictures of several methods beside each other");
     kind.place = DockPlace::UpperRight;
     kind.make = makePane<CompareView>;

@@ -1,6 +1,8 @@
 #include <cmath>
 #include <limits>
 
+#include <QCoreApplication>
+
 #include "painting/axis_ticks.h"
 #include "painting/legend_rows.h"
 #include "panes/distance/distance_drawing.h"
@@ -11,6 +13,10 @@ namespace {
 
 using relief::Message;
 using relief::MessageId;
+
+class DistanceText {
+    Q_DECLARE_TR_FUNCTIONS(reliefui::DistanceText)
+};
 
 constexpr double kTextSize = 0.8;
 constexpr double kTick = 3;  // points
@@ -90,48 +96,12 @@ void addDistanceAxes(DistancePicture& picture, relief::Language language) {
 
 namespace {
 
-constexpr int kRampCells = 64;
-
-std::shared_ptr<const relief::FloatImage> ramp(double low, double high) {
-    auto values = std::make_shared<relief::FloatImage>(kRampCells, 1);
-    for (int i = 0; i < kRampCells; ++i) {
-        (*values)(i, 0) = static_cast<float>(low + (high - low) * i / (kRampCells - 1));
-    }
-    return values;
-}
-
 Message barName(const DistancePicture& picture) {
     if (picture.minus.empty()) {
         return Message(picture.frame.slopes ? MessageId::DrawSlopeBar : MessageId::DrawDistanceBar);
     }
     return Message(picture.frame.slopes ? MessageId::DrawSlopeDifferenceBar : MessageId::DrawDifferenceBar,
                    {{"first", picture.kind}, {"second", picture.minus}});
-}
-
-void addBar(LegendRows& rows, const DistancePicture& picture) {
-    constexpr double kBar = 72;
-    const MapSlice& slice = picture.slice;
-    const Message low = plainText(relief::numberText(slice.low, 3));
-    const Message high = plainText(relief::numberText(slice.high, 3));
-    const Message name = barName(picture);
-    const double before = rows.textRoom(low) + 3;
-    const double after = rows.textRoom(high) + 6;
-    const Point at = rows.place(before + kBar + 3 + after + rows.textRoom(name) + LegendRows::kBetween);
-    Cells bar;
-    bar.values = ramp(slice.low, slice.high);
-    bar.x = at.x + before;
-    bar.y = at.y - 5;
-    bar.cellWidth = kBar / kRampCells;
-    bar.cellHeight = 10;
-    bar.clip = {bar.x, bar.y, bar.x + kBar, bar.y + 10};
-    bar.map = picture.minus.empty() ? ColorMap::Distance : ColorMap::Difference;
-    bar.low = slice.low;
-    bar.high = slice.high;
-    rows.text(at, low);
-    rows.add(Role::HeightFill, bar);
-    rows.add(Role::Frame, Rectangle{bar.clip, false, 0, 0});
-    rows.text({at.x + before + kBar + 3, at.y}, high);
-    rows.text({at.x + before + kBar + 3 + after, at.y}, name);
 }
 
 void addPatch(LegendRows& rows, Role role, const Message& name, bool hatched) {
@@ -154,10 +124,27 @@ void addPatch(LegendRows& rows, Role role, const Message& name, bool hatched) {
 
 }  // namespace
 
+RangedValues sliceValues(const DistancePicture& picture, const ColorRanges& ranges, relief::Language language) {
+    const bool slopes = picture.frame.slopes;
+    const bool difference = !picture.minus.empty();
+    RangedValues values;
+    values.of = difference ? (slopes ? RangeOf::SlopeDifference : RangeOf::Difference)
+                           : (slopes ? RangeOf::Slope : RangeOf::Distance);
+    values.name = relief::sentence(barName(picture), language);
+    values.unit = (slopes ? DistanceText::tr("heights a texel") : DistanceText::tr("texels")).toStdString();
+    values.counted = slopes ? Counted::Texels : Counted::Voxels;
+    values.map = difference ? ColorMap::Difference : ColorMap::Distance;
+    values.range = ranges.of(values.of);
+    values.spread = picture.slice.spread;
+    values.scale = colorScale(values.range, *values.spread,
+                              {difference ? 0 : picture.slice.low, picture.slice.high, difference, 0});
+    return values;
+}
+
 Drawing distanceLegend(const DistanceSource& source, const DistancePicture& picture, double width,
-                       relief::Language language) {
+                       relief::Language language, bool brief) {
     LegendRows rows(width, language);
-    addBar(rows, picture);
+    rows.block(rangeLegend(picture.values, width, brief));
     bool buried = false;
     bool surface = false;
     for (const float value : picture.slice.values->pixels()) {
@@ -168,6 +155,11 @@ Drawing distanceLegend(const DistanceSource& source, const DistancePicture& pict
     if (buried) addPatch(rows, Role::HeightFill, Message(MessageId::DrawBuried), true);
     if (picture.isoStep > 0) {
         rows.line(Role::IsoLine, Message(MessageId::DrawIsoLines, {{"step", relief::numberText(picture.isoStep, 3)}}));
+    }
+    if (picture.isoPerDecade > 0) {
+        const QString where = picture.isoPerDecade > 1 ? DistanceText::tr("lines at 1, 2 and 5 of each power of ten")
+                                                       : DistanceText::tr("lines at powers of ten");
+        rows.line(Role::IsoLine, plainText(where.toStdString()));
     }
     if (!picture.frame.slopes) rows.line(Role::Surface, Message(MessageId::DrawSurface));
     if (source.point != nullptr) addPointLegend(rows, *source.point);

@@ -17,6 +17,7 @@
 #include "panes/drawing_canvas.h"
 #include "panes/narrow_bar.h"
 #include "panes/pane_controls.h"
+#include "panes/range_button.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/step_sentence.h"
 
@@ -84,6 +85,9 @@ void DistanceView::makeMapBar(QHBoxLayout* bar) {
     }
     iso_ = addToolButton(bar, tr("lines"), tr("Lines of equal value"), true);
     near_ = addToolButton(bar, tr("near the ray"), tr("Only the surroundings of the ray"), true);
+    range_ = new RangeButton(
+        workspace_, [this] { return result_ ? std::optional(result_->picture.values) : std::nullopt; }, this);
+    bar->addWidget(range_);
     auto* const fit = addToolButton(
         bar, tr("fit"),
         tr("Show all of the slice (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for "
@@ -222,6 +226,7 @@ void DistanceView::resetZoom() {
 
 void DistanceView::choose(const ItemId& id) {
     if (!result_) return;
+    if (id.kind == ItemKind::ColorBar) return range_->open();
     const auto count = static_cast<std::int64_t>(result_->snapshot->trace.steps.size());
     if (id.kind == ItemKind::Step && id.i < count) workspace_->chooseStep(static_cast<int>(id.i));
     if (id.kind == ItemKind::Hit && count > 0) workspace_->chooseStep(static_cast<int>(count - 1));

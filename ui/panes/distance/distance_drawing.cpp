@@ -17,10 +17,6 @@ using relief::MessageId;
 
 constexpr double kIsoLines = 8;  // at most that many
 
-ColorMap mapOf(const DistancePicture& picture) {
-    return picture.slice.low < 0 || !picture.minus.empty() ? ColorMap::Difference : ColorMap::Distance;
-}
-
 // How many periods before and after the first one are seen.
 std::pair<int, int> periodsSeen(double low, double high, double start, double period, bool wraps) {
     if (!wraps) return {0, 0};
@@ -57,9 +53,8 @@ void addCells(DistancePicture& picture, const DistanceSource& source) {
             cells.cellWidth = slice.cellWidth * frame.scale;
             cells.cellHeight = slice.cellHeight * frame.scale;
             cells.clip = {low.x, low.y, high.x, high.y};
-            cells.map = mapOf(picture);
-            cells.low = slice.low;
-            cells.high = slice.high;
+            cells.map = picture.values.map;
+            cells.scale = picture.values.scale;
             cells.print = true;
             picture.drawing.add({ItemKind::Level, 0, 0, 0}, Role::HeightFill, std::move(cells));
         }
@@ -127,6 +122,74 @@ void addHatches(DistancePicture& picture) {
     for (const Box& box : boxes) picture.drawing.add({}, Role::Background, Hatch{box}, Emphasis::Faint);
 }
 
+// Values that have a line: every so many, or of a logarithmic scale 1, 2 and 5 of each power of ten.
+struct IsoValues {
+    std::vector<double> values;
+    double step = 0;
+    int perDecade = 0;
+};
+constexpr int kIsoTries = 3;
+constexpr double kMostIsoLength = 0.07;  // points of line on a square point
+constexpr double kLeastIsoLength = 14;   // points: shorter, a closed line is a blot
+IsoValues isoValues(const ColorScale& scale, int coarser) {
+    IsoValues iso;
+    if (scale.logarithmic) {
+        const std::vector<double> factors = coarser == 0 ? std::vector{1.0, 2.0, 5.0} : std::vector{1.0};
+        if (coarser > 1) return iso;
+        iso.perDecade = static_cast<int>(factors.size());
+        const int first = static_cast<int>(std::floor(std::log10(scale.low)));
+        const int last = static_cast<int>(std::ceil(std::log10(scale.high)));
+        for (int n = first; n <= last; ++n) {
+            for (const double factor : factors) iso.values.push_back(factor * std::pow(10.0, n));
+        }
+        std::erase_if(iso.values, [&](double value) { return value <= scale.low || value > scale.high; });
+        if (!scale.twoSided) return iso;
+        for (std::size_t n = iso.values.size(); n-- > 0;) iso.values.push_back(-iso.values[n]);
+        std::sort(iso.values.begin(), iso.values.end());
+        return iso;
+    }
+    const double low = scale.twoSided ? -scale.high : scale.low;
+    iso.step = niceStep(scale.twoSided ? scale.high : scale.high - low, kIsoLines / (1 << coarser));
+    iso.values = ticks(low, scale.high, iso.step);
+    std::erase_if(iso.values, [&](double value) { return std::abs(value) < 1e-6 * iso.step; });
+    return iso;
+}
+
+double lengthOf(const std::vector<Point>& line) {
+    double length = 0;
+    for (std::size_t n = 1; n < line.size(); ++n) {
+        length += std::hypot(line[n].x - line[n - 1].x, line[n].y - line[n - 1].y);
+    }
+    return length;
+}
+
+// line: in points of the drawing.
+void addIsoLine(DistancePicture& picture, const IsoLine& line) {
+    constexpr double kLabelled = 46;  // points
+    // Where the cells have room for their numbers, the lines need none.
+    constexpr double kPrinted = 24;
+    const MapSlice& slice = picture.slice;
+    const DistanceFrame& frame = picture.frame;
+    const bool printed = slice.cellWidth * frame.scale > kPrinted && slice.cellHeight * frame.scale > kPrinted / 2;
+    const Rgba ground = Style{}.cell(picture.values.map, line.value, picture.values.scale);
+    const LevelTint tint{Style::textOn(ground).r > 128 ? kLightLine : kDarkLine, 2};
+    for (const std::vector<Point>& run : clippedTo(line.points, frame.plot)) {
+        picture.drawing.items.push_back(
+            {{ItemKind::IsoLine, 0, 0, 0}, Role::IsoLine, Emphasis::Normal, Polyline{run, false}, tint});
+    }
+    const Point middle = line.points[line.points.size() / 2];
+    if (printed || lengthOf(line.points) < kLabelled || !frame.plot.grown(-8).contains(middle)) return;
+    Label label;
+    label.at = middle;
+    label.text =
+        plainText(picture.isoStep > 0 ? tickText(line.value, picture.isoStep) : relief::numberText(line.value, 3));
+    label.anchor = Anchor::Center;
+    label.size = 0.75;
+    label.plate = true;
+    label.yields = true;
+    picture.drawing.add({}, Role::IsoLine, std::move(label));
+}
+
 void addIsoLines(DistancePicture& picture) {
     const MapSlice& slice = picture.slice;
     const DistanceFrame& frame = picture.frame;
@@ -147,39 +210,31 @@ void addIsoLines(DistancePicture& picture) {
             samples(i, j) = std::isnan(value) ? 0 : (slice.low < 0 ? value : std::max(value, 0.0F));
         }
     }
-    picture.isoStep = niceStep(slice.high, kIsoLines);
-    std::vector<double> values = ticks(slice.low, slice.high, picture.isoStep);
-    std::erase_if(values, [&](double value) { return std::abs(value) < 1e-6 * picture.isoStep; });
-    constexpr double kLabelled = 46;  // points
-    // Where the cells have room for their numbers, the lines need none.
-    constexpr double kPrinted = 24;
-    const bool printed = slice.cellWidth * frame.scale > kPrinted && slice.cellHeight * frame.scale > kPrinted / 2;
-    for (const IsoLine& line : isoLines(samples, values)) {
+    const auto placed = [&](const IsoLine& line) {
         std::vector<Point> points;
-        double length = 0;
         for (const Point& p : line.points) {
-            const Point at = frame.at(
+            points.push_back(frame.at(
                 Point{placeOf(u.first + p.x, slice.start.x, slice.cellWidth, slice.periodU, columns, slice.wrapsU),
-                      placeOf(v.first + p.y, slice.start.y, slice.cellHeight, slice.periodV, rows, slice.wrapsV)});
-            if (!points.empty()) length += std::hypot(at.x - points.back().x, at.y - points.back().y);
-            points.push_back(at);
+                      placeOf(v.first + p.y, slice.start.y, slice.cellHeight, slice.periodV, rows, slice.wrapsV)}));
         }
-        const Rgba ground = Style{}.cell(mapOf(picture), line.value, slice.low, slice.high);
-        const LevelTint tint{Style::textOn(ground).r > 128 ? kLightLine : kDarkLine, 2};
-        for (const std::vector<Point>& run : clippedTo(points, frame.plot)) {
-            picture.drawing.items.push_back(
-                {{ItemKind::IsoLine, 0, 0, 0}, Role::IsoLine, Emphasis::Normal, Polyline{run, false}, tint});
+        return points;
+    };
+    // Fewer where they would lie so close that nothing is seen between them; none where even these do.
+    for (int coarser = 0; coarser < kIsoTries; ++coarser) {
+        const IsoValues wanted = isoValues(picture.values.scale, coarser);
+        std::vector<IsoLine> lines = isoLines(samples, wanted.values);
+        for (IsoLine& line : lines) line.points = placed(line);
+        std::erase_if(lines, [](const IsoLine& line) { return lengthOf(line.points) < kLeastIsoLength; });
+        double length = 0;
+        for (const IsoLine& line : lines) {
+            for (const std::vector<Point>& run : clippedTo(line.points, frame.plot)) length += lengthOf(run);
         }
-        const Point middle = points[points.size() / 2];
-        if (printed || length < kLabelled || !frame.plot.grown(-8).contains(middle)) continue;
-        Label label;
-        label.at = middle;
-        label.text = plainText(tickText(line.value, picture.isoStep));
-        label.anchor = Anchor::Center;
-        label.size = 0.75;
-        label.plate = true;
-        label.yields = true;
-        picture.drawing.add({}, Role::IsoLine, std::move(label));
+        if (length > kMostIsoLength * frame.plot.width() * frame.plot.height()) continue;
+        if (!(length > 0) || lines.empty()) return;
+        picture.isoStep = wanted.step;
+        picture.isoPerDecade = wanted.perDecade;
+        for (const IsoLine& line : lines) addIsoLine(picture, line);
+        return;
     }
 }
 
@@ -277,6 +332,7 @@ DistancePicture distancePicture(const DistanceSource& source, const DistanceOpti
     order.sector = picture.frame.sector;
     if (source.second != nullptr) order.secondSector = sectorOf(*source.second, source, options);
     picture.slice = mapSlice(*source.first, source.second, order);
+    picture.values = sliceValues(picture, options.ranges, language);
     picture.drawing.bounds = picture.frame.whole;
     addCells(picture, source);
     addHatches(picture);

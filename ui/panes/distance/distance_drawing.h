@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "painting/range_legend.h"
 #include "painting/step_body.h"
 #include "panes/distance/distance_slice.h"
 #include "panes/point_query.h"
@@ -25,6 +26,7 @@ struct DistanceOptions {
     std::optional<int> sector;      // of a map that has several; none: the ray's
     bool isoLines = true;
     bool nearRay = true;  // only the surroundings of the ray
+    ColorRanges ranges;
 
     bool operator==(const DistanceOptions&) const = default;
 };
@@ -73,7 +75,9 @@ inline bool lowPane(const DistanceFrame& frame) {
 struct DistancePicture {
     DistanceFrame frame;
     MapSlice slice;
-    double isoStep = 0;  // 0: no lines
+    RangedValues values;   // of the slice; their name is in the drawing's language
+    double isoStep = 0;    // of the lines; 0: there are none, or
+    int isoPerDecade = 0;  // of a logarithmic scale: 3 (at 1, 2 and 5) or 1
     std::string kind;
     std::string minus;
     Drawing drawing;
@@ -90,9 +94,11 @@ void addDistanceAxes(DistancePicture& picture, relief::Language language);
 // The ray, the steps up to the chosen one, and what the map promised them free; the point with its distances.
 Drawing distanceMarks(const DistanceSource& source, const DistanceFrame& frame, int step);
 
-// Colours and marks, in at most `width` points.
+// The slice in the colours that its range makes of it.
+RangedValues sliceValues(const DistancePicture& picture, const ColorRanges& ranges, relief::Language language);
+// Colours and marks, in at most `width` points. brief: without the histogram.
 Drawing distanceLegend(const DistanceSource& source, const DistancePicture& picture, double width,
-                       relief::Language language);
+                       relief::Language language, bool brief = false);
 
 // Where the ray is, and lambda where it ends: its hit, or where it was given up.
 Place3 placeOnRay(const DistanceSource& source, double lambda);

@@ -7,7 +7,7 @@
 
 namespace reliefui {
 
-DistanceOptions distanceOptions(const DistancePane& pane) {
+DistanceOptions distanceOptions(const DistancePane& pane, const ColorRanges& ranges) {
     DistanceOptions options;
     options.kind = pane.map;
     options.minus = pane.minus;
@@ -16,6 +16,7 @@ DistanceOptions distanceOptions(const DistancePane& pane) {
     options.sector = pane.sector;
     options.isoLines = pane.lines;
     options.nearRay = pane.nearRay;
+    options.ranges = ranges;
     return options;
 }
 

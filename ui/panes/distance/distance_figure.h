@@ -10,7 +10,7 @@
 
 namespace reliefui {
 
-DistanceOptions distanceOptions(const DistancePane& pane);
+DistanceOptions distanceOptions(const DistancePane& pane, const ColorRanges& ranges = {});
 DistancePane paneOf(const DistanceOptions& options);
 
 // point: whose distances are shown. Painting throws InputError for a map that there is none of.

@@ -14,7 +14,7 @@ PaneKind distancePane() {
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<DistanceView>;
     kind.figures = {{"distance", true, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
-                         return distanceFigure(std::move(s), step, distanceOptions(p.distance), p.query);
+                         return distanceFigure(std::move(s), step, distanceOptions(p.distance, p.ranges), p.query);
                      }}};
     return kind;
 }

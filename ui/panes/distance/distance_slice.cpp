@@ -178,6 +178,8 @@ MapSlice mapSlice(SlicedMap& first, SlicedMap* second, const SliceOrder& order) 
     }
     auto values = std::make_shared<relief::FloatImage>(grid.u.count, grid.v.count);
     float most = 0;
+    constexpr std::size_t kMostSorted = std::size_t{1} << 20;
+    ValueSpread spread(kMostSorted);
     for (int j = 0; j < grid.v.count; ++j) {
         for (int i = 0; i < grid.u.count; ++i) {
             const Place3 place = fromSlice(axis, first.slabTexels(), order.plane, {grid.u.center(i), grid.v.center(j)});
@@ -186,9 +188,12 @@ MapSlice mapSlice(SlicedMap& first, SlicedMap* second, const SliceOrder& order) 
                 second != nullptr ? difference(a, second->at(place, order.secondSector)) : shownValue(a);
             (*values)(i, j) = value;
             most = std::fmax(most, std::abs(value));
+            if (second != nullptr || value >= 0) spread.add(value);
         }
     }
     MapSlice slice;
+    spread.finish();
+    slice.spread = std::make_shared<const ValueSpread>(std::move(spread));
     slice.values = std::move(values);
     slice.start = {grid.u.start, grid.v.start};
     slice.cellWidth = grid.u.side;

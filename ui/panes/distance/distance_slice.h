@@ -86,8 +86,9 @@ struct MapSlice {
     double periodV = 0;
     bool wrapsU = false;
     bool wrapsV = false;
-    double low = 0;  // of the colours
+    double low = 0;  // of the map in all its slices, or of the difference
     double high = 1;
+    std::shared_ptr<const ValueSpread> spread;  // of the slice, without marks
 };
 // second: null for one map alone. A voxel that either map has no distance for counts as 0; buried is what both bury.
 MapSlice mapSlice(SlicedMap& first, SlicedMap* second, const SliceOrder& order);

@@ -13,6 +13,7 @@
 #include "panes/core_texts.h"
 #include "panes/distance/distance_figure.h"
 #include "panes/drawing_canvas.h"
+#include "panes/range_button.h"
 #include "relief/tracers/map_choice.h"
 #include "workspace/discard.h"
 #include "workspace/pane_states.h"
@@ -33,7 +34,7 @@ void DistanceView::change(const DistanceOptions& options, const char* drag) {
 
 void DistanceView::adopt() {
     const PaneStates& panes = panesOf(workspace_->scenario());
-    const DistanceOptions options = distanceOptions(panes.distance);
+    const DistanceOptions options = distanceOptions(panes.distance, panes.ranges);
     if (options == options_ && panes.query == query_) return;
     query_ = panes.query;
     const bool other = options.kind != options_.kind || options.minus != options_.minus ||
@@ -151,7 +152,9 @@ void DistanceView::draw() {
         for (int n = 0; n < 2; ++n) {
             result->picture = distancePicture(source, options, step, room.width(), room.height() - legend, language);
             result->legend = distanceLegend(source, result->picture, room.width(), language);
-            if (result->legend.bounds.height() > kMostLegend * room.height()) result->legend = {};
+            const auto high = [&] { return result->legend.bounds.height() > kMostLegend * room.height(); };
+            if (high()) result->legend = distanceLegend(source, result->picture, room.width(), language, true);
+            if (high()) result->legend = {};
             const bool none = result->legend.bounds.empty();
             const double needed = none ? 0 : result->legend.bounds.height() + kMargin / 2;
             if (needed == legend) break;
@@ -213,6 +216,7 @@ void DistanceView::showControls() {
     follow_->setChecked(!options_.slice);
     iso_->setChecked(options_.isoLines);
     near_->setChecked(options_.nearRay);
+    range_->refresh();
     kind_->setCurrentIndex(std::max(0, kind_->findData(QString::fromStdString(options_.kind))));
     minus_->setCurrentIndex(std::max(0, minus_->findData(QString::fromStdString(options_.minus))));
     const DistanceFrame frame = result_ ? result_->picture.frame : DistanceFrame{};

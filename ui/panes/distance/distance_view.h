@@ -25,6 +25,7 @@ class QToolButton;
 namespace reliefui {
 
 class DrawingCanvas;
+class RangeButton;
 
 class DistanceView : public FigureView {
     Q_OBJECT
@@ -105,6 +106,7 @@ class DistanceView : public FigureView {
     QToolButton* iso_ = nullptr;
     QToolButton* near_ = nullptr;
     QToolButton* follow_ = nullptr;
+    RangeButton* range_ = nullptr;
     QFrame* waiting_ = nullptr;
     QLabel* what_ = nullptr;
     QProgressBar* bar_ = nullptr;

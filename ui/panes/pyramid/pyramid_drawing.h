@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "images/pyramid.h"
+#include "painting/range_legend.h"
 #include "painting/step_body.h"
 #include "panes/pyramid/pyramid_layout.h"
 #include "relief/height_field.h"
@@ -40,7 +41,8 @@ PyramidPicture pyramidPicture(const PyramidSource& source, double width, double 
 // The ray and its steps on the blocks. Steps after the chosen one are drawn faintly.
 Drawing pyramidMarks(const PyramidSource& source, const PyramidPicture& picture, int step);
 
-// Heights and decisions, in at most `width` points; only decisions that occur.
-Drawing pyramidLegend(const PyramidSource& source, double width, relief::Language language);
+// Heights and decisions, in at most `width` points; only decisions that occur. brief: without the histogram.
+Drawing pyramidLegend(const PyramidSource& source, const RangedValues& heights, double width, relief::Language language,
+                      bool brief = false);
 
 }  // namespace reliefui

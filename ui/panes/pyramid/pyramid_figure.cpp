@@ -23,9 +23,14 @@ struct Page {
 Page pageOf(const Snapshot& snapshot, const PyramidOptions& options, const Box& page, const Style& style) {
     const double unit = style.pixelsPerPoint();
     Page made;
-    made.legend = pyramidLegend(pyramidSource(snapshot, options), page.width() / unit - kFigureMargins, style.language);
-    made.room = figureRoom(made.legend, page, style);
-    made.parts = pyramidParts(snapshot, options, made.room.width() / unit, made.room.height() / unit);
+    // Twice: the legend's height decides what room the levels have, and what is seen of them is what the legend shows.
+    for (int n = 0; n < 2; ++n) {
+        made.room = figureRoom(made.legend, page, style);
+        made.parts =
+            pyramidParts(snapshot, options, made.room.width() / unit, made.room.height() / unit, style.language);
+        made.legend = pyramidLegend(pyramidSource(snapshot, options), made.parts.heights,
+                                    page.width() / unit - kFigureMargins, style.language);
+    }
     return made;
 }
 

@@ -15,10 +15,10 @@ PaneKind pyramidPane() {
     kind.make = makePane<PyramidView>;
     kind.figures = {{"pyramid", true,
                      [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
-                         return pyramidFigure(std::move(s), step, pyramidOptions(p.pyramid));
+                         return pyramidFigure(std::move(s), step, pyramidOptions(p.pyramid, p.ranges));
                      }},
                     {"slabs", false, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
-                         return slabsFigure(std::move(s), step, pyramidOptions(p.pyramid), {});
+                         return slabsFigure(std::move(s), step, pyramidOptions(p.pyramid, p.ranges), {});
                      }}};
     return kind;
 }

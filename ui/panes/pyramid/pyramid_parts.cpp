@@ -1,5 +1,8 @@
 #include "panes/pyramid/pyramid_parts.h"
 
+#include "painting/view_map.h"
+#include "scenario/step_sentence.h"
+
 namespace reliefui {
 
 namespace {
@@ -13,6 +16,44 @@ void append(Drawing& to, Drawing from) {
     for (Item& item : from.items) to.items.push_back(std::move(item));
 }
 
+// The values of all levels, as far as they are drawn.
+ValueSpread seenHeights(const Drawing& levels) {
+    constexpr std::size_t kMostSorted = std::size_t{1} << 16;
+    ValueSpread spread(kMostSorted);
+    for (const Item& item : levels.items) {
+        const auto* const cells = std::get_if<Cells>(&item.primitive);
+        if (cells == nullptr) continue;
+        const CellRange seen = visibleCells(*cells, cells->clip);
+        for (int j = seen.j0; j < seen.j1; ++j) {
+            for (int i = seen.i0; i < seen.i1; ++i) spread.add((*cells->values)(i, j));
+        }
+    }
+    spread.finish();
+    return spread;
+}
+
+// The same height has the same colour on all levels and in all pyramids; the colours begin and end with what is seen.
+void colorHeights(PyramidParts& parts, const ColorRange& range, relief::Language language) {
+    const relief::HeightField& field = *parts.parts.front().source.field;
+    RangedValues& heights = parts.heights;
+    heights.name = relief::sentence(
+        relief::Message(relief::MessageId::DrawHeightLegend, {{"texels", relief::numberText(field.slabTexels(), 3)}}),
+        language);
+    heights.counted = Counted::Texels;
+    heights.range = range;
+    heights.spread = std::make_shared<const ValueSpread>(seenHeights(parts.levels));
+    const ValueSpread& spread = *heights.spread;
+    const bool flat = !(spread.largest() > spread.least());
+    heights.scale = colorScale(range, spread, flat ? ScaleEnds{0, 1} : ScaleEnds{spread.least(), spread.largest()});
+    const auto apply = [&](Drawing& levels) {
+        for (Item& item : levels.items) {
+            if (auto* const cells = std::get_if<Cells>(&item.primitive)) cells->scale = heights.scale;
+        }
+    };
+    apply(parts.levels);
+    for (PyramidPart& part : parts.parts) apply(part.picture.levels);
+}
+
 // How large its levels are drawn.
 double scaleOf(const PyramidPicture& picture) {
     return picture.blocks.front().unitX() * picture.blocks.back().unitX();
@@ -20,12 +61,13 @@ double scaleOf(const PyramidPicture& picture) {
 
 }  // namespace
 
-PyramidOptions pyramidOptions(const PyramidPane& pane) {
+PyramidOptions pyramidOptions(const PyramidPane& pane, const ColorRanges& ranges) {
     PyramidOptions options;
     if (pane.levels == "mean") options.kind = PyramidKind::Mean;
     if (pane.levels == "min") options.kind = PyramidKind::Min;
     options.all = pane.levels == "all";
     options.nearRay = pane.nearRay;
+    options.heights = ranges.of(RangeOf::Height);
     return options;
 }
 
@@ -51,7 +93,8 @@ const PyramidPart* PyramidParts::at(Point point) const {
     return nullptr;
 }
 
-PyramidParts pyramidParts(const Snapshot& snapshot, const PyramidOptions& options, double width, double height) {
+PyramidParts pyramidParts(const Snapshot& snapshot, const PyramidOptions& options, double width, double height,
+                          relief::Language language) {
     std::vector<PyramidKind> kinds{options.kind};
     if (options.all) kinds = {PyramidKind::Max, PyramidKind::Mean, PyramidKind::Min};
     std::erase_if(kinds, [&](PyramidKind kind) { return !snapshot.has(kind); });
@@ -78,6 +121,7 @@ PyramidParts pyramidParts(const Snapshot& snapshot, const PyramidOptions& option
         append(all.levels, part.picture.levels);
         all.parts.push_back(std::move(part));
     }
+    colorHeights(all, options.heights, language);
     return all;
 }
 

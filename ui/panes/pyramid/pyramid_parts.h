@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "painting/range_legend.h"
 #include "panes/pyramid/pyramid_drawing.h"
 #include "workspace/pane_states.h"
 #include "workspace/snapshot.h"
@@ -14,8 +15,9 @@ struct PyramidOptions {
     relief::PyramidKind kind = relief::PyramidKind::Max;  // the maxima are over the cells, the others over the texels
     bool nearRay = true;
     bool all = false;  // maxima, means and minima beside each other
+    ColorRange heights = standardRange(RangeOf::Height);
 };
-PyramidOptions pyramidOptions(const PyramidPane& pane);
+PyramidOptions pyramidOptions(const PyramidPane& pane, const ColorRanges& ranges = {});
 PyramidSource pyramidSource(const Snapshot& snapshot, const PyramidOptions& options);
 
 struct PyramidPart {
@@ -26,13 +28,15 @@ struct PyramidPart {
 // Refers to the snapshot.
 struct PyramidParts {
     std::vector<PyramidPart> parts;
-    Drawing levels;  // of all of them
+    Drawing levels;        // of all of them
+    RangedValues heights;  // that are seen on any level, in the colours of all
 
     // Under a point of the drawing; null: none.
     const PyramidPart* at(Point point) const;
 };
-// width, height: points. Of large pictures only the pyramids that are there.
-PyramidParts pyramidParts(const Snapshot& snapshot, const PyramidOptions& options, double width, double height);
+// width, height: points; language: of the name of the heights. Of large pictures only the pyramids that are there.
+PyramidParts pyramidParts(const Snapshot& snapshot, const PyramidOptions& options, double width, double height,
+                          relief::Language language = relief::Language::English);
 Drawing partsMarks(const PyramidParts& parts, int step);
 
 }  // namespace reliefui

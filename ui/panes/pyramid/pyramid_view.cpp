@@ -10,6 +10,7 @@
 #include "panes/pane_controls.h"
 #include "panes/pyramid/pyramid_figure.h"
 #include "panes/pyramid/pyramid_stack.h"
+#include "panes/range_button.h"
 #include "scenario/step_sentence.h"
 #include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
@@ -55,6 +56,9 @@ QHBoxLayout* PyramidView::makeBar() {
         addToolButton(bar, tr("3-D"), tr("The levels as slabs one above the other, and the way of the ray"), true);
     near_ = addToolButton(bar, tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), true);
     follow_ = addToolButton(bar, tr("follow"), tr("Zoom to the level of the current step"), true);
+    range_ = new RangeButton(
+        workspace_, [this] { return levels_ ? std::optional(parts_.heights) : std::nullopt; }, this);
+    bar->addWidget(range_);
     auto* const fit =
         addToolButton(bar, tr("fit"), tr("Show all levels (R); wheel zooms, drag moves, click chooses a step"));
     bar->addStretch(1);
@@ -75,7 +79,10 @@ void PyramidView::change(const PyramidPane& pane) {
 }
 
 void PyramidView::adopt() {
-    const PyramidPane before = std::exchange(pane_, panesOf(workspace_->scenario()).pyramid);
+    const PaneStates panes = panesOf(workspace_->scenario());
+    const PyramidPane before = std::exchange(pane_, panes.pyramid);
+    const bool recolored = panes.ranges.of(RangeOf::Height) != ranges_.of(RangeOf::Height);
+    ranges_ = panes.ranges;
     maxima_->setChecked(pane_.levels == "max");
     means_->setChecked(pane_.levels == "mean");
     minima_->setChecked(pane_.levels == "min");
@@ -83,9 +90,9 @@ void PyramidView::adopt() {
     stacked_->setChecked(pane_.stacked);
     near_->setChecked(pane_.nearRay);
     follow_->setChecked(pane_.follow);
-    if (pane_ == before) return;
+    if (pane_ == before && !recolored) return;
     faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
-    if (pane_.levels != before.levels) workspace_->setLevels(pyramidOptions(pane_).kind);
+    if (pane_.levels != before.levels) workspace_->setLevels(pyramidOptions(pane_, ranges_).kind);
     if (pane_.nearRay != before.nearRay || pane_.levels != before.levels) canvas_->resetZoom();
     if (before.follow && !pane_.follow) canvas_->resetZoom();
     refresh();
@@ -127,7 +134,7 @@ void PyramidView::showSnapshot() {
     const PauseLog::Part part("pyramid");
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
-    const PyramidOptions options = pyramidOptions(pane_);
+    const PyramidOptions options = pyramidOptions(pane_, ranges_);
     const bool ready = shown_ && shown_->request && (options.all || shown_->has(options.kind));
     if (!ready) {
         showEmpty(workspace_->whyEmpty());
@@ -135,19 +142,30 @@ void PyramidView::showSnapshot() {
     }
     // The legend first: what it needs is not left to the levels. Where it would take too much it is left
     // out: the table of steps tells the decisions, too.
-    constexpr double kMostLegend = 0.25;
-    legend_ = canvas_->showLegend(
-        pyramidLegend(pyramidSource(*shown_, options), canvas_->legendWidth(), workspace_->style().language),
-        kMostLegend);
-    const QSizeF room = canvas_->room();
-    parts_ = pyramidParts(*shown_, options, room.width(), room.height());
+    const relief::Language language = workspace_->style().language;
+    const auto showLegend = [&] {
+        constexpr double kMostLegend = 0.25;
+        const PyramidSource source = pyramidSource(*shown_, options);
+        legend_ =
+            canvas_->showLegend(pyramidLegend(source, parts_.heights, canvas_->legendWidth(), language), kMostLegend);
+        if (!legend_->bounds.empty()) return;
+        legend_ = canvas_->showLegend(pyramidLegend(source, parts_.heights, canvas_->legendWidth(), language, true),
+                                      kMostLegend);
+    };
+    const QSizeF all = canvas_->room();
+    parts_ = pyramidParts(*shown_, options, all.width(), all.height(), language);
     if (parts_.parts.empty()) return showEmpty(workspace_->whyEmpty());
+    showLegend();
+    const QSizeF room = canvas_->room();
+    parts_ = pyramidParts(*shown_, options, room.width(), room.height(), language);
     // Where there is no room for all levels, the one of the current step is shown.
     constexpr double kSmallest = 20;  // points
     const std::vector<LevelBlock>& blocks = parts_.parts.front().picture.blocks;
     cramped_ = parts_.parts.size() == 1 && blocks.size() > 1 && blocks.back().box.height() < kSmallest;
-    if (cramped_) parts_ = pyramidParts(*shown_, options, 3 * room.width() + 300, 3 * room.height() + 200);
+    if (cramped_) parts_ = pyramidParts(*shown_, options, 3 * room.width() + 300, 3 * room.height() + 200, language);
+    showLegend();  // of what is seen in this room
     levels_ = std::make_shared<const Drawing>(parts_.levels);
+    range_->refresh();
     faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
     if (pane_.stacked) stack_->show(parts_, workspace_->style());
     refreshStep();
@@ -182,6 +200,7 @@ void PyramidView::refreshStep() {
 void PyramidView::showEmpty(relief::MessageId why) {
     levels_.reset();
     parts_ = {};
+    range_->refresh();
     canvas_->showText(why);
     faces_->setCurrentWidget(canvas_);
 }
@@ -203,6 +222,7 @@ const relief::Step* PyramidView::stepOf(const ItemId& id) const {
 }
 
 void PyramidView::choose(const ItemId& id) {
+    if (id.kind == ItemKind::ColorBar) return range_->open();
     const relief::Step* const at = stepOf(id);
     if (at == nullptr) return;
     const auto& steps = shown_->trace.steps;
@@ -286,7 +306,7 @@ QString PyramidView::textOf(const PyramidPart& part, const ItemId& id) const {
 
 std::shared_ptr<const Figure> PyramidView::figure() const {
     if (!levels_) return nullptr;
-    const PyramidOptions options = pyramidOptions(pane_);
+    const PyramidOptions options = pyramidOptions(pane_, ranges_);
     return pane_.stacked ? slabsFigure(shown_, workspace_->scenario().step, options, stack_->camera())
                          : pyramidFigure(shown_, workspace_->scenario().step, options);
 }

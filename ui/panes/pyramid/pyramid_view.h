@@ -19,6 +19,7 @@ namespace reliefui {
 
 class DrawingCanvas;
 class PyramidStack;
+class RangeButton;
 
 class PyramidView : public FigureView {
     Q_OBJECT
@@ -30,6 +31,7 @@ class PyramidView : public FigureView {
     // What is shown; those of the first of several.
     const std::vector<PyramidPart>& parts() const { return parts_.parts; }
     const std::vector<LevelBlock>& blocks() const { return parts_.parts.front().picture.blocks; }
+    const RangedValues& heights() const { return parts_.heights; }
     // What is under a point of the flat drawing, in words.
     QString reading(Point drawing) const;
 
@@ -77,9 +79,11 @@ class PyramidView : public FigureView {
     QToolButton* stacked_;
     QToolButton* near_;
     QToolButton* follow_;
+    RangeButton* range_ = nullptr;
     PyramidStack* stack_;
     QStackedLayout* faces_;
     PyramidPane pane_;
+    ColorRanges ranges_;
     std::shared_ptr<const Snapshot> shown_;
     PyramidParts parts_;
     bool cramped_ = false;     // no room for all levels

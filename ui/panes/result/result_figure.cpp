@@ -30,11 +30,12 @@ Style onScreen(Style style) {
     return style;
 }
 
-QSizeF legendOf(const Snapshot& snapshot, const Style& style) {
+// In a page so many pixels of a screen wide.
+QSizeF legendOf(const Snapshot& snapshot, const Style& style, double width) {
     QImage nothing(1, 1, QImage::Format_RGB32);
     QPainter painter(&nothing);
     painter.setFont(legendFont());
-    const QSize size = paintLegend(&painter, snapshot.layer, {}, onScreen(style));
+    const QSize size = paintLegend(&painter, snapshot.layer, {}, onScreen(style), width);
     return size.isValid() ? QSizeF(size) / kPixelsPerPoint : QSizeF(0, 0);
 }
 
@@ -46,7 +47,9 @@ struct Redrawn {
     const Snapshot& make(const std::shared_ptr<const Snapshot>& of, int pixels) {
         if (snapshot && snapshot->scenario.width == pixels) return *snapshot;
         relief::Work work;
-        snapshot = resized(of, pixels, work);
+        auto drawn = std::make_shared<Snapshot>(*resized(of, pixels, work));
+        colorLayer(drawn->layer, of->layer.range);
+        snapshot = std::move(drawn);
         return *snapshot;
     }
 };
@@ -62,7 +65,7 @@ void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, c
         const double unit = style.screenPixelsPerPoint / kPixelsPerPoint;
         painter.scale(unit, unit);
         painter.setFont(legendFont());
-        paintLegend(&painter, snapshot.layer, QPoint(0, 0), onScreen(style));
+        paintLegend(&painter, snapshot.layer, QPoint(0, 0), onScreen(style), page.width() / unit);
         painter.restore();
     }
     if (!snapshot.scenario.pixel) return;
@@ -86,7 +89,8 @@ std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snaps
     return paintedFigure(paint, figureCaption(snapshot), [snapshot](const FigurePage& page) {
         const relief::Scenario& s = snapshot->scenario;
         const double picture = static_cast<double>(s.height) / std::max(1, s.width);
-        return picture + legendOf(*snapshot, page.style).height() / (page.widthMm / kMmPerPoint);
+        const double points = page.widthMm / kMmPerPoint;
+        return picture + legendOf(*snapshot, page.style, points * kPixelsPerPoint).height() / points;
     });
 }
 

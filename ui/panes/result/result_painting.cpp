@@ -39,10 +39,10 @@ std::vector<Swatch> errorSwatches(const LayerPicture& layer) {
     const auto some = [&](const QString& what, relief::ErrorKind kind) {
         return ResultText::tr("%1: %n pixels", nullptr, static_cast<int>(count(kind))).arg(what);
     };
-    const QColor middle = toColor(Style().mapped(ColorMap::Count, 0.5));
+    const auto side = [](double place) { return toColor(Style().mapped(ColorMap::Signed, place)); };
     return {{QColor(QRgb(kNoError)), false, some(ResultText::tr("exact"), relief::ErrorKind::Right)},
-            {middle, false, some(ResultText::tr("too early"), relief::ErrorKind::Short)},
-            {middle, true, some(ResultText::tr("overshoot"), relief::ErrorKind::Past), QColor(QRgb(kOvershoot))},
+            {side(0.2), false, some(ResultText::tr("too early"), relief::ErrorKind::Short)},
+            {side(0.8), false, some(ResultText::tr("overshoot"), relief::ErrorKind::Past)},
             {QColor(QRgb(kWrongOutcome)), true, some(ResultText::tr("wrong outcome"), relief::ErrorKind::Wrong),
              Qt::black}};
 }
@@ -104,44 +104,30 @@ QSize paintSwatches(QPainter* painter, const LayerPicture& layer, QPoint bottomL
     return size;
 }
 
-// A scale's title, and how far along it a value in [low, high] lies.
 QString scaleTitle(Layer layer) {
-    if (layer == Layer::Error) return ResultText::tr("error against exact, texels");
+    if (layer == Layer::Error) return ResultText::tr("error against exact, texels: − too early, + overshoot");
     if (layer == Layer::Anisotropy) return ResultText::tr("footprint: major over minor axis");
     if (layer == Layer::Hidden) return ResultText::tr("texels of the footprint hidden by the relief, %");
     return layer == Layer::Steps ? ResultText::tr("steps of the ray")
                                  : ResultText::tr("distance to the hit, texture widths");
 }
 
-QSize paintScale(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style,
-                 const QFontMetrics& metrics) {
-    const QString title = scaleTitle(layer.layer);
-    const bool error = layer.layer == Layer::Error;
-    const bool logarithmic = error || layer.layer == Layer::Anisotropy;
-    const double unit = layer.layer == Layer::Hidden ? 100 : 1;
+// Beside each other up to this width, points.
+constexpr double kLegendWidth = 420;
+
+QSize paintScale(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style, double width) {
+    const Drawing legend = rangeLegend(layerValues(layer), std::min(width, kLegendWidth));
+    const double unit = style.pixelsPerPoint();
     const int pad = scaled(8, style);
-    const int bar = std::max(scaled(180, style), metrics.horizontalAdvance(title));
-    const int thick = metrics.height() * 2 / 3;
-    const QSize size(bar + 2 * pad, 2 * pad + 2 * metrics.height() + thick + scaled(6, style));
+    const QSize size(static_cast<int>(std::ceil(legend.bounds.width() * unit)) + 2 * pad,
+                     static_cast<int>(std::ceil(legend.bounds.height() * unit)) + 2 * pad);
     if (painter == nullptr) return size;
     const QRect box(bottomLeft - QPoint(0, size.height()), size);
     panel(*painter, box, style);
-    const int x = box.left() + pad;
-    int y = box.top() + pad;
-    painter->drawText(QRect(x, y, bar, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter, title);
-    y += metrics.height() + scaled(3, style);
-    for (int i = 0; i < bar; ++i) {
-        const double share = double(i) / (bar - 1);
-        const double place = error ? kErrorFloor + (1 - kErrorFloor) * share : share;
-        painter->fillRect(x + i, y, 1, thick, toColor(style.mapped(ColorMap::Count, place)));
-    }
-    y += thick + scaled(3, style);
-    const QRect labels(x, y, bar, metrics.height());
-    const double middle = logarithmic ? std::sqrt(layer.low * layer.high) : (layer.low + layer.high) / 2;
-    const bool beyond = layer.layer == Layer::Anisotropy && layer.high >= kLargestAnisotropy;
-    painter->drawText(labels, Qt::AlignLeft, (error ? QStringLiteral("≤ ") : QString()) + number(unit * layer.low));
-    painter->drawText(labels, Qt::AlignHCenter, number(unit * middle));
-    painter->drawText(labels, Qt::AlignRight, (beyond ? QStringLiteral("≥ ") : QString()) + number(unit * layer.high));
+    const Box room{double(box.left()), double(box.top()), double(box.right()), double(box.bottom())};
+    painter->save();
+    paint(*painter, legend, {unit, room.x0 + pad, room.y0 + pad}, style, room);
+    painter->restore();
     return size;
 }
 
@@ -260,32 +246,48 @@ void paintMagnifier(QPainter& painter, const QImage& image, QPoint pixel, const 
     painter.drawRect(center.adjusted(-1, -1, 1, 1));
 }
 
-QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style) {
+RangedValues layerValues(const LayerPicture& layer) {
+    RangedValues values;
+    values.of = *rangeOf(layer.layer);
+    values.name = scaleTitle(layer.layer).toStdString();
+    if (layer.layer == Layer::Error) values.unit = ResultText::tr("texels").toStdString();
+    if (layer.layer == Layer::Hidden) values.unit = "%";
+    values.map = colorMapOf(layer.layer);
+    values.range = layer.range;
+    values.scale = layer.scale;
+    values.spread = layer.spread;
+    return values;
+}
+
+QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style, double width) {
     if (layer.layer == Layer::Color) return {};
     const QFontMetrics metrics = painter != nullptr ? painter->fontMetrics() : QFontMetrics(QFont());
     if (layer.layer == Layer::Normals) return paintSphere(painter, bottomLeft, style, metrics);
+    const double points = (width - 2 * scaled(8, style)) / style.pixelsPerPoint();
     if (layer.layer == Layer::Error) {
-        const QSize scale = paintScale(painter, layer, bottomLeft, style, metrics);
+        const QSize scale = paintScale(painter, layer, bottomLeft, style, points);
         const QSize kinds = paintSwatches(painter, layer, bottomLeft - QPoint(0, scale.height()), style, metrics);
         return {std::max(scale.width(), kinds.width()), scale.height() + kinds.height()};
     }
-    const bool scale = layer.layer == Layer::Steps || layer.layer == Layer::Depth || layer.layer == Layer::Anisotropy ||
-                       (layer.layer == Layer::Hidden && layer.applies);
-    return scale ? paintScale(painter, layer, bottomLeft, style, metrics)
-                 : paintSwatches(painter, layer, bottomLeft, style, metrics);
+    return layer.values ? paintScale(painter, layer, bottomLeft, style, points)
+                        : paintSwatches(painter, layer, bottomLeft, style, metrics);
+}
+
+QSize scaleSize(const LayerPicture& layer, const Style& style, double width) {
+    return paintScale(nullptr, layer, {}, style, (width - 2 * scaled(8, style)) / style.pixelsPerPoint());
 }
 
 QImage withLegend(const QImage& picture, const LayerPicture& layer, const Style& style) {
     QImage out = picture.convertToFormat(QImage::Format_RGB32);
     if (layer.layer == Layer::Color) return out;
-    const QSize legend = paintLegend(nullptr, layer, {}, style);
+    const QSize legend = paintLegend(nullptr, layer, {}, style, out.width());
     // Below the picture, which stays whole.
     QImage whole(std::max(out.width(), legend.width()), out.height() + legend.height(), QImage::Format_RGB32);
     whole.fill(toColor(style.background()));
     QPainter painter(&whole);
     painter.drawImage(0, 0, out);
     painter.setFont(QFont());
-    paintLegend(&painter, layer, QPoint(0, whole.height()), style);
+    paintLegend(&painter, layer, QPoint(0, whole.height()), style, out.width());
     return whole;
 }
 

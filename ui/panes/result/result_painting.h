@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QString>
 
+#include "painting/range_legend.h"
 #include "painting/style.h"
 #include "workspace/snapshot.h"
 
@@ -21,8 +22,15 @@ inline constexpr int kMagnified = 15;
 QSize magnifierSize(const Style& style, int viewWidth);
 void paintMagnifier(QPainter& painter, const QImage& image, QPoint pixel, const QRect& frame, const Style& style);
 
-// Colours and what they mean, with units; nothing for the colour layer. Returns its size when `painter` is null.
-QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style);
+// A layer of numbers, for its legend and the choice of its range.
+RangedValues layerValues(const LayerPicture& layer);
+// Colours and what they mean, with units; nothing for the colour layer. Returns its size when `painter` is null. width:
+// pixels that it should not exceed.
+inline constexpr double kAnyWidth = 1e6;
+QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style,
+                  double width = kAnyWidth);
+// Of the part of it that is the scale of a layer of numbers.
+QSize scaleSize(const LayerPicture& layer, const Style& style, double width);
 
 // The picture with the layer's legend below it, for export.
 QImage withLegend(const QImage& picture, const LayerPicture& layer, const Style& style);

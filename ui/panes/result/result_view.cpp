@@ -2,6 +2,7 @@
 
 #include <QContextMenuEvent>
 #include <QHelpEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 
@@ -12,11 +13,27 @@
 
 namespace reliefui {
 
+namespace {
+
+constexpr int kLegendMargin = 8;
+
+}  // namespace
+
 ResultView::ResultView(Workspace* workspace, QWidget* parent) : PictureView(workspace, parent) {
     setObjectName(QStringLiteral("result"));
     setAccessibleName(tr("Result: the rendered picture"));
     connect(workspace, &Workspace::snapshotChanged, this, qOverload<>(&QWidget::update));
     connect(workspace, &Workspace::styleChanged, this, qOverload<>(&QWidget::update));
+    range_ = new RangeButton(
+        workspace,
+        [workspace]() -> std::optional<RangedValues> {
+            const auto snapshot = workspace->snapshot();
+            if (!snapshot || !snapshot->layer.values) return std::nullopt;
+            return layerValues(snapshot->layer);
+        },
+        this);
+    connect(workspace, &Workspace::snapshotChanged, range_, &RangeButton::refresh);
+    range_->refresh();
 }
 
 void ResultView::paintEvent(QPaintEvent*) {
@@ -55,9 +72,9 @@ void ResultView::paintPicture(QPainter& painter) const {
 void ResultView::paintOverlays(QPainter& painter) const {
     const auto snapshot = workspace()->snapshot();
     const Style& style = workspace()->style();
-    const int margin = 8;
+    const int margin = kLegendMargin;
     paintPixelValues(painter, *snapshot, pictureIn(rect()), rect(), style);
-    paintLegend(&painter, snapshot->layer, QPoint(margin, height() - margin), style);
+    paintLegend(&painter, snapshot->layer, QPoint(margin, height() - margin), style, width() - 2 * margin);
     if (!snapshot->scenario.pixel) return;
     const relief::PixelChoice pixel = *snapshot->scenario.pixel;
     const QPointF at = toWidget({pixel.x + 0.5, pixel.y + 0.5});
@@ -73,6 +90,22 @@ void ResultView::paintOverlays(QPainter& painter) const {
     const QImage& image = snapshot->layer.image;
     const QPoint center(pixel.x * image.width() / full.width(), pixel.y * image.height() / full.height());
     paintMagnifier(painter, image, center, QRect(corner, magnifier), style);
+}
+
+// Of the scale alone, which stands lowest.
+QRect ResultView::legendBox() const {
+    const auto snapshot = workspace()->snapshot();
+    if (!snapshot || !snapshot->layer.values) return {};
+    QSize size = scaleSize(snapshot->layer, workspace()->style(), width() - 2 * kLegendMargin);
+    return {QPoint(kLegendMargin, height() - kLegendMargin - size.height()), size};
+}
+
+void ResultView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && legendBox().contains(event->pos())) {
+        range_->open();
+    } else {
+        PictureView::mousePressEvent(event);
+    }
 }
 
 void ResultView::tellHover(QPointF at) {

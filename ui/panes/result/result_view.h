@@ -2,6 +2,7 @@
 #pragma once
 
 #include "panes/picture_view.h"
+#include "panes/range_button.h"
 
 namespace reliefui {
 
@@ -14,6 +15,9 @@ class ResultView : public PictureView {
     QPointF toWidget(QPointF picture) const { return inRoom(picture, rect()); }
     QPointF toPicture(QPointF widget) const { return fromRoom(widget, rect()); }
 
+    // For the bar of the window that the view stands in.
+    RangeButton* rangeButton() const { return range_; }
+
     QSize sizeHint() const override { return {800, 600}; }
 
   signals:
@@ -22,6 +26,7 @@ class ResultView : public PictureView {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     bool event(QEvent* event) override;
@@ -33,6 +38,9 @@ class ResultView : public PictureView {
     void paintPicture(QPainter& painter) const;
     void paintOverlays(QPainter& painter) const;
     void paintEmpty(QPainter& painter) const;
+    QRect legendBox() const;
+
+    RangeButton* range_;
 };
 
 }  // namespace reliefui

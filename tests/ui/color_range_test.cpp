@@ -1,0 +1,177 @@
+// Ranges, scales and their legend: laws that hold for any values.
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "painting/cell_image.h"
+#include "painting/range_legend.h"
+
+namespace reliefui {
+
+namespace {
+
+// Steps as rays take them: most few, some many, one beyond all measure.
+std::vector<float> strayValues() {
+    std::mt19937 random(7);
+    std::vector<float> values;
+    for (int i = 0; i < 5000; ++i) values.push_back(static_cast<float>(2 + random() % 30));
+    values.push_back(4100);
+    return values;
+}
+
+ValueSpread spreadOf(const std::vector<float>& values, std::size_t most = ValueSpread::kAll) {
+    ValueSpread spread(most);
+    for (const float value : values) spread.add(value);
+    spread.finish();
+    return spread;
+}
+
+ColorRange rangeWith(RangeEnds ends, double low, double high, bool logarithmic = false) {
+    ColorRange range;
+    range.ends = ends;
+    range.low = low;
+    range.high = high;
+    range.logarithmic = logarithmic;
+    return range;
+}
+
+}  // namespace
+
+TEST(ColorRange, SpreadsCountAsALoopDoes) {
+    const std::vector<float> values = strayValues();
+    const ValueSpread spread = spreadOf(values);
+    for (const double at : {1.5, 7.0, 16.0, 31.0, 4100.0, 5000.0}) {
+        EXPECT_EQ(spread.above(at), std::count_if(values.begin(), values.end(), [&](float v) { return v > at; }));
+        EXPECT_EQ(spread.between(at, 20),
+                  std::count_if(values.begin(), values.end(), [&](float v) { return v >= at && v < 20; }) -
+                      std::count_if(values.begin(), values.end(), [&](float v) { return v >= 20 && v < at; }));
+    }
+    // Thinned out: the extremes are exact, counts about right.
+    const ValueSpread thin = spreadOf(values, 500);
+    EXPECT_FALSE(thin.exact());
+    EXPECT_EQ(thin.largest(), 4100);
+    EXPECT_EQ(thin.count(), spread.count());
+    EXPECT_NEAR(static_cast<double>(thin.above(16)), static_cast<double>(spread.above(16)), 500);
+}
+
+TEST(ColorRange, PlacesAndValuesAreInverse) {
+    for (const bool twoSided : {false, true}) {
+        for (const bool logarithmic : {false, true}) {
+            ColorScale scale;
+            scale.low = logarithmic ? 0.01 : (twoSided ? 0 : -3);
+            scale.high = 40;
+            scale.logarithmic = logarithmic;
+            scale.twoSided = twoSided;
+            double before = -HUGE_VAL;
+            for (int k = 0; k <= 20; ++k) {
+                const double place = k / 20.0;
+                const double value = scale.value(place);
+                EXPECT_GT(value, before);
+                before = value;
+                EXPECT_NEAR(scale.place(value), place, 1e-9);
+                // Either side is the other's mirror image.
+                if (twoSided) {
+                    EXPECT_NEAR(scale.place(-value), 1 - place, 1e-9);
+                }
+            }
+            EXPECT_NEAR(scale.value(1), 40, 1e-9);
+        }
+    }
+}
+
+TEST(ColorRange, EndsAreWhatTheRangeSays) {
+    const std::vector<float> values = strayValues();
+    const ValueSpread spread = spreadOf(values);
+    const ScaleEnds ends{0, spread.largest()};
+    EXPECT_EQ(colorScale({}, spread, ends).high, 4100);
+    const ColorScale most = colorScale(rangeWith(RangeEnds::Percentile, 0, 99.9), spread, ends);
+    EXPECT_EQ(most.low, 0);
+    EXPECT_LE(most.high, 31) << "one stray ray does not decide the colours of all others";
+    EXPECT_LE(static_cast<double>(spread.above(most.high)), 0.001 * static_cast<double>(spread.count()) + 1);
+    const ColorScale own = colorScale(rangeWith(RangeEnds::Own, 5, 9), spread, ends);
+    EXPECT_EQ(own.low, 5);
+    EXPECT_EQ(own.high, 9);
+    // A logarithm needs a value above 0 to begin with.
+    const ColorScale log = colorScale(rangeWith(RangeEnds::All, 0, 1, true), spread, ends);
+    EXPECT_TRUE(log.logarithmic);
+    EXPECT_EQ(log.low, 2);
+    EXPECT_FALSE(colorScale(rangeWith(RangeEnds::All, 0, 1, true), spreadOf({0, 0}), {0, 0}).logarithmic);
+    // Nearly all values alike: the rest still differ.
+    EXPECT_EQ(colorScale(rangeWith(RangeEnds::Percentile, 0, 50), spreadOf({0, 0, 0, 0, 3}), {0, 3}).high, 3);
+    const ColorScale both =
+        colorScale(rangeWith(RangeEnds::Percentile, 0, 50), spreadOf({-8, -1, 0, 1, 2}), {0, 8, true, 0});
+    EXPECT_TRUE(both.twoSided);
+    EXPECT_EQ(both.high, 1);
+}
+
+// Single cells and whole images are painted alike.
+TEST(ColorRange, ImagesOfCellsHaveTheColoursOfTheScale) {
+    auto values = std::make_shared<relief::FloatImage>(64, 1);
+    for (int i = 0; i < 64; ++i)
+        (*values)(i, 0) = static_cast<float>(std::pow(10, i / 16.0 - 3) * (i % 3 == 0 ? -1 : 1));
+    const Style style;
+    for (const ColorMap map : {ColorMap::Count, ColorMap::Difference, ColorMap::Signed}) {
+        for (const bool logarithmic : {false, true}) {
+            Cells cells;
+            cells.values = values;
+            cells.map = map;
+            cells.scale.low = 0.002;
+            cells.scale.high = 5;
+            cells.scale.logarithmic = logarithmic;
+            cells.scale.twoSided = map != ColorMap::Count;
+            cells.scale.threshold = 0.01;
+            const CellImage image = cellImage(cells, style);
+            for (int i = 0; i < 64; ++i) {
+                const Rgba one = style.cell(map, static_cast<double>((*values)(i, 0)), cells.scale);
+                const std::uint8_t* const at = &image.rgb[static_cast<std::size_t>(3 * i)];
+                EXPECT_NEAR(at[0], one.r, 1) << i;
+                EXPECT_NEAR(at[1], one.g, 1) << i;
+                EXPECT_NEAR(at[2], one.b, 1) << i;
+                if (std::abs((*values)(i, 0)) <= 0.01F && (cells.scale.twoSided || (*values)(i, 0) <= 0.01F)) {
+                    EXPECT_EQ(one, Style::under(map)) << i;
+                }
+            }
+        }
+    }
+}
+
+TEST(ColorRange, LegendsSayWhatIsCutOffAndHowMuchIsAboveTheThreshold) {
+    RangedValues values;
+    values.name = "steps";
+    values.range = standardRange(RangeOf::Steps);
+    values.range.threshold = 20;
+    values.spread = std::make_shared<const ValueSpread>(spreadOf(strayValues()));
+    values.scale = colorScale(values.range, *values.spread, {0, values.spread->largest()});
+    std::string all;
+    for (const std::string& line : rangeTexts(values)) all += line + "\n";
+    const auto has = [&](const std::string& part) { return all.find(part) != std::string::npos; };
+    EXPECT_TRUE(has("99.9")) << all;
+    EXPECT_TRUE(has("4100")) << all;
+    EXPECT_TRUE(has(std::to_string(values.spread->above(values.scale.high)))) << all;
+    EXPECT_TRUE(has(std::to_string(values.spread->above(20)))) << all;
+    if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
+    // The bar shows the values where its numbers stand.
+    const Drawing legend = rangeLegend(values, 400);
+    const auto bar = std::find_if(legend.items.begin(), legend.items.end(),
+                                  [](const Item& item) { return std::holds_alternative<Cells>(item.primitive); });
+    ASSERT_NE(bar, legend.items.end());
+    const Cells& cells = std::get<Cells>(bar->primitive);
+    EXPECT_EQ(cells.scale, values.scale);
+    for (const Item& item : legend.items) {
+        const auto* const label = std::get_if<Label>(&item.primitive);
+        if (label == nullptr || label->anchor != Anchor::Top) continue;
+        const std::string text = labelText(*label, relief::Language::English);
+        if (text.find_first_not_of("0123456789.") != std::string::npos) continue;
+        EXPECT_NEAR((label->at.x - cells.clip.x0) / cells.clip.width(), values.scale.place(std::stod(text)), 1e-6)
+            << text;
+    }
+    // Narrow, the words stand below; nothing is wider than its room.
+    for (const double width : {160.0, 240.0, 400.0}) {
+        EXPECT_LE(rangeLegend(values, width).bounds.width(), std::max(width, 210.0));
+    }
+}
+
+}  // namespace reliefui
