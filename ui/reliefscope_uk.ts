@@ -452,6 +452,30 @@
         <source>Pictures of several methods beside each other</source>
         <translation>Зображення кількох методів поруч</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <comment>tab</comment>
+        <translation type="unfinished">Порівняння</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::DistanceText</name>
+    <message>
+        <source>heights a texel</source>
+        <translation>одиниць висоти на тексель</translation>
+    </message>
+    <message>
+        <source>texels</source>
+        <translation>текселів</translation>
+    </message>
+    <message>
+        <source>lines at 1, 2 and 5 of each power of ten</source>
+        <translation>лінії на 1, 2 і 5 кожного степеня десяти</translation>
+    </message>
+    <message>
+        <source>lines at powers of ten</source>
+        <translation>лінії на степенях десяти</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::DistanceView</name>
@@ -2366,6 +2390,147 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
 </context>
 <context>
+    <name>reliefui::RangeBox</name>
+    <message>
+        <source>How values become colours</source>
+        <translation>Як значення стають кольорами</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>лінійно</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>логарифмічна шкала</translation>
+    </message>
+    <message>
+        <source>Where the colours begin and end</source>
+        <translation>Де кольори починаються й закінчуються</translation>
+    </message>
+    <message>
+        <source>all values</source>
+        <translation>усі значення</translation>
+    </message>
+    <message>
+        <source>percentiles</source>
+        <translation>процентилі</translation>
+    </message>
+    <message>
+        <source>own ends</source>
+        <translation>власні межі</translation>
+    </message>
+    <message>
+        <source>Where the colours begin</source>
+        <translation>Де кольори починаються</translation>
+    </message>
+    <message>
+        <source>Where the colours end</source>
+        <translation>Де кольори закінчуються</translation>
+    </message>
+    <message>
+        <source>only what is more than</source>
+        <translation>лише те, що понад</translation>
+    </message>
+    <message>
+        <source>Values up to it share one colour; the legend counts those above it</source>
+        <translation>Значення до нього мають один колір; легенда рахує ті, що понад нього</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Поріг</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Стандартно</translation>
+    </message>
+    <message>
+        <source>The range with which this picture begins</source>
+        <translation>Діапазон, з яким починає це зображення</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>від</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>Range of the colours</source>
+        <translation>Діапазон кольорів</translation>
+    </message>
+    <message>
+        <source>both sides</source>
+        <translation>обидва боки</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::RangeButton</name>
+    <message>
+        <source>Range of the colours: linear, logarithmic, percentiles, own ends, a threshold; a click on the bar of colours opens it as well</source>
+        <translation>Діапазон кольорів: лінійний, логарифмічний, процентилі, власні межі, поріг; клацання на смузі кольорів також відкриває його</translation>
+    </message>
+    <message>
+        <source>Range of the colours</source>
+        <translation>Діапазон кольорів</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::RangeText</name>
+    <message>
+        <source>%1 texels</source>
+        <translation>%1 текс.</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 вокс.</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 пікс.</translation>
+    </message>
+    <message>
+        <source>own range</source>
+        <translation>власні межі</translation>
+    </message>
+    <message>
+        <source>percentiles %1 to %2</source>
+        <translation>процентилі від %1 до %2</translation>
+    </message>
+    <message>
+        <source>up to the percentile %1</source>
+        <translation>до процентиля %1</translation>
+    </message>
+    <message>
+        <source>up to the percentile %1 of the sizes</source>
+        <translation>до процентиля %1 абсолютних значень</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>логарифмічна шкала</translation>
+    </message>
+    <message>
+        <source>, logarithmic</source>
+        <translation>, логарифмічна шкала</translation>
+    </message>
+    <message>
+        <source>beyond: %1, up to ±%2</source>
+        <translation>поза межами: %1, до ±%2</translation>
+    </message>
+    <message>
+        <source>beyond: %1, up to %2</source>
+        <translation>понад межу: %1, до %2</translation>
+    </message>
+    <message>
+        <source>below: %1, down to %2</source>
+        <translation>нижче межі: %1, до %2</translation>
+    </message>
+    <message>
+        <source>more than %1: %2% (%3)</source>
+        <translation>понад %1: %2 % (%3)</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::RenderWorker</name>
     <message>
         <source>not enough memory for this</source>
@@ -2506,10 +2671,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>кут текстури</translation>
     </message>
     <message>
-        <source>error against exact, texels</source>
-        <translation>похибка відносно точного методу, у текселях</translation>
-    </message>
-    <message>
         <source>x right, y up, z to the front</source>
         <translation>x праворуч, y вгору, z до глядача</translation>
     </message>
@@ -2568,6 +2729,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>footprint: semi-axes %1 × %2 texels, ratio %3</source>
         <translation>проєкція пікселя: півосі %1 × %2 текселя, відношення %3</translation>
+    </message>
+    <message>
+        <source>error against exact, texels: − too early, + overshoot</source>
+        <translation>похибка відносно точного методу, у текселях: − зарано, + проскок</translation>
+    </message>
+    <message>
+        <source>texels</source>
+        <translation>текселів</translation>
     </message>
 </context>
 <context>
