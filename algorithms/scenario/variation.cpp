@@ -329,13 +329,13 @@ std::optional<MethodChoice> variedOption(const Scenario& scenario, const std::st
 Scenario keptApart(const Scenario& before, Scenario after) {
     const CompareSubject shown = after.comparison.subject;
     for (const CompareSubject subject : {CompareSubject::Methods, CompareSubject::Filters, CompareSubject::Mappings}) {
-        const MethodChoice was = ownVariation(before, subject);
-        const MethodChoice is = ownVariation(after, subject);
-        // An option that is turned passes by what another has.
-        if (was.name == is.name) continue;
         after.comparison.subject = subject;
         std::vector<MethodChoice>& others = othersOf(after.comparison);
         try {
+            const MethodChoice was = ownVariation(before, subject);
+            const MethodChoice is = ownVariation(after, subject);
+            // An option that is turned passes by what another has.
+            if (was.name == is.name) continue;
             const auto same = std::find_if(others.begin(), others.end(),
                                            [&](const auto& one) { return sameVariation(subject, one, is); });
             if (same == others.end()) continue;

@@ -9,7 +9,7 @@ PaneKind comparePane() {
     PaneKind kind;
     kind.name = QStringLiteral("compare");
     kind.title = CompareView::tr("Compare");
-    kind.help = CompareView::tr("Pictures of several methods beside each other");
+    kind.help = CompareView::tr("Methods, filters, coordinates or heights beside each other");
     kind.home = Home::High;
     kind.make = makePane<CompareView>;
     kind.figures = {{"compare", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates&) {
