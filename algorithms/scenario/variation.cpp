@@ -68,7 +68,11 @@ MethodDescription describedFilter(const MethodChoice& choice) {
 }
 
 MethodDescription describedMapping(const MethodChoice& choice) {
-    parseMapping(choice.name, "");  // throws for other row methods
+    const std::vector<std::string> names = mappingNames();
+    if (std::find(names.begin(), names.end(), choice.name) == names.end()) {
+        throw InputError("", Message(MessageId::UnknownName,
+                                     {{"what", "mapping"}, {"name", choice.name}, {"known", commaList(names)}}));
+    }
     MethodDescription out;
     for (const RowMethodDescription& method : rowMethodList()) {
         if (method.name != choice.name) continue;
@@ -223,7 +227,12 @@ MethodDescription describedVariation(CompareSubject subject, const MethodChoice&
 
 void checkVariation(CompareSubject subject, const MethodChoice& choice, const std::string& where) {
     if (subject == CompareSubject::Methods) return checkMethod(choice, where);
-    const MethodDescription described = describedVariation(subject, choice);
+    MethodDescription described;
+    try {
+        described = describedVariation(subject, choice);
+    } catch (const InputError& error) {
+        throw InputError(where, error.message());
+    }
     if (subject == CompareSubject::Mappings) {
         parseMapping(varied({}, subject, choice).mapping, where);
         return;

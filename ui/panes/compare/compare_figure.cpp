@@ -49,6 +49,7 @@ std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snap
     const relief::CompareSubject subject = snapshot->scenario.comparison.subject;
     const std::vector<relief::MethodChoice> all = relief::comparedOf(snapshot->scenario);
     const bool methods = subject == relief::CompareSubject::Methods;
+    const bool filters = subject == relief::CompareSubject::Filters;
     if (all.size() == 1) {
         emptyFigure("compare", methods ? relief::MessageId::ExportNoMethods : relief::MessageId::ExportNoOthers);
     }
@@ -66,7 +67,8 @@ std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snap
         const ComparePage parts = comparePage(compareSource(*redrawn->view, drawn.scenario, shown), page, style);
         paintCompare(painter, *redrawn->view, how, parts, page, style, drawn.scenario.pixel, {});
     };
-    return paintedFigure(paint, figureCaption(snapshot, {}, methods ? names : std::string()),
+    return paintedFigure(paint,
+                         figureCaption(snapshot, {}, methods ? names : std::string(), filters ? names : std::string()),
                          [snapshot](const FigurePage&) { return aspectOf(*snapshot); });
 }
 

@@ -83,6 +83,10 @@ void CompareView::setOption(std::size_t number, const QString& name, const QStri
     const bool same = before != choice.options.end() && before->second == value;
     if (!same) std::erase_if(choice.options, [&](const auto& option) { return option.first.starts_with(key + "."); });
     choice.options[key] = value;
+    // Some pixel models take more samples.
+    if (subject == relief::CompareSubject::Filters) {
+        choice = relief::ownVariation(relief::varied(scenario, subject, choice), subject);
+    }
     if (number == 0) {
         scenario = relief::varied(scenario, subject, choice);
     } else {
