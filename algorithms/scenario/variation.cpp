@@ -252,6 +252,10 @@ void checkVariation(CompareSubject subject, const MethodChoice& choice, const st
 std::string variationText(CompareSubject subject, const MethodChoice& choice) {
     std::string text = choice.name;
     std::map<std::string, std::string> defaults = describedVariation(subject, choice).defaults;
+    if (subject == CompareSubject::Heights && choice.name == kQuantised) {
+        const auto bits = choice.options.find(kBits);
+        return text + ":" + kBits + "=" + (bits != choice.options.end() ? bits->second : defaults.at(kBits));
+    }
     if (subject == CompareSubject::Methods) {
         for (const ChoiceOption& option : choiceOptions(choice)) {
             defaults[option.description.name] = option.defaultValue;

@@ -127,6 +127,8 @@ void CompareView::makeModeBar() {
     auto* const against = new QLabel(tr("against"), this);
     bar_->addWidget(against);
     reference_ = addChooser(bar_, "compare-reference", tr("What the pictures are measured against"));
+    // What errs least is another one of every subject.
+    reference_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     reference_->addItem(QString());
     reference_->addItem(QStringLiteral("A"));
     bar_->addStretch(1);

@@ -107,11 +107,15 @@ void add(Drawing& drawing, Point at, std::string text, double size, Anchor ancho
 }
 
 void addTitle(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
+    constexpr double kSmallest = 0.6;
+    const double room = box.width() - 4;
     std::string name = tile.name;
-    if (tile.reference) name += " · " + relief::sentence(Message(MessageId::DrawCompareReference), language);
-    const double width = textWidth(name, 1, true);
-    add(drawing, {box.x0 + 2, box.y0 + kTitle / 2}, name, std::clamp((box.width() - 4) / width, 0.6, 1.0), Anchor::Left,
-        Role::Title, Emphasis::Strong);
+    if (tile.reference) {
+        const std::string whole = name + " · " + relief::sentence(Message(MessageId::DrawCompareReference), language);
+        if (textWidth(whole, kSmallest, true) <= room) name = whole;
+    }
+    add(drawing, {box.x0 + 2, box.y0 + kTitle / 2}, name, std::clamp(room / textWidth(name, 1, true), kSmallest, 1.0),
+        Anchor::Left, Role::Title, Emphasis::Strong);
 }
 
 void addNumbers(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {

@@ -51,7 +51,7 @@ CompareSource compareSource(const ComparedView& view, const relief::Scenario& sc
         } else {
             const ComparedPicture& picture = view.pictures[n];
             tile.missing = picture.problem;
-            tile.traces = picture.traces;
+            tile.traces = picture.traces || how.subject != CompareSubject::Methods;
             tile.measuring = !view.measured(scenario, n);
             if (tile.measuring && pending.stopped) tile.pending = pending.text;
             if (pending.text.id != relief::MessageId::DrawComparePending) tile.progress = pending.text;
