@@ -148,7 +148,9 @@ TEST_F(ComparePane, EverySubjectIsMeasuredAgainstItsTruth) {
             EXPECT_EQ(error.rmse, method(n).error->rmse) << method(n).name;
             EXPECT_EQ(error.flip, method(n).error->flip) << method(n).name;
             EXPECT_EQ(method(n).equal, subject != Subject::Filters && n == 0) << method(n).name;
-            const bool timed = subject == Subject::Filters && method(n).choice.name != relief::kSupersample;
+            // Grey heights are read at the hit: without a filter.
+            const bool timed = subject == Subject::Filters && method(n).choice.name != relief::kSupersample &&
+                               method(n).frame->filter != nullptr;
             EXPECT_EQ(method(n).rate.value_or(0) > 0, timed) << method(n).name;
         }
     }
@@ -423,7 +425,7 @@ TEST(Compare, TheProgramExportsIt) {
     const QTemporaryDir folder;
     relief::Scenario scenario = smallScenario();
     scenario.comparison.others = {{"layers", {{"layers", "8"}}}};
-    const auto run = [&](const QString& name) {
+    const auto run = [&](const QString& name, int status = 0) {
         const QString file = folder.filePath(QStringLiteral("s.json"));
         relief::saveScenario(file.toStdString(), scenario);
         QProcess process;
@@ -434,12 +436,12 @@ TEST(Compare, TheProgramExportsIt) {
         process.start(QStringLiteral(RELIEFSCOPE), {file, QStringLiteral("--export"), QStringLiteral("compare"),
                                                     QStringLiteral("-o"), folder.filePath(name)});
         process.waitForFinished(60000);
-        EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+        EXPECT_EQ(process.exitCode(), status) << process.readAllStandardError().toStdString();
         return QImage(folder.filePath(name));
     };
     EXPECT_GT(colorsIn(run(QStringLiteral("two.png"))), 100);
     scenario.comparison.others.clear();
-    EXPECT_GT(colorsIn(run(QStringLiteral("none.png"))), 1) << "says that there is nothing to compare with";
+    EXPECT_TRUE(run(QStringLiteral("none.png"), 2).isNull()) << "there is nothing to compare with";
 }
 
 }  // namespace
