@@ -241,9 +241,10 @@ void checkVariation(CompareSubject subject, const MethodChoice& choice, const st
         const auto option = std::find_if(described.options.begin(), described.options.end(),
                                          [&, key = name](const auto& one) { return one.name == key; });
         if (option == described.options.end()) {
+            const std::string known = namesOf(described.options);
             throw InputError(where, Message(MessageId::UnknownName, {{"what", "option of " + choice.name},
                                                                      {"name", name},
-                                                                     {"known", namesOf(described.options)}}));
+                                                                     {"known", known.empty() ? "none" : known}}));
         }
         checkOption(*option, value, where);
     }
