@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
-#include "relief/tracers.h"
+#include "scenario/variation.h"
 
 namespace relief {
 
 namespace {
 
+constexpr std::array<std::string_view, 4> kSubjects{"methods", "filters", "mappings", "heights"};
+constexpr std::array<MessageId, 4> kCompared{MessageId::WordComparedMethods, MessageId::WordComparedFilters,
+                                             MessageId::WordComparedMappings, MessageId::WordComparedHeights};
 constexpr std::array<std::string_view, 4> kModes{"tiles", "swipe", "flicker", "difference"};
 constexpr std::array<std::string_view, 2> kMeasures{"l1", "flip"};
 constexpr std::array<std::string_view, 2> kReferences{"exact", "A"};
@@ -31,6 +35,29 @@ Value parsed(const std::array<std::string_view, N>& names, std::string_view text
 
 }  // namespace
 
+const std::vector<MethodChoice>& othersOf(const Comparison& comparison) {
+    switch (comparison.subject) {
+        case CompareSubject::Filters:
+            return comparison.filters;
+        case CompareSubject::Mappings:
+            return comparison.mappings;
+        case CompareSubject::Heights:
+            return comparison.heights;
+        case CompareSubject::Methods:
+            break;
+    }
+    return comparison.others;
+}
+std::vector<MethodChoice>& othersOf(Comparison& comparison) {
+    return const_cast<std::vector<MethodChoice>&>(othersOf(std::as_const(comparison)));
+}
+
+std::string_view compareSubjectName(CompareSubject subject) {
+    return kSubjects[static_cast<std::size_t>(subject)];
+}
+CompareSubject parseCompareSubject(std::string_view text) {
+    return parsed<CompareSubject>(kSubjects, text, MessageId::WordCompareSubject);
+}
 std::string_view compareModeName(CompareMode mode) {
     return kModes[static_cast<std::size_t>(mode)];
 }
@@ -51,11 +78,16 @@ CompareReference parseCompareReference(std::string_view text) {
 }
 
 void checkComparison(const Comparison& comparison, const std::string& subject) {
-    if (comparison.others.size() + 1 > kMostCompared) {
-        outOfRange(subject, MessageId::WordComparedMethods, static_cast<double>(comparison.others.size() + 1),
-                   Message(MessageId::RangeAtMost, {{"high", kMostCompared}}));
+    for (std::size_t s = 0; s < kSubjects.size(); ++s) {
+        Comparison part = comparison;
+        part.subject = static_cast<CompareSubject>(s);
+        const std::vector<MethodChoice>& others = othersOf(part);
+        if (others.size() + 1 > kMostCompared) {
+            outOfRange(subject, kCompared[s], static_cast<double>(others.size() + 1),
+                       Message(MessageId::RangeAtMost, {{"high", kMostCompared}}));
+        }
+        for (const MethodChoice& one : others) checkVariation(part.subject, one, subject);
     }
-    for (const MethodChoice& method : comparison.others) checkMethod(method, subject);
     if (comparison.dividers.size() + 1 > kMostCompared) {
         outOfRange(subject, MessageId::WordDividers, static_cast<double>(comparison.dividers.size()),
                    Message(MessageId::RangeAtMost, {{"high", kMostCompared - 1}}));
@@ -72,7 +104,7 @@ void checkComparison(const Comparison& comparison, const std::string& subject) {
 }
 
 std::vector<double> dividersOf(const Comparison& comparison) {
-    const std::size_t count = comparison.others.size();
+    const std::size_t count = othersOf(comparison).size();
     if (comparison.dividers.size() == count) return comparison.dividers;
     std::vector<double> even;
     for (std::size_t i = 1; i <= count; ++i) even.push_back(static_cast<double>(i) / static_cast<double>(count + 1));

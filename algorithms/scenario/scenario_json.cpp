@@ -114,11 +114,21 @@ Json methodJson(const MethodChoice& method) {
     return json;
 }
 
+// Keys of what is compared, by subject.
+constexpr std::pair<const char*, std::vector<MethodChoice> Comparison::*> kCompared[]{
+    {"methods", &Comparison::others},
+    {"filters", &Comparison::filters},
+    {"mappings", &Comparison::mappings},
+    {"heights", &Comparison::heights}};
+
 void readComparison(Reader reader, Comparison& comparison) {
-    reader.readObjects("methods", [&](Reader other) {
-        comparison.others.emplace_back();
-        readMethod(std::move(other), comparison.others.back());
-    });
+    reader.named("subject", [&](const std::string& name) { comparison.subject = parseCompareSubject(name); });
+    for (const auto& [key, list] : kCompared) {
+        reader.readObjects(key, [&, list = list](Reader other) {
+            (comparison.*list).emplace_back();
+            readMethod(std::move(other), (comparison.*list).back());
+        });
+    }
     reader.named("mode", [&](const std::string& name) { comparison.mode = parseCompareMode(name); });
     reader.named("difference", [&](const std::string& name) { comparison.measure = parseCompareMeasure(name); });
     reader.named("reference", [&](const std::string& name) { comparison.reference = parseCompareReference(name); });
@@ -129,7 +139,11 @@ void readComparison(Reader reader, Comparison& comparison) {
 
 Json comparisonJson(const Comparison& comparison) {
     Json json = {{"methods", Json::array()}};
-    for (const MethodChoice& other : comparison.others) json["methods"].push_back(methodJson(other));
+    // Programs that know methods alone refuse these keys by their names: they stand where they say something.
+    if (comparison.subject != CompareSubject::Methods) json["subject"] = compareSubjectName(comparison.subject);
+    for (const auto& [key, list] : kCompared) {
+        for (const MethodChoice& other : comparison.*list) json[key].push_back(methodJson(other));
+    }
     json["mode"] = compareModeName(comparison.mode);
     json["difference"] = compareMeasureName(comparison.measure);
     json["reference"] = compareReferenceName(comparison.reference);

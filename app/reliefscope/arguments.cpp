@@ -104,6 +104,10 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.pixel = value();
         } else if (argument == "--tracers") {
             parsed.tracers = value();
+        } else if (argument == "--filters") {
+            parsed.filters = value();
+        } else if (argument == "--mappings") {
+            parsed.mappings = value();
         } else if (argument == "--pixels" || argument == "--size") {
             const std::string size = value();
             const bool window = argument == "--size";
@@ -124,6 +128,8 @@ Arguments parseArguments(int count, char** arguments) {
     const bool figure = !parsed.figure.empty();
     needs(!parsed.pixel.empty() && !figure, "--pixel", "--export VIEW");
     needs(!parsed.tracers.empty() && !figure, "--tracers", "--export VIEW");
+    needs(!parsed.filters.empty() && !figure, "--filters", "--export VIEW");
+    needs(!parsed.mappings.empty() && !figure, "--mappings", "--export VIEW");
     needs(parsed.pixelWidth > 0 && !figure, "--pixels", "--export VIEW");
     const bool distance = parsed.figure == "distance";
     needs(!parsed.map.empty() && !distance, "--map", "--export distance");
@@ -160,6 +166,8 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --pixel X,Y           the pixel whose ray is shown (the scenario's), at its last step
   --pixels WxH          the size of the picture that is rendered; a PNG is as wide
   --tracers A,B,...     the method, and those that it is compared with, as relief bench tracers takes them
+  --filters A,B,...     the same of filters (bilinear,trilinear,elliptical:radius=0.6,supersample:samples=16)
+  --mappings A,B,...    the same of coordinates along rows (direct,affine,incremental:anchor=0)
   --layer NAME          of result, with its legend: color, steps, error, outcome, depth, normal, uv, footprint, hidden
   --map KIND            of distance: euclidean, euclidean-conservative, refined-sampled, refined, cone, cone-dummer,
                         relaxed-cone (the method's)

@@ -21,9 +21,9 @@ struct Arguments {
     double dpi = 300;
     bool dark = false;
     bool caption = true;
-    std::string pixel;    // "X,Y"; empty: the scenario's
-    std::string tracers;  // with commas between; empty: the scenario's
-    int pixelWidth = 0;   // of the picture; 0: the scenario's
+    std::string pixel;                       // "X,Y"; empty: the scenario's
+    std::string tracers, filters, mappings;  // with commas between; empty: the scenario's
+    int pixelWidth = 0;                      // of the picture; 0: the scenario's
     int pixelHeight = 0;
     // Of the view "distance".
     std::string layer;  // of result

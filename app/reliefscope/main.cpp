@@ -15,12 +15,12 @@
 
 #include "arguments.h"
 #include "measuring/bench/bench_rows.h"
-#include "measuring/bench/measured_method.h"
 #include "measuring/bench/pareto.h"
 #include "panes/charts/charts_figure.h"
 #include "panes/rows/rows_drawing.h"
 #include "relief/errors.h"
 #include "relief/tracers/map_choice.h"
+#include "scenario/variation.h"
 #include "windows/application.h"
 #include "windows/display_check.h"
 #include "windows/main_window.h"
@@ -157,6 +157,24 @@ PixelChoice chosenPixel(const std::string& text, const Scenario& scenario) {
     return {side(parts[0], scenario.width), side(parts[1], scenario.height)};
 }
 
+// "A,B,...": the scenario's own, and those that it is compared with.
+void takeCompared(Scenario& scenario, CompareSubject subject, const std::string& list, const char* option) {
+    if (list.empty()) return;
+    std::vector<MethodChoice> choices;
+    for (const std::string& text : betweenCommas(list)) {
+        choices.push_back(splitMethodChoice(text, option));
+        checkVariation(subject, choices.back(), option);
+    }
+    if (choices.size() > kMostCompared) {
+        throw InputError(option, Message(MessageId::NumberOutOfRange, {{"value", static_cast<int>(choices.size())},
+                                                                       {"range", rangeOf(1, kMostCompared)}}));
+    }
+    scenario = varied(scenario, subject, choices.front());
+    scenario.comparison.subject = subject;
+    othersOf(scenario.comparison).assign(choices.begin() + 1, choices.end());
+    scenario.comparison.dividers.clear();
+}
+
 // What stands in the command goes before what the scenario says. Throws InputError.
 void takeView(Scenario& scenario, const Arguments& arguments) {
     if (arguments.pixelWidth > 0) {
@@ -172,19 +190,9 @@ void takeView(Scenario& scenario, const Arguments& arguments) {
         scenario.pixel = chosenPixel(arguments.pixel, scenario);
         scenario.other = {};
     }
-    if (arguments.tracers.empty()) return;
-    std::vector<MethodChoice> methods;
-    for (const std::string& text : betweenCommas(arguments.tracers)) {
-        methods.push_back(parseMethodChoice(text, "--tracers"));
-    }
-    if (methods.size() > kMostCompared) {
-        throw InputError("--tracers",
-                         Message(MessageId::NumberOutOfRange, {{"value", static_cast<int>(methods.size())},
-                                                               {"range", "1 to " + std::to_string(kMostCompared)}}));
-    }
-    scenario.method = methods.front();
-    scenario.comparison.others.assign(methods.begin() + 1, methods.end());
-    scenario.comparison.dividers.clear();
+    takeCompared(scenario, CompareSubject::Methods, arguments.tracers, "--tracers");
+    takeCompared(scenario, CompareSubject::Filters, arguments.filters, "--filters");
+    takeCompared(scenario, CompareSubject::Mappings, arguments.mappings, "--mappings");
 }
 
 // Before anything long: what can be wrong with the options.

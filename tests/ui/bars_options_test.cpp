@@ -123,18 +123,18 @@ TEST_F(BarsAndOptions, OptionsOfAllComparedMethodsAreTurned) {
     }
     auto* const layers = options->findChild<NumberControl*>(QStringLiteral("layers"));
     ASSERT_NE(layers, nullptr);
-    const QImage before = pane->view()->methods[1].picture;
+    const QImage before = pane->view()->pictures[1].picture;
     const QImage own = snapshot()->picture;
     Q_EMIT layers->changed(3, false);
     settle(pane);
     EXPECT_EQ(this->scenario().comparison.others[0].options.at("layers"), "3");
-    EXPECT_EQ(pane->view()->methods[1].method.options.at("layers"), "3");
-    EXPECT_NE(pane->view()->methods[1].picture, before);
+    EXPECT_EQ(pane->view()->pictures[1].choice.options.at("layers"), "3");
+    EXPECT_NE(pane->view()->pictures[1].picture, before);
     EXPECT_EQ(snapshot()->picture, own) << "B alone";
     workspace_->undo();
     settle(pane);
     EXPECT_EQ(this->scenario().comparison.others[0].options.at("layers"), "8");
-    EXPECT_EQ(pane->view()->methods[1].picture, before);
+    EXPECT_EQ(pane->view()->pictures[1].picture, before);
 }
 
 }  // namespace

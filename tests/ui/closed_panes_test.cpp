@@ -70,7 +70,7 @@ TEST_F(ClosedPanes, WhatIsComputedAnewIsThereAgain) {
     EXPECT_EQ(window_->pane<CompareView>()->view(), nullptr);
     EXPECT_EQ(window_->pane<CompareView>()->pictures()->view(), nullptr);
     ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("compare-pane")));
-    EXPECT_EQ(window_->pane<CompareView>()->view()->methods.size(), 2U);
+    EXPECT_EQ(window_->pane<CompareView>()->view()->pictures.size(), 2U);
     ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("charts-pane")));
     ASSERT_NO_FATAL_FAILURE(close(QStringLiteral("charts-pane")));
     EXPECT_EQ(window_->pane<ChartsView>()->histograms(), nullptr);

@@ -5,6 +5,7 @@
 
 #include <QFileInfo>
 #include <QProcess>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
@@ -38,7 +39,7 @@ class ComparePane : public WindowTest {
     }
     CompareView* pane() { return window_->pane<CompareView>(); }
     ComparePictures* pictures() { return pane()->pictures(); }
-    const ComparedMethod& method(std::size_t n) { return pane()->view()->methods[n]; }
+    const ComparedPicture& method(std::size_t n) { return pane()->view()->pictures[n]; }
     // A pixel of which two methods show clearly different colours, away from the ring around the chosen one.
     relief::PixelChoice whereTheyDiffer(const QImage& a, const QImage& b) {
         int most = 0;
@@ -58,6 +59,21 @@ class ComparePane : public WindowTest {
                           Qt::ControlModifier, Qt::NoScrollPhase, false);
         QApplication::sendEvent(pictures(), &wheel);
     }
+    // Whether a text is drawn around the pictures.
+    bool says(const std::string& part) {
+        const std::vector<Item>& items = pictures()->layoutNow().drawing.items;
+        return std::any_of(items.begin(), items.end(), [&](const Item& item) {
+            const auto* const label = std::get_if<Label>(&item.primitive);
+            return label != nullptr && relief::sentence(label->text).find(part) != std::string::npos;
+        });
+    }
+    void compare(relief::CompareSubject subject, std::vector<relief::MethodChoice> others) {
+        relief::Scenario wanted = scenario();
+        wanted.comparison.subject = subject;
+        relief::othersOf(wanted.comparison) = std::move(others);
+        workspace_->change(wanted, QStringLiteral("test"));
+        settle();
+    }
     QColor colorAt(std::size_t n, relief::PixelChoice pixel) {
         const auto at = pictures()->pixelIn(n, pixel);
         if (!at) return {};
@@ -68,7 +84,7 @@ class ComparePane : public WindowTest {
 TEST_F(ComparePane, ItMeasuresWhatItShows) {
     openPane();
     ASSERT_NE(pane()->view(), nullptr);
-    ASSERT_EQ(pane()->view()->methods.size(), 3u);
+    ASSERT_EQ(pane()->view()->pictures.size(), 3u);
     EXPECT_EQ(method(0).frame, snapshot()->frame);
     EXPECT_GT(colorsIn(grab(pictures())), 100);
     // The same numbers as by the core alone.
@@ -81,7 +97,7 @@ TEST_F(ComparePane, ItMeasuresWhatItShows) {
     };
     const auto exact = alone({"exact", {}});
     for (std::size_t n = 0; n < 3; ++n) {
-        const auto frame = alone(method(n).method);
+        const auto frame = alone(method(n).choice);
         ASSERT_TRUE(std::ranges::equal(frame->light->color.pixels(), method(n).frame->light->color.pixels()));
         relief::FloatImage flip;
         const relief::PictureError error =
@@ -105,10 +121,115 @@ TEST_F(ComparePane, ItMeasuresWhatItShows) {
     }
 }
 
+TEST_F(ComparePane, EverySubjectIsMeasuredAgainstItsTruth) {
+    openPane({});
+    using Subject = relief::CompareSubject;
+    const std::pair<Subject, std::vector<relief::MethodChoice>> all[]{
+        {Subject::Filters, {{"trilinear", {}}, {"supersample", {{"samples", "3"}}}}},
+        {Subject::Mappings, {{"affine", {}}}},
+        {Subject::Heights, {{"quantised", {{"bits", "3"}}}}}};
+    relief::Work work;
+    for (const auto& [subject, others] : all) {
+        compare(subject, others);
+        ASSERT_EQ(pane()->view()->pictures.size(), others.size() + 1);
+        const auto alone = [&, subject = subject](const relief::MethodChoice& choice) {
+            relief::Assets assets = snapshot()->assets;
+            if (subject == Subject::Heights) assets.heights = relief::variedHeights(assets.heights, choice);
+            relief::FrameRenderer renderer(std::make_shared<relief::MapCache>());
+            return renderer.render(relief::frameRequest(relief::varied(scenario(), subject, choice), assets), work);
+        };
+        const auto truth = alone(relief::referenceVariation(scenario()));
+        for (std::size_t n = 0; n < pane()->view()->pictures.size(); ++n) {
+            const auto frame = alone(method(n).choice);
+            ASSERT_TRUE(std::ranges::equal(frame->light->color.pixels(), method(n).frame->light->color.pixels()));
+            relief::FloatImage flip;
+            const relief::PictureError error =
+                relief::pictureError(truth->light->color, frame->light->color, relief::kPixelsPerDegree, flip, work);
+            EXPECT_EQ(error.rmse, method(n).error->rmse) << method(n).name;
+            EXPECT_EQ(error.flip, method(n).error->flip) << method(n).name;
+            EXPECT_EQ(method(n).equal, subject != Subject::Filters && n == 0) << method(n).name;
+            // Grey heights are read at the hit: without a filter.
+            const bool timed = subject == Subject::Filters && method(n).choice.name != relief::kSupersample &&
+                               method(n).frame->filter != nullptr;
+            EXPECT_EQ(method(n).rate.value_or(0) > 0, timed) << method(n).name;
+        }
+    }
+    compare(Subject::Mappings, {{"affine", {}}});
+    EXPECT_GT(method(1).frame->mappingOff, 0);
+    EXPECT_TRUE(says("coordinates off by up to " + relief::numberText(method(1).frame->mappingOff, 3)));
+}
+
+// Old pictures with old numbers beside a new scene would be believed.
+TEST_F(ComparePane, WhatIsNotComputedYetIsVeiledAndHasNoNumbers) {
+    openPane();
+    ASSERT_TRUE(says("equal to the reference") && says("FLIP") && says("Mrays/s"));
+    bool numbers = true;
+    bool computing = false;
+    const auto watch = QObject::connect(workspace_.get(), &Workspace::scenarioChanged, [&] {
+        numbers = says("equal to the reference") || says("FLIP") || says("Mrays/s");
+        computing = says("computing");
+    });
+    relief::Scenario other = scenario();
+    other.pictures.seed = 2;
+    workspace_->change(other, QStringLiteral("test"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return computing; }, kPatienceMs));
+    QObject::disconnect(watch);
+    EXPECT_FALSE(numbers);
+    settle();
+    EXPECT_TRUE(says("FLIP") && !says("computing"));
+    // One that takes long is veiled where the one of before is still seen.
+    compare(relief::CompareSubject::Filters, {{"supersample", {{"samples", "2"}}}});
+    const QImage before = method(1).picture;
+    other = scenario();
+    other.comparison.filters[0].options["samples"] = "48";
+    workspace_->change(other, QStringLiteral("test"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return pictures()->veiled() && says(" %"); }, kPatienceMs));
+    ASSERT_EQ(method(1).picture, before);
+    const relief::PixelChoice pixel{40, 100};
+    EXPECT_NE(colorAt(1, pixel), before.pixelColor(pixel.x, pixel.y));
+    EXPECT_TRUE(pane()->view()->current(scenario(), 0));
+    pane()->cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return says("cancelled"); }, kPatienceMs));
+    EXPECT_FALSE(says("FLIP"));
+    workspace_->undo();
+    settle();
+    EXPECT_TRUE(says("FLIP") && !pictures()->veiled());
+}
+
+TEST_F(ComparePane, NothingIsSetAgainstItself) {
+    openPane({{"layers", {}}});
+    const relief::MethodChoice own = scenario().method;
+    pane()->setChoice(1, QString::fromStdString(own.name));
+    const relief::MethodChoice other = scenario().comparison.others[0];
+    EXPECT_EQ(other.name, own.name);
+    EXPECT_FALSE(relief::sameVariation(relief::CompareSubject::Methods, other, own));
+    // Where A becomes what B is, wherever that was chosen, B becomes what A was.
+    pane()->setChoice(1, QStringLiteral("layers"));
+    relief::Scenario wanted = scenario();
+    wanted.method = {"layers", {}};
+    workspace_->change(wanted, QStringLiteral("test"));
+    EXPECT_EQ(scenario().method.name, "layers");
+    EXPECT_EQ(scenario().comparison.others[0], own);
+    // What cannot be another is refused with a word.
+    pane()->setSubject(relief::CompareSubject::Mappings);
+    ASSERT_EQ(scenario().comparison.mappings, (std::vector<relief::MethodChoice>{{"affine", {}}}));
+    QSignalSpy notices(workspace_.get(), &Workspace::notice);
+    pane()->setChoice(1, QStringLiteral("direct"));
+    EXPECT_EQ(scenario().comparison.mappings[0].name, "affine");
+    EXPECT_EQ(notices.size(), 1);
+    // Turned until it is the same, it says so.
+    compare(relief::CompareSubject::Methods, {{"layers", {{"layers", "3"}}}});
+    EXPECT_FALSE(says("the same as A"));
+    pane()->setOption(1, QStringLiteral("layers"),
+                      QString::fromStdString(relief::findTracer("layers").defaults.at("layers")));
+    settle();
+    EXPECT_TRUE(says("the same as A"));
+}
+
 // Its rate and steps too are of the level that the view chooses.
 TEST_F(ComparePane, ALevelLeftToTheViewIsTimedAsItIsDrawn) {
     openPane({{"max-pyramid", {{"base", "auto"}}}});
-    ASSERT_EQ(pane()->view()->methods.size(), 2u);
+    ASSERT_EQ(pane()->view()->pictures.size(), 2u);
     ASSERT_FALSE(method(1).problem);
     EXPECT_TRUE(method(1).steps && method(1).rate);
 }
@@ -228,10 +349,10 @@ TEST_F(ComparePane, MethodsAreAddedSwappedAndUndoneToTheSameBits) {
     openPane({});
     EXPECT_EQ(pane()->view(), nullptr) << "nothing to compare with";
     EXPECT_GT(colorsIn(grab(pictures())), 1) << "and it says so";
-    pane()->addMethod();
+    pane()->addOther();
     settle();
-    ASSERT_EQ(pane()->view()->methods.size(), 2u);
-    pane()->setMethod(1, QStringLiteral("offset"));
+    ASSERT_EQ(pane()->view()->pictures.size(), 2u);
+    pane()->setChoice(1, QStringLiteral("offset"));
     settle();
     const relief::Scenario before = scenario();
     const QImage a = method(0).picture;
@@ -242,7 +363,7 @@ TEST_F(ComparePane, MethodsAreAddedSwappedAndUndoneToTheSameBits) {
     EXPECT_EQ(scenario().method.name, "offset");
     EXPECT_EQ(method(0).picture, b);
     EXPECT_EQ(method(1).picture, a);
-    pane()->removeMethod();
+    pane()->removeOther();
     settle();
     EXPECT_EQ(pane()->view(), nullptr);
     workspace_->undo();
@@ -255,7 +376,7 @@ TEST_F(ComparePane, MethodsAreAddedSwappedAndUndoneToTheSameBits) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("compared.json"));
     workspace_->save(file);
-    pane()->removeMethod();
+    pane()->removeOther();
     settle();
     workspace_->open(file);
     settle();
@@ -304,7 +425,7 @@ TEST(Compare, TheProgramExportsIt) {
     const QTemporaryDir folder;
     relief::Scenario scenario = smallScenario();
     scenario.comparison.others = {{"layers", {{"layers", "8"}}}};
-    const auto run = [&](const QString& name) {
+    const auto run = [&](const QString& name, int status = 0) {
         const QString file = folder.filePath(QStringLiteral("s.json"));
         relief::saveScenario(file.toStdString(), scenario);
         QProcess process;
@@ -315,12 +436,12 @@ TEST(Compare, TheProgramExportsIt) {
         process.start(QStringLiteral(RELIEFSCOPE), {file, QStringLiteral("--export"), QStringLiteral("compare"),
                                                     QStringLiteral("-o"), folder.filePath(name)});
         process.waitForFinished(60000);
-        EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+        EXPECT_EQ(process.exitCode(), status) << process.readAllStandardError().toStdString();
         return QImage(folder.filePath(name));
     };
     EXPECT_GT(colorsIn(run(QStringLiteral("two.png"))), 100);
     scenario.comparison.others.clear();
-    EXPECT_GT(colorsIn(run(QStringLiteral("none.png"))), 1) << "says that there is nothing to compare with";
+    EXPECT_TRUE(run(QStringLiteral("none.png"), 2).isNull()) << "there is nothing to compare with";
 }
 
 }  // namespace

@@ -48,7 +48,10 @@ TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "4"}}};
     openDuel(scenario);
-    EXPECT_EQ(window_->pane<DuelView>()->duel()->runs.size(), 1U);
+    // No method is compared: the exact one is set against one that is not.
+    ASSERT_EQ(window_->pane<DuelView>()->duel()->runs.size(), 2U);
+    EXPECT_EQ(window_->pane<DuelView>()->duel()->runs[1].name, "exact");
+    EXPECT_TRUE(window_->pane<DuelView>()->verdict().contains(QStringLiteral("against exact")));
     choose(0, QStringLiteral("max-pyramid"));
     choose(1, QStringLiteral("offset"));
     const Duel* duel = window_->pane<DuelView>()->duel();

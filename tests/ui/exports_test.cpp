@@ -146,7 +146,7 @@ TEST_P(EveryExport, needsNoDisplay) {
     }
     const QByteArray pdf = contents(run(QStringLiteral(".pdf")));
     EXPECT_TRUE(pdf.startsWith("%PDF"));
-    EXPECT_EQ(pdf.contains("/FontFile2"), name != "result") << "words are words, in a font of the file's own";
+    EXPECT_TRUE(pdf.contains("/FontFile2")) << "words are words, in a font of the file's own";
 }
 
 // What each kind of method looks at: nodes, voxels and spheres, round cones and square ones; from outside and across.
@@ -326,6 +326,8 @@ TEST(Exports, nothingToDrawIsAnError) {
     }
     refused(QStringLiteral("compare"), QStringLiteral("--tracers A,B"));
     refused(QStringLiteral("drawn"), QString());
+    scenario.camera.distance = 20;
+    relief::saveScenario(file.toStdString(), scenario);
     refused(QStringLiteral("profile"), pixel, {QStringLiteral("--pixel"), QStringLiteral("0,0")});  // the sky
 }
 

@@ -79,6 +79,14 @@ TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
     waitForFull();
     press(Qt::Key_E);
     EXPECT_TRUE(window_->finder()->found().empty());
+    // It is not set against another exact one, which agrees with it everywhere.
+    exact = scenario();
+    exact.comparison.others = {{"exact", {}}};
+    workspace_->change(exact, QStringLiteral("test"));
+    waitForFull();
+    press(Qt::Key_D);
+    EXPECT_FALSE(window_->finder()->found().empty());
+    EXPECT_TRUE(said.last().first().toString().contains(QStringLiteral("layers")));
 }
 
 TEST_F(WindowTest, BookmarksKeepPixelCameraAndStep) {

@@ -27,8 +27,8 @@ void requireRay(const char* figure, const Snapshot& snapshot) {
 }
 
 FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optional<int> step,
-                            const std::string& methods) {
-    return [snapshot = std::move(snapshot), step, methods](relief::Language language) {
+                            const std::string& methods, const std::string& filters) {
+    return [snapshot = std::move(snapshot), step, methods, filters](relief::Language language) {
         const relief::Scenario& s = snapshot->scenario;
         const auto say = [&](const Message& message) { return relief::sentence(message, language); };
         std::string text =
@@ -36,7 +36,7 @@ FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optio
                                                  {"depth", relief::numberText(s.reliefDepth, 3)},
                                                  {"surface", std::string(relief::surfaceName(s.surface))},
                                                  {"method", methods.empty() ? relief::methodText(s.method) : methods},
-                                                 {"filter", relief::filterText(s.filter)},
+                                                 {"filter", filters.empty() ? relief::filterText(s.filter) : filters},
                                                  {"width", s.width},
                                                  {"height", s.height}}));
         if (s.camera.kind == relief::Camera::Kind::Orbit) {

@@ -9,10 +9,10 @@
 
 namespace reliefui {
 
-// methods: of a comparison; empty: the scenario's own. step: of the ray that is drawn, from 0; none: no ray is. Of the
-// pixel where one is chosen.
+// methods, filters: of a comparison; empty: the scenario's own. step: of the ray that is drawn, from 0; none: no ray
+// is. Of the pixel where one is chosen.
 FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optional<int> step = {},
-                            const std::string& methods = {});
+                            const std::string& methods = {}, const std::string& filters = {});
 
 // Throws InputError where no pixel is chosen, or one that shows no relief.
 void requireRay(const char* figure, const Snapshot& snapshot);

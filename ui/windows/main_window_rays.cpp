@@ -6,6 +6,7 @@
 #include "lessons/lessons.h"
 #include "panes/duel/duel_view.h"
 #include "panes/file_dialogs.h"
+#include "scenario/variation.h"
 #include "windows/bookmarks.h"
 #include "windows/main_window.h"
 #include "windows/other_bar.h"
@@ -17,7 +18,6 @@ namespace reliefui {
 namespace {
 
 constexpr int kMessageMs = 8000;
-constexpr const char* kExactTracer = "exact";
 
 }  // namespace
 
@@ -28,11 +28,8 @@ void MainWindow::makeWorthMenu(QMenu* menu) {
     QMenu* const worth = menu->addMenu(tr("Next pixel &worth seeing"));
     const auto add = [&](const QString& text, const char* keys, const QString& help, relief::Worth kind) {
         auto* const action = addAction(worth, text, QKeySequence(QLatin1String(keys)), help);
-        connect(action, &QAction::triggered, this, [this, kind] {
-            // Against the first method that is compared; alone, against the exact one.
-            const auto& others = workspace_->scenario().comparison.others;
-            finder_->next(kind, others.empty() ? relief::MethodChoice{kExactTracer, {}} : others.front());
-        });
+        connect(action, &QAction::triggered, this,
+                [this, kind] { finder_->next(kind, relief::rivalOf(workspace_->scenario())); });
     };
     add(tr("Largest &error"), "Shift+E", tr("The pixel whose hit is farthest from the exact one; again: the next"),
         relief::Worth::Error);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rendering/base_level.h"
+#include "scenario/variation.h"
 
 namespace reliefui {
 
@@ -12,6 +13,10 @@ namespace {
 constexpr std::size_t kMost = 24;  // that one would look at
 constexpr int kApart = 40;         // of so many parts of the picture's width
 constexpr int kLeastApart = 4;     // pixels
+
+QString nameOf(const relief::MethodChoice& method) {
+    return QString::fromStdString(relief::variationText(relief::CompareSubject::Methods, method));
+}
 
 std::vector<float> valuesOf(const Snapshot& snapshot, relief::Worth worth, const relief::MethodChoice& rival,
                             relief::Work& work) {
@@ -77,8 +82,9 @@ void PixelFinder::next(relief::Worth worth, const relief::MethodChoice& rival) {
 
 void PixelFinder::choose() {
     if (found_.empty()) {
-        const QString none[] = {tr("Every hit is the exact one"), tr("No ray takes a step"),
-                                tr("No ray goes past the surface"), tr("The two methods agree everywhere")};
+        const QString none[] = {
+            tr("Every hit is the exact one"), tr("No ray takes a step"), tr("No ray goes past the surface"),
+            tr("%1 and %2 agree everywhere").arg(nameOf(workspace_->scenario().method), nameOf(rival_))};
         Q_EMIT said(none[static_cast<std::size_t>(worth_)]);
         return;
     }
@@ -97,10 +103,13 @@ void PixelFinder::choose() {
 
 QString PixelFinder::textOf(const relief::PixelWorth& pixel) const {
     if (worth_ == relief::Worth::Steps) return tr("steps: %1").arg(pixel.value);
-    if (std::isinf(pixel.value)) return tr("another outcome");
+    if (std::isinf(pixel.value)) {
+        return worth_ == relief::Worth::Disagreement ? tr("another outcome than %1").arg(nameOf(rival_))
+                                                     : tr("another outcome");
+    }
     const QString texels = QString::fromStdString(relief::numberText(pixel.value, 3));
     if (worth_ == relief::Worth::Disagreement) {
-        return tr("%1 texels from %2").arg(texels, QString::fromStdString(rival_.name));
+        return tr("%1 texels from %2").arg(texels, nameOf(rival_));
     }
     return worth_ == relief::Worth::Overshoot ? tr("%1 texels past the surface").arg(texels)
                                               : tr("%1 texels from the exact hit").arg(texels);

@@ -4,6 +4,7 @@
 
 #include <QFileInfo>
 
+#include "scenario/variation.h"
 #include "workspace/discard.h"
 #include "workspace/language.h"
 #include "workspace/pane_states.h"
@@ -72,7 +73,7 @@ void Workspace::start(const relief::Scenario& scenario, relief::AssetStore store
 }
 
 void Workspace::change(const relief::Scenario& scenario, const QString& what, const QString& mergeKey, bool live) {
-    relief::Scenario wanted = scenario;
+    relief::Scenario wanted = relief::keptApart(scenario_, scenario);
     clampPixel(wanted);
     if (wanted == scenario_ || past_.empty()) return;
     try {

@@ -1,11 +1,9 @@
 #include "measuring/bench/bench_filters.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <mutex>
 
-#include "base/parallel.h"
+#include "measuring/bench/filter_queries.h"
 #include "measuring/compare/flip.h"
 #include "measuring/compare/picture_error.h"
 #include "measuring/quantiles.h"
@@ -18,12 +16,9 @@ namespace relief {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int kPatch = 6;                  // texels
 constexpr int kCheck = 8;                  // texels
 constexpr double kFilterSceneDepth = 0.1;  // texture widths
-constexpr std::size_t kQueryGrain = static_cast<std::size_t>(kTileWidth) * kTileHeight;
 
 // References of one view, one for each pixel model, out of the same passes.
 std::vector<ColorImage> references(const FrameRequest& request, const FilterBenchOptions& options,
@@ -74,12 +69,6 @@ std::vector<glm::ivec2> countedPixels(const Frame& frame) {
     return pixels;
 }
 
-// As a frame's tiles ask them, kQueryGrain at a time.
-struct Queries {
-    std::vector<FilterBlock> blocks;
-    std::size_t count = 0;
-};
-
 struct Ready {
     const FilterChoice* choice;
     std::unique_ptr<const TextureFilter> filter;
@@ -121,15 +110,8 @@ class FilterBench {
             options_.pass == BenchPass::Times ? std::vector<ColorImage>{} : references(request, options_, maps_, work_);
         FrameRenderer renderer(maps_, true);
         const auto frame = renderer.render(request, work_);
-        const VisiblePolygons visible = frame->visible(request);
         const std::vector<glm::ivec2> pixels = countedPixels(*frame);
-        Queries queries{{}, pixels.size()};
-        const PictureHits picture{frame->width, frame->height, frame->rays->polygon.data(), &frame->rays->rays,
-                                  &frame->hits->hits};
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            if (i % kQueryGrain == 0) queries.blocks.emplace_back().picture = &picture;
-            queries.blocks.back().push(*filterQuery(*frame, request, visible, pixels[i].x, pixels[i].y));
-        }
+        const FilterQueries queries(*frame, request, pixels);
         const auto levels = std::make_shared<const ColorLevels>(scene.color, work_);
         std::vector<Ready> ready;
         for (const FilterChoice& choice : options_.filters) {
@@ -143,7 +125,9 @@ class FilterBench {
                 rows.push_back(std::move(row));
             }
         }
-        const auto rates = timed ? measuredRates(ready, queries) : std::vector<std::vector<double>>();
+        std::vector<const TextureFilter*> filters;
+        for (const Ready& one : ready) filters.push_back(one.filter.get());
+        const auto rates = timed ? queries.rates(filters, options_.rounds, work_) : std::vector<std::vector<double>>();
         for (std::size_t r = 0; r < rows.size(); ++r) {
             if (timed) {
                 const std::vector<double>& rate = rates[r / options_.pixelModels.size()];
@@ -155,30 +139,14 @@ class FilterBench {
         }
     }
 
-    FootprintCounts filterAll(const TextureFilter& filter, const Queries& queries, std::vector<Color>& colors) const {
-        colors.resize(queries.count);
-        FootprintCounts total;
-        std::mutex mutex;
-        parallelRanges(work_, queries.blocks.size(), std::size_t{1}, [&](std::size_t first, std::size_t last) {
-            FootprintCounts counts;
-            for (std::size_t b = first; b < last; ++b) {
-                const FilterBlock& block = queries.blocks[b];
-                filter.colors(block, {colors.data() + b * kQueryGrain, block.size()}, counts, work_);
-            }
-            const std::lock_guard lock(mutex);
-            total.add(counts);
-        });
-        return total;
-    }
-
     // All but the rate, a row for each pixel model; without truth, what is known without filtering. Filters once in any
     // case, which warms up for the rate.
-    std::vector<FilterBenchRow> counted(const Ready& ready, const Queries& queries,
+    std::vector<FilterBenchRow> counted(const Ready& ready, const FilterQueries& queries,
                                         const std::vector<glm::ivec2>& pixels, const std::vector<ColorImage>& truth) {
         std::vector<Color> colors;
-        const FootprintCounts counts = filterAll(*ready.filter, queries, colors);
+        const FootprintCounts counts = queries.filter(*ready.filter, colors, work_);
         work_.progress().advance();
-        const double each = 1 / std::max(1.0, static_cast<double>(queries.count));
+        const double each = 1 / std::max(1.0, static_cast<double>(queries.size()));
         std::vector<FilterBenchRow> rows;
         for (std::size_t m = 0; m < options_.pixelModels.size(); ++m) {
             FilterBenchRow row;
@@ -209,21 +177,6 @@ class FilterBench {
             rows.push_back(std::move(row));
         }
         return rows;
-    }
-
-    std::vector<std::vector<double>> measuredRates(const std::vector<Ready>& ready, const Queries& queries) {
-        std::vector<std::vector<double>> rates(ready.size());
-        std::vector<Color> colors;
-        for (int round = 0; round < options_.rounds; ++round) {
-            for (std::size_t f = 0; f < ready.size(); ++f) {
-                const auto begun = Clock::now();
-                filterAll(*ready[f].filter, queries, colors);
-                const double seconds = std::max(std::chrono::duration<double>(Clock::now() - begun).count(), 1e-9);
-                rates[f].push_back(static_cast<double>(queries.count) / seconds);
-                work_.progress().advance();
-            }
-        }
-        return rates;
     }
 
     const FilterBenchOptions& options_;

@@ -71,6 +71,10 @@ Scenario drawn() {
     s.pictures = {};
     s.pictures.drawn = {3, 2, {0, 1, 0.1 + 0.2, 0.125, 1.0 / 3, 1}};
     s.comparison.others = {{"layers", {{"layers", "32"}}}, {"exact", {}}};
+    s.comparison.subject = CompareSubject::Filters;
+    s.comparison.filters = {{"supersample", {{"samples", "3"}}}};
+    s.comparison.mappings = {{"incremental", {{"anchor", "0"}}}};
+    s.comparison.heights = {{"quantised", {{"bits", "6"}}}};
     s.comparison.mode = CompareMode::Swipe;
     s.comparison.measure = CompareMeasure::L1;
     s.comparison.reference = CompareReference::MethodA;
@@ -162,6 +166,12 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused(compare + "\"methods\": [{\"name\": \"magic\"}]}}", "no tracer \"magic\"");
     expectRefused(compare + "\"dividers\": [0.5, 0.2]}}", "a divider is 0.2");
     expectRefused(compare + "\"rate\": 0}}", "rate is 0");
+    expectRefused(compare + "\"subject\": \"lights\"}}", "line 2: compare: there is no subject of comparison \"lights\"");
+    expectRefused(compare + "\"filters\": [{\"name\": \"magic\"}]}}", "s.json: there is no filter \"magic\"");
+    expectRefused(compare + "\"mappings\": [{\"name\": \"fill\"}]}}", "s.json: there is no mapping \"fill\"");
+    const std::string bits = compare + "\"heights\": [{\"name\": \"quantised\", \"options\": {\"bits\": ";
+    expectRefused(bits + "17}}]}}", "17");
+    expectRefused(compare + "\"filters\": [{}, {}, {}, {}]}}", "compared filters is 5");
     expectRefused("{\"reliefscope\": 1, \"camera\": {\"fov\": 1e999}}", "s.json");
     expectRefused("{\"reliefscope\": 1, \"camera\": {\"eye\": [0,0,0], \"target\": [0,0,0]}}", "distance from eye");
 }

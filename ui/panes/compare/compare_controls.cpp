@@ -1,4 +1,4 @@
-// The controls of the compare pane: which methods, how they are shown, against what.
+// The controls of the compare pane: what is compared, how it is shown, against what.
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -27,9 +27,19 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
     LatestJob::Listener listener;
     listener.failed = [this](const QString& problem) {
         coarseRunning_ = false;
+        ++run_;
+        if (view_ && view_->complete && !view_->coarse && !outdated()) {
+            // Measuring the rates was cancelled: there are none.
+            auto unrated = std::make_shared<ComparedView>(*view_);
+            unrated->rated = true;
+            view_ = std::move(unrated);
+            pictures_->show(view_, {});
+        } else {
+            pictures_->setStopped();
+        }
         if (!problem.isEmpty()) Q_EMIT workspace_->problem(problem);
     };
-    listener.progress = [](const QString&, double) {};
+    listener.progress = [this](const QString&, double fraction) { pictures_->setProgress(fraction); };
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -61,32 +71,31 @@ void CompareView::makeMethodBar() {
     for (std::size_t n = 0; n < relief::kMostCompared; ++n) {
         const QString letter(QChar(static_cast<char>('A' + n)));
         QComboBox* const box =
-            addChooser(bar_, qPrintable(QStringLiteral("compare-method-") + letter), tr("Method %1").arg(letter));
-        for (const relief::MethodDescription& method : relief::tracerList()) {
-            if (method.kind == relief::MethodKind::AnyHit) continue;
-            const QString name = QString::fromStdString(method.name);
-            box->addItem(letter + QLatin1Char(' ') + name, name);
-        }
+            addChooser(bar_, qPrintable(QStringLiteral("compare-method-") + letter), tr("Compared: %1").arg(letter));
         connect(box, qOverload<int>(&QComboBox::activated), this,
-                [this, n, box](int at) { setMethod(n, box->itemData(at).toString()); });
-        methods_.push_back(box);
+                [this, n, box](int at) { setChoice(n, box->itemData(at).toString()); });
+        choosers_.push_back(box);
     }
-    add_ = addToolButton(bar_, QStringLiteral("+"), tr("Set another method beside these"));
+    add_ = addToolButton(bar_, QStringLiteral("+"), tr("Set another one beside these"));
     add_->setObjectName(QStringLiteral("compare-add"));
-    remove_ = addToolButton(bar_, QStringLiteral("−"), tr("Leave out the last method"));
+    remove_ = addToolButton(bar_, QStringLiteral("−"), tr("Leave out the last one"));
     remove_->setObjectName(QStringLiteral("compare-remove"));
-    showOptions_ = addToolButton(bar_, tr("options"), tr("The options of these methods"));
+    showOptions_ = addToolButton(bar_, tr("options"), tr("The options of each"));
     showOptions_->setObjectName(QStringLiteral("compare-options"));
     showOptions_->setCheckable(true);
     connect(showOptions_, &QToolButton::clicked, this, &CompareView::showOptions);
     bar_->addStretch(1);
     bar_->setStretch(bar_->count() - 1, 0);
-    connect(add_, &QToolButton::clicked, this, &CompareView::addMethod);
-    connect(remove_, &QToolButton::clicked, this, &CompareView::removeMethod);
+    connect(add_, &QToolButton::clicked, this, &CompareView::addOther);
+    connect(remove_, &QToolButton::clicked, this, &CompareView::removeOther);
 }
 
 void CompareView::makeModeBar() {
-    mode_ = addChooser(bar_, "compare-mode", tr("How the methods are set against each other"));
+    subject_ = addChooser(bar_, "compare-subject", tr("What the pictures differ in"));
+    for (const QString& subject : {tr("methods"), tr("filters"), tr("coordinates"), tr("heights")}) {
+        subject_->addItem(subject);
+    }
+    mode_ = addChooser(bar_, "compare-mode", tr("How the pictures are set against each other"));
     mode_->addItem(tr("side by side"));
     mode_->addItem(tr("swipe"));
     mode_->addItem(tr("flicker"));
@@ -111,14 +120,18 @@ void CompareView::makeModeBar() {
     play_->setChecked(true);
     auto* const against = new QLabel(tr("against"), this);
     bar_->addWidget(against);
-    reference_ = addChooser(bar_, "compare-reference", tr("What the methods are measured against"));
-    reference_->addItem(tr("exact"));
-    reference_->addItem(tr("method A"));
+    reference_ = addChooser(bar_, "compare-reference", tr("What the pictures are measured against"));
+    // What errs least is another one of every subject.
+    reference_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    reference_->addItem(QString());
+    reference_->addItem(QStringLiteral("A"));
     bar_->addStretch(1);
     QToolButton* const fit =
         addToolButton(bar_, tr("fit"), tr("The whole pictures (R); Ctrl+wheel zooms, Ctrl+drag moves"));
     fit->setObjectName(QStringLiteral("compare-fit"));
     connect(fit, &QToolButton::clicked, pictures_, &PictureView::resetZoom);
+    connect(subject_, qOverload<int>(&QComboBox::activated), this,
+            [this](int subject) { setSubject(static_cast<relief::CompareSubject>(subject)); });
     connect(mode_, qOverload<int>(&QComboBox::activated), this,
             [this](int mode) { setMode(static_cast<relief::CompareMode>(mode)); });
     connect(measure_, qOverload<int>(&QComboBox::activated), this,
@@ -133,19 +146,38 @@ void CompareView::makeModeBar() {
     });
 }
 
+// With what can be compared.
+void CompareView::fillChoosers() {
+    const relief::CompareSubject subject = workspace_->scenario().comparison.subject;
+    if (offered_ == subject) return;
+    offered_ = subject;
+    for (std::size_t n = 0; n < choosers_.size(); ++n) {
+        choosers_[n]->clear();
+        for (const std::string& text : relief::variationNames(subject)) {
+            // The scenario's own heights are those of its file.
+            if (n == 0 && text == relief::kQuantised) continue;
+            const QString name = QString::fromStdString(text);
+            choosers_[n]->addItem(QChar(static_cast<char>('A' + n)) + QStringLiteral(" ") + name, name);
+        }
+    }
+}
+
 // As the scenario has it.
 void CompareView::showControls() {
     const relief::Scenario& scenario = workspace_->scenario();
     const relief::Comparison& how = scenario.comparison;
-    const std::vector<relief::MethodChoice> methods = comparedMethods(scenario);
-    for (std::size_t n = 0; n < methods_.size(); ++n) {
-        methods_[n]->setVisible(n < methods.size());
-        if (n >= methods.size()) continue;
-        methods_[n]->setCurrentIndex(methods_[n]->findData(QString::fromStdString(methods[n].name)));
+    const std::vector<relief::MethodChoice> all = relief::comparedOf(scenario);
+    fillChoosers();
+    for (std::size_t n = 0; n < choosers_.size(); ++n) {
+        choosers_[n]->setVisible(n < all.size());
+        if (n >= all.size()) continue;
+        choosers_[n]->setCurrentIndex(choosers_[n]->findData(QString::fromStdString(all[n].name)));
     }
     refreshOptions();
-    add_->setEnabled(methods.size() < relief::kMostCompared);
-    remove_->setEnabled(methods.size() > 1);
+    subject_->setCurrentIndex(static_cast<int>(how.subject));
+    reference_->setItemText(0, QString::fromStdString(relief::referenceVariation(scenario).name));
+    add_->setEnabled(all.size() < relief::kMostCompared && relief::nextVariation(scenario));
+    remove_->setEnabled(all.size() > 1);
     mode_->setCurrentIndex(static_cast<int>(how.mode));
     measure_->setCurrentIndex(static_cast<int>(how.measure));
     measure_->setVisible(how.mode == relief::CompareMode::Difference);

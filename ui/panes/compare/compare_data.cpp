@@ -5,31 +5,31 @@
 
 #include <QCoreApplication>
 
-#include "measuring/bench/pareto.h"
-#include "measuring/bench/view_bench.h"
-#include "panes/result/result_painting.h"
-#include "rendering/base_level.h"
-#include "scenario/step_sentence.h"
+#include "painting/style.h"
 #include "workspace/discard.h"
 
 namespace reliefui {
 
 namespace {
 
-constexpr int kRounds = 7;
-
 class CompareText {
     Q_DECLARE_TR_FUNCTIONS(reliefui::CompareText)
 };
 
-// All on which the frames depend, but for what methods there are.
-relief::Scenario viewOf(relief::Scenario scenario) {
+using relief::CompareSubject;
+
+// All on which the picture depends that has this choice in the place of the scenario's own.
+relief::Scenario shownBy(const relief::Scenario& whole, const relief::MethodChoice& choice) {
+    const CompareSubject subject = whole.comparison.subject;
+    relief::Scenario scenario = relief::varied(whole, subject, choice);
     scenario.pixel.reset();
     scenario.step = 0;
     scenario.comparison = {};
     scenario.ui.clear();
     scenario.breakpoints.clear();
     scenario.bookmarks.clear();
+    scenario.other = {};
+    if (subject == CompareSubject::Heights) scenario.comparison.heights = {choice};
     return scenario;
 }
 
@@ -81,53 +81,81 @@ QImage colored(const relief::FloatImage& errors, double high) {
     return image;
 }
 
-bool isTracer(const relief::MethodChoice& method) {
-    return relief::findTracer(method.name).kind == relief::MethodKind::Tracer;
-}
-
-relief::MethodChoice exactMethod() {
-    return {"exact", {}};
+bool rates(CompareSubject subject, const relief::MethodChoice& choice) {
+    if (subject == CompareSubject::Filters) return choice.name != relief::kSupersample;
+    return subject == CompareSubject::Methods && relief::findTracer(choice.name).kind == relief::MethodKind::Tracer;
 }
 
 }  // namespace
 
-const QImage& ComparedMethod::shown(const relief::Comparison& how, bool reference) const {
+relief::MethodChoice comparedReference(const relief::Scenario& scenario) {
+    return scenario.comparison.reference == relief::CompareReference::MethodA
+               ? relief::ownVariation(scenario, scenario.comparison.subject)
+               : relief::referenceVariation(scenario);
+}
+
+std::string comparedReferenceName(const relief::Scenario& scenario) {
+    const relief::MethodChoice choice = comparedReference(scenario);
+    const CompareSubject subject = scenario.comparison.subject;
+    if (scenario.comparison.reference == relief::CompareReference::MethodA) return comparedName(0, subject, choice);
+    if (subject != CompareSubject::Filters) return choice.name;
+    const std::string samples = choice.options.at(relief::kSamples);
+    return choice.name + " " + samples + " × " + samples;
+}
+
+const QImage& ComparedPicture::shown(const relief::Comparison& how, bool reference) const {
     const bool errors = how.mode == relief::CompareMode::Difference && !reference;
     if (!errors) return picture;
     const QImage& map = how.measure == relief::CompareMeasure::L1 ? l1Picture : flipPicture;
-    return map.isNull() ? picture : map;  // coarse: the picture itself
+    return map.isNull() ? picture : map;  // coarse, or not measured yet: the picture itself
 }
 
-std::vector<relief::MethodChoice> comparedMethods(const relief::Scenario& scenario) {
-    std::vector<relief::MethodChoice> methods{scenario.method};
-    const auto& others = scenario.comparison.others;
-    methods.insert(methods.end(), others.begin(), others.end());
-    return methods;
+std::string comparedName(std::size_t number, CompareSubject subject, const relief::MethodChoice& choice) {
+    return std::string(1, static_cast<char>('A' + number)) + " " + relief::variationText(subject, choice);
 }
 
-std::string comparedName(std::size_t number, const relief::MethodChoice& method) {
-    return std::string(1, static_cast<char>('A' + number)) + " " + relief::shortMethodName(method);
+bool ComparedView::isReference(const ComparedPicture& picture) const {
+    return picture.shows == against;
 }
 
-bool ComparedView::isReference(const ComparedMethod& method) const {
-    return scenario.comparison.reference == relief::CompareReference::MethodA ? &method == &methods.front()
-                                                                              : method.method == exactMethod();
+bool ComparedView::current(const relief::Scenario& wanted, std::size_t number) const {
+    const std::vector<relief::MethodChoice> all = relief::comparedOf(wanted);
+    return number < pictures.size() && number < all.size() && pictures[number].shows == shownBy(wanted, all[number]);
+}
+
+bool ComparedView::measured(const relief::Scenario& wanted, std::size_t number) const {
+    return complete && !coarse && current(wanted, number) && against == shownBy(wanted, comparedReference(wanted));
 }
 
 bool ComparedView::of(const Snapshot& snapshot) const {
-    return frame == snapshot.frame && viewOf(scenario) == viewOf(snapshot.scenario) &&
-           scenario.comparison.others == snapshot.scenario.comparison.others &&
-           scenario.comparison.reference == snapshot.scenario.comparison.reference;
+    const relief::Scenario& wanted = snapshot.scenario;
+    const std::size_t count = relief::comparedOf(wanted).size();
+    bool all = complete && frame == snapshot.frame && count == pictures.size() &&
+               against == shownBy(wanted, comparedReference(wanted));
+    for (std::size_t n = 0; n < count && all; ++n) all = current(wanted, n);
+    return all;
 }
 
-Comparer::Rendered& Comparer::rendered(const Snapshot& snapshot, const relief::MethodChoice& method,
+Comparer::Rendered& Comparer::rendered(const Snapshot& snapshot, const relief::MethodChoice& choice,
                                        relief::Work& work) {
-    const std::string key = relief::shortMethodName(method) + (snapshot.coarse ? "/coarse" : "");
+    const CompareSubject subject = snapshot.scenario.comparison.subject;
+    const std::string key = std::string(relief::compareSubjectName(subject)) + "/" +
+                            relief::variationText(subject, choice) + (snapshot.coarse ? "/coarse" : "");
     Rendered& at = rendered_[key];
     at.used = calls_;
-    if (!at.renderer) at.renderer = std::make_unique<relief::FrameRenderer>(snapshot.maps, true);
-    relief::FrameRequest request = *snapshot.request;
-    request.method = relief::methodOfView(request, method);
+    if (!at.renderer) at.renderer = std::make_unique<relief::FrameRenderer>(snapshot.maps);
+    relief::Assets assets = snapshot.assets;
+    if (subject == CompareSubject::Heights) {
+        if (at.read != assets.heights) at.heights = relief::variedHeights(assets.heights, choice);
+        at.read = assets.heights;
+        assets.heights = at.heights;
+    }
+    relief::FrameRequest request = relief::frameRequest(relief::varied(snapshot.scenario, subject, choice), assets);
+    if (snapshot.coarse) {
+        request.width = snapshot.request->width;
+        request.height = snapshot.request->height;
+        request.filter = snapshot.request->filter;
+    }
     const std::shared_ptr<const relief::Frame> frame = at.renderer->render(request, work);
     if (frame != at.frame || at.picture.isNull()) {
         at.frame = frame;
@@ -136,45 +164,63 @@ Comparer::Rendered& Comparer::rendered(const Snapshot& snapshot, const relief::M
     return at;
 }
 
-std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, relief::Work& work) {
+// Of all but A, which is the snapshot's.
+void Comparer::fill(ComparedPicture& picture, const Snapshot& snapshot, relief::Work& work) {
+    const relief::HeightField& field = snapshot.request->field;
+    const bool method = snapshot.scenario.comparison.subject == CompareSubject::Methods;
+    if (method && picture.traces && !relief::supports(picture.choice, field.surface(), field.address())) {
+        picture.problem = plainText(CompareText::tr("does not know this surface").toStdString());
+        return;
+    }
+    try {
+        const Rendered& made = rendered(snapshot, picture.choice, work);
+        picture.frame = made.frame;
+        picture.picture = made.picture;
+        picture.tracer = made.renderer->tracer();
+    } catch (const relief::InputError& error) {
+        picture.problem = error.message();
+    }
+}
+
+std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, const ComparedView* before,
+                                                   const Listener& made, relief::Work& work) {
     ++calls_;
     auto view = makeFreedAside<ComparedView>();
-    view->scenario = snapshot.scenario;
+    const relief::Scenario& scenario = snapshot.scenario;
+    const CompareSubject subject = scenario.comparison.subject;
+    view->scenario = scenario;
     view->coarse = snapshot.coarse;
     view->frame = snapshot.frame;
-    const relief::HeightField& field = snapshot.request->field;
-    for (const relief::MethodChoice& method : comparedMethods(snapshot.scenario)) {
-        ComparedMethod compared;
-        compared.method = method;
-        compared.name = comparedName(view->methods.size(), method);
-        compared.traces = isTracer(method);
-        if (view->methods.empty()) {
-            compared.frame = snapshot.frame;
-            compared.picture = snapshot.picture;
-            compared.tracer = snapshot.tracer;
-        } else if (compared.traces && !relief::supports(method, field.surface(), field.address())) {
-            compared.problem = plainText(CompareText::tr("does not know this surface").toStdString());
+    view->reference = comparedReferenceName(scenario);
+    view->against = shownBy(scenario, comparedReference(scenario));
+    const std::vector<relief::MethodChoice> all = relief::comparedOf(scenario);
+    if (before) view->pictures = before->pictures;
+    view->pictures.resize(all.size());
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        ComparedPicture picture;
+        picture.choice = all[n];
+        picture.name = comparedName(n, subject, all[n]);
+        picture.traces = rates(subject, all[n]);
+        picture.shows = shownBy(scenario, all[n]);
+        if (n == 0) {
+            picture.frame = snapshot.frame;
+            picture.picture = snapshot.picture;
+            picture.tracer = snapshot.tracer;
         } else {
-            try {
-                const Rendered& made = rendered(snapshot, method, work);
-                compared.frame = made.frame;
-                compared.picture = made.picture;
-                compared.tracer = made.renderer->tracer();
-            } catch (const relief::InputError& error) {
-                compared.problem = error.message();
-            }
+            fill(picture, snapshot, work);
         }
-        view->methods.push_back(std::move(compared));
+        view->pictures[n] = std::move(picture);
+        if (made && !view->coarse) made(makeFreedAside<ComparedView>(*view));
     }
-    const bool own = snapshot.scenario.comparison.reference == relief::CompareReference::MethodA;
-    view->reference = own ? view->methods.front().name : "exact";
     if (!snapshot.coarse) {
-        const std::shared_ptr<const relief::Frame> reference = own || snapshot.scenario.method == exactMethod()
-                                                                   ? snapshot.frame
-                                                                   : rendered(snapshot, exactMethod(), work).frame;
-        measure(*view, *reference, work);
+        const relief::MethodChoice reference = comparedReference(scenario);
+        const bool own = relief::sameVariation(subject, reference, all.front());
+        measure(*view, own ? *snapshot.frame : *rendered(snapshot, reference, work).frame, work);
     }
-    // Buffers of methods that are not looked at any more.
+    view->rated = std::none_of(view->pictures.begin(), view->pictures.end(),
+                               [](const ComparedPicture& picture) { return picture.traces && !picture.problem; });
+    view->complete = true;
+    // Buffers of what is not looked at any more.
     constexpr int kKept = 4;
     std::erase_if(rendered_, [&](const auto& entry) { return entry.second.used + kKept < calls_; });
     return view;
@@ -184,113 +230,25 @@ void Comparer::measure(ComparedView& view, const relief::Frame& reference, relie
     const relief::ColorImage& right = reference.light->color;
     double l1 = 0;
     double flip = 0;
-    for (ComparedMethod& method : view.methods) {
-        if (!method.frame) continue;
+    for (ComparedPicture& picture : view.pictures) {
+        if (!picture.frame) continue;
         work.throwIfStopped();
-        const relief::ColorImage& test = method.frame->light->color;
+        const relief::ColorImage& test = picture.frame->light->color;
         relief::FloatImage map;
-        method.error = relief::pictureError(right, test, relief::kPixelsPerDegree, map, work);
-        method.equal = method.frame.get() == &reference || std::ranges::equal(right.pixels(), test.pixels());
-        method.flip = std::make_shared<const relief::FloatImage>(std::move(map));
-        method.l1 = l1Errors(right, test);
-        l1 = std::max(l1, mostOf(*method.l1));
-        flip = std::max(flip, static_cast<double>(largest(*method.flip)));
+        picture.error = relief::pictureError(right, test, relief::kPixelsPerDegree, map, work);
+        picture.equal = picture.frame.get() == &reference || std::ranges::equal(right.pixels(), test.pixels());
+        picture.flip = std::make_shared<const relief::FloatImage>(std::move(map));
+        picture.l1 = l1Errors(right, test);
+        l1 = std::max(l1, mostOf(*picture.l1));
+        flip = std::max(flip, static_cast<double>(largest(*picture.flip)));
     }
     view.l1High = niceCeil(l1);
     view.flipHigh = niceCeil(flip);
-    for (ComparedMethod& method : view.methods) {
-        if (!method.error) continue;
-        method.l1Picture = colored(*method.l1, view.l1High);
-        method.flipPicture = colored(*method.flip, view.flipHigh);
+    for (ComparedPicture& picture : view.pictures) {
+        if (!picture.error) continue;
+        picture.l1Picture = colored(*picture.l1, view.l1High);
+        picture.flipPicture = colored(*picture.flip, view.flipHigh);
     }
-}
-
-std::shared_ptr<const ComparedView> withRates(const ComparedView& view, const Snapshot& snapshot, relief::Work& work) {
-    auto timed = makeFreedAside<ComparedView>(view);
-    std::vector<relief::MethodChoice> methods;
-    const auto ofView = [&](const ComparedMethod& method) {
-        return relief::methodOfView(*snapshot.request, method.method);
-    };
-    for (const ComparedMethod& method : view.methods) {
-        if (method.traces && !method.problem) methods.push_back(ofView(method));
-    }
-    const relief::RayBlock rays = relief::sampledRays(*snapshot.frame, kComparedRays);
-    if (methods.empty() || rays.size() == 0) return timed;
-    const std::vector<relief::BenchRow> rows =
-        relief::benchRaysOfView(snapshot.request->field, rays, methods, kRounds, *snapshot.maps, work);
-    timed->rays = rays.size();
-    timed->rounds = kRounds;
-    for (ComparedMethod& method : timed->methods) {
-        for (const relief::BenchRow& row : rows) {
-            if (relief::shortMethodName(row.method) != relief::shortMethodName(ofView(method))) continue;
-            method.rate = row.rate / 1e6;
-            method.steps = row.stepsMean;
-        }
-    }
-    return timed;
-}
-
-CompareSource compareSource(const ComparedView& view, const relief::Comparison& how, std::size_t shown) {
-    CompareSource source;
-    source.mode = how.mode;
-    source.measure = how.measure;
-    relief::Comparison shape = how;
-    shape.others.resize(view.methods.empty() ? 0 : view.methods.size() - 1);
-    source.dividers = relief::dividersOf(shape);
-    source.shown = view.methods.empty() ? 0 : shown % view.methods.size();
-    source.aspect = static_cast<double>(view.scenario.height) / view.scenario.width;
-    source.high = how.measure == relief::CompareMeasure::L1 ? view.l1High : view.flipHigh;
-    source.reference = view.reference;
-    source.rays = view.rays;
-    source.rounds = view.rounds;
-    for (const ComparedMethod& method : view.methods) {
-        CompareTile tile;
-        tile.name = method.name;
-        tile.missing = method.problem;
-        tile.reference = view.isReference(method);
-        tile.equal = method.equal;
-        tile.traces = method.traces;
-        if (method.error) {
-            tile.rmse = method.error->rmse;
-            tile.psnr = method.error->psnr;
-            tile.flip = method.error->flip;
-        }
-        tile.rate = method.rate;
-        tile.steps = method.steps;
-        source.tiles.push_back(std::move(tile));
-    }
-    return source;
-}
-
-QString compareReadout(const ComparedView& view, const Snapshot& snapshot, std::size_t number,
-                       relief::PixelChoice pixel) {
-    const ComparedMethod& method = view.methods[number];
-    QString text = QString::fromStdString(method.name);
-    if (!method.frame) return text;
-    const relief::Frame& frame = *method.frame;
-    const int x = std::clamp(pixel.x * frame.width / snapshot.scenario.width, 0, frame.width - 1);
-    const int y = std::clamp(pixel.y * frame.height / snapshot.scenario.height, 0, frame.height - 1);
-    const std::size_t i = frame.index(x, y);
-    const auto fixed = [](double value, int decimals) {
-        return QString::fromStdString(relief::fixedText(value, decimals));
-    };
-    if (frame.rays->polygon[i] == relief::kNoPolygon) return text + QStringLiteral(": ") + outcomeTitle({});
-    const relief::Hit hit = frame.hits->hits[i];
-    text += QStringLiteral(": ");
-    text += hit.outcome == relief::Outcome::Hit
-                ? CompareText::tr("(%1, %2) λ %3").arg(fixed(hit.s, 2), fixed(hit.t, 2), fixed(hit.lambda, 3))
-                : outcomeTitle(hit.outcome);
-    if (method.traces && method.tracer) {
-        relief::RayBlock ray;
-        ray.push(frame.rays->rays[i]);
-        relief::HitBlock again;
-        relief::BlockCounts counts;
-        relief::Work work(1);
-        method.tracer->trace(ray, again, counts, work);
-        text += CompareText::tr(", steps: %1").arg(again.steps[0]);
-    }
-    if (method.flip) text += QStringLiteral(", FLIP %1").arg(fixed(static_cast<double>((*method.flip)(x, y)), 3));
-    return text;
 }
 
 }  // namespace reliefui

@@ -1,6 +1,8 @@
-// The frames of several methods of one view, how far they are from a reference, and how fast they are.
+// The pictures of one view that a comparison sets beside each other, how far they are from a reference, and how fast
+// they are made.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,6 +13,7 @@
 
 #include "measuring/compare/picture_error.h"
 #include "panes/compare/compare_drawing.h"
+#include "scenario/variation.h"
 #include "workspace/snapshot.h"
 
 namespace reliefui {
@@ -19,11 +22,13 @@ namespace reliefui {
 // enough for a second.
 inline constexpr std::size_t kComparedRays = 8192;
 
-struct ComparedMethod {
-    relief::MethodChoice method;
-    std::string name;                            // "A max-pyramid"
+struct ComparedPicture {
+    relief::MethodChoice choice;  // of the comparison's subject
+    std::string name;             // "A max-pyramid"
+    // What the picture depends on, itself in the place of the scenario's own.
+    relief::Scenario shows;
     std::optional<relief::Message> problem;      // why there is no frame
-    std::shared_ptr<const relief::Frame> frame;  // the snapshot's own of method A
+    std::shared_ptr<const relief::Frame> frame;  // the snapshot's own of A
     std::shared_ptr<const relief::Tracer> tracer;
     QImage picture;
     // Of full frames only. The maps of errors, in the colours of their scale.
@@ -31,8 +36,9 @@ struct ComparedMethod {
     bool equal = false;  // the picture has the reference's bits
     std::shared_ptr<const relief::FloatImage> l1, flip;
     QImage l1Picture, flipPicture;
-    bool traces = true;                 // its kind is that of tracers
-    std::optional<double> rate, steps;  // 10^6 rays a second; records a ray
+    bool traces = true;           // a method of the kind of tracers; of other subjects, whether rates are measured
+    std::optional<double> rate;   // methods: 10^6 rays a second; filters: 10^6 pixels a second
+    std::optional<double> steps;  // records a ray
 
     const QImage& shown(const relief::Comparison& how, bool reference) const;
 };
@@ -41,52 +47,74 @@ struct ComparedView {
     relief::Scenario scenario;  // pixel and step are those of the time when it was made
     bool coarse = false;
     std::shared_ptr<const relief::Frame> frame;  // the snapshot's
-    std::vector<ComparedMethod> methods;
-    std::string reference;  // its name
-    double l1High = 1;      // of the scales
+    std::vector<ComparedPicture> pictures;
+    std::string reference;     // its name
+    relief::Scenario against;  // what the reference depends on
+    bool complete = false;     // all pictures are this scenario's, and measured unless they are coarse
+    double l1High = 1;         // of the scales
     double flipHigh = 1;
-    std::size_t rays = 0;  // that rates were measured on
+    std::size_t rays = 0;  // that rates were measured on, or pixels
     int rounds = 0;
+    bool rated = false;  // or there are no rates
 
-    bool isReference(const ComparedMethod& method) const;
+    bool isReference(const ComparedPicture& picture) const;
     // Whether it shows what this snapshot wants compared.
     bool of(const Snapshot& snapshot) const;
+    // Whether a picture is the one that this scenario wants in its place, and whether its numbers are.
+    bool current(const relief::Scenario& scenario, std::size_t number) const;
+    bool measured(const relief::Scenario& scenario, std::size_t number) const;
 };
 
-// The methods of a scenario, A first.
-std::vector<relief::MethodChoice> comparedMethods(const relief::Scenario& scenario);
-std::string comparedName(std::size_t number, const relief::MethodChoice& method);
+// What the pictures are measured against, and its name.
+relief::MethodChoice comparedReference(const relief::Scenario& scenario);
+std::string comparedReferenceName(const relief::Scenario& scenario);
+std::string comparedName(std::size_t number, relief::CompareSubject subject, const relief::MethodChoice& choice);
 
-// Renders what is compared; keeps the buffers of each method, so that only what changed is rendered again. Used by one
+// Renders what is compared; keeps the buffers of each picture, so that only what changed is rendered again. Used by one
 // thread at a time.
 class Comparer {
   public:
-    // Methods that cannot be rendered (another surface) get a `problem`. Throws Cancelled.
-    std::shared_ptr<const ComparedView> view(const Snapshot& snapshot, relief::Work& work);
+    using Listener = std::function<void(std::shared_ptr<const ComparedView>)>;
+
+    // What cannot be rendered (another surface) gets a `problem`. before: shown until now; its pictures keep their
+    // places until theirs are made. made: told of the view after each of its pictures. Throws Cancelled.
+    std::shared_ptr<const ComparedView> view(const Snapshot& snapshot, const ComparedView* before, const Listener& made,
+                                             relief::Work& work);
 
   private:
     struct Rendered {
         std::unique_ptr<relief::FrameRenderer> renderer;
         std::shared_ptr<const relief::Frame> frame;
+        std::shared_ptr<const relief::FloatImage> read, heights;  // as read, as varied
         QImage picture;
         int used = 0;  // in which call
     };
-    Rendered& rendered(const Snapshot& snapshot, const relief::MethodChoice& method, relief::Work& work);
+    Rendered& rendered(const Snapshot& snapshot, const relief::MethodChoice& choice, relief::Work& work);
+    void fill(ComparedPicture& picture, const Snapshot& snapshot, relief::Work& work);
     void measure(ComparedView& view, const relief::Frame& reference, relief::Work& work) const;
 
     std::map<std::string, Rendered> rendered_;
     int calls_ = 0;
 };
 
-// The same with rates and steps: rays of the view traced by all methods in turn. Throws Cancelled.
+// The same with rates: rays of the view traced by all methods in turn, with their steps; pixels of it by all filters.
+// Throws Cancelled.
 std::shared_ptr<const ComparedView> withRates(const ComparedView& view, const Snapshot& snapshot, relief::Work& work);
 
-// shown: of flicker.
-CompareSource compareSource(const ComparedView& view, const relief::Comparison& how, std::size_t shown);
+// What is said of a picture that is being made, and whether the one in its place, of what was compared before, is
+// veiled.
+struct ComparePending {
+    relief::Message text{relief::MessageId::DrawComparePending};
+    bool veil = false;
+    bool stopped = false;  // it is not being made
+};
+// As this scenario wants it: of pictures and numbers that are another one's it says that they are pending. shown: of
+// flicker.
+CompareSource compareSource(const ComparedView& view, const relief::Scenario& scenario, std::size_t shown,
+                            const ComparePending& pending = ComparePending());
 
-// What a method answers at a pixel of the full-size picture, in a line: "B layers: hit (12.1, 4.0), 20 steps, FLIP
-// 0.3".
-QString compareReadout(const ComparedView& view, const Snapshot& snapshot, std::size_t method,
+// What a picture has at a pixel of the full-size picture, in a line: "B layers: hit (12.1, 4.0), 20 steps, FLIP 0.3".
+QString compareReadout(const ComparedView& view, const relief::Scenario& scenario, std::size_t number,
                        relief::PixelChoice pixel);
 
 }  // namespace reliefui

@@ -107,11 +107,15 @@ void add(Drawing& drawing, Point at, std::string text, double size, Anchor ancho
 }
 
 void addTitle(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
+    constexpr double kSmallest = 0.6;
+    const double room = box.width() - 4;
     std::string name = tile.name;
-    if (tile.reference) name += " · " + relief::sentence(Message(MessageId::DrawCompareReference), language);
-    const double width = textWidth(name, 1, true);
-    add(drawing, {box.x0 + 2, box.y0 + kTitle / 2}, name, std::clamp((box.width() - 4) / width, 0.6, 1.0), Anchor::Left,
-        Role::Title, Emphasis::Strong);
+    if (tile.reference) {
+        const std::string whole = name + " · " + relief::sentence(Message(MessageId::DrawCompareReference), language);
+        if (textWidth(whole, kSmallest, true) <= room) name = whole;
+    }
+    add(drawing, {box.x0 + 2, box.y0 + kTitle / 2}, name, std::clamp(room / textWidth(name, 1, true), kSmallest, 1.0),
+        Anchor::Left, Role::Title, Emphasis::Strong);
 }
 
 void addNumbers(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
@@ -122,14 +126,17 @@ void addNumbers(Drawing& drawing, const CompareTile& tile, const Box& box, relie
     }
 }
 
+// In the middle of the picture: why there is none, or that this one is to be replaced.
 void addMissing(Drawing& drawing, const CompareTile& tile, const Box& room) {
-    if (!tile.missing) return;
+    const std::optional<Message>& text = tile.veiled ? tile.pending : tile.missing;
+    if (!text) return;
     Label label;
     label.at = room.center();
-    label.text = *tile.missing;
+    label.text = *text;
     label.anchor = Anchor::Center;
-    label.size = chart::kTextSize;
-    drawing.add({}, Role::Label, std::move(label));
+    label.size = tile.veiled ? 1 : chart::kTextSize;
+    label.plate = tile.veiled;
+    drawing.add({}, tile.veiled ? Role::Background : Role::Label, std::move(label));
 }
 
 CompareLayout tiled(const CompareSource& source, double width, double height, relief::Language language) {
@@ -227,23 +234,39 @@ void addScale(LegendRows& rows, const CompareSource& source) {
 
 std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Language language) {
     std::vector<std::string> numbers;
-    if (tile.equal) {
-        numbers.push_back(relief::sentence(Message(MessageId::DrawCompareEqual), language));
+    const auto say = [&](const Message& message) {
+        for (std::string& part : split(relief::sentence(message, language))) numbers.push_back(std::move(part));
+    };
+    if (tile.pending) {
+        say(*tile.pending);
+        return numbers;
+    }
+    if (tile.missing) return numbers;
+    if (!tile.same.empty()) {
+        say(Message(MessageId::DrawCompareSame, {{"name", tile.same}}));
+        return numbers;
+    }
+    if (tile.measuring) {
+        say(Message(MessageId::DrawCompareMeasuringError));
+        if (tile.progress) say(*tile.progress);
+    } else if (tile.equal) {
+        say(Message(MessageId::DrawCompareEqual));
     } else if (tile.rmse && tile.psnr && tile.flip) {
-        numbers = split(relief::sentence(
-            Message(MessageId::DrawCompareError,
-                    {{"rmse", figures(*tile.rmse)}, {"psnr", figures(*tile.psnr)}, {"flip", figures(*tile.flip)}}),
-            language));
+        say(Message(MessageId::DrawCompareError,
+                    {{"rmse", figures(*tile.rmse)}, {"psnr", figures(*tile.psnr)}, {"flip", figures(*tile.flip)}}));
     }
     if (tile.rate && tile.steps) {
-        for (std::string& part : split(relief::sentence(
-                 Message(MessageId::DrawCompareRate, {{"rate", figures(*tile.rate)}, {"steps", figures(*tile.steps)}}),
-                 language))) {
-            numbers.push_back(std::move(part));
-        }
-    } else if (!tile.missing && tile.flip) {
-        numbers.push_back(relief::sentence(
-            Message(tile.traces ? MessageId::DrawCompareMeasuring : MessageId::DrawCompareNoRays), language));
+        say(Message(MessageId::DrawCompareRate, {{"rate", figures(*tile.rate)}, {"steps", figures(*tile.steps)}}));
+    } else if (tile.rate) {
+        say(Message(MessageId::DrawCompareFilterRate, {{"rate", figures(*tile.rate)}}));
+    } else if (tile.samples) {
+        say(Message(MessageId::DrawCompareSamples, {{"rays", *tile.samples}}));
+    } else if (tile.off) {
+        if (*tile.off > 0) say(Message(MessageId::DrawCompareOff, {{"texels", figures(*tile.off)}}));
+    } else if (tile.rating) {
+        say(Message(MessageId::DrawCompareMeasuring));
+    } else if (!tile.traces) {
+        say(Message(MessageId::DrawCompareNoRays));
     }
     return numbers;
 }
@@ -251,6 +274,7 @@ std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Languag
 CompareLayout compareLayout(const CompareSource& source, double width, double height, relief::Language language) {
     const bool beside = source.mode == CompareMode::Tiles || source.mode == CompareMode::Difference;
     CompareLayout layout = beside ? tiled(source, width, height, language) : stacked(source, width, height, language);
+    for (const CompareTile& tile : source.tiles) layout.veiled.push_back(tile.veiled);
     layout.bounds = {0, 0, width, height};
     layout.drawing.bounds = layout.bounds;
     return layout;
@@ -265,8 +289,9 @@ Drawing compareScale(const CompareSource& source, relief::Language language) {
 Drawing compareLegend(const CompareSource& source, double width, relief::Language language) {
     LegendRows rows(width, language);
     if (source.mode == CompareMode::Difference) addScale(rows, source);
+    const bool filters = source.subject == relief::CompareSubject::Filters;
     const Message note =
-        source.rays > 0 ? Message(MessageId::DrawCompareAgainst,
+        source.rays > 0 ? Message(filters ? MessageId::DrawCompareFiltersAgainst : MessageId::DrawCompareAgainst,
                                   {{"reference", source.reference}, {"rays", source.rays}, {"rounds", source.rounds}})
                         : Message(MessageId::DrawCompareColors, {{"reference", source.reference}});
     // Sentence by sentence, where all of it does not fit into a row.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <mutex>
 
-#include "measuring/bench/pareto.h"
 #include "panes/compare/compare_painting.h"
 #include "panes/figure_caption.h"
 #include "workspace/resized_snapshot.h"
@@ -14,7 +13,7 @@ namespace {
 
 // Pictures in two columns where there are four.
 std::size_t columnsOf(const relief::Comparison& how) {
-    const std::size_t count = how.others.size() + 1;
+    const std::size_t count = relief::othersOf(how).size() + 1;
     const bool beside = how.mode == relief::CompareMode::Tiles || how.mode == relief::CompareMode::Difference;
     return !beside ? 1 : count == 4 ? 2 : count;
 }
@@ -24,7 +23,7 @@ double aspectOf(const Snapshot& snapshot) {
     const double picture = static_cast<double>(snapshot.scenario.height) / snapshot.scenario.width;
     constexpr double kText = 0.12;
     const auto columns = static_cast<double>(columnsOf(how));
-    return picture * (columns == 2 && how.others.size() == 3 ? 2 : 1) / columns + kText;
+    return picture * (columns == 2 && relief::othersOf(how).size() == 3 ? 2 : 1) / columns + kText;
 }
 
 // The comparison in the size that was painted last.
@@ -39,7 +38,7 @@ struct Redrawn {
         relief::Work work;
         Comparer comparer;
         snapshot = resized(of, pixels, work);
-        view = withRates(*comparer.view(*snapshot, work), *snapshot, work);
+        view = withRates(*comparer.view(*snapshot, nullptr, {}, work), *snapshot, work);
         width = pixels;
     }
 };
@@ -47,12 +46,16 @@ struct Redrawn {
 }  // namespace
 
 std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot, std::size_t shown) {
-    if (snapshot->scenario.comparison.others.empty()) {
-        emptyFigure("compare", relief::MessageId::ExportNoMethods);
+    const relief::CompareSubject subject = snapshot->scenario.comparison.subject;
+    const std::vector<relief::MethodChoice> all = relief::comparedOf(snapshot->scenario);
+    const bool methods = subject == relief::CompareSubject::Methods;
+    const bool filters = subject == relief::CompareSubject::Filters;
+    if (all.size() == 1) {
+        emptyFigure("compare", methods ? relief::MessageId::ExportNoMethods : relief::MessageId::ExportNoOthers);
     }
-    std::string methods;
-    for (const relief::MethodChoice& method : comparedMethods(snapshot->scenario)) {
-        methods += (methods.empty() ? "" : ", ") + relief::shortMethodName(method);
+    std::string names;
+    for (const relief::MethodChoice& choice : all) {
+        names += (names.empty() ? "" : ", ") + relief::variationText(subject, choice);
     }
     const auto paint = [snapshot, shown, redrawn = std::make_shared<Redrawn>()](QPainter& painter, const Box& page,
                                                                                 const Style& style) {
@@ -61,10 +64,11 @@ std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snap
         redrawn->make(snapshot, style.picturePixels(page.width() / columns));
         const Snapshot& drawn = *redrawn->snapshot;
         const relief::Comparison& how = drawn.scenario.comparison;
-        const ComparePage parts = comparePage(compareSource(*redrawn->view, how, shown), page, style);
+        const ComparePage parts = comparePage(compareSource(*redrawn->view, drawn.scenario, shown), page, style);
         paintCompare(painter, *redrawn->view, how, parts, page, style, drawn.scenario.pixel, {});
     };
-    return paintedFigure(paint, figureCaption(snapshot, {}, methods),
+    return paintedFigure(paint,
+                         figureCaption(snapshot, {}, methods ? names : std::string(), filters ? names : std::string()),
                          [snapshot](const FigurePage&) { return aspectOf(*snapshot); });
 }
 

@@ -1,4 +1,4 @@
-// The options of the compared methods, made from their own descriptions, side by side.
+// The options of what is compared, made from descriptions, side by side.
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -8,7 +8,6 @@
 #include "panes/compare/compare_view.h"
 #include "panes/core_texts.h"
 #include "panes/options_form.h"
-#include "relief/tracers.h"
 
 namespace reliefui {
 
@@ -59,28 +58,40 @@ void CompareView::showOptions(bool on) {
 
 void CompareView::refreshOptions() {
     if (!showOptions_->isChecked()) return;
-    const std::vector<relief::MethodChoice> methods = comparedMethods(workspace_->scenario());
+    const relief::CompareSubject subject = workspace_->scenario().comparison.subject;
+    const std::vector<relief::MethodChoice> all = relief::comparedOf(workspace_->scenario());
     for (std::size_t n = 0; n < options_.size(); ++n) {
-        options_[n].whole->setVisible(n < methods.size());
-        if (n >= methods.size()) continue;
-        const relief::MethodDescription& method = relief::findTracer(methods[n].name);
-        options_[n].title->setText(QString::fromStdString(comparedName(n, methods[n])));
-        options_[n].title->setToolTip(coreText(method.help));
-        options_[n].form->show(method, methods[n]);
+        options_[n].whole->setVisible(n < all.size());
+        if (n >= all.size()) continue;
+        const relief::MethodDescription described = relief::describedVariation(subject, all[n]);
+        options_[n].title->setText(QString::fromStdString(comparedName(n, subject, all[n])));
+        options_[n].title->setToolTip(coreText(described.help));
+        options_[n].form->show(described, all[n]);
     }
 }
 
 void CompareView::setOption(std::size_t number, const QString& name, const QString& text, bool live) {
     relief::Scenario scenario = workspace_->scenario();
-    if (number > scenario.comparison.others.size()) return;
-    relief::MethodChoice& method = number == 0 ? scenario.method : scenario.comparison.others[number - 1];
+    const relief::CompareSubject subject = scenario.comparison.subject;
+    std::vector<relief::MethodChoice>& others = relief::othersOf(scenario.comparison);
+    if (number > others.size()) return;
+    relief::MethodChoice choice = number == 0 ? relief::ownVariation(scenario, subject) : others[number - 1];
     const std::string key = name.toStdString();
     const std::string value = text.toStdString();
     // Another method inside has options of its own.
-    const auto before = method.options.find(key);
-    const bool same = before != method.options.end() && before->second == value;
-    if (!same) std::erase_if(method.options, [&](const auto& option) { return option.first.starts_with(key + "."); });
-    method.options[key] = value;
+    const auto before = choice.options.find(key);
+    const bool same = before != choice.options.end() && before->second == value;
+    if (!same) std::erase_if(choice.options, [&](const auto& option) { return option.first.starts_with(key + "."); });
+    choice.options[key] = value;
+    // Some pixel models take more samples.
+    if (subject == relief::CompareSubject::Filters) {
+        choice = relief::ownVariation(relief::varied(scenario, subject, choice), subject);
+    }
+    if (number == 0) {
+        scenario = relief::varied(scenario, subject, choice);
+    } else {
+        others[number - 1] = choice;
+    }
     const QChar letter(static_cast<char>('A' + number));
     workspace_->change(scenario, tr("%1: %2").arg(letter).arg(optionTitle(key)),
                        QStringLiteral("compare-%1-%2").arg(letter).arg(name), live);

@@ -12,6 +12,7 @@ namespace {
 
 // Of the page's height: what explains must leave room for what is explained.
 constexpr double kMostLegend = 0.14;
+constexpr int kVeil = 150;  // of 255
 
 QRectF fitted(const QRectF& room, const QSize& size) {
     const double scale = std::min(room.width() / size.width(), room.height() / size.height());
@@ -63,16 +64,20 @@ void paintCompare(QPainter& painter, const ComparedView& view, const relief::Com
     // The ground, and the legend.
     paintFigure(painter, {}, parts.legend, page, style);
     const QSize size(view.scenario.width, view.scenario.height);
-    for (std::size_t n = 0; n < view.methods.size() && n < parts.layout.rooms.size(); ++n) {
-        const ComparedMethod& method = view.methods[n];
+    for (std::size_t n = 0; n < view.pictures.size() && n < parts.layout.rooms.size(); ++n) {
+        const ComparedPicture& picture = view.pictures[n];
         const Box& clip = parts.layout.clips[n];
-        if (clip.empty() || method.picture.isNull()) continue;
+        if (clip.empty() || picture.picture.isNull()) continue;
         const QRectF room = rectangle(parts.layout.rooms[n]);
         const QRectF target = place ? place(room) : fitted(room, size);
         painter.save();
         painter.setClipRect(rectangle(clip), Qt::IntersectClip);
-        drawReduced(painter, method.shown(how, view.isReference(method)), target, view.coarse);
-        if (pixel) {
+        drawReduced(painter, picture.shown(how, view.isReference(picture)), target, view.coarse);
+        if (parts.layout.veiled[n]) {
+            QColor veil = toColor(style.background());
+            veil.setAlpha(kVeil);
+            painter.fillRect(rectangle(clip), veil);
+        } else if (pixel) {
             const double scale = target.width() / size.width();
             const QPointF at(target.x() + (pixel->x + 0.5) * scale, target.y() + (pixel->y + 0.5) * scale);
             paintChosenPixel(painter, at, scale, style);

@@ -21,38 +21,81 @@ namespace reliefui {
 namespace {
 
 constexpr double kReach = 6;  // points to a divider
+// Until a picture that is not what is wanted any more is veiled: one that moves is replaced sooner.
+constexpr int kVeilMs = 150;
 
 }  // namespace
 
 ComparePictures::ComparePictures(Workspace* workspace, QWidget* parent) : PictureView(workspace, parent) {
     setObjectName(QStringLiteral("compare-pictures"));
-    setAccessibleName(tr("Compare: pictures of the methods"));
+    setAccessibleName(tr("Compare: the pictures beside each other"));
+    veil_.setSingleShot(true);
+    connect(&veil_, &QTimer::timeout, this, [this] {
+        pending_.veil = true;
+        relayout();
+    });
 }
 
-relief::Comparison ComparePictures::how() const {
-    relief::Comparison how = workspace()->scenario().comparison;
-    if (dragged_) how.dividers = dividers_;
-    return how;
+relief::Scenario ComparePictures::wanted() const {
+    relief::Scenario scenario = workspace()->scenario();
+    if (dragged_) scenario.comparison.dividers = dividers_;
+    return scenario;
+}
+
+bool ComparePictures::outdated() const {
+    const std::size_t count = relief::comparedOf(workspace()->scenario()).size();
+    for (std::size_t n = 0; n < count && view_; ++n) {
+        if (!view_->current(workspace()->scenario(), n)) return true;
+    }
+    return false;
+}
+
+void ComparePictures::setProgress(double fraction) {
+    const bool part = fraction > 0 && fraction < 1;
+    constexpr double kHundred = 100;
+    pending_.stopped = false;
+    sayPending(part ? relief::Message(relief::MessageId::DrawComparePendingPart,
+                                      {{"percent", static_cast<int>(fraction * kHundred)}})
+                    : relief::Message(relief::MessageId::DrawComparePending));
+}
+
+void ComparePictures::setStopped() {
+    pending_.stopped = true;
+    sayPending(relief::Message(relief::MessageId::DrawCompareStopped));
+}
+
+void ComparePictures::sayPending(relief::Message text) {
+    pending_.text = std::move(text);
+    relayout();
 }
 
 void ComparePictures::show(std::shared_ptr<const ComparedView> view, relief::MessageId why) {
     view_ = std::move(view);
     why_ = why;
-    relayout();
+    veil_.stop();
+    pending_.veil = false;
+    setProgress(0);
 }
 
-void ComparePictures::setShown(std::size_t method) {
-    if (!view_ || view_->methods.empty()) return;
-    shown_ = method % view_->methods.size();
+void ComparePictures::setShown(std::size_t number) {
+    if (!view_ || view_->pictures.empty()) return;
+    shown_ = number % view_->pictures.size();
     relayout();
 }
 
 void ComparePictures::relayout() {
     if (view_) {
         const Box page{0, 0, double(width()), double(height())};
-        CompareSource source = compareSource(*view_, how(), shown_);
-        // A coarse picture has no numbers, but comes back to where it had.
-        if (view_->coarse && mode_ == source.mode) source.lines = lines_;
+        const bool late = outdated();
+        if (!late) {
+            veil_.stop();
+            pending_.veil = false;
+        } else if (!pending_.veil && !veil_.isActive()) {
+            veil_.start(kVeilMs);
+        }
+        CompareSource source = compareSource(*view_, wanted(), shown_, pending_);
+        // Numbers that are not there yet come back to where they were.
+        if ((late || view_->coarse) && mode_ == source.mode) source.lines = lines_;
         ComparePage parts = comparePage(source, page, workspace()->style());
         mode_ = source.mode;
         lines_ = parts.layout.lines;
@@ -70,7 +113,7 @@ QRectF ComparePictures::onScreen(const Box& points) const {
     return {b.x0, b.y0, b.width(), b.height()};
 }
 
-std::optional<std::size_t> ComparePictures::methodAt(QPointF widget) const {
+std::optional<std::size_t> ComparePictures::pictureAt(QPointF widget) const {
     for (std::size_t n = 0; n < layout_.clips.size(); ++n) {
         if (!layout_.clips[n].empty() && onScreen(layout_.clips[n]).contains(widget)) return n;
     }
@@ -78,8 +121,8 @@ std::optional<std::size_t> ComparePictures::methodAt(QPointF widget) const {
 }
 
 QRectF ComparePictures::roomAt(QPointF widget) const {
-    const auto method = methodAt(widget);
-    return method ? onScreen(layout_.rooms[*method]) : QRectF();
+    const auto number = pictureAt(widget);
+    return number ? onScreen(layout_.rooms[*number]) : QRectF();
 }
 
 std::optional<QPointF> ComparePictures::pixelIn(std::size_t method, relief::PixelChoice pixel) const {
@@ -116,8 +159,8 @@ void ComparePictures::paintEvent(QPaintEvent*) {
                          QString::fromStdString(text));
     } else {
         const Box page{0, 0, double(width()), double(height())};
-        paintCompare(painter, *view_, how(), {layout_, legend_, room_}, page, style, workspace()->scenario().pixel,
-                     [this](const QRectF& room) { return pictureIn(room); });
+        paintCompare(painter, *view_, wanted().comparison, {layout_, legend_, room_}, page, style,
+                     workspace()->scenario().pixel, [this](const QRectF& room) { return pictureIn(room); });
     }
     if (!hasFocus()) return;
     painter.setPen(palette().color(QPalette::Highlight));
@@ -196,22 +239,24 @@ bool ComparePictures::moveDivider(QKeyEvent* event) {
     return true;
 }
 
-// A letter shows that method alone where one is shown at a time.
+// A letter shows that picture alone where one is shown at a time.
 void ComparePictures::keyPressEvent(QKeyEvent* event) {
     if (moveDivider(event)) return;
     const int number = event->key() - Qt::Key_A;
     const bool letter = event->modifiers() == Qt::NoModifier && number >= 0 && view_ &&
-                        number < static_cast<int>(view_->methods.size());
-    if (!letter || how().mode != relief::CompareMode::Flicker) return PictureView::keyPressEvent(event);
+                        number < static_cast<int>(view_->pictures.size());
+    if (!letter || wanted().comparison.mode != relief::CompareMode::Flicker) return PictureView::keyPressEvent(event);
     Q_EMIT flickerStopped();
     setShown(static_cast<std::size_t>(number));
 }
 
 QStringList ComparePictures::readouts(relief::PixelChoice pixel) const {
-    const auto snapshot = workspace()->snapshot();
-    if (!view_ || !snapshot) return {};
+    if (!view_) return {};
     QStringList lines{tr("pixel (%1, %2)").arg(pixel.x).arg(pixel.y)};
-    for (std::size_t n = 0; n < view_->methods.size(); ++n) lines << compareReadout(*view_, *snapshot, n, pixel);
+    for (std::size_t n = 0; n < view_->pictures.size(); ++n) {
+        lines << compareReadout(*view_, workspace()->scenario(), n, pixel);
+    }
+    lines.removeAll({});
     return lines;
 }
 

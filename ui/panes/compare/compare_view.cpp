@@ -1,13 +1,11 @@
 #include "panes/compare/compare_view.h"
 
 #include <algorithm>
-#include <array>
 
 #include <QComboBox>
 #include <QMenu>
 #include <QToolButton>
 
-#include "measuring/bench/pareto.h"
 #include "panes/compare/compare_figure.h"
 #include "workspace/discard.h"
 #include "workspace/pause_log.h"
@@ -16,8 +14,9 @@ namespace reliefui {
 
 namespace {
 
-// Set beside the first one, one after the other, where they are not there yet.
-constexpr std::array<const char*, 4> kSuggested{"layers", "exact", "offset", "max-pyramid"};
+QString textOf(relief::CompareSubject subject, const relief::MethodChoice& choice) {
+    return QString::fromStdString(relief::variationText(subject, choice));
+}
 
 }  // namespace
 
@@ -34,8 +33,9 @@ void CompareView::showSnapshot() {
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
     showControls();
     const bool ready = snapshot && snapshot->request && snapshot->frame;
-    if (!ready || snapshot->scenario.comparison.others.empty()) {
+    if (!ready || relief::othersOf(snapshot->scenario.comparison).empty()) {
         job_->drop();
+        ++run_;
         coarseRunning_ = false;
         view_.reset();
         snapshot_ = snapshot;
@@ -45,8 +45,14 @@ void CompareView::showSnapshot() {
     if (view_ && view_->of(*snapshot)) {
         snapshot_ = snapshot;  // another pixel, perhaps
         pictures_->relayout();
-        if (!view_->coarse && view_->rays == 0 && !job_->busy()) startRates();
+        if (!view_->coarse && !view_->rated && !job_->busy()) startRates();
         return;
+    }
+    // A coarse picture has another filter: it says nothing of the filters.
+    if (snapshot->coarse && snapshot->scenario.comparison.subject == relief::CompareSubject::Filters) {
+        job_->drop();
+        ++run_;
+        return pictures_->setProgress(0);
     }
     // A coarse picture in the making is finished first: a drag is to be seen while it goes on.
     if (coarseRunning_ && snapshot->coarse) return;
@@ -56,6 +62,7 @@ void CompareView::showSnapshot() {
 // The frames of all methods, and the buffers they are made with.
 void CompareView::letGo() {
     job_->drop();
+    ++run_;
     flicker_.stop();
     coarseRunning_ = false;
     pictures_->show(nullptr, relief::MessageId::DrawCompareDrawing);
@@ -67,22 +74,34 @@ void CompareView::letGo() {
 void CompareView::startView() {
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
     auto made = std::make_shared<std::shared_ptr<const ComparedView>>();
-    const auto work = [made, snapshot, comparer = comparer_](relief::Work& w) { *made = comparer->view(*snapshot, w); };
-    const auto done = [this, made, snapshot] {
-        coarseRunning_ = false;
-        view_ = *made;
+    const auto show = [this, snapshot](std::shared_ptr<const ComparedView> view) {
+        view_ = std::move(view);
         snapshot_ = snapshot;
         pictures_->show(view_, {});
+    };
+    // While it is being made: one picture after the other.
+    const auto part = [this, show, run = ++run_, parts = parts_.address()](std::shared_ptr<const ComparedView> view) {
+        parts.post([this, show, run, view = std::move(view)] {
+            if (run == run_ && inSight()) show(view);
+        });
+    };
+    const auto work = [=, comparer = comparer_, before = view_](relief::Work& w) {
+        *made = comparer->view(*snapshot, before.get(), part, w);
+    };
+    const auto done = [=, this] {
+        ++run_;  // no part comes after the whole
+        coarseRunning_ = false;
+        show(*made);
         if (workspace_->snapshot() != snapshot) return refresh();
         if (!view_->coarse) startRates();
     };
     coarseRunning_ = snapshot->coarse;
-    if (!view_) pictures_->show(nullptr, relief::MessageId::DrawCompareDrawing);
+    view_ ? pictures_->setProgress(0) : pictures_->show(nullptr, relief::MessageId::DrawCompareDrawing);
     job_->start({work, done});
 }
 
 void CompareView::startRates() {
-    if (!view_ || view_->coarse || view_->rays > 0) return;
+    if (!view_ || !view_->complete || view_->coarse || view_->rated) return;
     auto made = std::make_shared<std::shared_ptr<const ComparedView>>();
     const auto work = [made, view = view_, snapshot = snapshot_](relief::Work& w) {
         *made = withRates(*view, *snapshot, w);
@@ -105,46 +124,72 @@ void CompareView::change(const relief::Comparison& comparison, const QString& wh
     workspace_->change(scenario, what);
 }
 
-void CompareView::addMethod() {
+// What has nothing to be compared with yet gets what is compared most.
+void CompareView::setSubject(relief::CompareSubject subject) {
     relief::Scenario scenario = workspace_->scenario();
-    if (scenario.comparison.others.size() + 1 >= relief::kMostCompared) return;
-    const std::vector<relief::MethodChoice> there = comparedMethods(scenario);
-    relief::MethodChoice next;
-    for (const char* const name : kSuggested) {
-        const bool known = std::any_of(there.begin(), there.end(), [&](const auto& m) { return m.name == name; });
-        if (known) continue;
-        next.name = name;
-        break;
-    }
-    scenario.comparison.others.push_back(next);
+    scenario.comparison.subject = subject;
     scenario.comparison.dividers.clear();
-    change(scenario.comparison, tr("Compare with another method"));
+    if (const auto next = relief::nextVariation(scenario); next && relief::othersOf(scenario.comparison).empty()) {
+        relief::othersOf(scenario.comparison).push_back(*next);
+    }
+    change(scenario.comparison, tr("What is compared"));
 }
 
-void CompareView::removeMethod() {
-    relief::Comparison comparison = workspace_->scenario().comparison;
-    if (comparison.others.empty()) return;
-    comparison.others.pop_back();
-    comparison.dividers.clear();
-    change(comparison, tr("Compare with one method less"));
-}
-
-void CompareView::setMethod(std::size_t number, const QString& name) {
+void CompareView::addOther() {
     relief::Scenario scenario = workspace_->scenario();
-    if (number > scenario.comparison.others.size()) return;
-    relief::MethodChoice& method = number == 0 ? scenario.method : scenario.comparison.others[number - 1];
-    // Options belong to their method: another method does not inherit them.
-    if (method.name != name.toStdString()) method = {name.toStdString(), {}};
+    std::vector<relief::MethodChoice>& others = relief::othersOf(scenario.comparison);
+    const auto next = relief::nextVariation(scenario);
+    if (!next || others.size() + 1 >= relief::kMostCompared) return;
+    others.push_back(*next);
+    scenario.comparison.dividers.clear();
+    change(scenario.comparison, tr("Compare with another one"));
+}
+
+void CompareView::removeOther() {
+    relief::Comparison comparison = workspace_->scenario().comparison;
+    std::vector<relief::MethodChoice>& others = relief::othersOf(comparison);
+    if (others.empty()) return;
+    others.pop_back();
+    comparison.dividers.clear();
+    change(comparison, tr("Compare with one less"));
+}
+
+void CompareView::setChoice(std::size_t number, const QString& name) {
+    relief::Scenario scenario = workspace_->scenario();
+    const relief::CompareSubject subject = scenario.comparison.subject;
+    std::vector<relief::MethodChoice>& others = relief::othersOf(scenario.comparison);
+    const std::vector<relief::MethodChoice> all = relief::comparedOf(scenario);
+    if (number >= all.size() || all[number].name == name.toStdString()) return;
+    // Options belong to their method or filter: another one does not inherit them.
+    relief::MethodChoice choice{name.toStdString(), {}};
+    const auto there = std::find_if(others.begin(), others.end(),
+                                    [&](const auto& one) { return relief::sameVariation(subject, one, choice); });
+    if (number == 0) {
+        scenario = relief::varied(scenario, subject, choice);
+    } else if (there != others.end()) {
+        std::swap(*there, others[number - 1]);
+    } else if (const auto varied = relief::variedOption(scenario, choice.name)) {
+        if (varied->options != choice.options) {
+            Q_EMIT workspace_->notice(
+                tr("%1 is A already: %2 is set beside it.").arg(textOf(subject, all[0]), textOf(subject, *varied)));
+        }
+        others[number - 1] = *varied;
+    } else {
+        Q_EMIT workspace_->notice(tr("%1 is A already, and has no option to set it against itself.").arg(name));
+        return showControls();
+    }
     workspace_->settle();
-    workspace_->change(scenario, tr("Method %1").arg(QChar(static_cast<char>('A' + number))));
+    workspace_->change(scenario, tr("Compare: %1").arg(QChar(static_cast<char>('A' + number))));
 }
 
 void CompareView::swapWithA(std::size_t number) {
     relief::Scenario scenario = workspace_->scenario();
-    if (number == 0 || number > scenario.comparison.others.size()) return;
-    std::swap(scenario.method, scenario.comparison.others[number - 1]);
+    const relief::CompareSubject subject = scenario.comparison.subject;
+    std::vector<relief::MethodChoice>& others = relief::othersOf(scenario.comparison);
+    if (number == 0 || number > others.size() || subject == relief::CompareSubject::Heights) return;
+    const relief::MethodChoice own = std::exchange(others[number - 1], relief::ownVariation(scenario, subject));
     workspace_->settle();
-    workspace_->change(scenario, tr("Swap methods"));
+    workspace_->change(relief::varied(scenario, subject, own), tr("Swap with A"));
 }
 
 void CompareView::setMode(relief::CompareMode mode) {
@@ -175,10 +220,13 @@ void CompareView::tell(const QPointF& widget) {
 }
 
 void CompareView::addToMenu(QMenu& menu) {
-    const auto method = pictures_->methodAt(menuAt_);
-    if (!method || *method == 0 || !view_ || *method >= view_->methods.size()) return;
-    const QString name = QString::fromStdString(view_->methods[*method].name);
-    menu.addAction(tr("Make %1 the method A").arg(name), this, [this, n = *method] { swapWithA(n); });
+    const auto number = pictures_->pictureAt(menuAt_);
+    const relief::Scenario& scenario = workspace_->scenario();
+    const std::vector<relief::MethodChoice> all = relief::comparedOf(scenario);
+    const relief::CompareSubject subject = scenario.comparison.subject;
+    if (!number || *number == 0 || *number >= all.size() || subject == relief::CompareSubject::Heights) return;
+    menu.addAction(tr("Make %1 the one that all panes show (A)").arg(textOf(subject, all[*number])), this,
+                   [this, n = *number] { swapWithA(n); });
 }
 
 std::shared_ptr<const Figure> CompareView::figure() const {

@@ -1,8 +1,10 @@
-// Two to four methods on one camera: side by side, divided, one after the other, or only how they differ; below each
-// how far it is from a reference and how fast. Everything is rendered and measured on a thread of the pane's own.
+// Two to four methods, filters, mappings or maps of heights on one camera: side by side, divided, one after the other,
+// or only how they differ; below each how far it is from a reference and how fast. Everything is rendered and measured
+// on a thread of the pane's own.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "panes/compare/compare_data.h"
@@ -32,11 +34,17 @@ class ComparePictures : public PictureView {
     const CompareLayout& layoutNow() const { return layout_; }
     // Of flicker.
     std::size_t shown() const { return shown_; }
-    void setShown(std::size_t method);
-    // The middle of a pixel in the picture of a method, if it is seen there.
-    std::optional<QPointF> pixelIn(std::size_t method, relief::PixelChoice pixel) const;
-    // Whose picture is under the point.
-    std::optional<std::size_t> methodAt(QPointF widget) const;
+    void setShown(std::size_t number);
+    // Of the job that makes what is pending; 0: it has just begun.
+    void setProgress(double fraction);
+    void setStopped();
+    // Whether a picture is seen that is not what the scenario wants in its place.
+    bool outdated() const;
+    bool veiled() const { return pending_.veil; }
+    // The middle of a pixel in one of the pictures, if it is seen there.
+    std::optional<QPointF> pixelIn(std::size_t number, relief::PixelChoice pixel) const;
+    // Which picture is under the point.
+    std::optional<std::size_t> pictureAt(QPointF widget) const;
     void relayout();
 
   signals:
@@ -56,7 +64,9 @@ class ComparePictures : public PictureView {
     void tellHover(QPointF at) override;
 
   private:
-    relief::Comparison how() const;
+    // The scenario, with a divider where it is dragged to.
+    relief::Scenario wanted() const;
+    void sayPending(relief::Message text);
     double unit() const { return workspace()->style().pixelsPerPoint(); }
     QRectF onScreen(const Box& points) const;
     std::optional<std::size_t> dividerAt(QPointF widget) const;
@@ -75,6 +85,8 @@ class ComparePictures : public PictureView {
     std::optional<std::size_t> dragged_;  // divider
     std::size_t held_ = 0;                // by the keyboard
     std::vector<double> dividers_;        // while one is dragged
+    ComparePending pending_;
+    QTimer veil_;
 };
 
 class CompareView : public FigureView {
@@ -89,15 +101,18 @@ class CompareView : public FigureView {
     bool settled() const;
 
   public slots:
-    void addMethod();
-    void removeMethod();
-    // Puts another method at this place, 0 being A.
-    void setMethod(std::size_t number, const QString& name);
-    // An option of its method, as its description names it ("inner.layers").
+    void setSubject(relief::CompareSubject subject);
+    // The next one that is not there yet.
+    void addOther();
+    void removeOther();
+    // Puts this one at the place, 0 being A. What stands at another place already changes places with it; what A is
+    // gets an option of its own, or is refused with a word.
+    void setChoice(std::size_t number, const QString& name);
+    // An option of it, as its description names it ("inner.layers").
     void setOption(std::size_t number, const QString& name, const QString& text, bool live = false);
-    // The options of all methods, to be turned.
+    // The options of all of them, to be turned.
     void showOptions(bool on);
-    // The method becomes A, so that all panes answer for it; A takes its place.
+    // It becomes A, so that all panes answer for it; A takes its place.
     void swapWithA(std::size_t number);
     void setMode(relief::CompareMode mode);
     void setMeasure(relief::CompareMeasure measure);
@@ -121,12 +136,14 @@ class CompareView : public FigureView {
     void change(const relief::Comparison& comparison, const QString& what);
     void startView();
     void startRates();
+    void fillChoosers();
     void tick();
 
     QHBoxLayout* bar_ = nullptr;  // the row that is being filled
     ComparePictures* pictures_;
-    std::vector<QComboBox*> methods_;
-    // Of a method: its name over its options.
+    std::vector<QComboBox*> choosers_;
+    std::optional<relief::CompareSubject> offered_;  // by the choosers
+    // Its name over its options.
     struct OptionsOf {
         QWidget* whole = nullptr;
         QLabel* title = nullptr;
@@ -137,6 +154,7 @@ class CompareView : public FigureView {
     QToolButton* showOptions_ = nullptr;
     QToolButton* add_ = nullptr;
     QToolButton* remove_ = nullptr;
+    QComboBox* subject_ = nullptr;
     QComboBox* mode_ = nullptr;
     QComboBox* measure_ = nullptr;
     QComboBox* reference_ = nullptr;
@@ -149,6 +167,8 @@ class CompareView : public FigureView {
     std::shared_ptr<Comparer> comparer_ = std::make_shared<Comparer>();  // the job's
     bool coarseRunning_ = false;
     QTimer flicker_;
+    std::uint64_t run_ = 0;  // of the job that makes pictures, which are shown one by one
+    Mailbox parts_{this};
     std::unique_ptr<LatestJob> job_;  // last: ends before the rest
 };
 

@@ -15,6 +15,7 @@
 #include "panes/duel/duel_view.h"
 #include "panes/name_box.h"
 #include "panes/pane_controls.h"
+#include "scenario/variation.h"
 
 namespace reliefui {
 
@@ -73,7 +74,7 @@ void DuelView::makeButtons(QHBoxLayout* bar) {
 void DuelView::showChoosers() {
     const relief::Scenario& scenario = workspace_->scenario();
     own_->setText(tr("%1  against").arg(QString::fromStdString(scenario.method.name)));
-    const std::vector<relief::MethodChoice> rivals = scenario.comparison.others;
+    const std::vector<relief::MethodChoice> rivals = duelRivals(scenario);
     for (std::size_t place = 0; place < choosers_.size(); ++place) {
         const std::string name = place < rivals.size() ? rivals[place].name : std::string();
         choosers_[place]->setCurrentIndex(std::max(0, choosers_[place]->findData(QString::fromStdString(name))));
@@ -84,15 +85,25 @@ void DuelView::showChoosers() {
 
 void DuelView::setRival(int place, const QString& method) {
     relief::Scenario wanted = workspace_->scenario();
-    std::vector<relief::MethodChoice>& rivals = wanted.comparison.others;
-    const auto at = std::min(static_cast<std::size_t>(place), rivals.size());
-    const bool there = at < rivals.size();
+    const std::vector<relief::MethodChoice> shown = duelRivals(wanted);
+    std::vector<relief::MethodChoice>& others = wanted.comparison.others;
+    const auto at = static_cast<std::size_t>(place);
+    // What is compared and no rival (it finds no hits) stays as it is.
+    const auto there = at < shown.size() ? std::find(others.begin(), others.end(), shown[at]) : others.end();
+    if (there != others.end() && there->name == method.toStdString()) return;
     if (method.isEmpty()) {
-        if (there) rivals.erase(rivals.begin() + static_cast<std::ptrdiff_t>(at));
-    } else if (!there) {
-        rivals.push_back({method.toStdString(), {}});
-    } else if (rivals[at].name != method.toStdString()) {
-        rivals[at] = {method.toStdString(), {}};
+        if (there != others.end()) others.erase(there);
+        workspace_->change(wanted, tr("Methods of the duel"));
+        return showChoosers();
+    }
+    relief::Scenario methods = wanted;
+    methods.comparison.subject = relief::CompareSubject::Methods;
+    const auto choice = relief::variedOption(methods, method.toStdString());
+    if (!choice || (there == others.end() && others.size() + 1 >= relief::kMostCompared)) return showChoosers();
+    if (there != others.end()) {
+        *there = *choice;
+    } else {
+        others.push_back(*choice);
     }
     workspace_->change(wanted, tr("Methods of the duel"));
 }

@@ -7,6 +7,7 @@
 #include "measuring/bench/pareto.h"
 #include "panes/profile/profile_figure.h"
 #include "rendering/base_level.h"
+#include "scenario/variation.h"
 
 namespace reliefui {
 
@@ -53,6 +54,11 @@ bool Duel::within(double lambda, std::size_t moment) const {
         if (step < runs[r].steps.size() && duelPlace(runs[r].steps[step]) > lambda) return false;
     }
     return true;
+}
+
+std::vector<relief::MethodChoice> duelRivals(const relief::Scenario& scenario) {
+    if (scenario.other && scenario.comparison.others.empty()) return {};
+    return relief::rivalsOf(scenario);
 }
 
 std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,

@@ -27,6 +27,10 @@ struct Duel {
     bool within(double lambda, std::size_t moment) const;
 };
 
+// The methods that are set against the scenario's own: those compared; where there are none, and no other tracer
+// either, one that is worth it.
+std::vector<relief::MethodChoice> duelRivals(const relief::Scenario& scenario);
+
 // Builds the maps that the methods need: may take seconds. Throws Cancelled, InputError.
 std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,
                                      const std::vector<relief::MethodChoice>& rivals, relief::Work& work);

@@ -37,7 +37,7 @@ std::shared_ptr<const Figure> computedDuel(std::shared_ptr<const Snapshot> snaps
     options.nearRay = true;
     requireRay("duel", *snapshot);
     relief::Work work;
-    const auto duel = makeDuel(snapshot, snapshot->scenario.comparison.others, work);
+    const auto duel = makeDuel(snapshot, duelRivals(snapshot->scenario), work);
     const std::size_t own = snapshot->trace.fromFile ? duel->runs.size() - 1 : 0;
     const std::size_t moment =
         duel->steps.momentOf(own, static_cast<std::size_t>(std::max(snapshot->scenario.step, 0)));

@@ -135,7 +135,7 @@ void DuelView::showSnapshot() {
     canvas_->setStyle(workspace_->style());
     applyFont();
     const auto snapshot = workspace_->snapshot();
-    rivals_ = workspace_->scenario().comparison.others;
+    rivals_ = duelRivals(workspace_->scenario());
     if (!snapshot || !snapshot->request || !snapshot->trace.onRelief || snapshot->trace.hidden) {
         job_->drop();
         duel_.reset();
@@ -218,6 +218,11 @@ void DuelView::showVerdict() {
         others << (judgement.kind == relief::Departure::None
                        ? QStringLiteral("%1: %2").arg(name, kind)
                        : tr("%1: %2, step %3").arg(name, kind).arg(judgement.step + 1));
+    }
+    const auto& compared = duel_->snapshot->scenario.comparison.others;
+    for (const relief::MethodChoice& rival : rivals_) {
+        if (std::find(compared.begin(), compared.end(), rival) != compared.end()) continue;
+        others << tr("against %1, as no other method is compared").arg(QString::fromStdString(rival.name));
     }
     const QString first =
         duel_->first ? QStringLiteral("<b>%1</b><br>").arg(sentences[static_cast<int>(*duel_->first)]) : QString();

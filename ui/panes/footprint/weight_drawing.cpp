@@ -130,7 +130,7 @@ class WeightPictures {
         cells.cellWidth = cells.cellHeight = side / n;
         cells.clip = box;
         cells.map = colored(settings) ? ColorMap::Picture : ColorMap::Count;
-        cells.high = highest(weights);
+        cells.scale.high = highest(weights);
         drawing.add({}, Role::HeightFill, std::move(cells));
         mapAxes(drawing, plot);
         const Point a = plot.at(-0.5, -0.5), b = plot.at(0.5, 0.5);
