@@ -813,5 +813,25 @@
         <source>hybrid</source>
         <translation>гібрид</translation>
     </message>
+    <message>
+        <source>the heights as they were read</source>
+        <translation>висоти, як їх прочитано</translation>
+    </message>
+    <message>
+        <source>heights rounded to so many bits, as files of whole numbers have them</source>
+        <translation>висоти, округлені до стількох бітів, як у файлах цілих чисел</translation>
+    </message>
+    <message>
+        <source>of a height: 2^bits values from the lowest to the highest</source>
+        <translation>на висоту: 2^bits значень від найнижчого до найвищого</translation>
+    </message>
+    <message>
+        <source>Bits</source>
+        <translation>Біти</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>висоти</translation>
+    </message>
 </context>
 </TS>

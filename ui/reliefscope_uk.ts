@@ -291,10 +291,6 @@
 <context>
     <name>reliefui::ComparePictures</name>
     <message>
-        <source>Compare: pictures of the methods</source>
-        <translation>Порівняння: зображення методів</translation>
-    </message>
-    <message>
         <source>Move the divider</source>
         <translation>Пересунути роздільник</translation>
     </message>
@@ -305,6 +301,10 @@
     <message>
         <source>divider %1 of %2</source>
         <translation>роздільник %1 з %2</translation>
+    </message>
+    <message>
+        <source>Compare: the pictures beside each other</source>
+        <translation>Порівняння: зображення поруч</translation>
     </message>
 </context>
 <context>
@@ -329,10 +329,6 @@
         <translation>параметри</translation>
     </message>
     <message>
-        <source>The options of these methods</source>
-        <translation>Параметри цих методів</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -343,22 +339,6 @@
     <message>
         <source>Export the comparison</source>
         <translation>Експортувати порівняння</translation>
-    </message>
-    <message>
-        <source>Method %1</source>
-        <translation>Метод %1</translation>
-    </message>
-    <message>
-        <source>Set another method beside these</source>
-        <translation>Поставити поруч ще один метод</translation>
-    </message>
-    <message>
-        <source>Leave out the last method</source>
-        <translation>Прибрати останній метод</translation>
-    </message>
-    <message>
-        <source>How the methods are set against each other</source>
-        <translation>Як методи порівнюються між собою</translation>
     </message>
     <message>
         <source>side by side</source>
@@ -397,18 +377,6 @@
         <translation>відносно</translation>
     </message>
     <message>
-        <source>What the methods are measured against</source>
-        <translation>З чим порівнюються методи</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>точного методу</translation>
-    </message>
-    <message>
-        <source>method A</source>
-        <translation>методу A</translation>
-    </message>
-    <message>
         <source>fit</source>
         <translation>усе</translation>
     </message>
@@ -419,18 +387,6 @@
     <message>
         <source>Speed of flicker</source>
         <translation>Швидкість мерехтіння</translation>
-    </message>
-    <message>
-        <source>Compare with another method</source>
-        <translation>Порівняти ще з одним методом</translation>
-    </message>
-    <message>
-        <source>Compare with one method less</source>
-        <translation>Порівнювати на один метод менше</translation>
-    </message>
-    <message>
-        <source>Swap methods</source>
-        <translation>Поміняти методи місцями</translation>
     </message>
     <message>
         <source>Way of comparing</source>
@@ -445,17 +401,89 @@
         <translation>Еталон</translation>
     </message>
     <message>
-        <source>Make %1 the method A</source>
-        <translation>Зробити %1 методом A</translation>
-    </message>
-    <message>
-        <source>Pictures of several methods beside each other</source>
-        <translation>Зображення кількох методів поруч</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <comment>tab</comment>
-        <translation type="unfinished">Порівняння</translation>
+        <translation>Поруч</translation>
+    </message>
+    <message>
+        <source>Compared: %1</source>
+        <translation>Порівнюється: %1</translation>
+    </message>
+    <message>
+        <source>Set another one beside these</source>
+        <translation>Поставити поруч ще одне</translation>
+    </message>
+    <message>
+        <source>Leave out the last one</source>
+        <translation>Прибрати останнє</translation>
+    </message>
+    <message>
+        <source>The options of each</source>
+        <translation>Параметри кожного</translation>
+    </message>
+    <message>
+        <source>What the pictures differ in</source>
+        <translation>Чим відрізняються зображення</translation>
+    </message>
+    <message>
+        <source>methods</source>
+        <translation>методи</translation>
+    </message>
+    <message>
+        <source>filters</source>
+        <translation>фільтри</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation>координати</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>висоти</translation>
+    </message>
+    <message>
+        <source>How the pictures are set against each other</source>
+        <translation>Спосіб порівняння зображень</translation>
+    </message>
+    <message>
+        <source>What the pictures are measured against</source>
+        <translation>Відносно чого вимірюються зображення</translation>
+    </message>
+    <message>
+        <source>Methods, filters, coordinates or heights beside each other</source>
+        <translation>Методи, фільтри, координати чи висоти поруч</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>Що порівнюється</translation>
+    </message>
+    <message>
+        <source>Compare with another one</source>
+        <translation>Порівняти ще з одним</translation>
+    </message>
+    <message>
+        <source>Compare with one less</source>
+        <translation>Порівняти з одним менше</translation>
+    </message>
+    <message>
+        <source>%1 is A already: %2 is set beside it.</source>
+        <translation>%1 — це вже A: поруч поставлено %2.</translation>
+    </message>
+    <message>
+        <source>%1 is A already, and has no option to set it against itself.</source>
+        <translation>%1 — це вже A, і в нього немає параметра, щоб порівняти його з самим собою.</translation>
+    </message>
+    <message>
+        <source>Compare: %1</source>
+        <translation>Порівняння: %1</translation>
+    </message>
+    <message>
+        <source>Swap with A</source>
+        <translation>Поміняти місцями з A</translation>
+    </message>
+    <message>
+        <source>Make %1 the one that all panes show (A)</source>
+        <translation>Зробити %1 тим, що показують усі панелі (A)</translation>
     </message>
 </context>
 <context>
@@ -839,6 +867,10 @@
     <message>
         <source>Several methods on one ray, step by step</source>
         <translation>Кілька методів на одному промені, крок за кроком</translation>
+    </message>
+    <message>
+        <source>against %1, as no other method is compared</source>
+        <translation>відносно %1, бо іншого методу для порівняння немає</translation>
     </message>
 </context>
 <context>
@@ -2171,10 +2203,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Жоден промінь не заходить за поверхню</translation>
     </message>
     <message>
-        <source>The two methods agree everywhere</source>
-        <translation>Обидва методи всюди дають те саме</translation>
-    </message>
-    <message>
         <source>%1 of %2: pixel (%3, %4), %5</source>
         <translation>%1 із %2: піксель (%3, %4), %5</translation>
     </message>
@@ -2197,6 +2225,14 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>%1 texels from the exact hit</source>
         <translation>на %1 текселя від точного перетину</translation>
+    </message>
+    <message>
+        <source>%1 and %2 agree everywhere</source>
+        <translation>%1 і %2 всюди дають те саме</translation>
+    </message>
+    <message>
+        <source>another outcome than %1</source>
+        <translation>інший результат пошуку, ніж у %1</translation>
     </message>
 </context>
 <context>
@@ -2322,7 +2358,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Pyramid</source>
         <comment>tab</comment>
-        <translation>Піраміда</translation>
+        <translation>MIP</translation>
     </message>
     <message>
         <source>max</source>

@@ -167,7 +167,7 @@ void takeCompared(Scenario& scenario, CompareSubject subject, const std::string&
     }
     if (choices.size() > kMostCompared) {
         throw InputError(option, Message(MessageId::NumberOutOfRange, {{"value", static_cast<int>(choices.size())},
-                                                                       {"range", rangeOf(1, kMostCompared)}}));
+                                                                       {"range", rangeOf(std::size_t{1}, kMostCompared)}}));
     }
     scenario = varied(scenario, subject, choices.front());
     scenario.comparison.subject = subject;
