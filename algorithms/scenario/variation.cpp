@@ -227,13 +227,13 @@ MethodDescription describedVariation(CompareSubject subject, const MethodChoice&
 }
 
 void checkVariation(CompareSubject subject, const MethodChoice& choice, const std::string& where) {
-    if (subject == CompareSubject::Methods) return checkMethod(choice, where);
     MethodDescription described;
     try {
         described = describedVariation(subject, choice);
     } catch (const InputError& error) {
         throw InputError(where, error.message());
     }
+    if (subject == CompareSubject::Methods) return checkMethod(choice, where);
     if (subject == CompareSubject::Mappings) {
         parseMapping(varied({}, subject, choice).mapping, where);
         return;

@@ -142,7 +142,9 @@ class Table {
     void below() {
         if (source_.below.empty()) return;
         y_ += 4;
-        for (const std::string& words : wrapped(source_.below, width_ - 2 * kPad, kBelowSize)) {
+        // Letters are whole pixels high: of a small table on a coarse page they are wider than they were measured.
+        constexpr double kRoom = 0.92;
+        for (const std::string& words : wrapped(source_.below, kRoom * (width_ - 2 * kPad), kBelowSize)) {
             text({kPad, y_ + kBelowLine / 2}, Anchor::Left, words, kBelowSize, Emphasis::Normal);
             y_ += kBelowLine;
         }

@@ -26,6 +26,7 @@ void takeProfile(ProfileOptions& options, const ProfilePane& pane) {
 
 std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                             const ProfileOptions& options, const std::optional<QueryPoint>& point) {
+    requireRay("profile", *snapshot);
     return paintedFigure(
         [snapshot, step, options, point](QPainter& painter, const Box& page, const Style& style) {
             ProfileSource source = profileSource(*snapshot);

@@ -163,9 +163,13 @@ Drawing rowsAxes(const RowsData& data, const RowsFrame& frame) {
     constexpr double kPixelsApart = 60;
     Drawing drawing;
     drawing.bounds = frame.whole;
-    addText(drawing, {frame.upper.x1, frame.upper.y0}, titleOf(data), Anchor::Right, {0, -11});
     addText(drawing, {frame.upper.x0, frame.upper.y0}, Message(MessageId::DrawRowTexels), Anchor::BottomLeft,
             {-36, -5});
+    // All of the title, or where it would run into these words its first part.
+    for (const int part : {-1, 0}) {
+        addText(drawing, {frame.upper.x1, frame.upper.y0}, titleOf(data), Anchor::Right, {0, -11}, true);
+        std::get<Label>(drawing.items.back().primitive).part = part;
+    }
     addText(drawing, {frame.lower.x0, frame.lower.y0}, Message(MessageId::DrawRowError), Anchor::BottomLeft, {-36, -7});
     addTexels(drawing, frame);
     addErrorSide(drawing, frame);
