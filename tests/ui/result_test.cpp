@@ -310,7 +310,7 @@ TEST_F(WindowTest, APictureTakesItsLegendAlongOnRequest) {
         waitForFull();
         const LayerPicture& layer = snapshot()->layer;
         const QImage whole = withLegend(layer.image, layer, workspace_->style());
-        const QSize legend = paintLegend(nullptr, layer, {}, workspace_->style());
+        const QSize legend = paintLegend(nullptr, layer, {}, workspace_->style(), layer.image.width());
         EXPECT_EQ(whole.height(), layer.image.height() + legend.height());
         EXPECT_GE(whole.width(), legend.width());
         EXPECT_EQ(whole.copy(layer.image.rect()), layer.image);
