@@ -97,7 +97,7 @@ CellText measuredText(const Cells& cells, double scale, const Style& style) {
 }  // namespace
 
 CellText cellText(const Cells& cells, const CellRange& range, double scale, const Style& style) {
-    if (!cells.print) return {};
+    if (!cells.print || cells.cellHeight * scale < cells.printFrom * style.pixelsPerPoint()) return {};
     if (cells.map == ColorMap::Distance || cells.map == ColorMap::Difference) return measuredText(cells, scale, style);
     const CellText text = cellText(cells.cellWidth * scale, cells.cellHeight * scale, style);
     // One decimal alone may be written smaller: fewer digits are easier to read, and figures in a column need it.

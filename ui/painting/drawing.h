@@ -149,6 +149,7 @@ struct Cells {
     ColorMap map = ColorMap::Height;
     ColorScale scale;
     bool print = false;
+    double printFrom = 0;     // points: the values of lower cells are not printed
     std::int64_t firstI = 0;  // names of the first column and row, for picking
     std::int64_t firstJ = 0;
 };

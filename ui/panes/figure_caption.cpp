@@ -31,14 +31,12 @@ FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optio
     return [snapshot = std::move(snapshot), step, methods, filters](relief::Language language) {
         const relief::Scenario& s = snapshot->scenario;
         const auto say = [&](const Message& message) { return relief::sentence(message, language); };
-        std::string text =
-            say(Message(MessageId::CaptionView, {{"heights", heightsOf(s.pictures)},
-                                                 {"depth", relief::numberText(s.reliefDepth, 3)},
-                                                 {"surface", std::string(relief::surfaceName(s.surface))},
-                                                 {"method", methods.empty() ? relief::methodText(s.method) : methods},
-                                                 {"filter", filters.empty() ? relief::filterText(s.filter) : filters},
-                                                 {"width", s.width},
-                                                 {"height", s.height}}));
+        std::string text = say(
+            Message(MessageId::CaptionView, {{"heights", heightsOf(s.pictures)},
+                                             {"depth", relief::numberText(s.reliefDepth, 3)},
+                                             {"surface", std::string(relief::surfaceName(s.surface))},
+                                             {"method", methods.empty() ? relief::methodText(s.method) : methods},
+                                             {"filter", filters.empty() ? relief::filterText(s.filter) : filters}}));
         if (s.camera.kind == relief::Camera::Kind::Orbit) {
             text += " · " + say(Message(MessageId::CaptionElevation,
                                         {{"elevation", relief::numberText(s.camera.elevation, 3)}}));
@@ -47,7 +45,9 @@ FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optio
         if (trace.fromFile) {
             text += " · " + say(Message(MessageId::CaptionOtherRay, {{"ray", s.other.ray + 1}}));
         } else if (s.pixel) {
-            text += " · " + say(Message(MessageId::CaptionPixel, {{"x", s.pixel->x}, {"y", s.pixel->y}}));
+            text +=
+                " · " + say(Message(MessageId::CaptionPixel,
+                                    {{"x", s.pixel->x}, {"y", s.pixel->y}, {"width", s.width}, {"height", s.height}}));
         }
         if (step && !trace.steps.empty() && !trace.hidden) {
             text += " · " + say(Message(MessageId::CaptionStep,

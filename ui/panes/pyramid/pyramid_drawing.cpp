@@ -260,6 +260,9 @@ void addCells(Drawing& drawing, const PyramidSource& source, const LevelBlock& b
             cells.cellHeight = std::ldexp(block.unitY(), block.level);
             cells.clip = block.toDrawing(part.cut(block.domain));
             cells.print = true;
+            // The ray's marks and the numbers of its steps stand in the texels, too.
+            constexpr double kForBoth = 28;
+            if (source.hasRay) cells.printFrom = kForBoth;
             if (source.overCells && block.level == 0) {
                 cells.firstI = grid.x.firstName;
                 cells.firstJ = grid.y.firstName;

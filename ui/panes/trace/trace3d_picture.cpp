@@ -296,12 +296,16 @@ void TracePicture::follow(int step) {
     camera.setFocus(scene_->onRay(std::min(steps[at].lambdaAfter, scene_->end)));
 }
 
-// Keeps the direction of the view, at the distance that shows the patch.
+// Keeps the direction of the view, at the distance that shows the ray and the patch around it: of what lies below the
+// hit as much as a third of what the ray has come down.
 void TracePicture::showAll(double room) {
     if (!scene_) return;
     const Box& p = scene_->patch;
+    double low = scene_->bottom;
+    const relief::Hit& hit = shown_->trace.hit;
+    if (hit.outcome == relief::Outcome::Hit) low = std::max(low, scene_->scale * (1 - hit.lambda * 4 / 3));
     std::vector<Place> places;
-    for (const double z : {scene_->bottom, scene_->scale}) {
+    for (const double z : {low, scene_->scale}) {
         for (const double s : {p.x0, p.x1}) {
             for (const double t : {p.y0, p.y1}) places.push_back({s, -t, z});
         }
