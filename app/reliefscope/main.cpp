@@ -166,8 +166,9 @@ void takeCompared(Scenario& scenario, CompareSubject subject, const std::string&
         checkVariation(subject, choices.back(), option);
     }
     if (choices.size() > kMostCompared) {
-        throw InputError(option, Message(MessageId::NumberOutOfRange, {{"value", static_cast<int>(choices.size())},
-                                                                       {"range", rangeOf(std::size_t{1}, kMostCompared)}}));
+        throw InputError(option,
+                         Message(MessageId::NumberOutOfRange, {{"value", static_cast<int>(choices.size())},
+                                                               {"range", rangeOf(std::size_t{1}, kMostCompared)}}));
     }
     scenario = varied(scenario, subject, choices.front());
     scenario.comparison.subject = subject;

@@ -166,7 +166,8 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused(compare + "\"methods\": [{\"name\": \"magic\"}]}}", "no tracer \"magic\"");
     expectRefused(compare + "\"dividers\": [0.5, 0.2]}}", "a divider is 0.2");
     expectRefused(compare + "\"rate\": 0}}", "rate is 0");
-    expectRefused(compare + "\"subject\": \"lights\"}}", "line 2: compare: there is no subject of comparison \"lights\"");
+    expectRefused(compare + "\"subject\": \"lights\"}}",
+                  "line 2: compare: there is no subject of comparison \"lights\"");
     expectRefused(compare + "\"filters\": [{\"name\": \"magic\"}]}}", "s.json: there is no filter \"magic\"");
     expectRefused(compare + "\"mappings\": [{\"name\": \"fill\"}]}}", "s.json: there is no mapping \"fill\"");
     const std::string bits = compare + "\"heights\": [{\"name\": \"quantised\", \"options\": {\"bits\": ";

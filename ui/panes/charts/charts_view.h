@@ -4,8 +4,8 @@
 #pragma once
 
 #include <memory>
-#include <type_traits>
 #include <optional>
+#include <type_traits>
 
 #include <QPointF>
 
