@@ -823,7 +823,7 @@
     </message>
     <message>
         <source>of a height: 2^bits values from the lowest to the highest</source>
-        <translation>на висоту: 2^bits значень від найнижчого до найвищого</translation>
+        <translation>на висоту: 2 у степені цього числа значень від найнижчого до найвищого</translation>
     </message>
     <message>
         <source>Bits</source>

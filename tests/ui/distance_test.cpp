@@ -204,15 +204,22 @@ TEST_F(DistanceTest, HoverReadsTheVoxel) {
     const relief::StoredMap stored = map("euclidean-conservative");
     const auto& distances = *std::get<std::shared_ptr<const relief::DistanceMap>>(stored);
     const DistanceFrame& frame = view()->shown()->frame;
-    const Point at = frame.uvAt({frame.plot.x1 - 30, frame.plot.y0 + 3});
+    const auto wrapped = [](double x) { return static_cast<int>(std::floor(x - 0.5) + 640) % 64; };
+    // From the right, the first voxel of the uppermost layer that is not within the relief.
+    Point at;
+    Place3 place{};
+    int layer = 0;
+    float value = -1;
+    for (double x = frame.plot.x1 - 4; !(value > 0) && x > frame.plot.x0; x -= 4) {
+        at = frame.uvAt({x, frame.plot.y0 + 3});
+        place = fromSlice(frame.axis, frame.slab, frame.plane, at);
+        layer = static_cast<int>(std::ceil(place[2] / frame.slab * 8)) - 1;
+        value = distances.at(wrapped(place[0]), wrapped(place[1]), layer, 0);
+    }
+    ASSERT_GT(value, 0);
     QTest::mouseMove(canvas(), canvas()->toWidget(frame.at(at)).toPoint());
     QTest::qWait(50);
     const QString text = view()->readout();
-    const Place3 place = fromSlice(frame.axis, frame.slab, frame.plane, at);
-    const auto wrapped = [](double x) { return static_cast<int>(std::floor(x - 0.5) + 640) % 64; };
-    const int layer = static_cast<int>(std::ceil(place[2] / frame.slab * 8)) - 1;
-    const float value = distances.at(wrapped(place[0]), wrapped(place[1]), layer, 0);
-    ASSERT_GT(value, 0);
     EXPECT_TRUE(text.contains(QStringLiteral("(%1, %2, %3)").arg(wrapped(place[0])).arg(wrapped(place[1])).arg(layer)))
         << text.toStdString();
     EXPECT_TRUE(text.contains(QString::number(static_cast<double>(value), 'f', 2))) << text.toStdString();

@@ -150,7 +150,7 @@ TEST(Ukrainian, ATermHasOneTranslation) {
                                   {"relief slab", "товщ|рельєф"},
                                   {"conservative", "консервативн"},
                                   {"overshoot", "проскок"},
-                                  {"voxel", "воксел"},
+                                  {"voxel", "вокс"},
                                   {"breakpoint", "точ.?к"},
                                   {"bookmark", "заклад"},
                                   {"step limit", "меж"},
