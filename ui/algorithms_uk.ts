@@ -822,8 +822,8 @@
         <translation>висоти, округлені до стількох бітів, як у файлах цілих чисел</translation>
     </message>
     <message>
-        <source>of a height: 2^bits values from the lowest to the highest</source>
-        <translation>на висоту: 2 у степені цього числа значень від найнижчого до найвищого</translation>
+        <source>of a height: 2^bits values, uniform from 0 to 1</source>
+        <translation>на висоту: 2 у степені цього числа значень, рівномірно від 0 до 1</translation>
     </message>
     <message>
         <source>Bits</source>

@@ -916,8 +916,8 @@
         <translation>Ширина, мм:</translation>
     </message>
     <message>
-        <source>Say below what is shown of what</source>
-        <translation>Підпис унизу: що і звідки показано</translation>
+        <source>Caption below the figure</source>
+        <translation>Підпис під рисунком</translation>
     </message>
     <message>
         <source>Light on dark, as in the window</source>
@@ -2534,11 +2534,11 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>процентилі від %1 до %2</translation>
     </message>
     <message>
-        <source>up to the percentile %1</source>
+        <source>up to percentile %1</source>
         <translation>до процентиля %1</translation>
     </message>
     <message>
-        <source>up to the percentile %1 of the sizes</source>
+        <source>up to percentile %1 of absolute values</source>
         <translation>до процентиля %1 абсолютних значень</translation>
     </message>
     <message>

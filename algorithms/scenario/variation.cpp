@@ -105,7 +105,7 @@ MethodDescription describedHeights(const MethodChoice& choice) {
     bits.low = 1;
     bits.high = kMostBits;
     bits.step = 1;
-    bits.help = "of a height: 2^bits values from the lowest to the highest";
+    bits.help = "of a height: 2^bits values, uniform from 0 to 1";
     out.options = {bits};
     out.defaults = {{kBits, "8"}};
     return out;

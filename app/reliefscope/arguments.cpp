@@ -182,7 +182,7 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --error MEASURE       of pareto and charts: mean, p95, p9999 or max (mean)
   --width MM            of the figure (160)
   --dpi N               pixels an inch of a PNG, and of the pictures in an SVG or PDF, up to 16384 in all (300)
-  --no-caption          without the line that says what is shown of what
+  --no-caption          without the line that names height map, method, filter, pixel and step
   --dark                light on dark, as in the window
   --check-display       only say whether a window can be opened: exit status 0, or 2
   --log                 when the window is closed, say on stderr what held its thread longest

@@ -171,6 +171,7 @@ void takeCompared(Scenario& scenario, CompareSubject subject, const std::string&
                                                                {"range", rangeOf(std::size_t{1}, kMostCompared)}}));
     }
     scenario = varied(scenario, subject, choices.front());
+    if (choices.size() == 1) return;
     scenario.comparison.subject = subject;
     othersOf(scenario.comparison).assign(choices.begin() + 1, choices.end());
     scenario.comparison.dividers.clear();
@@ -232,8 +233,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     page.title = arguments.figure;
     page.widthMm = arguments.widthMm;
     page.dpi = arguments.dpi;
-    constexpr double kMmPerInch = 25.4;
-    if (arguments.pixelWidth > 0) page.dpi = arguments.pixelWidth / page.widthMm * kMmPerInch;
+    page.widthPixels = arguments.pixelWidth;
     page.caption = arguments.caption;
     page.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
     page.style.language = reliefui::uiLanguage();

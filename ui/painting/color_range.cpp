@@ -161,7 +161,10 @@ ColorScale colorScale(const ColorRange& range, const ValueSpread& spread, const 
         scale.low =
             ends.least > 0 ? ends.least : std::max(spread.leastPositive(), scale.high * std::pow(10, -kDecades));
     }
-    scale.high = std::max(scale.high, kOneDecade * scale.low);
+    // At least a decade, but where somebody has chosen the ends.
+    if (range.ends != RangeEnds::Own || !(scale.high > scale.low)) {
+        scale.high = std::max(scale.high, kOneDecade * scale.low);
+    }
     scale.logarithmic = true;
     return scale;
 }

@@ -66,9 +66,9 @@ QString rangeText(const RangedValues& values) {
     if (range.ends == RangeEnds::Percentile) {
         const bool low = range.low > 0 && !values.scale.twoSided;
         text = low ? RangeText::tr("percentiles %1 to %2").arg(number(range.low)).arg(range.high, 0, 'g', 5)
-                   : RangeText::tr("up to the percentile %1").arg(range.high, 0, 'g', 5);
+                   : RangeText::tr("up to percentile %1").arg(range.high, 0, 'g', 5);
         if (values.scale.twoSided)
-            text = RangeText::tr("up to the percentile %1 of the sizes").arg(range.high, 0, 'g', 5);
+            text = RangeText::tr("up to percentile %1 of absolute values").arg(range.high, 0, 'g', 5);
     }
     if (!values.scale.logarithmic) return text;
     return text.isEmpty() ? RangeText::tr("logarithmic") : text + RangeText::tr(", logarithmic");
@@ -103,7 +103,8 @@ QString thresholdText(const RangedValues& values) {
     const double from = *values.scale.threshold;
     std::int64_t count = values.spread->above(from);
     if (values.scale.twoSided) count += values.spread->between(-HUGE_VAL, -from);
-    const double share = 100.0 * static_cast<double>(count) / static_cast<double>(values.spread->count());
+    const double share = 100.0 * static_cast<double>(count) /
+                         static_cast<double>(values.whole > 0 ? values.whole : values.spread->count());
     return RangeText::tr("more than %1: %2% (%3)").arg(withUnit(values, from), number(share), counted(values, count));
 }
 

@@ -19,6 +19,7 @@ struct RangedValues {
     ColorRange range;
     ColorScale scale;
     std::shared_ptr<const ValueSpread> spread;
+    std::int64_t whole = 0;  // what shares are of; 0: the values
 };
 
 // In at most `width` points, from (0, 0) on. The bar has the id of ItemKind::ColorBar. brief: one row, without the

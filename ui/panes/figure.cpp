@@ -9,6 +9,7 @@
 
 #include "painting/painter.h"
 #include "relief/files.h"
+#include "relief/memory.h"
 
 namespace reliefui {
 
@@ -78,7 +79,7 @@ struct Caption {
 void paintPage(QPainter& painter, const Figure& figure, const FigurePage& page, const QSize& size,
                double unitsPerPoint) {
     painter.setRenderHint(QPainter::LosslessImageRendering);
-    const Style style = pageStyle(page, unitsPerPoint, page.dpi);
+    const Style style = pageStyle(page, unitsPerPoint, page.pixels() / page.widthMm * kMmPerInch);
     const Caption caption(figure, page, size.width(), unitsPerPoint);
     const double below = size.height() - caption.height;
     painter.save();
@@ -168,6 +169,11 @@ QImage Figure::image(const FigurePage& page, const QSize& size) const {
     return image;
 }
 
+int FigurePage::pixels() const {
+    if (widthPixels > 0) return widthPixels;
+    return std::max(1, static_cast<int>(std::lround(widthMm / kMmPerInch * dpi)));
+}
+
 void checkPage(const FigurePage& page, const std::string& path, bool vectors) {
     const std::string ending = endingOf(path);
     if (ending != ".png" && (!vectors || (ending != ".svg" && ending != ".pdf"))) {
@@ -175,14 +181,21 @@ void checkPage(const FigurePage& page, const std::string& path, bool vectors) {
         throw InputError(path, Message(MessageId::FormatUnknown, {{"extension", ending}, {"known", known}}));
     }
     requireRange("--width", page.widthMm, kLeastMm, kMostMm);
-    requireRange("--dpi", page.dpi, kLeastDpi, kMostDpi);
-    if (ending == ".png") {
+    if (page.widthPixels == 0) requireRange("--dpi", page.dpi, kLeastDpi, kMostDpi);
+    if (page.widthPixels == 0 && ending == ".png") {
         requireRange("--width", page.widthMm, kLeastMm, std::floor(kMostPixels / page.dpi * kMmPerInch));
     }
 }
 
-QImage figureImage(const Figure& figure, const FigurePage& page, int width) {
-    QImage body = figure.image(page, {width, std::max(1, static_cast<int>(std::lround(width * figure.aspect(page))))});
+QImage figureImage(const Figure& figure, const FigurePage& wanted, int width) {
+    FigurePage page = wanted;
+    page.widthPixels = width;
+    const int height = std::max(1, static_cast<int>(std::lround(width * figure.aspect(page))));
+    constexpr std::uint64_t kTwo = 8;  // bytes a pixel: the figure, and the page with its caption
+    relief::requireMemory(
+        relief::byteProduct({kTwo, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height)}),
+        std::to_string(width) + "x" + std::to_string(height), relief::MemoryHint::SmallerPicture);
+    QImage body = figure.image(page, {width, height});
     const double pixelsPerPoint = width / (page.widthMm / kMmPerPoint);
     const Caption caption(figure, page, width, pixelsPerPoint);
     if (caption.height <= 0) return body;
@@ -202,8 +215,7 @@ void writeFigure(const Figure& figure, const FigurePage& page, const std::string
     const std::string ending = endingOf(path);
     bool done = true;
     if (ending == ".png") {
-        const int width = std::max(1, static_cast<int>(std::lround(page.widthMm / kMmPerInch * page.dpi)));
-        done = figureImage(figure, page, width).save(QString::fromStdString(target), "PNG");
+        done = figureImage(figure, page, page.pixels()).save(QString::fromStdString(target), "PNG");
     } else {
         const QSizeF mm = pageSize(figure, page);
         if (ending == ".svg") {

@@ -18,6 +18,9 @@ struct FigurePage {
     double dpi = 300;      // of pixels, and of pictures among lines and words
     bool caption = true;   // what the figure says of itself, below it
     Style style;           // theme and language; points are the page's
+    int widthPixels = 0;   // of a PNG, and of pictures among lines and words; 0: as dpi says
+
+    int pixels() const;
 };
 
 inline constexpr double kFigureAspect = 0.56;

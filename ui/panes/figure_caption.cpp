@@ -1,5 +1,6 @@
 #include "panes/figure_caption.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "measuring/bench/measured_method.h"
@@ -31,29 +32,43 @@ FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optio
     return [snapshot = std::move(snapshot), step, methods, filters](relief::Language language) {
         const relief::Scenario& s = snapshot->scenario;
         const auto say = [&](const Message& message) { return relief::sentence(message, language); };
-        std::string text = say(
-            Message(MessageId::CaptionView, {{"heights", heightsOf(s.pictures)},
-                                             {"depth", relief::numberText(s.reliefDepth, 3)},
-                                             {"surface", std::string(relief::surfaceName(s.surface))},
-                                             {"method", methods.empty() ? relief::methodText(s.method) : methods},
-                                             {"filter", filters.empty() ? relief::filterText(s.filter) : filters}}));
-        if (s.camera.kind == relief::Camera::Kind::Orbit) {
-            text += " · " + say(Message(MessageId::CaptionElevation,
-                                        {{"elevation", relief::numberText(s.camera.elevation, 3)}}));
-        }
         const PixelTrace& trace = snapshot->trace;
+        const relief::Message heights(MessageId::CaptionHeights,
+                                      {{"heights", heightsOf(s.pictures)},
+                                       {"depth", relief::numberText(s.reliefDepth, 3)},
+                                       {"surface", std::string(relief::surfaceName(s.surface))}});
+        std::string text = say(heights);
+        // Of another tracer's ray neither method nor view are the scenario's.
         if (trace.fromFile) {
-            text += " · " + say(Message(MessageId::CaptionOtherRay, {{"ray", s.other.ray + 1}}));
-        } else if (s.pixel) {
-            text +=
-                " · " + say(Message(MessageId::CaptionPixel,
+            const std::string file = std::filesystem::path(s.other.steps).filename().string();
+            text += " · " + say(Message(MessageId::CaptionOtherRay, {{"ray", s.other.ray + 1}, {"file", file}}));
+        } else {
+            text += " · " + (methods.empty() ? relief::methodText(s.method) : methods) + " · " +
+                    say(Message(MessageId::CaptionFilter,
+                                {{"filter", filters.empty() ? relief::filterText(s.filter) : filters}}));
+            if (s.mapping != "direct") text += " · " + s.mapping;
+            if (s.camera.kind == relief::Camera::Kind::Orbit) {
+                text += " · " + say(Message(MessageId::CaptionElevation,
+                                            {{"elevation", relief::numberText(s.camera.elevation, 3)}}));
+            }
+            if (s.pixel) {
+                text += " · " +
+                        say(Message(MessageId::CaptionPixel,
                                     {{"x", s.pixel->x}, {"y", s.pixel->y}, {"width", s.width}, {"height", s.height}}));
+            }
         }
         if (step && !trace.steps.empty() && !trace.hidden) {
+            const int steps = static_cast<int>(trace.steps.size());
             text += " · " + say(Message(MessageId::CaptionStep,
-                                        {{"step", *step + 1}, {"steps", static_cast<int>(trace.steps.size())}}));
+                                        {{"step", std::clamp(*step, 0, steps - 1) + 1}, {"steps", steps}}));
         }
         return text;
+    };
+}
+
+FigureCaption redrawnCaption(FigureCaption caption) {
+    return [caption = std::move(caption)](relief::Language language) {
+        return caption(language) + " · " + relief::sentence(Message(MessageId::CaptionRedrawn), language);
     };
 }
 

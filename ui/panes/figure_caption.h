@@ -14,6 +14,8 @@ namespace reliefui {
 FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optional<int> step = {},
                             const std::string& methods = {}, const std::string& filters = {});
 
+// The same of what is rendered anew for the figure: counts and errors are those of its own picture.
+FigureCaption redrawnCaption(FigureCaption caption);
 // Throws InputError where no pixel is chosen, or one that shows no relief.
 void requireRay(const char* figure, const Snapshot& snapshot);
 

@@ -21,7 +21,6 @@ constexpr int kLeastWidth = 160;
 constexpr int kMostWidth = 16384;
 constexpr double kLeastMm = 20;
 constexpr double kMostMm = 500;
-constexpr double kMmPerInch = 25.4;
 
 QString settingOf(const char* option) {
     return QStringLiteral("figures/") + QString::fromLatin1(option);
@@ -48,7 +47,7 @@ bool askFigureOptions(QWidget* parent, const QString& title, bool png, FigureFil
     pixels->setValue(settings.value(settingOf("pixels"), kStandardWidth).toInt());
     if (png) form->addRow(FigureView::tr("Width, pixels:"), pixels);
     pixels->setVisible(png);
-    auto* const caption = new QCheckBox(FigureView::tr("Say below what is shown of what"), &dialog);
+    auto* const caption = new QCheckBox(FigureView::tr("Caption below the figure"), &dialog);
     caption->setObjectName(QStringLiteral("figure-caption"));
     caption->setChecked(settings.value(settingOf("caption"), true).toBool());
     form->addRow(caption);
@@ -90,7 +89,7 @@ QString saveFigureFile(const Figure& figure, FigurePage page, const FigureFile& 
     page.widthMm = file.widthMm;
     page.caption = file.caption;
     // So many pixels of the same page: text grows with the picture.
-    if (file.pixels > 0) page.dpi = file.pixels / page.widthMm * kMmPerInch;
+    page.widthPixels = file.pixels;
     try {
         writeFigure(figure, page, file.path.toStdString());
         return {};

@@ -134,12 +134,12 @@ void FigureView::saveFigure(const FigureFile& file) {
 void FigureView::copyPicture() {
     const auto shown = figure();
     if (!shown) return;
-    drawAside(*shown, [shown, page = page()]() -> std::function<void()> {
+    drawAside(*shown, [this, shown, page = page()]() -> std::function<void()> {
         QImage picture;
         try {
             picture = figureImage(*shown, page, kCopiedWidth);
-        } catch (const std::exception&) {
-            return [] {};  // a map that there is none of
+        } catch (const std::exception& error) {
+            return [this, problem = QString::fromUtf8(error.what())] { Q_EMIT workspace_->problem(problem); };
         }
         return [picture] { QApplication::clipboard()->setImage(picture); };
     });

@@ -149,7 +149,10 @@ void takeAnisotropy(LayerPicture& out, const relief::Frame& frame, const relief:
                     relief::MapCache& maps, relief::Work& work) {
     auto planes = std::make_shared<const std::vector<relief::NamedPlane>>(
         relief::layerPlanes(frame, request, {"footprint"}, maps, work));
-    takeValues(out, [&](int x, int y) { return anisotropy(*planes, x, y); });
+    takeValues(out, [&](int x, int y) {
+        const double ratio = anisotropy(*planes, x, y);  // endless where the minor axis is 0
+        return std::isnan(ratio) ? ratio : std::min(ratio, kLargestAnisotropy);
+    });
     out.ends = {1, std::clamp(out.spread->largest(), 2.0, kLargestAnisotropy)};
     out.planes = std::move(planes);
 }

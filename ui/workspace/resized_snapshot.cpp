@@ -26,7 +26,7 @@ std::shared_ptr<const Snapshot> resized(const std::shared_ptr<const Snapshot>& s
     relief::requireMemory(relief::byteProduct({kBytesPerPixel, static_cast<std::uint64_t>(scenario.width),
                                                static_cast<std::uint64_t>(scenario.height)}),
                           std::to_string(scenario.width) + "x" + std::to_string(scenario.height),
-                          relief::MemoryHint::SmallerSize);
+                          relief::MemoryHint::SmallerPicture);
     auto other = std::make_shared<Snapshot>(*snapshot);
     other->scenario = std::move(scenario);
     other->coarse = false;

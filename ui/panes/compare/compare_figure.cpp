@@ -67,9 +67,10 @@ std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snap
         const ComparePage parts = comparePage(compareSource(*redrawn->view, drawn.scenario, shown), page, style);
         paintCompare(painter, *redrawn->view, how, parts, page, style, drawn.scenario.pixel, {});
     };
-    return paintedFigure(paint,
-                         figureCaption(snapshot, {}, methods ? names : std::string(), filters ? names : std::string()),
-                         [snapshot](const FigurePage&) { return aspectOf(*snapshot); });
+    return paintedFigure(
+        paint,
+        redrawnCaption(figureCaption(snapshot, {}, methods ? names : std::string(), filters ? names : std::string())),
+        [snapshot](const FigurePage&) { return aspectOf(*snapshot); });
 }
 
 }  // namespace reliefui

@@ -119,7 +119,8 @@ void FormulaView::tell(const QPointF& at) {
 
 std::shared_ptr<const Figure> FormulaView::figure() const {
     const auto shown = workspace_->snapshot();
-    return shown && shown->trace.onRelief ? formulaFigure(shown, workspace_->scenario().step) : nullptr;
+    return shown && !shown->coarse && shown->trace.onRelief ? formulaFigure(shown, workspace_->scenario().step)
+                                                            : nullptr;
 }
 
 }  // namespace reliefui

@@ -45,7 +45,8 @@ struct Redrawn {
     std::shared_ptr<const Snapshot> snapshot;
 
     const Snapshot& make(const std::shared_ptr<const Snapshot>& of, int pixels) {
-        if (snapshot && snapshot->scenario.width == pixels) return *snapshot;
+        // A page of vectors is rounded to its units.
+        if (snapshot && std::abs(snapshot->scenario.width - pixels) <= 1) return *snapshot;
         relief::Work work;
         auto drawn = std::make_shared<Snapshot>(*resized(of, pixels, work));
         colorLayer(drawn->layer, of->layer.range);
@@ -86,12 +87,15 @@ std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snaps
         const std::scoped_lock lock(redrawn->mutex);
         paintResult(painter, redrawn->make(snapshot, style.picturePixels(page.width())), page, style);
     };
-    return paintedFigure(paint, figureCaption(snapshot), [snapshot](const FigurePage& page) {
-        const relief::Scenario& s = snapshot->scenario;
-        const double picture = static_cast<double>(s.height) / std::max(1, s.width);
+    const auto aspect = [snapshot, redrawn](const FigurePage& page) {
+        const std::scoped_lock lock(redrawn->mutex);
+        // The layer's numbers are those of the picture as it will be drawn.
+        const Snapshot& drawn = redrawn->make(snapshot, page.pixels());
+        const double picture = static_cast<double>(drawn.scenario.height) / std::max(1, drawn.scenario.width);
         const double points = page.widthMm / kMmPerPoint;
-        return picture + legendOf(*snapshot, page.style, points * kPixelsPerPoint).height() / points;
-    });
+        return picture + legendOf(drawn, page.style, points * kPixelsPerPoint).height() / points;
+    };
+    return paintedFigure(paint, redrawnCaption(figureCaption(snapshot)), aspect);
 }
 
 }  // namespace reliefui

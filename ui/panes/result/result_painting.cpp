@@ -251,6 +251,13 @@ RangedValues layerValues(const LayerPicture& layer) {
     values.of = *rangeOf(layer.layer);
     values.name = scaleTitle(layer.layer).toStdString();
     if (layer.layer == Layer::Error) values.unit = ResultText::tr("texels").toStdString();
+    // Pixels that are right have no value, but count.
+    if (layer.error) {
+        using Kind = relief::ErrorKind;
+        for (const Kind kind : {Kind::Right, Kind::Short, Kind::Past, Kind::Wrong}) {
+            values.whole += layer.error->counts[static_cast<std::size_t>(kind)];
+        }
+    }
     if (layer.layer == Layer::Hidden) values.unit = "%";
     values.map = colorMapOf(layer.layer);
     values.range = layer.range;
