@@ -244,9 +244,9 @@ TEST(StepSentence, aBrokenPromiseIsSaid) {
     const ViewRay ray{0, 0, 10, 0};
     const auto said = [&](double met) { return sentence(stepSentence(s, {nullptr, ray, Hit::at(ray, met)})); };
     s.subject = subject::Sphere{1, 0, 0.9, 2.5};
-    EXPECT_EQ(
-        said(0.4),
-        "At height 0.900 the map guarantees 2.50 empty texels around the ray: it goes on by as much, to height 0.700.");
+    EXPECT_EQ(said(0.4),
+              "At height 0.900 the map promises 2.50 texels around the ray to be empty: it goes on by as much, to "
+              "height 0.700.");
     EXPECT_NE(said(0.2).find("The promise does not hold: the surface is met at height 0.800."), std::string::npos);
     EXPECT_NE(said(0.05).find("already behind the surface"), std::string::npos);
     const auto claim = [&](const Hit& exact) { return mapPromise(s, {nullptr, ray, exact}); };
