@@ -1,7 +1,7 @@
-// The README's tables. Those of distance and cone maps are measured here; all are put into the README by the second
-// form, from the files in a folder (readme_tables.h); measure.sh beside this file makes them all.
+// The tables of RESULTS.md. Those of distance and cone maps are measured here; the second form puts all of them into a
+// document, from the files in a folder (results_tables.h); measure.sh in this folder measures them all.
 //   relief_claims [--rays N] [--size N] [--threads N] [steps] [wrong] [gain] [cost]
-//   relief_claims readme README.md FOLDER
+//   relief_claims tables RESULTS.md FOLDER
 // Six procedural reliefs (seed 1), relief depth 0.2, bilinear, repeat; rays with entry and azimuth uniform, elevation
 // uniform in 10 to 90 degrees. Exit status 1 if a method that promises the exact hit gave another.
 #include <ctime>
@@ -12,10 +12,10 @@
 #include "measuring/bench/bench_tracers.h"
 #include "measuring/bench/machine.h"
 #include "measuring/bench/measured_method.h"
-#include "readme_tables.h"
 #include "relief/errors.h"
 #include "relief/files.h"
 #include "relief/reliefs.h"
+#include "results_tables.h"
 
 namespace relief {
 namespace {
@@ -252,7 +252,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        if (argc == 4 && std::string(argv[1]) == "readme") {
+        if (argc == 4 && std::string(argv[1]) == "tables") {
             const std::string text = relief::readTextFile(argv[2]);
             const std::string made = relief::claims::withTables(text, argv[3]);
             if (made != text) relief::writeTextFile(argv[2], made);

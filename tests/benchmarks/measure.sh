@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Measures all that the README's tables quote and puts the tables into it: nothing there is typed by hand.
+# Measures every table of RESULTS.md and writes it there: no number between its marks is typed by hand.
 #   tests/benchmarks/measure.sh [FOLDER [BUILD]]     default: build/measured build
-# Broken off, it goes on where it was; what is measured already is not measured again (remove FOLDER for that). Hours on
-# two cores; nothing else should run meanwhile. Then look at the texts beside the tables: they quote them.
+# Resumes after an interruption: what is in FOLDER is not measured again. Takes hours on two cores; nothing else should
+# run on the machine. Afterwards read the text between the tables, which quotes them.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
@@ -26,13 +26,14 @@ printed() {
     shift
     [ -e "$file" ] && return
     "$@" >"$file.part"
+    [ "$file" = "$folder/claims.md" ] || printf '\n(measured %s)\n' "$(date +%F)" >>"$file.part"
     mv "$file.part" "$file"
 }
 
 sweep rows rows --threads 1 --rounds 9
 sweep filters_checker filters --scenes checker --size 160x120 --threads 1 --rounds 9 \
     --filters nearest,bilinear,trilinear,elliptical:weights=uniform,elliptical:weights=texel-distance,elliptical,elliptical:implementation=scalar,elliptical:source=table,elliptical:source=map,elliptical:weights=box,elliptical:levels=exhaustive
-visible=trilinear,elliptical,elliptical-visible:form=plane,elliptical-visible:form=position,elliptical-visible:form=position-area,elliptical-visible:form=rays,elliptical-visible:form=grid
+visible=trilinear,elliptical,elliptical-visible:form=plane,elliptical-visible:form=rays,elliptical-visible:form=grid
 sweep filters_procedural filters --scenes bricks,city,hills --size 160x120 --threads 1 --filters $visible \
     --pixel-models gaussian
 sweep filters_wall filters --height datasets/stone_wall_bricks102/height.jpg --relief-depth 0.05 --size 160x120 \
@@ -41,6 +42,10 @@ sweep filters_wall filters --height datasets/stone_wall_bricks102/height.jpg --r
     cat "$folder/filters_procedural.csv"
     tail -n +2 "$folder/filters_wall.csv"
 } >"$folder/filters_relief.csv"
+# Hundreds of times slower than the others: one round.
+position=elliptical,elliptical-visible:form=position,elliptical-visible:form=position-area
+sweep filters_position filters --scenes bricks,city,hills --size 160x120 --threads 1 --rounds 1 --filters $position \
+    --pixel-models gaussian
 # NAME PROGRAM...: beside other programs, where those are installed.
 beside() {
     local file=$folder/$1.csv
@@ -75,4 +80,4 @@ printed cost "$bin/relief_claims" --rays 100000 cost
 printed claims "$bin/relief" claims --measure --json -q
 # The table that the program ships: it is part of the next build.
 { printf 'R"json('; cat "$folder/claims.md"; printf ')json"\n'; } >algorithms/measuring/bench/claims_shipped.inc
-"$bin/relief_claims" readme README.md "$folder"
+"$bin/relief_claims" tables tests/benchmarks/RESULTS.md "$folder"

@@ -1,4 +1,9 @@
-#include "readme_file.h"
+#include "results_file.h"
+
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
 
 #include "relief/files.h"
 
@@ -24,6 +29,15 @@ std::vector<std::string> fieldsOf(const std::string& line) {
         }
     }
     return fields;
+}
+
+// When the file was last written, local time: "2026-11-26".
+std::string dayOf(const std::string& path) {
+    const auto written = std::chrono::file_clock::to_sys(std::filesystem::last_write_time(path));
+    const std::time_t time = std::chrono::system_clock::to_time_t(written);
+    std::array<char, 16> day{};
+    std::strftime(day.data(), day.size(), "%Y-%m-%d", std::localtime(&time));
+    return day.data();
 }
 
 }  // namespace
@@ -81,7 +95,7 @@ std::string joined(const std::vector<std::string>& parts) {
 std::string origin(const Table& table) {
     const Row& row = table.rows().at(0);
     return "\n(" + table.text(row, "cpu") + ", " + table.text(row, "threads") + " thread(s), " +
-           table.text(row, "compiler") + ", sources " + table.text(row, "commit") + ")\n";
+           table.text(row, "compiler") + ", sources " + table.text(row, "commit") + ", " + dayOf(table.path()) + ")\n";
 }
 
 }  // namespace relief::claims

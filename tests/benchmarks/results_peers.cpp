@@ -1,5 +1,5 @@
-// The README's tables of comparisons with other programs.
-#include "readme_file.h"
+// The tables of RESULTS.md of comparisons with other programs.
+#include "results_file.h"
 
 namespace relief::claims {
 

@@ -1,4 +1,4 @@
-// A file of a benchmark as the README's tables read it, and how they write.
+// A file of a benchmark as the tables of RESULTS.md read it, and how they are written.
 #pragma once
 
 #include <algorithm>
@@ -96,7 +96,7 @@ std::string head(const std::vector<std::string>& names, std::size_t left);
 std::string three(double value);
 // "1 / 2 / 3"
 std::string joined(const std::vector<std::string>& parts);
-// Where it was measured, as the last line.
+// Where and when it was measured, as the last line; the date is that of the file.
 std::string origin(const Table& table);
 
 // Tables of comparisons with other programs.

@@ -1,4 +1,4 @@
-#include "readme_tables.h"
+#include "results_tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "measuring/text_table.h"
-#include "readme_file.h"
 #include "relief/describe.h"
 #include "relief/errors.h"
 #include "relief/files.h"
+#include "results_file.h"
 
 namespace relief::claims {
 
@@ -239,10 +239,14 @@ std::string reliefTable(const Table& table) {
 }
 
 std::string tableOf(const std::string& name, const std::filesystem::path& folder) {
-    static const std::map<std::string, std::string (*)(const Table&)> made{
-        {"rows", rowsTable},    {"filters_checker", checkerTable},  {"filters_relief", reliefTable},
-        {"peers", peersTable},  {"filter_peers", filterPeersTable}, {"distance_peers", distancePeersTable},
-        {"frames", framesTable}};
+    static const std::map<std::string, std::string (*)(const Table&)> made{{"rows", rowsTable},
+                                                                           {"filters_checker", checkerTable},
+                                                                           {"filters_relief", reliefTable},
+                                                                           {"filters_position", reliefTable},
+                                                                           {"peers", peersTable},
+                                                                           {"filter_peers", filterPeersTable},
+                                                                           {"distance_peers", distancePeersTable},
+                                                                           {"frames", framesTable}};
     const auto found = made.find(name);
     if (found == made.end()) {
         const std::filesystem::path file = folder / (name + ".md");
@@ -254,13 +258,13 @@ std::string tableOf(const std::string& name, const std::filesystem::path& folder
 
 }  // namespace
 
-std::string withTables(const std::string& readme, const std::string& folder) {
+std::string withTables(const std::string& document, const std::string& folder) {
     const std::string opening = "<!-- table ";
     std::string out;
     std::string kept;  // of the table being replaced
     std::string fresh;
     bool inside = false;
-    for (const std::string& text : linesOf(readme)) {
+    for (const std::string& text : linesOf(document)) {
         if (text == "<!-- end -->" && inside) {
             out += (fresh.empty() ? kept : "\n" + fresh + "\n") + text + "\n";
             inside = false;
@@ -277,7 +281,7 @@ std::string withTables(const std::string& readme, const std::string& folder) {
             if (!fresh.empty()) fresh += "\n";
         }
     }
-    if (inside) fail("README", "a table without an end");
+    if (inside) fail("the document", "a table without an end");
     return out;
 }
 
