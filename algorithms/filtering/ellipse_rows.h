@@ -12,7 +12,7 @@
 // Error, relative, of a semi-axis: 4 units of 2^-24, iterative up to 34 (15 differences between restarts), times
 // |G x| + |H y| + |I| over q (large near the horizon); the iterative form's minor axis also times the ratio of the
 // axes. Failure mode: a pixel without a view, not finite, or so thin that float loses F keeps its own Jacobian: the
-// direct form. Cost: measured in README.md; the direct Jacobians of a block are made in any case.
+// direct form. Cost: measured in tests/benchmarks/EXPERIMENTS.md; the direct Jacobians of a block are made in any case.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,8 @@ namespace relief {
 namespace {
 
 // Logarithms of a tile's sides, pixels: the tiles of frames (rendering/frame_buffers.h: 64 x 32), so that none is
-// cut. 64 x 64 and 128 x 64 made frames 1 to 6% slower (simd/lanes.md).
+// cut. 64 x 64 and 128 x 64 made frames 1 to 6% slower
+// (tests/benchmarks/EXPERIMENTS.md).
 constexpr int kTileAcross = 6, kTileDown = 5;
 
 // Whether all points that the pixels of a rectangle and their neighbours need lie before the horizon. Each side is

@@ -28,8 +28,8 @@ inline constexpr unsigned kAllLines = 15;
 // How far three hits in a line may be bent: the second difference over the first, or half the second difference in
 // texels of the picture, which is not seen. Measured, like the constants below, on bricks, city and hills at 60, 25, 8
 // degrees (160 x 120) and the shipped pictures at 45 (200 x 150), points=3, one changed at a time; e, r: change of the
-// error against the Gaussian pixel and of the rays, in the mean of all unless a scene is named. "notes": simd/lanes.md,
-// with the values before these.
+// error against the Gaussian pixel and of the rays, in the mean of all unless a scene is named. "notes":
+// tests/benchmarks/EXPERIMENTS.md, with the values before these.
 struct Bend {
     double share, unseen;
 };

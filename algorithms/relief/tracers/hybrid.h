@@ -7,7 +7,8 @@
 // and works to the exit.
 // Guarantee: that of the inner method (the paper means those with a guaranteed-free step: distances, cones). Failure
 // mode: that of the inner method, within segments. Cost: a maximum a texel, and the inner method's. Mostly more
-// steps than the inner method alone: its own steps skip as far, and a segment's border ends them (the README).
+// steps than the inner method alone: its own steps skip as far, and a segment's border ends them
+// (tests/benchmarks/RESULTS.md).
 #pragma once
 
 #include "relief/methods/pyramid_walk.h"
