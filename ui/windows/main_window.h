@@ -172,6 +172,7 @@ class MainWindow : public QMainWindow {
     void askView(const QString& view);
     void exportFocused();
     void showShortcuts();
+    void showManual();
     void showPauses();
     void showAbout();
 

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDesktopServices>
 #include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -19,6 +20,7 @@
 #include "panes/file_dialogs.h"
 #include "panes/result/result_painting.h"
 #include "windows/main_window.h"
+#include "windows/manual.h"
 #include "windows/pane_list.h"
 #include "windows/pictures_box.h"
 #include "workspace/aside.h"
@@ -210,6 +212,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
         return;
     }
     workspace_->open(files.front());
+}
+
+void MainWindow::showManual() {
+    const QString page = manualPage(QApplication::applicationDirPath());
+    if (!page.isEmpty() && QDesktopServices::openUrl(QUrl::fromLocalFile(page))) return;
+    tell(page.isEmpty()
+             ? tr("The manual is not here: cmake --build build --target manual makes it, in build/manual/html.")
+             : tr("No browser could be started; the manual is %1").arg(page),
+         false);
 }
 
 }  // namespace reliefui

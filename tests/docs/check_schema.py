@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Validates scenarios against the JSON Schema, and the schema against the program.
+
+    check_schema.py SOURCES BIN
+
+All stored and shipped scenarios are valid, and so is what the program writes; what the program refuses is invalid. Exit status 77
+where python3-jsonschema is not installed.
+"""
+import copy
+import glob
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+try:
+    import jsonschema
+except ImportError:
+    print("python3-jsonschema is not there: scenarios are not validated")
+    sys.exit(77)
+
+root, relief = os.path.abspath(sys.argv[1]), os.path.join(os.path.abspath(sys.argv[2]), "relief")
+schema = json.load(open(os.path.join(root, "algorithms/scenario/scenario.schema.json"), encoding="utf-8"))
+jsonschema.Draft7Validator.check_schema(schema)
+validator = jsonschema.Draft7Validator(schema)
+faults = []
+
+
+def read(path):
+    """The scenario of a file; reports hold one."""
+    content = json.load(open(path, encoding="utf-8"))
+    return content.get("scenario", content)
+
+
+def expect_valid(scenario, what):
+    for error in validator.iter_errors(scenario):
+        faults.append(f"{what}: {'/'.join(map(str, error.path))}: {error.message}")
+
+
+def objects(scenario, path=()):
+    """Every object within, by its path."""
+    if isinstance(scenario, dict):
+        yield path
+    children = scenario.items() if isinstance(scenario, dict) else enumerate(scenario) if isinstance(scenario, list) else ()
+    for key, child in children:
+        yield from objects(child, path + (key,))
+
+
+patterns = ["tests/files/v1/*.json", "tests/files/v1/*/*.json", "ui/lessons/*.json", "app/manual/*.json"]
+files = [f for p in patterns for f in glob.glob(os.path.join(root, p)) if "/traced/" not in f and "/tables/" not in f]
+for file in files:
+    expect_valid(read(file), os.path.relpath(file, root))
+if len(files) < 60:
+    faults.append(f"only {len(files)} scenarios were found")
+
+with tempfile.TemporaryDirectory() as folder:
+    def render(*arguments):
+        return subprocess.run([relief, "render", "-q", *arguments, "--size", "32x24", "-o", os.path.join(folder, "x.png")],
+                              capture_output=True, text=True)
+
+    # What the program writes, with options that put keys into the file.
+    report = os.path.join(folder, "report.json")
+    given = [["--relief", "bricks:16x16:3", "--scene", "cube", "--shadows", "--no-skip", "--bounded", "0.5", "--mapping", "affine"],
+             ["--relief", "drawn:2x2:0,1,0.5,1", "--eye", "0.5,0.6,0.7", "--target", "0,0,0", "--address", "border"],
+             ["--relief", "hills:16x16", "--filter", "elliptical:sigma=0.6", "--tracer", "layers", "--set", "layers=9"],
+             ["--relief", "city:16x16", "--supersample", "3", "--pixel-model", "lcd", "--surface", "columns"]]
+    for arguments in given:
+        done = render(*arguments, "--report", report)
+        if done.returncode != 0:
+            faults.append(done.stderr)
+        else:
+            expect_valid(read(report), " ".join(arguments))
+
+    # What it refuses: an unknown key anywhere but among options and the window's choices, and values out of range.
+    everything = read(os.path.join(root, "tests/files/v1/written/everything.json"))
+    refused = 0
+    wrong = {("relief", "depth"): 5, ("camera", "fov"): 171, ("scene",): "ceiling", ("size",): [0, 3], ("reliefscope",): 2,
+             ("method", "name"): "coen", ("relief", "address"): "mirror", ("light", "ambient"): "much", ("sky",): [0, 1],
+             ("compare", "rate"): 100, ("supersample",): 65, ("pictures", "invert"): 1}
+    mutants = [(path + ("unknown",), 1) for path in objects(everything)
+               if not {"options", "filter-options"} & set(path) and path[:1] not in (("ui",), ("panes",))]
+    for path, value in mutants + list(wrong.items()):
+        scenario = copy.deepcopy(everything)
+        place = scenario
+        for key in path[:-1]:
+            place = place[key] if isinstance(place, list) else place.setdefault(key, {})
+        place[path[-1]] = value
+        file = os.path.join(folder, "mutant.json")
+        json.dump(scenario, open(file, "w", encoding="utf-8"))
+        program = subprocess.run([relief, "info", file], capture_output=True, text=True).returncode
+        if program != 2:
+            faults.append(f"the program takes {path} = {value}")
+        if validator.is_valid(scenario):
+            faults.append(f"the schema takes {path} = {value}")
+        refused += 1
+
+# Names that are listed.
+listed = json.loads(subprocess.run([relief, "list", "--json"], capture_output=True, text=True, check=True).stdout)
+for key, names in (("tracers", schema["definitions"]["method"]["properties"]["name"]["enum"]),
+                   ("filters", schema["properties"]["filter"]["enum"]),
+                   ("reliefs", schema["properties"]["pictures"]["properties"]["recipe"]["properties"]["name"]["enum"])):
+    if [entry["name"] for entry in listed[key]] != names:
+        faults.append(f"{key}: the schema has {names}")
+
+print("\n".join(faults))
+print(f"{len(files)} scenarios of files and {len(given)} written are valid, {refused} changed ones refused: {len(faults)} faults")
+sys.exit(1 if faults else 0)
