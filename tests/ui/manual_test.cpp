@@ -53,7 +53,7 @@ TEST_F(WindowTest, HelpOpensTheManualOrSaysHowItIsMade) {
     openWindow(smallScenario());
     Browser browser;
     for (QAction* action : window_->findChildren<QAction*>()) {
-        if (action->text() == QStringLiteral("M&anual")) action->trigger();
+        if (action->text() == QStringLiteral("Man&ual")) action->trigger();
     }
     const QString page = manualPage(QCoreApplication::applicationDirPath());
     if (page.isEmpty()) {

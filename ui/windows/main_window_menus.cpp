@@ -225,7 +225,7 @@ void MainWindow::makeHelpMenu() {
     auto* const keys = addAction(menu, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), tr("What mouse and keys do"));
     connect(keys, &QAction::triggered, this, &MainWindow::showShortcuts);
     auto* const manual =
-        addAction(menu, tr("M&anual"), {}, tr("The guide, the methods and the commands, in the browser"));
+        addAction(menu, tr("Man&ual"), {}, tr("The guide, the methods and the commands, in the browser"));
     connect(manual, &QAction::triggered, this, &MainWindow::showManual);
     auto* const pauses = addAction(menu, tr("&Longest pauses…"), {}, tr("What held the window's thread longest"));
     connect(pauses, &QAction::triggered, this, &MainWindow::showPauses);
