@@ -38,7 +38,7 @@ FilterScene givenScene(Pictures pictures, const OptionText& color, double depth,
 FilterBenchOptions filterOptions(const FilterBenchCommand& given, const OptionText& elevations,
                                  const OptionText& rounds) {
     FilterBenchOptions options;
-    options.filters = defaultFilters();
+    options.filters = filtersWith(&FilterDescription::benched);
     if (given.filters) {
         options.filters.clear();
         for (const std::string& text : splitText(*given.filters, ',')) {

@@ -48,6 +48,16 @@ std::vector<FilterChoice> filterForms() {
     return forms;
 }
 
+std::vector<FilterChoice> filtersWith(std::vector<std::string> FilterDescription::*settings) {
+    std::vector<FilterChoice> all;
+    for (const FilterDescription& filter : filterList()) {
+        for (const std::string& setting : filter.*settings) {
+            all.push_back(parseFilter(filter.name + (setting.empty() ? "" : ":" + setting), "--filters"));
+        }
+    }
+    return all;
+}
+
 const FilterDescription& findFilter(std::string_view name) {
     for (const FilterDescription& filter : filterList()) {
         if (filter.name == name) return filter;

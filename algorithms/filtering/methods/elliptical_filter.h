@@ -63,6 +63,8 @@ class EllipticalFilter final : public TextureFilter {
         filter.help = "all texels in the ellipse of the pixel, weighted by the pixel's own shape";
         filter.source = "Heckbert 1989; [TEX]";
         filter.footprint = filter.ellipse = true;
+        filter.benched = {"weights=uniform", "weights=texel-distance", "", "source=table", "source=map",
+                          "weights=box",     "levels=exhaustive"};
         return filter;
     }
     static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache&,

@@ -12,6 +12,7 @@ struct SupersampleFilter {
         FilterDescription filter;
         filter.name = kSupersample;
         filter.help = "many rays a pixel, traced and lit one by one: the picture's truth, slow";
+        filter.benched = filter.advised = {};
         return filter;
     }
     static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache& maps,
