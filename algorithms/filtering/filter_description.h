@@ -17,13 +17,10 @@ struct FilterDescription {
     std::string name;
     std::string help;
     std::string source;
-    bool footprint = false;  // reads the pixel's projection onto the texture, from the mean pyramid
-    bool ellipse = false;    // reads the texels of an ellipse: footprints are counted and logged
-    bool visible = false;    // and what the relief hides of it
-    // Settings that `bench filters` and `recommend` try, as parseFilter() reads them behind the name; "": the defaults.
-    // None: the filter is the truth that the others are held against.
-    std::vector<std::string> benched{""}, advised{""};
-    std::vector<OptionDescription> options;       // of Filter::Options
+    bool footprint = false;                  // reads the pixel's projection onto the texture, from the mean pyramid
+    bool ellipse = false;                    // reads the texels of an ellipse: footprints are counted and logged
+    bool visible = false;                    // and what the relief hides of it
+    std::vector<OptionDescription> options;  // of Filter::Options
     std::map<std::string, std::string> defaults;  // of the options, as text
 };
 

@@ -24,8 +24,6 @@ struct FilterChoice {
 const std::vector<FilterDescription>& filterList();
 // Every filter as it is by default, and those that ask what is visible in each of their forms.
 std::vector<FilterChoice> filterForms();
-// Every filter with each of those settings: &FilterDescription::benched, &FilterDescription::advised.
-std::vector<FilterChoice> filtersWith(std::vector<std::string> FilterDescription::*settings);
 // Throws InputError("--filter", ...) with the known names.
 const FilterDescription& findFilter(std::string_view name);
 // The name, the options and their values. Throws InputError; `subject` stands for what was given.

@@ -17,10 +17,10 @@ struct EllipticalVisible {
         filter.help = "the same without the texels that the relief hides from the viewer";
         filter.source = "[ANISO17] (form=plane)";
         filter.footprint = filter.ellipse = filter.visible = true;
-        filter.benched = {"form=plane", "form=position", "form=position-area", ""};
-        filter.advised = {"", "form=position-area"};
         return filter;
     }
+    static std::vector<std::string> benched() { return {"form=plane", "form=position", "form=position-area", ""}; }
+    static std::vector<std::string> advised() { return {"", "form=position-area"}; }
     static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache& maps,
                                                      Work& work);
 };

@@ -12,9 +12,11 @@ struct SupersampleFilter {
         FilterDescription filter;
         filter.name = kSupersample;
         filter.help = "many rays a pixel, traced and lit one by one: the picture's truth, slow";
-        filter.benched = filter.advised = {};
         return filter;
     }
+    // It is what the others are held against.
+    static std::vector<std::string> benched() { return {}; }
+    static std::vector<std::string> advised() { return {}; }
     static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache& maps,
                                                      Work& work) {
         return BilinearFilter::make(options, tools, maps, work);

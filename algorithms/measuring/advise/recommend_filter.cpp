@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "filtering/filters/measured_filters.h"
 #include "filtering/methods/trilinear.h"
 #include "measuring/advise/recommend.h"
 #include "measuring/bench/bench_filters.h"
@@ -36,7 +37,7 @@ FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work&
     FilterBenchOptions bench;
     const auto color = options.color ? options.color : patchPicture(options.field.heights(), options.seed);
     bench.scenes = {{options.name, options.field, color}};
-    bench.filters = filtersWith(&FilterDescription::advised);
+    bench.filters = advisedFilters();
     bench.pixelModels = {PixelModel::Gaussian};
     bench.elevations = elevations(options.views);
     const int times = seconds >= kRichSeconds ? 2 : 1;
