@@ -3,10 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <utility>
 
 #include "base/parallel.h"
 #include "relief/describe.h"
+#include "relief/step_log.h"
 #include "relief/work.h"
 
 namespace relief {
@@ -26,6 +29,46 @@ void overBlock(std::size_t count, Work& work, const Body& body) {
     // Cut at multiples of the grain: lanes and packets keep the rays together that came together.
     parallelFor(work, (count + kRayGrain - 1) / kRayGrain,
                 [&](std::size_t n) { body(n * kRayGrain, std::min((n + 1) * kRayGrain, count)); });
+}
+
+// One ray after the other, with what each costs: in answers.steps and reads, their sums in counts. one(i, sink).
+template <class Answers, class One>
+void countBlock(std::size_t count, Answers& answers, BlockCounts& counts, Work& work, const One& one) {
+    std::atomic<std::uint64_t> highest{0};
+    overBlock(count, work, [&](std::size_t first, std::size_t last) {
+        std::uint64_t here = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            CountSink sink;
+            one(i, sink);
+            answers.steps[i] = sink.steps;
+            answers.reads[i] = sink.reads;
+            here += sink.highest ? 1 : 0;
+        }
+        highest += here;
+    });
+    counts.startHighest += highest;
+    for (std::size_t i = 0; i < count; ++i) {
+        counts.steps += answers.steps[i];
+        counts.reads += answers.reads[i];
+    }
+}
+
+// The same with their steps behind those that are in the log.
+template <class Answers, class One>
+void logBlock(std::size_t count, Answers& answers, StepLog& log, Work& work, const One& one) {
+    LogSink sink;
+    sink.steps = std::move(log.steps);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % kRayGrain == 0) work.throwIfStopped();
+        sink.reads = 0;
+        const std::size_t before = sink.steps.size();
+        one(i, sink);
+        answers.steps[i] = static_cast<std::uint32_t>(sink.steps.size() - before);
+        answers.reads[i] = sink.reads;
+        log.begin.push_back(sink.steps.size());
+        log.reads.push_back(sink.reads);
+    }
+    log.steps = std::move(sink.steps);
 }
 
 // The method's description with its options, made when first asked for.

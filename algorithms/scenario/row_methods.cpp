@@ -107,31 +107,6 @@ constexpr const char* kDefaults[] = {"affine",
 
 const Homography kAnyMap{1, 0.25, 3, 0.5, 1, 7, 1e-9, 1e-9, 1};
 
-void runCounted(const RowTerms<Counted>& row, RowVariant variant, std::int64_t streams, std::int64_t span, Counted* u,
-                Counted* v) {
-    switch (variant) {
-        case RowVariant::Affine:
-            return affineRow(row, u, v);
-        case RowVariant::Direct:
-            return directRow(row, u, v);
-        case RowVariant::RowConstant:
-            return rowConstantRow(row, u, v);
-        case RowVariant::Incremental:
-            return incrementalRow(row, u, v);
-        case RowVariant::IncrementalShared:
-            return incrementalSharedRow(row, u, v);
-        case RowVariant::IncrementalReciprocal:
-            return incrementalReciprocalRow(row, u, v);
-        case RowVariant::Opposed:
-            return opposedRow(row, u, v);
-        case RowVariant::Subspan:
-            return subspanRow(row, span, u, v);
-        case RowVariant::Streams:
-        case RowVariant::RowsParallel:
-            return streamsRow(row, streams, u, v);
-    }
-}
-
 // Of a row of `count` pixels without its terms.
 OperationCounts counted(const RowMethod& method, std::int64_t span, std::int64_t anchor, std::int64_t count) {
     OperationCounts counts;
@@ -141,7 +116,7 @@ OperationCounts counted(const RowMethod& method, std::int64_t span, std::int64_t
         std::vector<Counted> u(size), v(size);
         const auto row = rowTerms<Counted>(kAnyMap, 0.5, 0, count, anchor, make, make);
         counts = {};
-        runCounted(row, *variant, method.settings.streams, span, u.data(), v.data());
+        variantRow(row, *variant, method.settings.streams, span, u.data(), v.data());
     } else if (const auto* derivative = std::get_if<DerivativeVariant>(&method.description->kind)) {
         std::vector<Counted> a(size), b(size), c(size), f(size);
         const EllipseRow<Counted> to{a.data(), b.data(), c.data(), f.data()};

@@ -2,6 +2,7 @@
 #include "bench_filters.h"
 
 #include "bench_output.h"
+#include "filtering/filters/measured_filters.h"
 #include "measuring/bench/bench_tracers.h"
 
 namespace relief::app {
@@ -38,7 +39,7 @@ FilterScene givenScene(Pictures pictures, const OptionText& color, double depth,
 FilterBenchOptions filterOptions(const FilterBenchCommand& given, const OptionText& elevations,
                                  const OptionText& rounds) {
     FilterBenchOptions options;
-    options.filters = defaultFilters();
+    options.filters = benchedFilters();
     if (given.filters) {
         options.filters.clear();
         for (const std::string& text : splitText(*given.filters, ',')) {

@@ -1,10 +1,6 @@
 // relief recommend --height FILE [--views LO,HI] [--error E] [--memory MB] [--seconds S] [--form lanes|scalar]
 // [--json] [--check] [-o FILE]
-#include <algorithm>
-
 #include "measuring/advise/recommend.h"
-#include "measuring/quantiles.h"
-#include "measuring/text_table.h"
 #include "options_common.h"
 #include "output.h"
 #include "relief/reliefs.h"
@@ -72,38 +68,19 @@ std::vector<Scenario> checkedScenarios(const RecommendOptions& given) {
 }
 
 int runCheck(const RecommendOptions& given, Session& session) {
-    constexpr int kDigits = 3;
-    std::vector<TableRow> rows{{"", "regret %", "beyond %", "chosen", "the full table's best"}};
-    std::vector<double> regrets;
-    bool kept = true;
-    double advised = 0;
-    double measured = 0;
+    std::vector<CheckedRelief> checked;
     for (const Scenario& scenario : checkedScenarios(given)) {
         AssetStore store;
         const Assets assets = store.load(scenario.pictures, session.work());
         AdviceOptions options(fieldOf(scenario, assets));
         applyAsked(given, options);
-        const AdviceRegret result = adviceRegret(options, session.work());
-        if (result.anyIsValid()) regrets.push_back(result.regret());
-        kept = kept && result.keepsBound;
-        advised += result.adviceSeconds;
-        measured += result.tableSeconds;
-        rows.push_back(
-            {heightsName(scenario.pictures), result.anyIsValid() ? readable(100 * result.regret(), kDigits) : "-",
-             readable(100 * result.chosenBeyond, kDigits) + (result.keepsBound ? "" : "!"), methodText(result.chosen),
-             result.anyIsValid() ? methodText(result.best) : "none keeps all bounds"});
+        checked.push_back({heightsName(scenario.pictures), adviceRegret(options, session.work())});
     }
     session.eraseBar();
-    const auto summary = [&](double share) {
-        return regrets.empty() ? std::string("-") : readable(100 * quantile(regrets, share), kDigits) + "%";
-    };
-    std::string text = textTable(rows, 1, 3) + "regret: median " + summary(0.5) + ", worst " + summary(1) +
-                       "; advice " + readable(advised, kDigits) + " s, full tables " + readable(measured, kDigits) +
-                       " s\n";
     TextOutput out(given.output.value_or("-"), session.stop());
-    out.write(text);
+    out.write(regretText(checked));
     out.commit();
-    return kept ? 0 : kViolated;
+    return keepsBounds(checked) ? 0 : kViolated;
 }
 
 int runRecommend(const RecommendOptions& given, Session& session) {

@@ -68,6 +68,13 @@ TEST_F(Guests, TraceAndLogInWords) {
 TEST_F(Guests, AreMeasured) {
     printed("bench tracers --quiet --relief bricks:64x64 --tracers halving --elevations 60 -o " + path("rates.csv"));
     EXPECT_NE(readTextFile(path("rates.csv")).find("halving"), std::string::npos);
+    printed(
+        "bench filters --quiet --relief bricks:32x32 --elevations 60 --pixel-models box --size 40x30 --samples 3 "
+        "--rounds 1 -o " +
+        path("filters.csv"));
+    EXPECT_NE(readTextFile(path("filters.csv")).find("\ntent,"), std::string::npos);
+    const std::string advice = printed("recommend --quiet --relief bricks:32x32 --form scalar --seconds 1 --json");
+    EXPECT_NE(advice.find("\"tent\""), std::string::npos) << advice;
 }
 
 // Reach 1 is bilinear, in other words: the same picture but for rounding; further out it is another.

@@ -5,6 +5,7 @@
 
 #include "base/for_each_type.h"
 #include "filtering/filters/filter_types.h"
+#include "filtering/filters/measured_filters.h"
 
 namespace relief {
 
@@ -16,6 +17,27 @@ void withFilter(const std::string& name, const Visit& visit) {
     forEachType<FilterTypes>([&]<class Filter>() {
         if (filterDescriptionOf<Filter>().name == name) visit.template operator()<Filter>();
     });
+}
+
+// Every filter with each of settingsOf<Filter>().
+template <class SettingsOf>
+std::vector<FilterChoice> filtersWith(const SettingsOf& settingsOf) {
+    std::vector<FilterChoice> all;
+    forEachType<FilterTypes>([&]<class Filter>() {
+        const std::string& name = filterDescriptionOf<Filter>().name;
+        for (const std::string& setting : settingsOf.template operator()<Filter>()) {
+            all.push_back(parseFilter(setting.empty() ? name : name + ":" + setting, "--filters"));
+        }
+    });
+    return all;
+}
+
+// The filter's options, which may exclude each other: Options::check(subject). Throws InputError.
+template <class Filter>
+typename Filter::Options optionsOf(const FilterChoice& choice, const std::string& subject) {
+    auto options = parseOptions<typename Filter::Options>(choice.name, choice.options, subject);
+    if constexpr (requires { options.check(subject); }) options.check(subject);
+    return options;
 }
 
 }  // namespace
@@ -48,6 +70,20 @@ std::vector<FilterChoice> filterForms() {
     return forms;
 }
 
+std::vector<FilterChoice> benchedFilters() {
+    return filtersWith([]<class Filter>() -> std::vector<std::string> {
+        if constexpr (requires { Filter::benched(); }) return Filter::benched();
+        return {""};
+    });
+}
+
+std::vector<FilterChoice> advisedFilters() {
+    return filtersWith([]<class Filter>() -> std::vector<std::string> {
+        if constexpr (requires { Filter::advised(); }) return Filter::advised();
+        return {""};
+    });
+}
+
 const FilterDescription& findFilter(std::string_view name) {
     for (const FilterDescription& filter : filterList()) {
         if (filter.name == name) return filter;
@@ -73,8 +109,7 @@ std::optional<EllipticalSettings> ellipticalSettings(const FilterChoice& choice)
 }
 
 void checkFilter(const FilterChoice& choice, const std::string& subject) {
-    withFilter(findFilter(choice.name).name,
-               [&]<class Filter>() { parseOptions<typename Filter::Options>(choice.name, choice.options, subject); });
+    withFilter(findFilter(choice.name).name, [&]<class Filter>() { optionsOf<Filter>(choice, subject); });
 }
 
 FilterChoice parseFilter(std::string_view text, const std::string& subject) {
@@ -109,8 +144,7 @@ std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, cons
     if (needsLevels(choice) && !ready.levels) ready.levels = std::make_shared<const ColorLevels>(tools.picture, work);
     std::unique_ptr<const TextureFilter> made;
     withFilter(choice.name, [&]<class Filter>() {
-        const auto options = parseOptions<typename Filter::Options>(choice.name, choice.options, "--filter-set");
-        made = Filter::make(options, ready, maps, work);
+        made = Filter::make(optionsOf<Filter>(choice, "--filter-set"), ready, maps, work);
     });
     return made;
 }

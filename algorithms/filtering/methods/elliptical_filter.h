@@ -41,14 +41,11 @@ struct EllipticalFilterOptions : EllipticalOptions {
         return all;
     }
     // Throws InputError: weights that are not round need more of a pixel than its ellipse.
-    EllipseForm form() const {
-        const EllipseForm form = ellipseForm(ellipse);
-        if (form == EllipseForm::Cached && EllipticalSettings::of(*this).shaped()) {
-            const Message range(MessageId::RangeEllipse, {{"weights", weights}});
-            throw InputError("--filter-set", Message(MessageId::OutOfRange,
-                                                     {{"what", "ellipse"}, {"value", ellipse}, {"range", range}}));
-        }
-        return form;
+    void check(const std::string& subject) const {
+        if (ellipseForm(ellipse) != EllipseForm::Cached || !EllipticalSettings::of(*this).shaped()) return;
+        const Message range(MessageId::RangeEllipse, {{"weights", weights}});
+        throw InputError(subject,
+                         Message(MessageId::OutOfRange, {{"what", "ellipse"}, {"value", ellipse}, {"range", range}}));
     }
 
     bool operator==(const EllipticalFilterOptions&) const = default;
@@ -65,9 +62,14 @@ class EllipticalFilter final : public TextureFilter {
         filter.footprint = filter.ellipse = true;
         return filter;
     }
+    static std::vector<std::string> benched() {
+        return {"weights=uniform", "weights=texel-distance", "", "source=table", "source=map",
+                "weights=box",     "levels=exhaustive"};
+    }
     static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache&,
                                                      Work& work) {
-        return std::make_unique<EllipticalFilter>(tools, ellipticalKernel(options, tools, work), options.form());
+        return std::make_unique<EllipticalFilter>(tools, ellipticalKernel(options, tools, work),
+                                                  ellipseForm(options.ellipse));
     }
     EllipticalFilter(const FilterTools& tools, EllipticalKernel kernel, EllipseForm form)
         : kernel_(std::move(kernel)), scale_(tools.pictureScale()), form_(form) {}

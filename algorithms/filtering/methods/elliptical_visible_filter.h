@@ -19,6 +19,8 @@ struct EllipticalVisible {
         filter.footprint = filter.ellipse = filter.visible = true;
         return filter;
     }
+    static std::vector<std::string> benched() { return {"form=plane", "form=position", "form=position-area", ""}; }
+    static std::vector<std::string> advised() { return {"", "form=position-area"}; }
     static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache& maps,
                                                      Work& work);
 };

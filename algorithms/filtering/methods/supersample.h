@@ -14,6 +14,9 @@ struct SupersampleFilter {
         filter.help = "many rays a pixel, traced and lit one by one: the picture's truth, slow";
         return filter;
     }
+    // It is what the others are held against.
+    static std::vector<std::string> benched() { return {}; }
+    static std::vector<std::string> advised() { return {}; }
     static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache& maps,
                                                      Work& work) {
         return BilinearFilter::make(options, tools, maps, work);

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mapping/rows/row_terms.h"
+#include "mapping/rows/rows.h"
 
 namespace relief {
 
@@ -196,6 +196,32 @@ void subspanRow(const RowTerms<T>& row, std::int64_t m, T* u, T* v) {
     }
     u[last] = s;
     v[last] = t;
+}
+
+// The row by that variant. streams: of Streams and RowsParallel; span: of Subspan.
+template <typename T>
+void variantRow(const RowTerms<T>& row, RowVariant variant, std::int64_t streams, std::int64_t span, T* u, T* v) {
+    switch (variant) {
+        case RowVariant::Affine:
+            return affineRow(row, u, v);
+        case RowVariant::Direct:
+            return directRow(row, u, v);
+        case RowVariant::RowConstant:
+            return rowConstantRow(row, u, v);
+        case RowVariant::Incremental:
+            return incrementalRow(row, u, v);
+        case RowVariant::IncrementalShared:
+            return incrementalSharedRow(row, u, v);
+        case RowVariant::IncrementalReciprocal:
+            return incrementalReciprocalRow(row, u, v);
+        case RowVariant::Opposed:
+            return opposedRow(row, u, v);
+        case RowVariant::Subspan:
+            return subspanRow(row, span, u, v);
+        case RowVariant::Streams:
+        case RowVariant::RowsParallel:
+            return streamsRow(row, streams, u, v);
+    }
 }
 
 }  // namespace relief

@@ -57,16 +57,4 @@ std::int64_t longestSpan(const Homography& map, double y, PixelSpan span, double
     });
 }
 
-std::vector<std::int64_t> planSpans(const Homography& map, double y, PixelSpan span, double error) {
-    assert(error > 0);
-    std::vector<std::int64_t> lengths;
-    if (span.empty()) return lengths;
-    const RowSlopes slopes = rowSlopes(map, y);
-    for (std::int64_t n = span.begin; n < span.end - 1; n += lengths.back()) {
-        lengths.push_back(
-            largest(span.end - 1 - n, [&](std::int64_t m) { return worstError(map, y, slopes, n, m) <= error; }));
-    }
-    return lengths;
-}
-
 }  // namespace relief

@@ -43,8 +43,4 @@ RowSlopes rowSlopes(const Homography& map, double y);
 // centres) keeps `error` texels (> 0) in u and in v.
 std::int64_t longestSpan(const Homography& map, double y, PixelSpan span, double error);
 
-// Sub-spans of different lengths from the left, each the longest that keeps the error where it stands; together they
-// reach from the first pixel's centre to the last one's.
-std::vector<std::int64_t> planSpans(const Homography& map, double y, PixelSpan span, double error);
-
 }  // namespace relief

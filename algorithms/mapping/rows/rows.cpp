@@ -75,32 +75,11 @@ double smallestQ(const Homography& map, double y, PixelSpan span, const RowOptio
 
 template <typename T>
 void evaluateValid(const RowTerms<T>& row, const RowOptions& options, bool pastCache, T* u, T* v) {
-    switch (options.variant) {
-        case RowVariant::Affine:
-            return affineRow(row, u, v);
-        case RowVariant::Direct:
-            return directRow(row, u, v);
-        case RowVariant::RowConstant:
-            return rowConstantRow(row, u, v);
-        case RowVariant::Incremental:
-            return incrementalRow(row, u, v);
-        case RowVariant::IncrementalShared:
-            return incrementalSharedRow(row, u, v);
-        case RowVariant::IncrementalReciprocal:
-            return incrementalReciprocalRow(row, u, v);
-        case RowVariant::Opposed:
-            return opposedRow(row, u, v);
-        case RowVariant::Subspan:
-            return subspanRow(row, options.span, u, v);
-        case RowVariant::Streams:
-        case RowVariant::RowsParallel:
-            break;
+    const bool streams = options.variant == RowVariant::Streams || options.variant == RowVariant::RowsParallel;
+    if (streams && options.lanes && hasStreamLanes(options.streams)) {
+        return streamsRowLanes(row, options.streams, pastCache, u, v);
     }
-    if (options.lanes && hasStreamLanes(options.streams)) {
-        streamsRowLanes(row, options.streams, pastCache, u, v);
-    } else {
-        streamsRow(row, options.streams, u, v);
-    }
+    variantRow(row, options.variant, options.streams, options.span, u, v);
 }
 
 template <typename T>

@@ -142,4 +142,14 @@ struct AdviceRegret {
 };
 AdviceRegret adviceRegret(const AdviceOptions& options, Work& work);
 
+// The advice for several reliefs.
+struct CheckedRelief {
+    std::string name;
+    AdviceRegret advice;
+};
+// Whether it keeps its bound on every one of them.
+bool keepsBounds(std::span<const CheckedRelief> reliefs);
+// A table of the reliefs, and a line about all of them.
+std::string regretText(std::span<const CheckedRelief> reliefs);
+
 }  // namespace relief

@@ -5,6 +5,7 @@
 #include "measuring/advise/recommend_trials.h"
 #include "measuring/quantiles.h"
 #include "measuring/random_rays.h"
+#include "measuring/text_table.h"
 
 namespace relief {
 
@@ -75,6 +76,34 @@ AdviceRegret adviceRegret(const AdviceOptions& options, Work& work) {
     }
     result.tableSeconds = secondsSince(begun);
     return result;
+}
+
+bool keepsBounds(std::span<const CheckedRelief> reliefs) {
+    return std::all_of(reliefs.begin(), reliefs.end(),
+                       [](const CheckedRelief& relief) { return relief.advice.keepsBound; });
+}
+
+std::string regretText(std::span<const CheckedRelief> reliefs) {
+    constexpr int kDigits = 3;
+    const auto percent = [](double share) { return readable(100 * share, kDigits); };
+    std::vector<TableRow> rows{{"", "regret %", "beyond %", "chosen", "the full table's best"}};
+    std::vector<double> regrets;
+    double advised = 0;
+    double measured = 0;
+    for (const auto& [name, advice] : reliefs) {
+        const bool valid = advice.anyIsValid();
+        if (valid) regrets.push_back(advice.regret());
+        advised += advice.adviceSeconds;
+        measured += advice.tableSeconds;
+        rows.push_back({name, valid ? percent(advice.regret()) : "-",
+                        percent(advice.chosenBeyond) + (advice.keepsBound ? "" : "!"), methodText(advice.chosen),
+                        valid ? methodText(advice.best) : "none keeps all bounds"});
+    }
+    const auto summary = [&](double share) {
+        return regrets.empty() ? std::string("-") : percent(quantile(regrets, share)) + "%";
+    };
+    return textTable(rows, 1, 3) + "regret: median " + summary(0.5) + ", worst " + summary(1) + "; advice " +
+           readable(advised, kDigits) + " s, full tables " + readable(measured, kDigits) + " s\n";
 }
 
 }  // namespace relief

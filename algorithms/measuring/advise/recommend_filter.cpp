@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "filtering/filters/measured_filters.h"
+#include "filtering/methods/trilinear.h"
 #include "measuring/advise/recommend.h"
 #include "measuring/bench/bench_filters.h"
 
@@ -35,10 +37,7 @@ FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work&
     FilterBenchOptions bench;
     const auto color = options.color ? options.color : patchPicture(options.field.heights(), options.seed);
     bench.scenes = {{options.name, options.field, color}};
-    for (const char* text : {"nearest", "bilinear", "trilinear", "elliptical", "elliptical-visible",
-                             "elliptical-visible:form=position-area"}) {
-        bench.filters.push_back(parseFilter(text, "--filters"));
-    }
+    bench.filters = advisedFilters();
     bench.pixelModels = {PixelModel::Gaussian};
     bench.elevations = elevations(options.views);
     const int times = seconds >= kRichSeconds ? 2 : 1;
@@ -63,9 +62,11 @@ FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work&
         figures.texels /= count;
         advice.filters.push_back(figures);
     }
-    constexpr std::size_t kTrilinear = 2;
-    advice.live = advice.still = kTrilinear;
-    const double slowest = advice.filters[kTrilinear].rate / kLiveTimes;
+    const auto yardstick = std::find_if(advice.filters.begin(), advice.filters.end(), [](const FilterFigures& figures) {
+        return figures.filter.name == filterDescriptionOf<TrilinearFilter>().name;
+    });
+    advice.live = advice.still = static_cast<std::size_t>(yardstick - advice.filters.begin());
+    const double slowest = yardstick->rate / kLiveTimes;
     for (std::size_t f = 0; f < advice.filters.size(); ++f) {
         const FilterFigures& figures = advice.filters[f];
         if (figures.rmse < advice.filters[advice.still].rmse) advice.still = f;

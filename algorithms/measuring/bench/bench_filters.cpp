@@ -224,18 +224,6 @@ FilterScene filterScene(const std::string& name, int size, std::uint64_t seed) {
             patchPicture(*heights, seed)};
 }
 
-std::vector<FilterChoice> defaultFilters() {
-    std::vector<FilterChoice> all;
-    for (const char* text :
-         {"nearest", "bilinear", "trilinear", "elliptical:weights=uniform", "elliptical:weights=texel-distance",
-          "elliptical", "elliptical:source=table", "elliptical:source=map", "elliptical:weights=box",
-          "elliptical:levels=exhaustive", "elliptical-visible:form=plane", "elliptical-visible:form=position",
-          "elliptical-visible:form=position-area", "elliptical-visible"}) {
-        all.push_back(parseFilter(text, "--filters"));
-    }
-    return all;
-}
-
 std::vector<FilterBenchRow> benchFilters(const FilterBenchOptions& options, Work& work) {
     return FilterBench(options, work).run();
 }

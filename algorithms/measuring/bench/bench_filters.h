@@ -64,8 +64,6 @@ struct FilterBenchOptions {
     double distance = 1.4;  // of the camera, texture widths
     std::function<void(const FilterBenchRow&)> onRow;
 };
-// What the papers compare.
-std::vector<FilterChoice> defaultFilters();
 
 // A row for each pixel model; the rate is the same in all of them. Throws InputError, Cancelled.
 std::vector<FilterBenchRow> benchFilters(const FilterBenchOptions& options, Work& work);

@@ -76,12 +76,6 @@ void addChildren(const std::vector<Step>& steps, std::size_t begin, std::size_t 
     for (const Open& left : open) ++counts[left.level].ended;
 }
 
-ChildrenByLevel countChildren(const StepLog& log) {
-    ChildrenByLevel counts;
-    for (std::size_t r = 0; r < log.rays(); ++r) addChildren(log.steps, log.begin[r], log.begin[r + 1], counts);
-    return counts;
-}
-
 ChildCounts sumOf(const ChildrenByLevel& counts) {
     ChildCounts all;
     for (const auto& [level, of] : counts) all.add(of);

@@ -32,7 +32,6 @@ using ChildrenByLevel = std::map<int, ChildCounts>;
 // The steps of one ray, of either form of the max pyramid tracer: children are the steps one level below whose texel
 // lies in the one descended into.
 void addChildren(const std::vector<Step>& steps, std::size_t begin, std::size_t end, ChildrenByLevel& counts);
-ChildrenByLevel countChildren(const StepLog& log);
 ChildCounts sumOf(const ChildrenByLevel& counts);
 
 // "level,one,two,three,mean,ended", a line a level from the top, then one "all".

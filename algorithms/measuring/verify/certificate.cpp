@@ -27,16 +27,8 @@ std::optional<StoredMap> mapOf(const MethodChoice& choice, const HeightField& fi
         if (std::find(method.maps.begin(), method.maps.end(), kind) == method.maps.end()) continue;
         return buildMap(kind, choice.options, field, cache, work);
     }
-    for (const OptionDescription& option : method.options) {
-        if (option.kind != OptionKind::Method) continue;
-        const auto given = choice.options.find(option.name);
-        MethodChoice inner{given == choice.options.end() ? method.defaults.at(option.name) : given->second, {}};
-        for (const auto& [name, text] : choice.options) {
-            if (name.starts_with(kInnerPrefix)) inner.options[name.substr(kInnerPrefix.size())] = text;
-        }
-        if (auto map = mapOf(inner, field, cache, work)) return map;
-    }
-    return std::nullopt;
+    const auto inner = innerMethod(choice);
+    return inner ? mapOf(*inner, field, cache, work) : std::nullopt;
 }
 
 class Certifier {

@@ -151,7 +151,7 @@ class ConeWalk {
     Hit traceSegment(const ViewRay& viewRay, Segment segment, Sink& sink) const {
         if (!viewRay.finite()) return Hit::none(Outcome::Miss);
         const ConeGround ground{field_, scene_.grid, cones_};
-        PackedWalk part(ground, viewRay, 0, segment.in, segment.out);
+        PackedWalk part(ground, {viewRay}, 0, segment.in, segment.out);
         StepsWithin<Sink> within{sink, segment.in, segment.out};
         while (part.step(ground, within)) {
         }
@@ -341,7 +341,7 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink
             from = part.from;
             until = end == End::Left || ++returns > kMostReturns ? kEnd : part.until;
         }
-        PackedWalk part(ground, viewRay, 0, from, until);
+        PackedWalk part(ground, {viewRay}, 0, from, until);
         StepsWithin<DoubleSink> rest{inDouble, lambda, 1};
         while (part.step(ground, rest)) {
         }

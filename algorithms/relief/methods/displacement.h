@@ -93,8 +93,8 @@ Hit DisplacementTracer::trace(const ViewRay& viewRay, Sink& sink) const {
         record(Decision::Test, lambda, std::min(out, 1.0), std::min(out, 1.0));
         lambda = out;
         bool inside = out < 1;
-        if (inside && outX <= outY) inside = DisplacementMesh::moveOn(grid.x, ray.x.side, cx);
-        if (inside && outY <= outX) inside = DisplacementMesh::moveOn(grid.y, ray.y.side, cy);
+        if (inside && outX <= outY) inside = stepCell(grid.x, ray.x.side, cx);
+        if (inside && outY <= outX) inside = stepCell(grid.y, ray.y.side, cy);
         if (!inside) {
             lambda = std::min(out, 1.0);
             record(Decision::Miss, lambda, lambda, lambda);

@@ -77,19 +77,6 @@ class DisplacementMesh {
         return std::max(z, 0.0);
     }
 
-    // To the neighbouring quad in the ray's direction; false, and nothing changed, where there is none.
-    static bool moveOn(const GridAxis& axis, int side, AxisCell& cell) {
-        const int next = cell.index + side;
-        if (next >= 0 && next < axis.cells) {
-            cell.index = next;
-            return true;
-        }
-        if (!axis.wraps) return false;
-        cell.base += side * static_cast<std::int64_t>(axis.cells);
-        cell.index = side > 0 ? 0 : axis.cells - 1;
-        return true;
-    }
-
     // Lambda at which the ray first meets the quad's triangles, if it does.
     std::optional<double> quadHit(const GridRay& ray, AxisCell cx, AxisCell cy) const;
 

@@ -1,6 +1,6 @@
-// The walk by packed cones in double, a step at a time: for what float cannot decide (cone_walk.h), and for rays that
-// the SIMD walk cannot finish, from where it stopped. All exact methods give the same bits: the one leaf decides, and
-// cells partition the ray.
+// The walk by packed cones in double, a step at a time: for what float cannot decide (cone_walk.h), for rays that the
+// SIMD walk cannot finish, from where it stopped, and for visibility queries (visibility/packed_cone_any.h). All exact
+// methods give the same bits: the one leaf decides, and cells partition the ray.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 #pragma once
@@ -52,26 +52,47 @@ inline bool packedWalks(const CellGrid& grid, const ViewRay& ray) {
 // Rays that come back to float more often go on in double to their end.
 inline constexpr int kMostReturns = 4;
 
-class PackedWalk {
+// What a walk looks for: where a view ray meets the surface. Its parameter is lambda.
+struct FirstHit {
+    ViewRay line;
+
+    // By how much, in heights, a ray must pass above what the leaf could still call a hit.
+    static constexpr double kMargin = kExclusionMargin;
+    const ViewRay& course() const { return line; }
+    double heightAt(double lambda) const { return 1 - lambda; }
+    double rise() const { return -1; }  // of heightAt, to the parameter
+    double end(const CellGrid& grid, const GridRay& ray) const { return ray.end(grid); }
+    double mostSteps(const GridRay& ray) const { return ray.cellBound() + 2; }
+    std::optional<double> leaf(const ConeGround& ground, const GridRay& ray, AxisCell cx, AxisCell cy, double) const {
+        return leafHit(ground.field, ground.grid, ray, cx, cy);
+    }
+    const Step& logged(const Step& step) const { return step; }
+};
+
+template <class Query>
+class PackedConeWalk {
   public:
-    // from: lambda before which the ray meets nothing. It pauses at the first place from `until` on. number: as the
-    // caller counts.
-    PackedWalk(const ConeGround& ground, const ViewRay& viewRay, std::size_t number, double from, double until)
+    // from: before it the line meets nothing. It pauses at the first place from `until` on. number: as the caller
+    // counts.
+    PackedConeWalk(const ConeGround& ground, const Query& query, std::size_t number, double from, double until)
         : number_(number),
-          viewRay_(viewRay),
-          ray_(ground.grid, viewRay),
+          query_(query),
+          ray_(ground.grid, query.course()),
           quadrant_(quadrantOf(ray_)),
           run_(std::max(std::abs(ray_.x.run), std::abs(ray_.y.run))),
-          end_(ray_.end(ground.grid)),
+          end_(query.end(ground.grid, ray_)),
           lambda_(from),
           until_(until),
-          left_(ray_.cellBound() + 2) {
+          left_(query.mostSteps(ray_)) {
         arrive(ground);
     }
 
     std::size_t number() const { return number_; }
-    const Hit& hit() const { return hit_; }
-    // Not at a hit or a miss: where it is.
+    const GridRay& ray() const { return ray_; }
+    Outcome outcome() const { return outcome_; }
+    // Of a view ray that has ended.
+    Hit hit() const { return outcome_ == Outcome::Hit ? Hit::at(query_.line, lambda_) : Hit::none(outcome_); }
+    // Where it is: the place of x() and y(), unless it has ended.
     bool paused() const { return paused_; }
     const AxisCell& x() const { return x_; }
     const AxisCell& y() const { return y_; }
@@ -83,46 +104,52 @@ class PackedWalk {
         const std::uint32_t word = ground.cones.quadrant(quadrant_)[ground.cones.index(x_.index, y_.index)];
         const auto note = [&](Decision decision, double after) {
             return [&, decision, after] {
-                return coneRecord(ground, ray_, x_, y_, decision, {lambda_, out_}, word, after);
+                return query_.logged(coneRecord(ground, ray_, x_, y_, decision, {lambda_, out_}, word, after));
             };
         };
         double after = out_;
         if (testing_) {
-            const auto met = leafHit(ground.field, ground.grid, ray_, x_, y_);
+            const auto met = query_.leaf(ground, ray_, x_, y_, out_);
             sink.read(leafReads(ground.field.surface()));
             sink.step(note(met ? Decision::Hit : Decision::Test, met ? *met : out_));
-            if (met) return finish(Hit::at(viewRay_, *met));
+            if (met) return finish(Outcome::Hit, *met);
             testing_ = false;
         } else {
             sink.read(1);
-            if (!(ground.cones.heightAt(coneOwnDepth(word)) + kExclusionMargin < 1 - out_)) {
+            const double zOut = query_.heightAt(out_), lowest = std::min(query_.heightAt(lambda_), zOut);
+            if (!(ground.cones.heightAt(coneOwnDepth(word)) + Query::kMargin < lowest)) {
                 testing_ = true;
                 fetchHeights(ground);
                 return true;
             }
-            const double room = 1 - out_ - ground.cones.heightAt(coneApexDepth(word));
-            const double free = room / (1 + static_cast<double>(coneSlope(word)) * run_) * kShorterShare;
-            after += std::max(0.0, free - kExclusionMargin);
+            const double room = zOut - ground.cones.heightAt(coneApexDepth(word));
+            const double closing = static_cast<double>(coneSlope(word)) * run_ - query_.rise();
+            if (room > 0) {
+                // What rises faster than the cone never meets it.
+                const double free = closing > 0 ? room / closing * kShorterShare : 1;
+                after += std::max(0.0, free - Query::kMargin);
+            }
             // Below the apex it is above the cell alone.
             sink.step(note(room > 0 ? Decision::Advance : Decision::Skip, std::min(after, end_)));
         }
+        if (!(after < end_)) return finish(Outcome::Miss, after);
         lambda_ = after;
-        if (!(lambda_ < end_)) return finish(Hit::none(Outcome::Miss));
-        if (!(--left_ > 0)) return finish(Hit::none(Outcome::Limit));
+        if (!(--left_ > 0)) return finish(Outcome::Limit, after);
         arrive(ground);
         paused_ = lambda_ >= until_;
         return !paused_;
     }
 
   private:
-    bool finish(const Hit& hit) {
-        hit_ = hit;
+    bool finish(Outcome outcome, double lambda) {
+        outcome_ = outcome;
+        lambda_ = lambda;
         return false;
     }
     void arrive(const ConeGround& ground) {
         x_ = ray_.x.cellAt(ground.grid.x, lambda_);
         y_ = ray_.y.cellAt(ground.grid.y, lambda_);
-        out_ = std::max(cellStay(ground.grid, ray_, x_, y_).out, lambda_);
+        out_ = std::max(std::min(cellStay(ground.grid, ray_, x_, y_).out, end_), lambda_);
         hwy::Prefetch(ground.cones.quadrant(quadrant_) + ground.cones.index(x_.index, y_.index));
     }
     void fetchHeights(const ConeGround& ground) const {
@@ -137,7 +164,7 @@ class PackedWalk {
     }
 
     std::size_t number_;
-    ViewRay viewRay_;
+    Query query_;
     GridRay ray_;
     std::size_t quadrant_;
     double run_, end_;
@@ -147,8 +174,9 @@ class PackedWalk {
     AxisCell x_, y_;
     bool testing_ = false;  // the cell itself is to be tested
     bool paused_ = false;
-    Hit hit_;
+    Outcome outcome_ = Outcome::Unset;
 };
+using PackedWalk = PackedConeWalk<FirstHit>;
 
 // All walks, each a step in turn: each waits for memory at every step, and so they wait together. What has come to its
 // end is given to end().

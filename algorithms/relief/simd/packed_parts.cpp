@@ -13,7 +13,7 @@ void packedHits(const ConeGround& ground, const RayBlock& rays, const std::vecto
         if (!ray.finite() || GridRay(ground.grid, ray).entersOutside(ground.grid)) {
             hits.set(start.ray, Hit::none(Outcome::Miss));
         } else {
-            walks.emplace_back(ground, ray, start.ray, start.from, std::numeric_limits<double>::infinity());
+            walks.emplace_back(ground, FirstHit{ray}, start.ray, start.from, std::numeric_limits<double>::infinity());
         }
     }
     walkAll(ground, walks, [&](const PackedWalk& walk) { hits.set(walk.number(), walk.hit()); });
@@ -23,7 +23,7 @@ void packedParts(const ConeGround& ground, const RayBlock& rays, std::vector<Pac
     static thread_local std::vector<PackedWalk> walks;
     walks.clear();
     for (std::size_t n = 0; n < parts.size(); ++n) {
-        walks.emplace_back(ground, rays[parts[n].ray], n, parts[n].from, parts[n].until);
+        walks.emplace_back(ground, FirstHit{rays[parts[n].ray]}, n, parts[n].from, parts[n].until);
     }
     walkAll(ground, walks, [&](const PackedWalk& walk) {
         PackedPart& part = parts[walk.number()];

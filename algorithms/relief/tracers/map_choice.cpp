@@ -67,11 +67,8 @@ std::optional<std::string> prefixOfWalker(const MethodChoice& choice, const std:
     for (const auto* const maps : {&method.maps, &method.otherMaps}) {
         for (const std::string& map : *maps) wanted += (wanted.empty() ? "" : ", ") + map;
     }
-    for (const OptionDescription& option : method.options) {
-        if (option.kind != OptionKind::Method) continue;
-        const auto given = choice.options.find(option.name);
-        const std::string inner = given == choice.options.end() ? method.defaults.at(option.name) : given->second;
-        if (const auto prefix = prefixOfWalker({inner, {}}, kind, wanted)) return std::string(kInnerPrefix) + *prefix;
+    if (const auto inner = innerMethod(choice)) {
+        if (const auto prefix = prefixOfWalker(*inner, kind, wanted)) return std::string(kInnerPrefix) + *prefix;
     }
     return std::nullopt;
 }
@@ -93,6 +90,20 @@ const std::vector<std::string>& mapKinds() {
     return kinds;
 }
 
+std::optional<MethodChoice> innerMethod(const MethodChoice& choice) {
+    const MethodDescription& method = findTracer(choice.name);
+    for (const OptionDescription& option : method.options) {
+        if (option.kind != OptionKind::Method) continue;
+        const auto given = choice.options.find(option.name);
+        MethodChoice inner{given == choice.options.end() ? method.defaults.at(option.name) : given->second, {}};
+        for (const auto& [name, text] : choice.options) {
+            if (name.starts_with(kInnerPrefix)) inner.options[name.substr(kInnerPrefix.size())] = text;
+        }
+        return inner;
+    }
+    return std::nullopt;
+}
+
 std::optional<UsedMap> usedMap(const MethodChoice& choice) {
     const MethodDescription& method = findTracer(choice.name);
     for (const std::string& kind : mapKinds()) {
@@ -103,16 +114,8 @@ std::optional<UsedMap> usedMap(const MethodChoice& choice) {
         if (other != used.options.end()) used.kind = other->second;
         return used;
     }
-    for (const OptionDescription& option : method.options) {
-        if (option.kind != OptionKind::Method) continue;
-        const auto given = choice.options.find(option.name);
-        MethodChoice inner{given == choice.options.end() ? method.defaults.at(option.name) : given->second, {}};
-        for (const auto& [name, text] : choice.options) {
-            if (name.starts_with(kInnerPrefix)) inner.options[name.substr(kInnerPrefix.size())] = text;
-        }
-        return usedMap(inner);
-    }
-    return std::nullopt;
+    const auto inner = innerMethod(choice);
+    return inner ? usedMap(*inner) : std::nullopt;
 }
 
 MethodChoice withStoredMap(const MethodChoice& choice) {

@@ -12,6 +12,8 @@ namespace relief {
 
 // Kinds that can be built and stored, in the order of lists.
 const std::vector<std::string>& mapKinds();
+// The method that works inside this one, with its options; nothing of methods that have none.
+std::optional<MethodChoice> innerMethod(const MethodChoice& choice);
 // The stored map that the method, or the one inside it, traces with, and the options that build it: all of the tracing
 // method's, given or its defaults. Nothing if it uses none.
 struct UsedMap {

@@ -95,40 +95,14 @@ class TracerOf final : public Tracer {
 
     void trace(const RayBlock& rays, HitBlock& hits, BlockCounts& counts, Work& work) const override {
         hits.resize(rays.size());
-        std::atomic<std::uint64_t> highest{0};
-        overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
-            std::uint64_t here = 0;
-            for (std::size_t i = first; i < last; ++i) {
-                CountSink sink;
-                hits.set(i, tracer_.trace(rays[i], sink));
-                hits.steps[i] = sink.steps;
-                hits.reads[i] = sink.reads;
-                here += sink.highest ? 1 : 0;
-            }
-            highest += here;
-        });
-        counts.startHighest += highest;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            counts.steps += hits.steps[i];
-            counts.reads += hits.reads[i];
-        }
+        countBlock(rays.size(), hits, counts, work,
+                   [&](std::size_t i, CountSink& sink) { hits.set(i, tracer_.trace(rays[i], sink)); });
     }
 
     void trace(const RayBlock& rays, HitBlock& hits, StepLog& log, Work& work) const override {
         hits.resize(rays.size());
-        LogSink sink;
-        sink.steps = std::move(log.steps);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (i % kRayGrain == 0) work.throwIfStopped();
-            sink.reads = 0;
-            const std::size_t before = sink.steps.size();
-            hits.set(i, tracer_.trace(rays[i], sink));
-            hits.steps[i] = static_cast<std::uint32_t>(sink.steps.size() - before);
-            hits.reads[i] = sink.reads;
-            log.begin.push_back(sink.steps.size());
-            log.reads.push_back(sink.reads);
-        }
-        log.steps = std::move(sink.steps);
+        logBlock(rays.size(), hits, log, work,
+                 [&](std::size_t i, LogSink& sink) { hits.set(i, tracer_.trace(rays[i], sink)); });
     }
 
   private:

@@ -39,35 +39,14 @@ class QueryOf final : public AnyHitQuery {
 
     void look(const AnyRayBlock& rays, SightBlock& sights, BlockCounts& counts, Work& work) const override {
         sights.resize(rays.size());
-        overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) {
-                CountSink sink;
-                sights.sight[i] = query_.look(rays[i], sink);
-                sights.steps[i] = sink.steps;
-                sights.reads[i] = sink.reads;
-            }
-        });
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            counts.steps += sights.steps[i];
-            counts.reads += sights.reads[i];
-        }
+        countBlock(rays.size(), sights, counts, work,
+                   [&](std::size_t i, CountSink& sink) { sights.sight[i] = query_.look(rays[i], sink); });
     }
 
     void look(const AnyRayBlock& rays, SightBlock& sights, StepLog& log, Work& work) const override {
         sights.resize(rays.size());
-        LogSink sink;
-        sink.steps = std::move(log.steps);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (i % kRayGrain == 0) work.throwIfStopped();
-            sink.reads = 0;
-            const std::size_t before = sink.steps.size();
-            sights.sight[i] = query_.look(rays[i], sink);
-            sights.steps[i] = static_cast<std::uint32_t>(sink.steps.size() - before);
-            sights.reads[i] = sink.reads;
-            log.begin.push_back(sink.steps.size());
-            log.reads.push_back(sink.reads);
-        }
-        log.steps = std::move(sink.steps);
+        logBlock(rays.size(), sights, log, work,
+                 [&](std::size_t i, LogSink& sink) { sights.sight[i] = query_.look(rays[i], sink); });
     }
 
   private:

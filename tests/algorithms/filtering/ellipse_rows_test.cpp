@@ -310,6 +310,7 @@ TEST(EllipseRows, RefusedWhereThePixelsOrientationCounts) {
         EXPECT_THROW(filterOf(with, {{"ellipse", "cached"}, {"weights", weights}}), InputError) << weights;
         EXPECT_NO_THROW(filterOf(with, {{"ellipse", "iterative"}, {"weights", weights}})) << weights;
     }
+    EXPECT_THROW(parseFilter("elliptical:ellipse=cached:weights=box", "--filter"), InputError);
     EXPECT_THROW(parseFilter("elliptical-visible:ellipse=cached", "--filter"), InputError);
     EXPECT_THROW(parseFilter("elliptical:ellipse=round", "--filter"), InputError);
 }

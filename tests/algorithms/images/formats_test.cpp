@@ -66,6 +66,20 @@ TEST(Formats, JpegKeepsAdobesSegmentAndDropsMetadata) {
     EXPECT_EQ(std::string(clean.begin(), clean.end()), start + jfif + adobe + scan);
 }
 
+// Metadata that end with the file are dropped; what would end behind it stays, for the library to refuse.
+TEST(Formats, JpegWithASegmentBeyondItsEndIsLeftAlone) {
+    const auto cleaned = [](const std::string& file) {
+        const auto clean = cleanJpeg({reinterpret_cast<const unsigned char*>(file.data()), file.size()});
+        return std::string(clean.begin(), clean.end());
+    };
+    const std::string start("\xff\xd8", 2), exif("\xff\xe1\0\6Exif", 8);
+    EXPECT_EQ(cleaned(start + exif), start);
+    for (std::size_t length = 0; length < exif.size(); ++length) {
+        const std::string cut = start + exif.substr(0, length);
+        EXPECT_EQ(cleaned(cut), cut) << length;
+    }
+}
+
 TEST(Formats, FewBitsSpanTheFullRange) {
     const TemporaryFolder folder;
     const HeightImage image = heights(folder.with("g.png", png(4, 1, 2, 0, std::string("\0\x1b", 2))));

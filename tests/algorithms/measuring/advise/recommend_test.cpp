@@ -257,6 +257,26 @@ TEST(Recommend, ApproximateMethodsStandBesideTheSafeOnes) {
     EXPECT_EQ(text.find("inf"), std::string::npos) << text;
 }
 
+// One relief on which the bound is broken is enough, whatever comes after it.
+TEST(Recommend, ChecksKeepBoundsOnEveryRelief) {
+    AdviceRegret kept;
+    kept.chosen = kept.best = {"exact", {}};
+    kept.chosenCost = kept.bestCost = 2;
+    AdviceRegret broken = kept;
+    broken.keepsBound = false;
+    broken.chosenCost = 3;
+    broken.chosenBeyond = 0.25;
+    const auto keep = [](const std::vector<CheckedRelief>& reliefs) { return keepsBounds(reliefs); };
+    EXPECT_TRUE(keep({{"a", kept}, {"b", kept}}));
+    EXPECT_FALSE(keep({{"a", broken}, {"b", kept}}));
+    EXPECT_FALSE(keep({{"a", kept}, {"b", broken}, {"c", kept}}));
+    const std::vector<CheckedRelief> reliefs{{"a", broken}, {"b", kept}};
+    const std::string text = regretText(reliefs);
+    for (const char* const part : {" 50 ", " 25! ", "regret: median 25%, worst 50%"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    }
+}
+
 TEST(Recommend, FiguresOfTheRelief) {
     FloatImage ramp(64, 64);
     for (int y = 0; y < 64; ++y) {
@@ -286,7 +306,13 @@ TEST(Recommend, FilterOfLeastErrorAndTheFootprintsShape) {
     options.views = parseViews("30", "--views");
     Work work;
     const FilterAdvice advice = recommendFilter(options, 1, work);
-    ASSERT_GT(advice.filters.size(), 3U);
+    // Every filter of the list but the truth itself, and the rates are held against trilinear's.
+    for (const FilterDescription& filter : filterList()) {
+        const bool tried = std::any_of(advice.filters.begin(), advice.filters.end(), [&](const FilterFigures& figures) {
+            return figures.filter.name == filter.name;
+        });
+        EXPECT_EQ(tried, filter.name != kSupersample) << filter.name;
+    }
     for (const FilterFigures& figures : advice.filters) {
         EXPECT_GE(figures.rmse, advice.filters[advice.still].rmse) << figures.filter.name;
         EXPECT_GT(figures.texels, 0) << figures.filter.name;

@@ -9,6 +9,12 @@
 namespace relief::test {
 namespace {
 
+ChildrenByLevel countChildren(const StepLog& log) {
+    ChildrenByLevel counts;
+    for (std::size_t r = 0; r < log.rays(); ++r) addChildren(log.steps, log.begin[r], log.begin[r + 1], counts);
+    return counts;
+}
+
 ChildrenByLevel counted(const char* name, const HeightField& field, int rays, std::uint64_t seed) {
     MapCache cache;
     Work work;

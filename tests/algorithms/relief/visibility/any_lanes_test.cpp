@@ -115,7 +115,7 @@ LaneSteps loggedCells(const PackedConeAnyHit& query, const AnyRay& ray) {
     const CellGrid& grid = query.grid();
     LaneSteps cells;
     for (const Step& step : log.steps) {
-        if (step.decision != Decision::Advance && !step.tests()) continue;
+        if (step.decision == Decision::Start || step.decision == Decision::Miss) continue;
         cells.push_back(
             {static_cast<double>(step.i - grid.x.firstName), static_cast<double>(step.j - grid.y.firstName)});
     }
