@@ -237,9 +237,7 @@ int runBench(const BenchCommandOptions& given, Session& session) {
     given.run.apply(session, given.part.has_value());
     const std::string& kind = needed(given.kind, "KIND", "bench");
     if (kind != "tracers" && kind != "rows" && kind != "filters") {
-        throw InputError(
-            "", Message(MessageId::UnknownName,
-                        {{"what", MessageId::WordBenchmark}, {"name", kind}, {"known", "tracers, rows, filters"}}));
+        throw InputError("", unknownName({"what", MessageId::WordBenchmark}, kind, "tracers, rows, filters"));
     }
     if (given.output && leadsRun(given.part.has_value())) checkOutput(*given.output, {"csv", "json"});
     BenchRun to{given.output, given.restart.chosen(), {}, {}, {{"kind", kind}}};

@@ -15,9 +15,7 @@ constexpr int kSceneSide = 512;
 FilterScene namedScene(const std::string& name, std::uint64_t seed) {
     const std::vector<std::string> known = filterSceneNames();
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-        throw InputError("--scenes",
-                         Message(MessageId::UnknownName,
-                                 {{"what", MessageId::WordScene}, {"name", name}, {"known", commaList(known)}}));
+        throw InputError("--scenes", unknownName({"what", MessageId::WordScene}, name, commaList(known)));
     }
     return filterScene(name, kSceneSide, seed);
 }
@@ -44,9 +42,8 @@ FilterBenchOptions filterOptions(const FilterBenchCommand& given, const OptionTe
         for (const std::string& text : splitText(*given.filters, ',')) {
             options.filters.push_back(parseFilter(text, "--filters"));
             if (options.filters.back().name != kSupersample) continue;
-            throw InputError("--filters", Message(MessageId::UnknownName, {{"what", MessageId::WordTextureFilter},
-                                                                           {"name", std::string(kSupersample)},
-                                                                           {"known", "the others"}}));
+            throw InputError("--filters", unknownName({"what", MessageId::WordTextureFilter}, std::string(kSupersample),
+                                                      "the others"));
         }
     }
     if (given.pixelModels) {

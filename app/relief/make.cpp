@@ -19,8 +19,7 @@ const ReliefRecipe& findRecipe(const std::string& name) {
         if (recipe.name == name) return recipe;
         known.append(known.empty() ? "" : ", ").append(recipe.name);
     }
-    throw InputError(
-        "", Message(MessageId::UnknownName, {{"what", MessageId::WordRelief}, {"name", name}, {"known", known}}));
+    throw InputError("", unknownName({"what", MessageId::WordRelief}, name, known));
 }
 
 // "N" or "WxH".

@@ -75,10 +75,8 @@ int writePyramid(const MapOptions& options, const std::string& kind, const std::
     chosen.chooseTracer("max-pyramid");
     const Scenario scenario = chosen.scenario();
     for (const auto& [name, text] : scenario.method.options) {
-        throw InputError(
-            "--set",
-            Message(MessageId::UnknownName,
-                    {{"what", Message(MessageId::WordOptionOf, {{"method", kind}})}, {"name", name}, {"known", "-"}}));
+        throw InputError("--set",
+                         unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})}, name, "-"));
     }
     Work& work = session.work();
     AssetStore store;

@@ -39,8 +39,7 @@ std::vector<std::string> applySettings(Scenario& scenario, const std::string& te
         if (entry == names.end()) {
             std::string known;
             for (const auto& [name, number] : names) known += (known.empty() ? "" : ", ") + name;
-            throw InputError(option, Message(MessageId::UnknownName,
-                                             {{"what", MessageId::WordSetting}, {"name", key}, {"known", known}}));
+            throw InputError(option, unknownName({"what", MessageId::WordSetting}, key, known));
         }
         setScenarioNumber(scenario, entry->second, parseNumber(part.substr(equals + 1), option), option);
         given.push_back(key);
@@ -93,8 +92,7 @@ void applyRecipe(Pictures& pictures, const std::string& text) {
         known.append(known.empty() ? "" : ", ").append(recipe.name);
     }
     if (found == nullptr || parts.size() > 3) {
-        throw InputError("--relief", Message(MessageId::UnknownName,
-                                             {{"what", MessageId::WordRelief}, {"name", text}, {"known", known}}));
+        throw InputError("--relief", unknownName({"what", MessageId::WordRelief}, text, known));
     }
     pictures.height.clear();
     pictures.recipe = parts[0];

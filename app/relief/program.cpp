@@ -37,8 +37,7 @@ Language chosenLanguage(int count, char** arguments) {
     }
     if (name.empty() || name == "en") return Language::English;
     if (name == "uk") return Language::Ukrainian;
-    throw InputError("--language", Message(MessageId::UnknownName,
-                                           {{"what", MessageId::WordLanguage}, {"name", name}, {"known", "en, uk"}}));
+    throw InputError("--language", unknownName({"what", MessageId::WordLanguage}, name, "en, uk"));
 }
 
 std::string helpCommand(const CLI::App& program) {
@@ -57,8 +56,7 @@ InputError usageError(const CLI::App& program, const Commands& commands, const C
         if (program.get_subcommands().empty() && !argument.starts_with("-")) {
             std::string known;
             for (const Command& command : commands) known += (known.empty() ? "" : ", ") + command.parser->get_name();
-            return InputError("", Message(MessageId::UnknownName,
-                                          {{"what", MessageId::WordCommand}, {"name", argument}, {"known", known}}));
+            return InputError("", unknownName({"what", MessageId::WordCommand}, argument, known));
         }
         return InputError(argument, Message(MessageId::ArgumentUnknown, {help}));
     }

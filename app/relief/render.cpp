@@ -63,8 +63,7 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
             throw InputError("--layers", Message(MessageId::LayerRepeated, {{"layer", layer}}));
         }
         if (std::find(names.begin(), names.end(), layer) != names.end()) continue;
-        throw InputError("--layers", Message(MessageId::UnknownName,
-                                             {{"what", MessageId::WordLayer}, {"name", layer}, {"known", known}}));
+        throw InputError("--layers", unknownName({"what", MessageId::WordLayer}, layer, known));
     }
     return layers;
 }
