@@ -81,13 +81,11 @@ void FilterBenchCommand::add(CLI::App& parser) {
             "compare",
             group);
     addText(parser, "--scenes", scenes, "NAME,...",
-            commaList(filterSceneNames()) +
-                "; default all; --height or --relief takes their place, --color has its colours",
-            group);
-    addText(parser, "--color", color, "FILE", "colours of the height map given; default: coloured patches", group);
+            commaList(filterSceneNames()) + "; default all; height maps of yours take their place", group);
+    addText(parser, "--color", color, "FILE", "colours of a height map of yours; default: coloured patches", group);
     addText(parser, "--pixel-models", pixelModels, "NAME,...",
             "of the reference: box, gaussian, lcd, crt; default box,gaussian", group);
-    addText(parser, "--size", size, "WxH", "of the pictures, default 320x240", group);
+    addText(parser, "--size", size, "WxH|N", "of the pictures, default 320x240", group);
     addText(parser, "--samples", samples, "N", "of the reference, along each side of a pixel, 3 to 64, default 16",
             group);
 }
@@ -104,6 +102,9 @@ int FilterBenchCommand::run(const std::vector<Pictures>& pictures, const OptionT
     }
     for (const Pictures& one : pictures) {
         options.scenes.push_back(givenScene(one, color, scenario.reliefDepth, number, session));
+    }
+    if (scenes && !pictures.empty()) {
+        throw InputError("--scenes", Message(MessageId::ArgumentsExclude, {{"other", "--height, --relief"}}));
     }
     if (pictures.empty()) {
         for (const std::string& name : scenes ? splitText(*scenes, ',') : filterSceneNames()) {
