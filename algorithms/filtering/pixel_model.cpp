@@ -29,9 +29,7 @@ PixelModel parsePixelModel(std::string_view text) {
         if (kPixelModelNames[i] == text) return static_cast<PixelModel>(i);
         known.append(known.empty() ? "" : ", ").append(kPixelModelNames[i]);
     }
-    throw InputError("--pixel-model",
-                     Message(MessageId::UnknownName,
-                             {{"what", MessageId::WordPixelModel}, {"name", std::string(text)}, {"known", known}}));
+    throw InputError("--pixel-model", unknownName({"what", MessageId::WordPixelModel}, std::string(text), known));
 }
 
 double pixelFactorAcross(PixelModel model, int channel, double dx) {

@@ -71,7 +71,18 @@ struct Canvas {
     int width;
     int height;
     std::uint64_t seed;
+    Work* work;  // may be null
 
+    // All rows will be passed over so many times.
+    void begin(std::int64_t passes = 1) const {
+        if (work != nullptr) work->progress().begin("relief", passes * height);
+    }
+    // At the end of a row.
+    void rowDone() const {
+        if (work == nullptr) return;
+        work->throwIfStopped();
+        work->progress().advance();
+    }
     int side() const { return std::min(width, height); }
     double scale() const { return side() / 128.0; }
     int scaled(double at128) const { return std::max(1, rounded(at128 * scale())); }
@@ -104,6 +115,7 @@ FloatImage bricks(const Canvas& canvas) {
     const int mortar = canvas.scaled(5);
     const Chance faces(canvas.seed, 1);
     const Chance grain(canvas.seed, 2);
+    canvas.begin();
     for (int y = 0; y < canvas.height; ++y) {
         const int row = cellOf(y, down, canvas.height);
         const bool bed = y - cellBegin(row, down, canvas.height) < mortar;
@@ -116,6 +128,7 @@ FloatImage bricks(const Canvas& canvas) {
             const double rough = grain.at(x, y);
             out(x, y) = height(joint ? 0.08 + 0.04 * rough : faces.between(0.90, 0.96, column, row) + 0.04 * rough);
         }
+        canvas.rowDone();
     }
     return out;
 }
@@ -132,9 +145,12 @@ template <class Choose>
 FloatImage scattered(const Canvas& canvas, const Scatter& scatter, const Choose& choose) {
     FloatImage out = canvas.image();
     const Chance ground(canvas.seed, 3);
-    for (int y = 0; y < canvas.height; ++y)
+    canvas.begin();
+    for (int y = 0; y < canvas.height; ++y) {
         for (int x = 0; x < canvas.width; ++x)
             out(x, y) = height(ground.between(scatter.groundLow, scatter.groundHigh, x, y));
+        canvas.rowDone();
+    }
     const Chance place(canvas.seed, 4);
     const Chance value(canvas.seed, 5);
     for (std::int64_t i = 0; i < scatter.count; ++i) {
@@ -200,6 +216,7 @@ FloatImage city(const Canvas& canvas) {
     const int building = canvas.scaled(8);
     const Chance roofs(canvas.seed, 6);
     const auto built = [&](int offset) { return offset >= street && offset < street + building; };
+    canvas.begin();
     for (int y = 0; y < canvas.height; ++y) {
         const int row = cellOf(y, down, canvas.height);
         const bool inRow = built(y - cellBegin(row, down, canvas.height));
@@ -208,6 +225,7 @@ FloatImage city(const Canvas& canvas) {
             const bool inside = inRow && built(x - cellBegin(column, across, canvas.width));
             out(x, y) = height(inside ? roofs.between(0.5, 1, column, row) : 0.02);
         }
+        canvas.rowDone();
     }
     return out;
 }
@@ -240,7 +258,8 @@ std::vector<LatticePoint> latticePoints(int size, int cells) {
     return points;
 }
 
-void addOctave(Image<double>& values, int cellsAcross, int cellsDown, double amplitude, const Chance& chance) {
+void addOctave(const Canvas& canvas, Image<double>& values, int cellsAcross, int cellsDown, double amplitude,
+               const Chance& chance) {
     const auto across = latticePoints(values.width(), cellsAcross);
     const auto down = latticePoints(values.height(), cellsDown);
     std::vector<double> nodes(static_cast<std::size_t>(cellsAcross));
@@ -256,19 +275,23 @@ void addOctave(Image<double>& values, int cellsAcross, int cellsDown, double amp
             const double right = nodes[static_cast<std::size_t>(across[x].next)];
             row[x] += amplitude * (left + (right - left) * across[x].weight);
         }
+        canvas.rowDone();
     }
 }
 
 FloatImage fractal(const Canvas& canvas) {
     Image<double> values(canvas.width, canvas.height);
     double amplitude = 1;
+    std::int64_t octaves = 1;
+    while (std::int64_t{16} << (octaves - 1) <= canvas.side()) ++octaves;
+    canvas.begin(octaves);
     // The longer side gets as many more cells as it has more texels.
     for (std::int64_t cells = 4; cells == 4 || cells * 2 <= canvas.side(); cells *= 2, amplitude *= 0.6) {
         const auto along = [&](int size) {
             const std::int64_t count = (cells * size + canvas.side() / 2) / canvas.side();
             return static_cast<int>(std::clamp<std::int64_t>(count, 1, size));
         };
-        addOctave(values, along(canvas.width), along(canvas.height), amplitude,
+        addOctave(canvas, values, along(canvas.width), along(canvas.height), amplitude,
                   Chance(canvas.seed, 100 + static_cast<std::uint64_t>(cells)));
     }
     return stretched(values);
@@ -289,18 +312,22 @@ double sineOfTurns(double turns) {
 FloatImage hills(const Canvas& canvas) {
     Image<double> values(canvas.width, canvas.height);
     const Chance chance(canvas.seed, 7);
-    for (int wave = 0; wave < 6; ++wave) {
+    constexpr int kWaves = 6;
+    canvas.begin(kWaves);
+    for (int wave = 0; wave < kWaves; ++wave) {
         // The first two are plain, so that neither direction stays even.
         const int kx = wave == 1 ? 0 : wave == 0 ? 1 : chance.whole(1, 3, wave, 0);
         const int ky = wave == 0 ? 0 : wave == 1 ? 1 : chance.whole(-3, 3, wave, 1);
         const double phase = chance.at(wave, 2) + 8;  // keeps the argument positive
         const double amplitude = chance.between(0.4, 1, wave, 3);
-        for (int y = 0; y < canvas.height; ++y)
+        for (int y = 0; y < canvas.height; ++y) {
             for (int x = 0; x < canvas.width; ++x) {
                 const double turns = static_cast<double>(static_cast<std::int64_t>(kx) * x) / canvas.width +
                                      static_cast<double>(static_cast<std::int64_t>(ky) * y) / canvas.height;
                 values(x, y) += amplitude * sineOfTurns(turns + phase);
             }
+            canvas.rowDone();
+        }
     }
     return stretched(values);
 }
@@ -387,13 +414,13 @@ const std::vector<ReliefRecipe>& reliefRecipes() {
     return recipes;
 }
 
-FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_t seed) {
+FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_t seed, Work* work) {
     const auto maker =
         std::find_if(kMakers.begin(), kMakers.end(), [&](const Maker& m) { return m.recipe.name == name; });
     if (maker == kMakers.end()) {
         std::string known;
         for (const Maker& m : kMakers) known += (known.empty() ? "" : ", ") + std::string(m.recipe.name);
-        throw InputError({}, Message(MessageId::ReliefUnknown, {{"name", std::string(name)}, {"known", known}}));
+        throw InputError({}, unknownName({"what", MessageId::WordRelief}, std::string(name), known));
     }
     const std::string subject(name);
     if (width < 1 || height < 1)
@@ -408,7 +435,7 @@ FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_
     requireMemory(byteProduct({static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
                                sizeof(double) + sizeof(float)}),
                   subject + ":" + std::to_string(width) + "x" + std::to_string(height), MemoryHint::SmallerSize);
-    return maker->make({width, height, seed});
+    return maker->make({width, height, seed, work});
 }
 
 }  // namespace relief

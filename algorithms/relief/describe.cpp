@@ -22,8 +22,7 @@ Enum parseName(const std::array<std::string_view, N>& names, std::string_view te
         if (names[i] == text) return static_cast<Enum>(i);
         known += (known.empty() ? "" : ", ") + std::string(names[i]);
     }
-    throw InputError(std::string("--") + what,
-                     Message(MessageId::UnknownName, {{"what", what}, {"name", std::string(text)}, {"known", known}}));
+    throw InputError(std::string("--") + what, unknownName({"what", what}, std::string(text), known));
 }
 
 }  // namespace
@@ -50,9 +49,7 @@ std::string_view formName(Form form) {
 Form parseForm(std::string_view text, const std::string& option) {
     if (text == "simd" || text == "lanes") return Form::Simd;
     if (text == "scalar") return Form::Scalar;
-    throw InputError(option,
-                     Message(MessageId::UnknownName,
-                             {{"what", MessageId::WordForm}, {"name", std::string(text)}, {"known", "simd, scalar"}}));
+    throw InputError(option, unknownName({"what", MessageId::WordForm}, std::string(text), "simd, scalar"));
 }
 
 Surface parseSurface(std::string_view text) {
@@ -83,9 +80,7 @@ double parseNumber(std::string_view text, const std::string& subject) {
 void checkOption(const OptionDescription& option, const std::string& text, const std::string& subject) {
     if (option.kind == OptionKind::Choice || option.kind == OptionKind::Method) {
         if (std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end()) return;
-        throw InputError(subject,
-                         Message(MessageId::UnknownName,
-                                 {{"what", option.name}, {"name", text}, {"known", commaList(option.choices)}}));
+        throw InputError(subject, unknownName({"what", option.name}, text, commaList(option.choices)));
     }
     if (std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end()) return;
     const double value = numberOf(text, option.name + "=" + text, subject);

@@ -37,8 +37,7 @@ const Layer& findLayer(const std::string& name) {
         if (candidate.name == name) return candidate;
         known += (known.empty() ? "" : ", ") + std::string(candidate.name);
     }
-    throw InputError("--layers", Message(MessageId::UnknownName,
-                                         {{"what", MessageId::WordLayer}, {"name", name}, {"known", known}}));
+    throw InputError("--layers", unknownName({"what", MessageId::WordLayer}, name, known));
 }
 
 // What a layer needs beyond the frame, made only for those that need it.

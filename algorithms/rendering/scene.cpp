@@ -35,9 +35,7 @@ SceneKind parseScene(std::string_view text) {
     for (std::size_t i = 0; i < kScenes.size(); ++i) {
         if (kScenes[i] == text) return static_cast<SceneKind>(i);
     }
-    throw InputError("--scene", Message(MessageId::UnknownName, {{"what", MessageId::WordScene},
-                                                                 {"name", std::string(text)},
-                                                                 {"known", "floor, wall, cube"}}));
+    throw InputError("--scene", unknownName({"what", MessageId::WordScene}, std::string(text), "floor, wall, cube"));
 }
 
 std::vector<TexturedQuad> makeScene(SceneKind kind, int width, int height) {

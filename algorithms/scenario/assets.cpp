@@ -18,8 +18,9 @@ std::shared_ptr<const HeightImage> loadHeights(const Pictures& pictures, Work& w
     const bool drawn = !pictures.drawn.empty();
     if (pictures.recipe.empty() && !drawn) throw InputError("--height", Message(MessageId::NoHeights));
     auto made = std::make_shared<HeightImage>();
-    made->heights = drawn ? drawnHeights(pictures.drawn)
-                          : makeRelief(pictures.recipe, pictures.recipeWidth, pictures.recipeHeight, pictures.seed);
+    made->heights =
+        drawn ? drawnHeights(pictures.drawn)
+              : makeRelief(pictures.recipe, pictures.recipeWidth, pictures.recipeHeight, pictures.seed, &work);
     made->info.path = drawn ? std::string(kDrawn) : pictures.recipe;
     made->info.format = "procedural";
     made->info.width = made->heights.width();

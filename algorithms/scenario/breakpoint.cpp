@@ -33,8 +33,7 @@ StopKind parseStop(std::string_view text) {
         if (kStopNames[k] == text) return static_cast<StopKind>(k);
         known += (known.empty() ? "" : ", ") + std::string(kStopNames[k]);
     }
-    throw InputError("", Message(MessageId::UnknownName,
-                                 {{"what", MessageId::WordBreakpoint}, {"name", std::string(text)}, {"known", known}}));
+    throw InputError("", unknownName({"what", MessageId::WordBreakpoint}, std::string(text), known));
 }
 
 bool stopsAt(const Breakpoint& breakpoint, const StoppedRay& ray, std::size_t step) {

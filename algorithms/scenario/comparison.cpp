@@ -24,8 +24,7 @@ Value parsed(const std::array<std::string_view, N>& names, std::string_view text
         if (names[i] == text) return static_cast<Value>(i);
         known.append(known.empty() ? "" : ", ").append(names[i]);
     }
-    throw InputError("compare",
-                     Message(MessageId::UnknownName, {{"what", what}, {"name", std::string(text)}, {"known", known}}));
+    throw InputError("compare", unknownName({"what", what}, std::string(text), known));
 }
 
 [[noreturn]] void outOfRange(const std::string& subject, MessageId what, double value, Message range) {

@@ -87,7 +87,7 @@ class JsonReader {
         std::string text;
         if (!has(key)) return;
         read(key, text);
-        guarded(key, [&] { body(text); });
+        guarded({key}, [&] { body(text); });
     }
     JsonReader child(const char* key) {
         known_.insert(key);
@@ -102,7 +102,7 @@ class JsonReader {
         if (!object_[key].is_array()) fail(key, MessageId::WantTexts);
         for (const Json& text : object_[key]) {
             if (!text.is_string()) fail(key, MessageId::WantTexts);
-            guarded(key, [&] { body(text.get<std::string>()); });
+            guarded({key}, [&] { body(text.get<std::string>()); });
         }
     }
     // An array of objects.
@@ -139,33 +139,35 @@ class JsonReader {
                                                        {{"line", lineOf(source_.text, path)}, {"key", key}}));
         }
     }
-    [[noreturn]] void fail(const std::string& key, MessageId wanted) const { fail(key, Message(wanted)); }
-    [[noreturn]] void fail(const std::string& key, const Message& wanted) const {
-        std::vector<std::string> path = path_;
-        if (!key.empty()) path.push_back(key);
-        const MessageValue name =
-            path.empty() ? MessageValue("key", MessageId::WordFile) : MessageValue("key", path.back());
-        throw InputError(source_.fileName, Message(MessageId::ScenarioWrongType,
-                                                   {{"line", lineOf(source_.text, path)}, name, {"wanted", wanted}}));
-    }
-
-  private:
+    // Runs what may throw InputError, and names the file and the line of the keys that lead to the fault. An option's
+    // name as the error's subject is dropped: no option is at fault.
     template <class Body>
-    void guarded(const char* key, const Body& body) const {
+    void guarded(const std::vector<std::string>& keys, const Body& body) const {
         try {
             body();
         } catch (const InputError& error) {
             std::vector<std::string> path = path_;
-            path.emplace_back(key);
+            path.insert(path.end(), keys.begin(), keys.end());
+            const std::string& subject = error.subject();
+            const bool option = subject.empty() || subject.starts_with("--");
+            const Message why = option
+                                    ? error.message()
+                                    : Message(MessageId::SubjectSays, {{"subject", subject}, {"why", error.message()}});
             throw InputError(source_.fileName,
-                             Message(MessageId::ScenarioLine,
-                                     {{"line", lineOf(source_.text, path)},
-                                      {"why", error.subject().empty()
-                                                  ? error.message()
-                                                  : Message(MessageId::SubjectSays, {{"subject", error.subject()},
-                                                                                     {"why", error.message()}})}}));
+                             Message(MessageId::ScenarioLine, {{"line", lineOf(source_.text, path)}, {"why", why}}));
         }
     }
+    [[noreturn]] void fail(const std::string& key, MessageId wanted) const { fail(key, Message(wanted)); }
+    [[noreturn]] void fail(const std::string& key, const Message& wanted) const {
+        std::vector<std::string> path = path_;
+        if (!key.empty()) path.push_back(key);
+        const std::size_t line = lineOf(source_.text, path);
+        if (path.empty()) throw InputError(source_.fileName, Message(MessageId::ScenarioNoObject, {{"line", line}}));
+        throw InputError(source_.fileName, Message(MessageId::ScenarioWrongType,
+                                                   {{"line", line}, {"key", path.back()}, {"wanted", wanted}}));
+    }
+
+  private:
     template <class T>
     T wholeAt(const char* key, const Json& value) const {
         if (!value.is_number_integer()) fail(key, MessageId::WantAWhole);

@@ -174,17 +174,14 @@ RowMethod parseRowMethod(const std::string& text, const std::string& option) {
         if (one.name == choice.name) method.description = &one;
     }
     if (method.description == nullptr) {
-        throw InputError(option, Message(MessageId::UnknownName, {{"what", MessageId::WordRowVariant},
-                                                                  {"name", choice.name},
-                                                                  {"known", namesOf(rowMethodList())}}));
+        throw InputError(option,
+                         unknownName({"what", MessageId::WordRowVariant}, choice.name, namesOf(rowMethodList())));
     }
     const std::string known = namesOf(method.description->options);
     for (const auto& [name, value] : choice.options) {
         if (method.description->defaults.count(name) == 0) {
-            throw InputError(option, Message(MessageId::UnknownName,
-                                             {{"what", Message(MessageId::WordOptionOf, {{"method", choice.name}})},
-                                              {"name", name},
-                                              {"known", known.empty() ? "none" : known}}));
+            throw InputError(option, unknownName({"what", Message(MessageId::WordOptionOf, {{"method", choice.name}})},
+                                                 name, known));
         }
     }
     method.settings = parseOptions<RowSettings>(choice.name, choice.options, option);
@@ -195,15 +192,11 @@ RowOptions parseMapping(const std::string& text, const std::string& option) {
     const std::vector<std::string> names = mappingNames();
     const std::string name = splitMethodChoice(text, option).name;
     if (std::find(names.begin(), names.end(), name) == names.end()) {
-        throw InputError(option,
-                         Message(MessageId::UnknownName,
-                                 {{"what", MessageId::WordMapping}, {"name", name}, {"known", commaList(names)}}));
+        throw InputError(option, unknownName({"what", MessageId::WordMapping}, name, commaList(names)));
     }
     const RowMethod method = parseRowMethod(text, option);
     if (method.settings.error > 0) {
-        throw InputError(option,
-                         Message(MessageId::UnknownName,
-                                 {{"what", MessageId::WordSubspanOption}, {"name", "error"}, {"known", "span"}}));
+        throw InputError(option, unknownName({"what", MessageId::WordSubspanOption}, "error", "span"));
     }
     return method.options();
 }

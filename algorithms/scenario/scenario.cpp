@@ -1,6 +1,7 @@
 #include "scenario/scenario.h"
 
 #include "scenario/row_methods.h"
+#include "scenario/scenario_checks.h"
 
 #include <cmath>
 
@@ -104,8 +105,7 @@ const ScenarioNumber& scenarioNumber(std::string_view name) {
         if (entry.description.name == name) return entry;
         known += (known.empty() ? "" : ", ") + entry.description.name;
     }
-    throw InputError("", Message(MessageId::UnknownName,
-                                 {{"what", MessageId::WordSetting}, {"name", std::string(name)}, {"known", known}}));
+    throw InputError("", unknownName({"what", MessageId::WordSetting}, std::string(name), known));
 }
 
 void setScenarioNumber(Scenario& scenario, std::string_view name, double value, const std::string& subject) {
@@ -137,55 +137,96 @@ void checkCount(MessageId what, std::size_t count, std::size_t limit, const std:
     throw InputError(subject, Message(MessageId::TooMany, {{"what", what}, {"count", count}, {"limit", limit}}));
 }
 
-void checkNotes(const Scenario& scenario, const std::string& subject) {
-    checkCount(MessageId::WordBreakpoints, scenario.breakpoints.size(), kMostBreakpoints, subject);
-    checkCount(MessageId::WordBookmarks, scenario.bookmarks.size(), kMostBookmarks, subject);
-    for (const Breakpoint& breakpoint : scenario.breakpoints) checkBreakpoint(breakpoint, subject);
-    // The picture may have become smaller since: going there comes to its edge.
-    for (const Bookmark& bookmark : scenario.bookmarks) {
-        pinholeCamera(bookmark.camera, scenario.width, scenario.height);
-    }
-    if (scenario.other.ray < 0) {
+void checkNotes(const Scenario& scenario, const std::string& subject, const ScenarioCheck& run) {
+    run({"breakpoints"}, [&] {
+        checkCount(MessageId::WordBreakpoints, scenario.breakpoints.size(), kMostBreakpoints, subject);
+        for (const Breakpoint& breakpoint : scenario.breakpoints) checkBreakpoint(breakpoint, subject);
+    });
+    run({"bookmarks"}, [&] {
+        checkCount(MessageId::WordBookmarks, scenario.bookmarks.size(), kMostBookmarks, subject);
+        // The picture may have become smaller since: going there comes to its edge.
+        for (const Bookmark& bookmark : scenario.bookmarks) {
+            pinholeCamera(bookmark.camera, scenario.width, scenario.height);
+        }
+    });
+    run({"other-tracer", "ray"}, [&] {
+        if (scenario.other.ray >= 0) return;
+        const Message range(MessageId::RangeAtLeast, {{"low", 0}});
         throw InputError(subject,
-                         Message(MessageId::OutOfRange, {{"what", MessageId::WordRay},
-                                                         {"value", scenario.other.ray},
-                                                         {"range", Message(MessageId::RangeAtLeast, {{"low", 0}})}}));
+                         Message(MessageId::OutOfRange,
+                                 {{"what", MessageId::WordRay}, {"value", scenario.other.ray}, {"range", range}}));
+    });
+}
+
+// Where a scenario's file holds a number that a person turns.
+std::vector<std::string> placeOf(const std::string& number) {
+    if (number == "relief-depth") return {"relief", "depth"};
+    if (number == "light-azimuth" || number == "light-elevation") return {"light", number.substr(6)};
+    if (number == "ambient" || number == "intensity") return {"light", number};
+    if (number == "width" || number == "height") return {"size"};
+    if (number == "bounded") return {number};
+    return {"camera", number};
+}
+
+void checkPictures(const Pictures& pictures, const std::string& subject) {
+    if (pictures.drawn.empty()) return;
+    checkDrawn(pictures.drawn, subject);
+    if (!pictures.height.empty() || !pictures.recipe.empty()) {
+        throw InputError(subject, Message(MessageId::HeightsTwice));
+    }
+}
+
+// Option by option, each with those before it: of hybrid, the method inside comes before the options of that.
+void checkOptions(const Scenario& scenario, const std::string& subject, const ScenarioCheck& run) {
+    MethodChoice method{scenario.method.name, {}};
+    run({"method", "name"}, [&] { checkMethod(method, subject); });
+    for (const auto& [name, value] : scenario.method.options) {
+        method.options[name] = value;
+        run({"method", "options", name}, [&] { checkMethod(method, subject); });
+    }
+    FilterChoice filter = scenario.filter;
+    filter.options.clear();
+    const std::string filterSubject = subject.empty() ? "--filter" : subject;
+    run({"filter"}, [&] { checkFilter(filter, filterSubject); });
+    for (const auto& [name, value] : scenario.filter.options) {
+        filter.options[name] = value;
+        run({"filter-options", name}, [&] { checkFilter(filter, filterSubject); });
     }
 }
 
 }  // namespace
 
-void checkScenario(const Scenario& scenario, const std::string& subject) {
+void checkScenarioParts(const Scenario& scenario, const std::string& subject, const ScenarioCheck& run) {
     const bool orbit = scenario.camera.kind == Camera::Kind::Orbit;
     for (const ScenarioNumber& entry : scenarioNumbers()) {
         const std::string& name = entry.description.name;
         if (!orbit && (name == "elevation" || name == "azimuth" || name == "distance")) continue;
-        checkNumber(entry, entry.get(scenario), subject);
+        run(placeOf(name), [&] { checkNumber(entry, entry.get(scenario), subject); });
     }
-    for (const double channel : scenario.sky) {
-        if (channel >= 0 && channel <= 1000) continue;
-        throw InputError(subject, Message(MessageId::OutOfRange,
-                                          {{"what", "sky"}, {"value", channel}, {"range", rangeOf(0, 1000)}}));
-    }
-    const Pictures& pictures = scenario.pictures;
-    if (!pictures.drawn.empty()) {
-        checkDrawn(pictures.drawn, subject);
-        if (!pictures.height.empty() || !pictures.recipe.empty()) {
-            throw InputError(subject, Message(MessageId::HeightsTwice));
+    run({"sky"}, [&] {
+        for (const double channel : scenario.sky) {
+            if (channel >= 0 && channel <= 1000) continue;
+            throw InputError(subject, Message(MessageId::OutOfRange,
+                                              {{"what", "sky"}, {"value", channel}, {"range", rangeOf(0, 1000)}}));
         }
-    }
-    checkMethod(scenario.method, subject);
-    checkComparison(scenario.comparison, subject);
-    parseMapping(scenario.mapping, subject.empty() ? "--mapping" : subject);
-    checkFilter(scenario.filter, subject.empty() ? "--filter" : subject);
-    if (scenario.filter.samples < 1 || scenario.filter.samples > kMaxSamples) {
+    });
+    run({"pictures", "drawn"}, [&] { checkPictures(scenario.pictures, subject); });
+    checkOptions(scenario, subject, run);
+    run({"compare"}, [&] { checkComparison(scenario.comparison, subject); });
+    run({"mapping"}, [&] { parseMapping(scenario.mapping, subject.empty() ? "--mapping" : subject); });
+    run({"supersample"}, [&] {
+        if (scenario.filter.samples >= 1 && scenario.filter.samples <= kMaxSamples) return;
         throw InputError(subject, Message(MessageId::OutOfRange, {{"what", "supersample"},
                                                                   {"value", scenario.filter.samples},
                                                                   {"range", rangeOf(1, kMaxSamples)}}));
-    }
-    pinholeCamera(scenario.camera, scenario.width, scenario.height);
-    if (scenario.pixel) checkPixel(scenario, *scenario.pixel, subject);
-    checkNotes(scenario, subject);
+    });
+    run({"camera"}, [&] { pinholeCamera(scenario.camera, scenario.width, scenario.height); });
+    if (scenario.pixel) run({"pixel"}, [&] { checkPixel(scenario, *scenario.pixel, subject); });
+    checkNotes(scenario, subject, run);
+}
+
+void checkScenario(const Scenario& scenario, const std::string& subject) {
+    checkScenarioParts(scenario, subject, [](const auto&, const auto& check) { check(); });
 }
 
 FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {

@@ -3,7 +3,7 @@
 
 #include "scenario/json_reader.h"
 #include "scenario/row_methods.h"
-#include "scenario/scenario.h"
+#include "scenario/scenario_checks.h"
 
 namespace relief {
 
@@ -296,7 +296,11 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     const Json json = parseJson(text, fileName);
     const std::filesystem::path folder = std::filesystem::path(fileName).parent_path();
     Scenario scenario;
-    Reader reader({text, fileName}, json, {});
+    // A report (relief render --report) holds the scenario that it is of.
+    const bool report = json.is_object() && !json.contains("reliefscope") && json.contains("scenario");
+    Reader reader =
+        report ? Reader({text, fileName}, json["scenario"], {"scenario"}) : Reader({text, fileName}, json, {});
+    if (!reader.has("reliefscope")) throw InputError(fileName, Message(MessageId::ScenarioNoVersion));
     int version = 0;
     reader.readWhole("reliefscope", version);
     if (version != kScenarioVersion) {
@@ -341,7 +345,7 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     }
     readNotes(reader, scenario, folder);
     reader.finish();
-    checkScenario(scenario, fileName);
+    checkScenarioParts(scenario, {}, [&](const auto& place, const auto& check) { reader.guarded(place, check); });
     return scenario;
 }
 

@@ -70,9 +70,7 @@ MethodDescription describedFilter(const MethodChoice& choice) {
 MethodDescription describedMapping(const MethodChoice& choice) {
     const std::vector<std::string> names = mappingNames();
     if (std::find(names.begin(), names.end(), choice.name) == names.end()) {
-        throw InputError(
-            "", Message(MessageId::UnknownName,
-                        {{"what", MessageId::WordMapping}, {"name", choice.name}, {"known", commaList(names)}}));
+        throw InputError("", unknownName({"what", MessageId::WordMapping}, choice.name, commaList(names)));
     }
     MethodDescription out;
     for (const RowMethodDescription& method : rowMethodList()) {
@@ -94,9 +92,8 @@ MethodDescription describedHeights(const MethodChoice& choice) {
     out.help = "the heights as they were read";
     if (choice.name == kAsRead) return out;
     if (choice.name != kQuantised) {
-        throw InputError("", Message(MessageId::UnknownName, {{"what", MessageId::WordHeights},
-                                                              {"name", choice.name},
-                                                              {"known", std::string(kAsRead) + ", " + kQuantised}}));
+        throw InputError(
+            "", unknownName({"what", MessageId::WordHeights}, choice.name, std::string(kAsRead) + ", " + kQuantised));
     }
     out.help = "heights rounded to so many bits, as files of whole numbers have them";
     OptionDescription bits;
@@ -242,12 +239,8 @@ void checkVariation(CompareSubject subject, const MethodChoice& choice, const st
         const auto option = std::find_if(described.options.begin(), described.options.end(),
                                          [&, key = name](const auto& one) { return one.name == key; });
         if (option == described.options.end()) {
-            const std::string known = namesOf(described.options);
-            throw InputError(where, Message(MessageId::UnknownName,
-                                            {{"what", Message(MessageId::WordOptionOf, {{"method", choice.name}})},
-                                             {"name", name},
-                                             known.empty() ? MessageValue("known", MessageId::WordNone)
-                                                           : MessageValue("known", known)}));
+            const Message what(MessageId::WordOptionOf, {{"method", choice.name}});
+            throw InputError(where, unknownName({"what", what}, name, namesOf(described.options)));
         }
         checkOption(*option, value, where);
     }

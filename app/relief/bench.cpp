@@ -1,6 +1,10 @@
-// relief bench tracers | rows | filters [-o FILE.csv|json] [--resume|--anew]
+// relief bench tracers | rows | filters [PICTURE ...] [-o FILE.csv|json] [--resume|--anew]
 #include <algorithm>
 #include <set>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include "bench_filters.h"
 #include "bench_output.h"
@@ -23,35 +27,29 @@ struct BenchCommandOptions {
     OptionText kind, tracers, elevations, lowest, rays, rounds, seed, surface, address, reliefDepth, output;
     OptionText sizes, threadCounts, form, concurrent, part;
     RestartOptions restart;
-    std::vector<std::string> heights, recipes;
+    std::vector<std::string> files, heights, recipes;
     ReadingOptions reading;
     RowBenchCommand rows;
     FilterBenchCommand filters;
     RunOptions run;
+    const CLI::App* parser = nullptr;  // which options were given
 };
-
-std::vector<int> chosenSizes(const BenchCommandOptions& given) {
-    if (!given.sizes) return {};
-    std::vector<int> sizes;
-    for (const std::string& text : splitText(*given.sizes, ',')) {
-        sizes.push_back(static_cast<int>(parseWhole(text, "--sizes", 1, kMaxPictureSide)));
-    }
-    return sizes;
-}
 
 std::vector<Pictures> chosenPictures(const BenchCommandOptions& given) {
     std::vector<Pictures> all;
     Pictures plain;
     given.reading.apply(plain.reading);
-    const std::vector<int> sizes = chosenSizes(given);
+    const std::vector<std::string> sizes = given.sizes ? splitText(*given.sizes, ',') : std::vector<std::string>{};
+    for (const std::string& size : sizes) parseSize(size, "--sizes", kMaxPictureSide);  // throws
     const auto addSized = [&](const std::string& recipe) {
-        for (const int size : sizes) {
+        for (const std::string& size : sizes) {
             all.push_back(plain);
-            const std::string side = std::to_string(size);
-            applyRecipe(all.back(), recipe + ":" + side + "x" + side);
+            applyRecipe(all.back(), recipe + ":" + size);
         }
     };
-    for (const std::string& file : given.heights) {
+    std::vector<std::string> files = given.heights;
+    files.insert(files.end(), given.files.begin(), given.files.end());
+    for (const std::string& file : files) {
         all.push_back(plain);
         all.back().height = file;
         if (file.empty()) throw InputError("--height", Message(MessageId::FileMissing));
@@ -233,14 +231,28 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
     return runCells<BenchRow>(to, {benchCsvHeader, benchJson, benchText}, cells, session);
 }
 
+// Refuses options of another kind: their groups end in "(tracers, filters)", the kinds that take them.
+void refuseOthers(const CLI::App& parser, const std::string& kind) {
+    for (const CLI::Option* option : parser.get_options()) {
+        const std::string& group = option->get_group();
+        const std::size_t open = group.find('(');
+        if (option->count() == 0 || open == std::string::npos || group.find(kind, open) != std::string::npos) continue;
+        std::string others;
+        for (const std::string& other : splitText(group.substr(open + 1, group.size() - open - 2), ',')) {
+            others += (others.empty() ? "relief bench " : ", relief bench") + other;
+        }
+        throw InputError(option->get_name(), Message(MessageId::ArgumentOfOther,
+                                                     {{"others", others}, {"command", "relief bench " + kind}}));
+    }
+}
+
 int runBench(const BenchCommandOptions& given, Session& session) {
     given.run.apply(session, given.part.has_value());
     const std::string& kind = needed(given.kind, "KIND", "bench");
     if (kind != "tracers" && kind != "rows" && kind != "filters") {
-        throw InputError(
-            "", Message(MessageId::UnknownName,
-                        {{"what", MessageId::WordBenchmark}, {"name", kind}, {"known", "tracers, rows, filters"}}));
+        throw InputError("", unknownName({"what", MessageId::WordBenchmark}, kind, "tracers, rows, filters"));
     }
+    refuseOthers(*given.parser, kind);
     if (given.output && leadsRun(given.part.has_value())) checkOutput(*given.output, {"csv", "json"});
     BenchRun to{given.output, given.restart.chosen(), {}, {}, {{"kind", kind}}};
     if (given.concurrent) {
@@ -255,36 +267,44 @@ int runBench(const BenchCommandOptions& given, Session& session) {
     }
     if (kind == "rows") return given.rows.run(given.elevations, given.rounds, to, session);
     if (kind == "tracers") return runTracers(given, to, session);
-    const bool own = !given.heights.empty() || !given.recipes.empty();
+    const bool own = !given.files.empty() || !given.heights.empty() || !given.recipes.empty();
+    if (given.filters.color && !own) {
+        throw InputError("--color", Message(MessageId::NeedsArgument, {{"other", "--height, --relief"}}));
+    }
     return given.filters.run(own ? chosenPictures(given) : std::vector<Pictures>{}, given.elevations, given.reliefDepth,
                              given.rounds, given.seed, to, session);
 }
 
-void addWhat(CLI::App& parser, BenchCommandOptions& options) {
-    const char* group = "What is measured";
-    addTexts(parser, "--height", options.heights, "FILE", "height map; may be repeated", group);
-    addTexts(parser, "--relief", options.recipes, "NAME[:WxH[:SEED]]",
-             "procedural relief; may be repeated; default: bricks, city, fractal, hills, pits, spikes, 256x256", group);
-    addText(parser, "--sizes", options.sizes, "N,...",
-            "sides of the reliefs that are given without a size, texels, 256 to 4096 say; default 256", group);
+constexpr const char* kMaps = "Height maps (tracers, filters)";
+
+void addMaps(CLI::App& parser, BenchCommandOptions& options) {
+    addTexts(parser, "FILE", options.files, "", "height maps", kMaps)->allow_extra_args(true);
+    addTexts(parser, "--height", options.heights, "FILE", "height map; may be repeated", kMaps);
+    addTexts(parser, "--relief", options.recipes, "NAME[:SIZE[:SEED]]",
+             "procedural relief; may be repeated; default: bricks, city, fractal, hills, pits, spikes, 256x256", kMaps);
+    addText(parser, "--sizes", options.sizes, "WxH|N,...",
+            "sizes of the reliefs that are given without one, texels, 256 to 4096 say; N: N x N; default 256", kMaps);
+    addText(parser, "--relief-depth", options.reliefDepth, "D", "texture widths, 0 to 4, default 0.1", kMaps);
+    options.reading.add(parser, kMaps);
+}
+
+void addTracers(CLI::App& parser, BenchCommandOptions& options) {
+    const char* group = "What is measured (tracers)";
     addText(parser, "--tracers", options.tracers, "NAME,...",
             "methods, each with options as NAME:OPTION=VALUE:OPTION=VALUE, such as exact,layers:layers=128; default: "
-            "all tracers as relief list tells them",
+            "all tracers of relief list",
             group);
     addText(parser, "--form", options.form, "simd|scalar",
-            "tracers: scalar measures the reference implementations alone, without the maps of their SIMD versions; "
-            "simd: the SIMD version where a method has one (relief list says which), default; the column form of the "
-            "table says what was measured",
-            group);
-    addText(parser, "--elevations", options.elevations, "DEGREES,...",
-            "from which the relief is seen, " + numberText(kLowestElevation) +
-                " to 90, neighbouring rays as a picture has them; random: entry, azimuth and elevation at random; "
-                "default 80,60,25,8,2,random; rows (of the row's middle) and filters: default 60,25,8",
+            "scalar measures the reference implementations alone, without the maps of their SIMD versions; simd: the "
+            "SIMD version where a method has one (relief list says which), default; the column form of the table says "
+            "what was measured",
             group);
     addText(parser, "--lowest", options.lowest, "DEGREES", "elevation of the flattest random rays, default 1", group);
     addText(parser, "--surface", options.surface, "bilinear|columns", "default bilinear", group);
     addText(parser, "--address", options.address, "repeat|clamp|border", "default repeat", group);
-    addText(parser, "--relief-depth", options.reliefDepth, "D", "texture widths, 0 to 4, default 0.1", group);
+    addText(parser, "--rays", options.rays, "N",
+            "of a line, default 65536; fewer, with a message, where the exact reference would take too long", group);
+    addText(parser, "--thread-counts", options.threadCounts, "N,...", "each is measured, instead of --threads", group);
 }
 
 }  // namespace
@@ -294,8 +314,8 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
     CLI::App* parser = addCommand(
         program, "bench", "run time against error, measured",
         "tracers: measures how fast each tracer is and how far it is from the exact answer, on the same rays: a line "
-        "for each "
-        "height map, elevation and method. Rate: rays a second, the median of rounds over all methods in turn; spread: "
+        "for each height map, elevation and method. Rate: rays a second, the median of rounds over all methods in "
+        "turn; spread: "
         "(p75 - p25) / median; errors: |lambda difference| x max(1, hypot(a, b)), texels, against exact; overshoots: "
         "hits later than exact's, or misses where exact hits. On a terminal a table, elsewhere CSV. With -o what is "
         "done is kept in FILE.part; after a run that was stopped or killed, --resume goes on from there and --anew "
@@ -313,17 +333,20 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
         "  relief bench rows --widths 3840 --variants direct,streams,subspan:error=0.25\n"
         "  relief bench filters --scenes bricks --elevations 25 -o filters.csv");
     addArgument(*parser, "KIND", options->kind, "tracers, rows or filters");
-    addWhat(*parser, *options);
+    options->parser = parser;
+    addMaps(*parser, *options);
+    addTracers(*parser, *options);
     options->rows.add(*parser);
     options->filters.add(*parser);
-    options->reading.add(*parser);
-    addText(*parser, "--rays", options->rays, "N",
-            "of a line, default 65536; fewer, with a message, where the exact reference would take too long", "Run");
+    addText(*parser, "--elevations", options->elevations, "DEGREES,...",
+            "from which the relief is seen, " + numberText(kLowestElevation) +
+                " to 90, neighbouring rays as a picture has them; random: entry, azimuth and elevation at random; "
+                "default 80,60,25,8,2,random; rows (of the row's middle) and filters: default 60,25,8",
+            "Run");
     addText(*parser, "--rounds", options->rounds, "N", "timed rounds, default 5", "Run");
     addText(*parser, "--seed", options->seed, "S",
-            "of the rays, default 1; tracers: several, separated by commas, are measured one by one", "Run");
-    addText(*parser, "--thread-counts", options->threadCounts, "N,...",
-            "tracers: each is measured, instead of --threads", "Run");
+            "of the rays, default 1; tracers: several, separated by commas, are measured one by one",
+            "Random numbers (tracers, filters)");
     addText(
         *parser, "--concurrent", options->concurrent, "N",
         "with mpirun: cells that a machine times at once, default 1; with --part: how many you run beside each other, "

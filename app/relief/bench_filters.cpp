@@ -16,9 +16,7 @@ constexpr int kSceneSide = 512;
 FilterScene namedScene(const std::string& name, std::uint64_t seed) {
     const std::vector<std::string> known = filterSceneNames();
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-        throw InputError("--scenes",
-                         Message(MessageId::UnknownName,
-                                 {{"what", MessageId::WordScene}, {"name", name}, {"known", commaList(known)}}));
+        throw InputError("--scenes", unknownName({"what", MessageId::WordScene}, name, commaList(known)));
     }
     return filterScene(name, kSceneSide, seed);
 }
@@ -45,9 +43,8 @@ FilterBenchOptions filterOptions(const FilterBenchCommand& given, const OptionTe
         for (const std::string& text : splitText(*given.filters, ',')) {
             options.filters.push_back(parseFilter(text, "--filters"));
             if (options.filters.back().name != kSupersample) continue;
-            throw InputError("--filters", Message(MessageId::UnknownName, {{"what", MessageId::WordTextureFilter},
-                                                                           {"name", std::string(kSupersample)},
-                                                                           {"known", "the others"}}));
+            throw InputError("--filters", unknownName({"what", MessageId::WordTextureFilter}, std::string(kSupersample),
+                                                      "the others"));
         }
     }
     if (given.pixelModels) {
@@ -85,13 +82,11 @@ void FilterBenchCommand::add(CLI::App& parser) {
             "compare",
             group);
     addText(parser, "--scenes", scenes, "NAME,...",
-            commaList(filterSceneNames()) +
-                "; default all; --height or --relief takes their place, --color has its colours",
-            group);
-    addText(parser, "--color", color, "FILE", "colours of the height map given; default: coloured patches", group);
+            commaList(filterSceneNames()) + "; default all; height maps of yours take their place", group);
+    addText(parser, "--color", color, "FILE", "colours of a height map of yours; default: coloured patches", group);
     addText(parser, "--pixel-models", pixelModels, "NAME,...",
             "of the reference: box, gaussian, lcd, crt; default box,gaussian", group);
-    addText(parser, "--size", size, "WxH", "of the pictures, default 320x240", group);
+    addText(parser, "--size", size, "WxH|N", "of the pictures, default 320x240", group);
     addText(parser, "--samples", samples, "N", "of the reference, along each side of a pixel, 3 to 64, default 16",
             group);
 }
@@ -108,6 +103,9 @@ int FilterBenchCommand::run(const std::vector<Pictures>& pictures, const OptionT
     }
     for (const Pictures& one : pictures) {
         options.scenes.push_back(givenScene(one, color, scenario.reliefDepth, number, session));
+    }
+    if (scenes && !pictures.empty()) {
+        throw InputError("--scenes", Message(MessageId::ArgumentsExclude, {{"other", "--height, --relief"}}));
     }
     if (pictures.empty()) {
         for (const std::string& name : scenes ? splitText(*scenes, ',') : filterSceneNames()) {

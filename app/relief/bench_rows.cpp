@@ -40,9 +40,8 @@ RowBenchOptions rowOptions(const RowBenchCommand& given, const OptionText& eleva
         options.precisions.clear();
         for (const std::string& text : splitText(*given.precisions, ',')) {
             if (text != "float" && text != "double") {
-                throw InputError("--precisions", Message(MessageId::UnknownName, {{"what", MessageId::WordPrecision},
-                                                                                  {"name", text},
-                                                                                  {"known", "float, double"}}));
+                throw InputError("--precisions",
+                                 unknownName({"what", MessageId::WordPrecision}, text, "float, double"));
             }
             options.precisions.push_back(text == "float" ? RowPrecision::Float : RowPrecision::Double);
         }

@@ -1,4 +1,4 @@
-// relief certify --height FILE [--map FILE.tif] [--tracer NAME] [--rays N] [--seed S] [-o FILE.json]
+// relief certify PICTURE|SCENARIO.json [--map FILE.tif] [--tracer NAME] [--rays N] [--seed S] [-o FILE.json]
 #include <cmath>
 
 #include "measuring/verify/certificate.h"
@@ -10,7 +10,6 @@ namespace relief::app {
 
 namespace {
 
-constexpr int kNotSafe = 1;
 constexpr std::int64_t kRaysAtMost = 1'000'000'000;
 
 struct CertifyOptions {
@@ -107,7 +106,8 @@ int runCertify(const CertifyOptions& options, Session& session) {
                         std::to_string(field.height()) + " texels, " + std::string(surfaceName(field.surface())) +
                         ", " + std::string(addressName(field.address())) + ", relief depth " +
                         numberText(field.reliefDepth()) + "\n" + certificateText(certificate, field) + again);
-    return certificate.safe() ? 0 : kNotSafe;
+    if (!certificate.safe()) return kFailed;
+    return certificate.proven() ? kDone : kUndecided;
 }
 
 }  // namespace
@@ -116,14 +116,17 @@ void addCertifyCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<CertifyOptions>();
     CLI::App* parser = addCommand(
         program, "certify", "prove or refute that a map is safe",
-        "Does any ray end past the first hit? Of the conservative maps (euclidean-conservative, refined, cone) every "
-        "value is held against an exact bound that is computed anew: if all keep it, the map is proven safe for every "
-        "ray that it serves. Beside it seeded rays that look for weak places (grazing, along walls, into walls, at "
-        "edges) are traced with the method and with exact; for maps that are interpolated, and methods without a map, "
-        "that is all there is. Says what was checked and how. The first violation is named with its ray and the "
-        "command that traces it, and the exit status is 1; methods that promise nothing may be half a texel late.",
-        "  relief certify --height heights.png --tracer cone-dummer -o witness.json\n"
-        "  relief certify --height heights.png --map refined.tif");
+        "A map is safe if no ray that is traced with it ends past the first hit, that is, passes through the relief. "
+        "Every value of the conservative maps (euclidean-conservative, refined, cone) is compared with an exact bound "
+        "that is computed anew: if none exceeds it, the map is proven safe for every ray that it serves. In addition, "
+        "seeded rays that look for weak places (grazing, along walls, into walls, at edges) are traced with the method "
+        "and with exact. Interpolated maps, and methods without a map, are checked by these rays alone, which can "
+        "refute safety but not prove it. The first violation is named with its ray and the command that traces it. "
+        "Methods that promise nothing may end half a texel past the hit.\n"
+        "Exit status: 0 proven safe, 1 not safe, 2 wrong usage or input, 3 not decided: neither proof nor violation, "
+        "or the check could not be carried out.",
+        "  relief certify heights.png --tracer cone-dummer -o witness.json\n"
+        "  relief certify heights.png --map refined.tif");
     options->scenario.add(*parser, ScenarioOptions::Look::No);
     addText(*parser, "--rays", options->rays, "N",
             "against exact; 0: values alone. Default " + std::to_string(CertificateOptions{}.rays), "Rays");
@@ -133,7 +136,7 @@ void addCertifyCommand(CLI::App& program, Commands& commands) {
             "Written only if there is one",
             "Output");
     options->run.add(*parser);
-    commands.push_back({parser, [options](Session& session) { return runCertify(*options, session); }});
+    commands.push_back({parser, [options](Session& session) { return runCertify(*options, session); }, kUndecided});
 }
 
 }  // namespace relief::app

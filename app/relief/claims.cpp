@@ -33,7 +33,11 @@ int runClaims(const ClaimsCommandOptions& given, Session& session) {
     onlyMeasured(given.rays, "--rays");
     onlyMeasured(given.rounds, "--rounds");
     ClaimsOptions options;
-    if (given.size) options.size = static_cast<int>(parseWhole(*given.size, "--size", kLeastSide, kMostSide));
+    if (given.size) options.size = parseSide(*given.size, "--size", kMostSide);
+    if (options.size < kLeastSide) {
+        throw InputError("--size", Message(MessageId::NumberOutOfRange,
+                                           {{"value", *given.size}, {"range", rangeOf(kLeastSide, kMostSide)}}));
+    }
     if (given.rays) options.rays = parseWhole(*given.rays, "--rays", kFewestRays, kMostRays);
     if (given.rounds) options.rounds = static_cast<int>(parseWhole(*given.rounds, "--rounds", 1, kMostRounds));
     const ClaimsTable table = given.measure ? measureClaims(options, session.work()) : shippedClaims();

@@ -1,5 +1,9 @@
-// relief compare A B [-o ERROR.png]
+// relief compare A B [-o ERROR.png] [--json] [--max-flip X]
+#include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include <nlohmann/json.hpp>
 
 #include "measuring/compare/picture_error.h"
 #include "options_common.h"
@@ -11,7 +15,8 @@ namespace relief::app {
 namespace {
 
 struct CompareOptions {
-    OptionText reference, test, output, pixelsPerDegree, maxPixels;
+    OptionText reference, test, output, pixelsPerDegree, maxPixels, maxFlip;
+    bool json = false;
     RunOptions run;
 };
 
@@ -36,19 +41,49 @@ void writeErrors(const std::string& path, const FloatImage& errors) {
     writeColor(path, grey);
 }
 
+double within(const std::string& text, const std::string& option, double low, double high) {
+    const double value = parseNumber(text, option);
+    if (value >= low && value <= high) return value;
+    throw InputError(option, Message(MessageId::NumberOutOfRange, {{"value", text}, {"range", rangeOf(low, high)}}));
+}
+
+// Says which channels of the file are left out: layers that are not the picture itself.
+void noteChannels(const std::string& path, std::int64_t maxPixels, Session& session) {
+    std::vector<std::string> left;
+    for (const std::string& channel : readImageInfo(path, maxPixels).channels) {
+        const std::vector<std::string> usual{"R", "G", "B", "A", "Y", "I"};
+        if (std::find(usual.begin(), usual.end(), channel) == usual.end()) left.push_back(channel);
+    }
+    if (!left.empty()) session.note(path, Message(MessageId::ChannelsNotCompared, {{"left", commaList(left)}}));
+}
+
+// limit: the FLIP that was allowed, if any.
+std::string comparisonText(const PictureError& error, const ColorImage& picture, std::optional<double> limit,
+                           bool json) {
+    if (!json) {
+        return "RMSE " + numberText(error.rmse, 6) + "\nPSNR " + numberText(error.psnr, 6) + "\nFLIP " +
+               numberText(error.flip, 6) + "\n";
+    }
+    nlohmann::ordered_json values{{"width", picture.width()}, {"height", picture.height()}, {"rmse", error.rmse}};
+    // JSON has no infinity: equal pictures have no PSNR.
+    values["psnr"] = std::isfinite(error.psnr) ? nlohmann::ordered_json(error.psnr) : nlohmann::ordered_json();
+    values["flip"] = error.flip;
+    if (limit) {
+        values["max_flip"] = *limit;
+        values["passed"] = error.flip <= *limit;
+    }
+    return values.dump(2) + "\n";
+}
+
 int runCompare(const CompareOptions& options, Session& session) {
     options.run.apply(session);
     const std::string& nameA = needed(options.reference, "A", "compare");
     const std::string& nameB = needed(options.test, "B", "compare");
     if (options.output) checkOutput(*options.output, {"png", "tif", "tiff", "bmp", "exr"});
-    double pixelsPerDegree = kPixelsPerDegree;
-    if (options.pixelsPerDegree) {
-        pixelsPerDegree = parseNumber(*options.pixelsPerDegree, "--ppd");
-        if (pixelsPerDegree < 1 || pixelsPerDegree > 1000) {
-            throw InputError("--ppd", Message(MessageId::NumberOutOfRange,
-                                              {{"value", pixelsPerDegree}, {"range", rangeOf(1, 1000)}}));
-        }
-    }
+    const double pixelsPerDegree =
+        options.pixelsPerDegree ? within(*options.pixelsPerDegree, "--ppd", 1, 1000) : kPixelsPerDegree;
+    std::optional<double> limit;
+    if (options.maxFlip) limit = within(*options.maxFlip, "--max-flip", 0, 1);
     HeightReadOptions reading;
     if (options.maxPixels) {
         reading.maxPixels = parseWhole(*options.maxPixels, "--max-pixels", 1, std::int64_t{1} << 40);
@@ -65,14 +100,16 @@ int runCompare(const CompareOptions& options, Session& session) {
     }
     refuseNan(nameA, a);
     refuseNan(nameB, b);
+    for (const std::string& name : {nameA, nameB}) noteChannels(name, reading.maxPixels, session);
     FloatImage errors;
     const PictureError error = pictureError(a, b, pixelsPerDegree, errors, work);
     if (options.output) writeErrors(*options.output, errors);
     session.eraseBar();
-    writeStandardOutput("RMSE " + numberText(error.rmse, 6) + "\nPSNR " + numberText(error.psnr, 6) + "\nFLIP " +
-                            numberText(error.flip, 6) + "\n",
-                        session.stop());
-    return 0;
+    writeStandardOutput(comparisonText(error, a, limit, options.json), session.stop());
+    if (!limit || error.flip <= *limit) return kDone;
+    const Message above(MessageId::FlipAboveLimit, {{"flip", numberText(error.flip, 6)}, {"limit", *limit}});
+    sayLine(nameB + ": " + sentence(above, session.language()));
+    return kFailed;
 }
 
 }  // namespace
@@ -83,12 +120,20 @@ void addCompareCommand(CLI::App& program, Commands& commands) {
         program, "compare", "RMSE, PSNR and FLIP of two pictures",
         "Tells how far apart two pictures of one size are, as a screen shows them (sRGB values clamped to [0, 1]). "
         "RMSE is 0 to 1; PSNR is in decibel, inf where the pictures are equal; FLIP (Andersson et al. 2020) is 0 to 1, "
-        "the mean of what a viewer notices who flips between the two.",
-        "  relief compare exact.png pyramid.png -o error.png");
+        "the mean of what a viewer notices who flips between the two.\n"
+        "Exit status: 1 where --max-flip is exceeded.",
+        "  relief compare exact.png pyramid.png -o error.png\n"
+        "  relief compare exact.png pyramid.png --json --max-flip 0.02");
     addArgument(*parser, "A", options->reference, "the reference");
     addArgument(*parser, "B", options->test, "the other picture");
     addOutput(*parser, options->output,
               "picture of FLIP's error, grey, black 0, white 1: .png, .tif, .bmp, or .exr with the plain values");
+    addFlag(*parser, "--json", options->json,
+            "JSON instead of text: width, height, rmse, psnr (null where the pictures are equal), flip, and with "
+            "--max-flip max_flip and passed",
+            "Output");
+    addText(*parser, "--max-flip", options->maxFlip, "X",
+            "the largest FLIP that is allowed, 0 to 1: exit status 1 where it is more", "Output");
     addText(*parser, "--ppd,--pixels-per-degree", options->pixelsPerDegree, "N",
             "of the viewer's field, for FLIP, 1 to 1000; default " + numberText(kPixelsPerDegree) +
                 " (a 3840-pixel screen 0.7 m wide, seen from 0.7 m)",

@@ -1,4 +1,10 @@
-// relief info FILE
+// relief info FILE... [--json]
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <nlohmann/json.hpp>
+
+#include "help_formatter.h"
 #include "options_common.h"
 #include "output.h"
 #include "scenario/scenario.h"
@@ -7,9 +13,12 @@ namespace relief::app {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct InfoOptions {
-    OptionText file;
+    std::vector<std::string> files;
     ReadingOptions reading;
+    bool json = false;
     RunOptions run;
 };
 
@@ -43,30 +52,59 @@ std::string interval(double low, double high) {
     return numberText(low, 6) + " .. " + numberText(high, 6);
 }
 
-std::string pictureInfo(const std::string& path, const HeightReadOptions& reading, Session& session) {
-    const HeightImage image = readHeight(path, reading, session.work());
-    const std::string channels = commaList(image.info.channels);
-    float low = 1;
-    float high = 0;
-    double sum = 0;
-    for (const float h : image.heights.pixels()) {
-        low = std::min(low, h);
-        high = std::max(high, h);
-        sum += static_cast<double>(h);
+struct PictureFacts {
+    HeightImage image;
+    double low = 1;
+    double high = 0;
+    double mean = 0;
+};
+
+PictureFacts pictureFacts(const std::string& path, const HeightReadOptions& reading, Session& session) {
+    PictureFacts facts{readHeight(path, reading, session.work())};
+    for (const float h : facts.image.heights.pixels()) {
+        facts.low = std::min(facts.low, static_cast<double>(h));
+        facts.high = std::max(facts.high, static_cast<double>(h));
+        facts.mean += static_cast<double>(h);
     }
+    facts.mean /= static_cast<double>(facts.image.heights.size());
+    return facts;
+}
+
+std::string pictureInfo(const std::string& path, const PictureFacts& facts, Session& session) {
+    const HeightImage& image = facts.image;
     Table table(session.language());
     table.title(path);
     table.row(MessageId::InfoFormat, image.info.format);
     table.row(MessageId::InfoSize, sizeText(image.info.width, image.info.height));
-    table.row(MessageId::InfoChannels, channels);
+    table.row(MessageId::InfoChannels, commaList(image.info.channels));
     table.row(MessageId::InfoType, image.info.type);
     if (!image.info.colorSpace.empty()) table.row(MessageId::InfoColorSpace, image.info.colorSpace);
     table.row(MessageId::InfoHeightChannel, image.channel);
     table.row(MessageId::InfoFileValues, interval(image.fileLow, image.fileHigh));
-    table.row(MessageId::InfoHeights, interval(static_cast<double>(low), static_cast<double>(high)));
-    table.row(MessageId::InfoMeanHeight, numberText(sum / static_cast<double>(image.heights.size()), 6));
+    table.row(MessageId::InfoHeights, interval(facts.low, facts.high));
+    table.row(MessageId::InfoMeanHeight, numberText(facts.mean, 6));
     for (const Message& note : image.notes) table.row(MessageId::InfoNote, note);
     return table.text();
+}
+
+// The same as JSON, in English.
+Json pictureJson(const std::string& path, const PictureFacts& facts) {
+    const HeightImage& image = facts.image;
+    Json json{{"file", path},
+              {"kind", "picture"},
+              {"format", image.info.format},
+              {"width", image.info.width},
+              {"height", image.info.height},
+              {"channels", image.info.channels},
+              {"type", image.info.type},
+              {"color_space", image.info.colorSpace},
+              {"height_channel", image.channel},
+              {"file_values", {image.fileLow, image.fileHigh}},
+              {"heights", {facts.low, facts.high}},
+              {"mean_height", facts.mean},
+              {"notes", Json::array()}};
+    for (const Message& note : image.notes) json["notes"].push_back(sentence(note));
+    return json;
 }
 
 std::string cameraText(const Camera& camera) {
@@ -114,14 +152,38 @@ std::string scenarioInfo(const std::string& path, Session& session) {
 
 int runInfo(const InfoOptions& options, Session& session) {
     options.run.apply(session);
-    const std::string& path = needed(options.file, "FILE", "info");
+    if (options.files.empty()) needed(std::nullopt, "FILE", "info");
     HeightReadOptions reading;
     options.reading.apply(reading);
-    const bool isScenario = fileEnding(path) == "json";
-    const std::string text = isScenario ? scenarioInfo(path, session) : pictureInfo(path, reading, session);
+    std::string text;
+    Json all = Json::array();
+    for (const std::string& path : options.files) {
+        if (isScenarioFile(path)) {
+            if (const std::string given = options.reading.given(); !given.empty()) {
+                throw InputError(given, Message(MessageId::ArgumentsExclude, {{"other", path}}));
+            }
+            if (options.json) {
+                all.push_back({{"file", path},
+                               {"kind", "scenario"},
+                               {"scenario", Json::parse(scenarioText(loadScenario(path)))}});
+            } else {
+                text += scenarioInfo(path, session);
+            }
+            continue;
+        }
+        const PictureFacts facts = pictureFacts(path, reading, session);
+        if (options.json) {
+            all.push_back(pictureJson(path, facts));
+        } else {
+            text += pictureInfo(path, facts, session);
+        }
+    }
     session.eraseBar();
+    // Names of files need not be UTF-8.
+    const Json& shown = all.size() == 1 ? all.front() : all;
+    if (options.json) text = shown.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     writeStandardOutput(text, session.stop());
-    return 0;
+    return kDone;
 }
 
 }  // namespace
@@ -133,8 +195,14 @@ void addInfoCommand(CLI::App& program, Commands& commands) {
         "Tells a picture's size, channels, type and range, which channel will be taken for heights and how its numbers "
         "become heights in [0, 1]; of a scenario (.json), what it looks at and how. The reading options show what they "
         "would change.",
-        "  relief info heights.png --channel R --range 0,200");
-    addArgument(*parser, "FILE", options->file, "a picture, or a scenario (.json)");
+        "  relief info heights.png --channel R --range 0,200\n"
+        "  relief info *.png --json");
+    parser->add_option("FILE", options->files, "pictures, or scenarios and reports (.json)")
+        ->type_name("")
+        ->group("Arguments")
+        ->option_text(kNeeded);
+    addFlag(*parser, "--json", options->json, "JSON instead of text: an object, or of several files an array of them",
+            "Output");
     options->reading.add(*parser);
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runInfo(*options, session); }});

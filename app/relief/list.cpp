@@ -1,11 +1,13 @@
-// relief list [--json]
+// relief list [NAME] [--json]
 #include <nlohmann/json.hpp>
 
 #include "filtering/filters/filter_choice.h"
 #include "help_formatter.h"
 #include "options_common.h"
 #include "output.h"
+#include "relief/maps/pyramid_files.h"
 #include "relief/reliefs.h"
+#include "relief/tracers/map_choice.h"
 #include "relief/visibility/any_hit.h"
 #include "scenario/row_methods.h"
 
@@ -78,7 +80,7 @@ Json rowMethodJson(const RowMethodDescription& method) {
     return json;
 }
 
-std::string listJson() {
+Json listJson() {
     Json json{{"version", RELIEF_VERSION}};
     for (const MethodDescription& method : tracerList()) json["tracers"].push_back(methodJson(method));
     for (const MethodDescription& method : anyHitList()) json["any_hit"].push_back(methodJson(method));
@@ -99,8 +101,10 @@ std::string listJson() {
     for (const ScenarioNumber& number : scenarioNumbers()) {
         json["numbers"].push_back(optionJson(number.description, number.get(Scenario{})));
     }
+    for (const std::string& kind : mapKinds()) json["maps"].push_back({{"name", kind}, {"tracer", methodOfMap(kind)}});
+    for (const std::string& kind : pyramidMapKinds()) json["maps"].push_back({{"name", kind}});
     json["layers"] = layerNames();
-    return json.dump(2) + "\n";
+    return json;
 }
 
 // "name          text", the text wrapped beside the name.
@@ -158,62 +162,143 @@ std::string rowMethodText(const RowMethodDescription& method) {
     return out;
 }
 
-std::string listText() {
-    const auto ofKind = [](MethodKind kind) {
-        std::string text;
-        for (const MethodDescription& method : tracerList()) {
-            if (method.kind == kind) text += methodText(method);
-        }
-        return text;
-    };
-    std::string out = "Tracers: how rays meet the relief (--tracer NAME)\n" + ofKind(MethodKind::Tracer);
-    out += "\nShading only: the ray stays on the polygon (--tracer NAME)\n" + ofKind(MethodKind::Shading);
-    out += "\nMeshes: the relief made of triangles (--tracer NAME)\n" + ofKind(MethodKind::Mesh);
-    out += "\nAny-hit queries: whether something is in the way, for shadows and back-tracing\n";
-    for (const MethodDescription& method : anyHitList()) out += methodText(method);
-    out += "\nRows: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)\n";
-    for (const RowMethodDescription& method : rowMethodList()) out += rowMethodText(method);
-    out += "\nFilters: how colours are sampled (--filter NAME)\n";
-    for (const FilterDescription& filter : filterList()) {
-        out += entry(filter.name, filter.help, 2, 14);
-        if (!filter.source.empty()) out += entry("source", filter.source, 6, 12);
-        for (const OptionDescription& option : filter.options) {
-            out += entry("--filter-set " + option.name + "=..", optionText(option, filter.defaults.at(option.name)), 6,
-                         22);
-        }
+// Of one kind: what a heading says, and each entry's name and lines.
+struct Section {
+    std::string name;  // as relief list NAME has it
+    std::string heading;
+    std::vector<std::pair<std::string, std::string>> entries;
+};
+
+Section tracerSection(const std::string& name, const std::string& heading, MethodKind kind) {
+    Section section{name, heading, {}};
+    for (const MethodDescription& method : kind == MethodKind::AnyHit ? anyHitList() : tracerList()) {
+        if (method.kind == kind) section.entries.emplace_back(method.name, methodText(method));
     }
-    out += "\nReliefs: procedural height maps (relief make NAME, --relief NAME)\n";
-    for (const ReliefRecipe& recipe : reliefRecipes()) {
-        const std::string size = std::to_string(recipe.defaultSize) + " x " + std::to_string(recipe.defaultSize);
-        const std::string sizes = recipe.anySize ? "any size, " + size + " by itself" : size + " only";
-        out += entry(std::string(recipe.name), std::string(recipe.help) + " (" + sizes + ")", 2, 14);
+    return section;
+}
+
+std::string filterText(const FilterDescription& filter) {
+    std::string out = entry(filter.name, filter.help, 2, 14);
+    if (!filter.source.empty()) out += entry("source", filter.source, 6, 12);
+    for (const OptionDescription& option : filter.options) {
+        out += entry("--filter-set " + option.name + "=..", optionText(option, filter.defaults.at(option.name)), 6, 22);
     }
-    out += "\nNumbers of a view: unit, range, default\n";
+    return out;
+}
+
+std::string reliefText(const ReliefRecipe& recipe) {
+    const std::string size = std::to_string(recipe.defaultSize) + " x " + std::to_string(recipe.defaultSize);
+    const std::string sizes = recipe.anySize ? "any size, " + size + " by itself" : size + " only";
+    return entry(std::string(recipe.name), std::string(recipe.help) + " (" + sizes + ")", 2, 14);
+}
+
+std::vector<Section> sections() {
+    std::vector<Section> all;
+    all.push_back(
+        tracerSection("tracers", "Tracers: how rays meet the relief (--tracer NAME:OPTION=VALUE)", MethodKind::Tracer));
+    all.push_back(
+        tracerSection("shading", "Shading only: the ray stays on the polygon (--tracer NAME)", MethodKind::Shading));
+    all.push_back(tracerSection("meshes", "Meshes: the relief made of triangles (--tracer NAME)", MethodKind::Mesh));
+    all.push_back(tracerSection("any-hit",
+                                "Any-hit queries: whether something is in the way, for shadows and back-tracing",
+                                MethodKind::AnyHit));
+    Section maps{"maps", "Maps that are built once and stored (relief map KIND, --map FILE)", {}};
+    for (const std::string& kind : mapKinds()) {
+        maps.entries.emplace_back(
+            kind, entry(kind, "walked by the tracer " + methodOfMap(kind) + ", whose options it has", 2, 24));
+    }
+    for (const std::string& kind : pyramidMapKinds()) {
+        maps.entries.emplace_back(kind, entry(kind, "for other programs, as a picture with MIP levels", 2, 24));
+    }
+    all.push_back(std::move(maps));
+    Section rows{"rows", "Rows: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)", {}};
+    for (const RowMethodDescription& method : rowMethodList()) {
+        rows.entries.emplace_back(method.name, rowMethodText(method));
+    }
+    all.push_back(std::move(rows));
+    Section filters{"filters", "Filters: how colours are sampled (--filter NAME:OPTION=VALUE)", {}};
+    for (const FilterDescription& filter : filterList()) filters.entries.emplace_back(filter.name, filterText(filter));
+    all.push_back(std::move(filters));
+    Section reliefs{"reliefs", "Reliefs: procedural height maps (relief make NAME, --relief NAME)", {}};
+    for (const ReliefRecipe& recipe : reliefRecipes()) reliefs.entries.emplace_back(recipe.name, reliefText(recipe));
+    all.push_back(std::move(reliefs));
+    Section numbers{"numbers", "Numbers of a view: unit, range, default", {}};
     for (const ScenarioNumber& number : scenarioNumbers()) {
-        out +=
-            entry(number.description.name, optionText(number.description, numberText(number.get(Scenario{}))), 2, 18);
+        const std::string& name = number.description.name;
+        numbers.entries.emplace_back(
+            name, entry(name, optionText(number.description, numberText(number.get(Scenario{}))), 2, 18));
     }
-    return out + "\nLayers of relief render --layers: " + commaList(layerNames()) + "\n";
+    all.push_back(std::move(numbers));
+    return all;
+}
+
+// wanted: a section, or an entry wherever it stands; empty: all.
+std::string listText(const std::string& wanted) {
+    std::string out;
+    std::string known;
+    for (const Section& section : sections()) {
+        std::string text;
+        known += (known.empty() ? "" : ", ") + section.name;
+        for (const auto& [name, lines] : section.entries) {
+            if (wanted.empty() || wanted == section.name || wanted == name) text += lines;
+            known += ", " + name;
+        }
+        if (!text.empty()) out += (out.empty() ? "" : "\n") + section.heading + "\n" + text;
+    }
+    if (wanted.empty() || wanted == "layers") {
+        out += (out.empty() ? "" : "\n") + ("Layers of relief render --layers: " + commaList(layerNames())) + "\n";
+    }
+    if (!out.empty()) return out;
+    throw InputError("", unknownName({"what", MessageId::WordListed}, wanted, known + ", layers"));
+}
+
+// The same choice: arrays whose key is wanted, and entries of that name.
+std::string listJson(const std::string& wanted) {
+    const Json all = listJson();
+    if (wanted.empty()) return all.dump(2) + "\n";
+    listText(wanted);  // throws
+    Json chosen;
+    for (const auto& [key, entries] : all.items()) {
+        if (key == wanted || (key == "any_hit" && wanted == "any-hit")) chosen[key] = entries;
+        if (!entries.is_array() || chosen.contains(key)) continue;
+        for (const Json& one : entries) {
+            const bool shading =
+                one.is_object() && one.contains("kind") &&
+                ((wanted == "shading" && one["kind"] == "shading") || (wanted == "meshes" && one["kind"] == "mesh"));
+            if (shading || (one.is_object() && one["name"] == wanted)) chosen[key].push_back(one);
+        }
+    }
+    return chosen.dump(2) + "\n";
 }
 
 }  // namespace
 
 void addListCommand(CLI::App& program, Commands& commands) {
     struct ListOptions {
+        OptionText name;
         bool json = false;
+        RunOptions run;
     };
     auto options = std::make_shared<ListOptions>();
     CLI::App* parser = addCommand(
-        program, "list", "tracers, rows, filters, reliefs: guarantees, options, units",
+        program, "list", "tracers, maps, rows, filters, reliefs: guarantees, options, units",
         "Lists every tracer with what it promises, the surfaces and rays it is valid for, the maps it needs and its "
-        "options with unit, range and default; then row variants with their operations a pixel, filters, procedural "
-        "reliefs, the numbers of a view and the layers.",
+        "options with unit, range and default; then maps, row variants with their operations per pixel, filters, "
+        "procedural reliefs, the numbers of a view and the layers. With a name, only what is called so.",
+        "  relief list cone\n"
+        "  relief list filters\n"
         "  relief list --json | less");
+    addText(*parser, "NAME", options->name, "",
+            "of a tracer, map, row variant, filter, relief or number; or all of a kind: tracers, shading, meshes, "
+            "any-hit, maps, rows, filters, reliefs, numbers, layers",
+            "Arguments");
     addFlag(*parser, "--json", options->json, "the same for programs", "Output");
-    addLanguage(*parser);
+    options->run.add(*parser, false);
     commands.push_back({parser, [options](Session& session) {
-                            writeStandardOutput(options->json ? listJson() : listText(), session.stop());
-                            return 0;
+                            options->run.apply(session);
+                            const std::string name = options->name.value_or("");
+                            writeStandardOutput(options->json ? listJson(name) : listText(name), session.stop());
+                            return kDone;
                         }});
 }
 

@@ -1,4 +1,4 @@
-// relief make RELIEF -o FILE [--size N|WxH] [--seed S]
+// relief make RELIEF[:SIZE[:SEED]] -o FILE [--size SIZE] [--seed S]
 #include "options_common.h"
 #include "output.h"
 #include "relief/files.h"
@@ -13,28 +13,24 @@ struct MakeOptions {
     RunOptions run;
 };
 
-const ReliefRecipe& findRecipe(const std::string& name) {
-    std::string known;
-    for (const ReliefRecipe& recipe : reliefRecipes()) {
-        if (recipe.name == name) return recipe;
-        known.append(known.empty() ? "" : ", ").append(recipe.name);
-    }
-    throw InputError(
-        "", Message(MessageId::UnknownName, {{"what", MessageId::WordRelief}, {"name", name}, {"known", known}}));
-}
-
-// "N" or "WxH".
-SizeText makeSize(const MakeOptions& options, const ReliefRecipe& recipe) {
-    if (!options.size) return {recipe.defaultSize, recipe.defaultSize};
-    if (options.size->find('x') != std::string::npos) return parseSize(*options.size, "--size", kMaxPictureSide);
-    const int side = static_cast<int>(parseWhole(*options.size, "--size", 1, kMaxPictureSide));
-    return {side, side};
-}
-
-// As many as a height map may have when it is read again.
-void checkTexels(const SizeText& size) {
+// "bricks:512:7" is the same as bricks --size 512 --seed 7.
+Pictures chosenRelief(const MakeOptions& options) {
+    const std::string& relief = needed(options.relief, "RELIEF", "make");
+    const std::size_t parts = splitText(relief, ':').size();
+    if (options.size && parts > 1)
+        throw InputError("--size", Message(MessageId::ArgumentsExclude, {{"other", relief}}));
+    if (options.seed && parts > 2)
+        throw InputError("--seed", Message(MessageId::ArgumentsExclude, {{"other", relief}}));
+    Pictures pictures;
+    applyRecipe(pictures, relief, {});
+    if (options.seed) pictures.seed = parseSeed(*options.seed, "--seed");
+    if (!options.size) return pictures;
+    const SizeText size = parseSize(*options.size, "--size", kMaxPictureSide);
+    pictures.recipeWidth = size.width;
+    pictures.recipeHeight = size.height;
+    // As many as a height map may have when it is read again.
     const std::int64_t texels = std::int64_t{size.width} * size.height;
-    if (texels <= kDefaultMaxPixels) return;
+    if (texels <= kDefaultMaxPixels) return pictures;
     const Message range(MessageId::RangeOfUnit,
                         {{"low", 1}, {"high", kDefaultMaxPixels}, {"unit", MessageId::UnitTexels}});
     throw InputError("--size", Message(MessageId::NumberOutOfRange, {{"value", texels}, {"range", range}}));
@@ -42,16 +38,14 @@ void checkTexels(const SizeText& size) {
 
 int runMake(const MakeOptions& options, Session& session) {
     options.run.apply(session);
-    const ReliefRecipe& recipe = findRecipe(needed(options.relief, "RELIEF", "make"));
+    const Pictures pictures = chosenRelief(options);
     const std::string& output = needed(options.output, "--output", "make");
     checkOutput(output, {"png", "tif", "tiff", "exr"});
-    const SizeText size = makeSize(options, recipe);
-    checkTexels(size);
-    const std::uint64_t seed = options.seed ? parseSeed(*options.seed, "--seed") : 1;
-    const FloatImage heights = makeRelief(recipe.name, size.width, size.height, seed);
-    if (session.stop().stop_requested()) throw Cancelled();
-    writeHeight(output, heights, fileEnding(output) == "exr");
-    return 0;
+    AssetStore store;
+    const Assets assets = store.load(pictures, session.work());
+    session.eraseBar();
+    writeHeight(output, *assets.heights, fileEnding(output) == "exr");
+    return kDone;
 }
 
 }  // namespace
@@ -64,13 +58,14 @@ void addMakeCommand(CLI::App& program, Commands& commands) {
         program, "make", "make a procedural height map",
         "Writes a height map made by a recipe: the same bits for the same seed on every machine. .png and .tif hold "
         "16-bit integers, .exr 32-bit floats. The recipes: " +
-            names + "; relief list tells what each is.",
-        "  relief make bricks --size 512 --seed 7 -o bricks.png");
-    addArgument(*parser, "RELIEF", options->relief, "name of the recipe");
+            names + "; relief list reliefs describes them.",
+        "  relief make bricks --size 512 --seed 7 -o bricks.png\n"
+        "  relief make bricks:512x256:7 -o bricks.png");
+    addArgument(*parser, "RELIEF", options->relief, "NAME[:SIZE[:SEED]]: name of the recipe, also with size and seed");
     addOutput(*parser, options->output, "the height map: .png, .tif or .exr");
-    addText(*parser, "--size", options->size, "N|WxH",
+    addText(*parser, "--size", options->size, "WxH|N",
             "texels, 1 to " + std::to_string(kMaxPictureSide) + " a side, " + std::to_string(kDefaultMaxPixels) +
-                " in all; default: the recipe's own (256 mostly)",
+                " in all; N: N x N; default: the recipe's own (256 mostly)",
             "Relief");
     addText(*parser, "--seed", options->seed, "S", "of the random numbers, a whole number from 0; default 1", "Relief");
     options->run.add(*parser, false);

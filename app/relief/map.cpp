@@ -1,4 +1,4 @@
-// relief map KIND --height FILE [--set NAME=VALUE ...] (-o FILE.tif | --at s,t,z)
+// relief map KIND[:OPTION=VALUE...] PICTURE|SCENARIO.json [--set NAME=VALUE ...] (-o FILE.tif | --at s,t,z)
 #include <algorithm>
 #include <chrono>
 
@@ -64,21 +64,26 @@ int printDistances(const std::string& at, const Scenario& scenario, const Height
     return 0;
 }
 
-bool isPyramid(const std::string& kind) {
-    const std::vector<std::string>& kinds = pyramidMapKinds();
+bool isOneOf(const std::string& kind, const std::vector<std::string>& kinds) {
     return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+// The kind without its options.
+std::string checkedKind(const std::string& text) {
+    const std::string kind = splitMethodChoice(text, "KIND").name;
+    if (isOneOf(kind, mapKinds()) || isOneOf(kind, pyramidMapKinds())) return kind;
+    const std::string known = commaList(mapKinds()) + ", " + commaList(pyramidMapKinds());
+    throw InputError("", unknownName({"what", MessageId::WordMap}, kind, known));
 }
 
 // The heights and their levels: they depend on nothing else, so there is nothing to set.
 int writePyramid(const MapOptions& options, const std::string& kind, const std::string& output, Session& session) {
     ScenarioOptions chosen = options.scenario;
-    chosen.chooseTracer("max-pyramid");
+    chosen.chooseTracer("max-pyramid", kind);
     const Scenario scenario = chosen.scenario();
     for (const auto& [name, text] : scenario.method.options) {
-        throw InputError(
-            "--set",
-            Message(MessageId::UnknownName,
-                    {{"what", Message(MessageId::WordOptionOf, {{"method", kind}})}, {"name", name}, {"known", "-"}}));
+        throw InputError("--set",
+                         unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})}, name, {}));
     }
     Work& work = session.work();
     AssetStore store;
@@ -99,14 +104,21 @@ int writePyramid(const MapOptions& options, const std::string& kind, const std::
 
 int runMap(const MapOptions& options, Session& session) {
     options.run.apply(session);
-    const std::string& kind = needed(options.kind, "KIND", "map");
-    if (isPyramid(kind) && options.at) {
+    const std::string& text = needed(options.kind, "KIND", "map");
+    const std::string kind = checkedKind(text);
+    const bool isPyramid = isOneOf(kind, pyramidMapKinds());
+    if (isPyramid && kind != text) {
+        const MethodChoice given = splitMethodChoice(text, "KIND");
+        throw InputError(text, unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})},
+                                           given.options.begin()->first, {}));
+    }
+    if (isPyramid && options.at) {
         throw InputError("--at", Message(MessageId::ArgumentsExclude, {{"other", kind}}));
     }
     if (!options.at) checkOutput(needed(options.output, "--output", "map"), {"tif", "tiff"});
-    if (isPyramid(kind)) return writePyramid(options, kind, *options.output, session);
+    if (isPyramid) return writePyramid(options, kind, *options.output, session);
     ScenarioOptions chosen = options.scenario;
-    chosen.chooseTracer(methodOfMap(kind));
+    chosen.chooseTracer(methodOfMap(kind) + text.substr(kind.size()), text);
     const Scenario scenario = chosen.scenario();
     Work& work = session.work();
     AssetStore store;
@@ -139,13 +151,14 @@ void addMapCommand(CLI::App& program, Commands& commands) {
         "Builds one of the maps that methods walk and writes it as a TIFF: all layers in one picture, the numbers as "
         "they are, and what they mean in its description. It serves this height map with this surface, addressing and "
         "depth, and is refused anywhere else. trace and render take it by --map. The kinds: " +
-            kinds + "; each has the options of its tracer (relief list shows them). " + pyramids +
+            kinds + "; each has the options of its tracer (relief list KIND shows them). " + pyramids +
             " are written for other programs, which read them as a picture with MIP levels: 32-bit floats in tiles, "
             "level 0 the heights, each level's description says what its texels are.",
-        "  relief map refined --height heights.png --set layers=16 --set precision=u8 -o refined.tif\n"
-        "  relief trace --height heights.png --tracer distance-refined --map refined.tif --ray 10,20,30,5\n"
-        "  relief map refined --height heights.png --at 10,20,0.6");
-    addArgument(*parser, "KIND", options->kind, "which map");
+        "  relief map refined:layers=16:precision=u8 heights.png -o refined.tif\n"
+        "  relief trace heights.png --tracer distance-refined --map refined.tif --ray 10,20,30,5\n"
+        "  relief map refined heights.png --at 10,20,0.6");
+    addArgument(*parser, "KIND", options->kind,
+                "which map; with options as KIND:OPTION=VALUE, such as refined:layers=16");
     options->scenario.add(*parser, ScenarioOptions::Look::Heights);
     addOutput(*parser, options->output, "the map: .tif");
     addText(

@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -9,6 +11,7 @@
 
 #include "help_formatter.h"
 #include "measuring/text_table.h"
+#include "output.h"
 #include "relief/describe.h"
 #include "rendering/base_level.h"
 #include "team.h"
@@ -80,7 +83,8 @@ std::uint64_t parseSeed(const std::string& text, const std::string& option) {
 }
 
 SizeText parseSize(const std::string& text, const std::string& option, int largest) {
-    const std::vector<std::string> parts = splitText(text, 'x');
+    std::vector<std::string> parts = splitText(text, 'x');
+    if (parts.size() == 1) parts.push_back(parts.front());
     if (parts.size() != 2) throw InputError(option, Message(MessageId::NotASize, {{"text", text}}));
     for (const std::string& part : parts) {
         if (part.empty() || part.find_first_not_of("0123456789") != std::string::npos) {
@@ -89,6 +93,25 @@ SizeText parseSize(const std::string& text, const std::string& option, int large
     }
     return {static_cast<int>(parseWhole(parts[0], option, 1, largest)),
             static_cast<int>(parseWhole(parts[1], option, 1, largest))};
+}
+
+int parseSide(const std::string& text, const std::string& option, int largest) {
+    const SizeText size = parseSize(text, option, largest);
+    if (size.width == size.height) return size.width;
+    throw InputError(option, Message(MessageId::SizeNotSquare, {{"width", size.width}, {"height", size.height}}));
+}
+
+bool isScenarioFile(const std::string& path) {
+    if (fileEnding(path) == "json") return true;
+    std::error_code none;
+    const auto status = std::filesystem::status(path, none);
+    // Pictures are not read from pipes.
+    if (!std::filesystem::is_regular_file(status)) {
+        return std::filesystem::exists(status) && !std::filesystem::is_directory(status);
+    }
+    char letter = 0;
+    std::ifstream(path, std::ios::binary) >> letter;  // past white space
+    return letter == '{';
 }
 
 PixelChoice parsePixel(const std::string& text, const std::string& option) {
@@ -116,12 +139,18 @@ void RunOptions::add(CLI::App& parser, bool withThreads) {
                 "threads to work on, 0 to 1024; 0 (default): as many as there are. The result does not depend on it",
                 "General");
     }
-    addFlag(parser, "-q,--quiet", quiet_, "no messages and no progress bar (errors are still said)", "General");
+    CLI::Option* const quiet =
+        addFlag(parser, "-q,--quiet", quiet_, "no messages and no progress bar (errors are still said)", "General");
+    addFlag(parser, "-v,--verbose", verbose_,
+            "lines of progress for long work, also where standard error is no terminal, as in the log of a job",
+            "General")
+        ->excludes(quiet);
     addLanguage(parser);
 }
 
 void RunOptions::apply(Session& session, bool withoutOthers) const {
     session.setQuiet(quiet_ || !leadsRun(withoutOthers));
+    session.setVerbose(verbose_);
     if (threads_) session.setThreads(static_cast<int>(parseWhole(*threads_, "--threads", 0, 1024)));
 }
 
@@ -146,8 +175,7 @@ void addLanguage(CLI::App& parser) {
         ->group("General");
 }
 
-void ReadingOptions::add(CLI::App& parser) {
-    const char* group = "Reading the height map";
+void ReadingOptions::add(CLI::App& parser, const char* group) {
     addText(parser, "--channel", channel_, "N|NAME",
             "which channel holds the heights: a number from 0, or a name (R, G, B, A, Y); default: grey, else the "
             "first. Alpha is taken as it stands, nothing is multiplied by it",
@@ -167,6 +195,10 @@ void ReadingOptions::apply(HeightReadOptions& reading) const {
     if (invert_) reading.invert = true;
     if (range_) reading.range = parseHeightRange(*range_);
     if (maxPixels_) reading.maxPixels = parseWhole(*maxPixels_, "--max-pixels", 1, std::int64_t{1} << 40);
+}
+
+std::string ReadingOptions::given() const {
+    return channel_ ? "--channel" : invert_ ? "--invert" : range_ ? "--range" : maxPixels_ ? "--max-pixels" : "";
 }
 
 void noteHeights(Session& session, const Assets& assets, const Scenario& scenario) {

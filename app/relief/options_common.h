@@ -46,21 +46,26 @@ void addOutput(CLI::App& parser, OptionText& target, const std::string& help);
 
 // The value, or InputError naming the option.
 const std::string& needed(const OptionText& value, const std::string& option, const std::string& command);
-// "800x600".
+// "800x600", or "512" for 512x512.
 struct SizeText {
     int width;
     int height;
 };
 SizeText parseSize(const std::string& text, const std::string& option, int largest);
+// The same of what is square: its side.
+int parseSide(const std::string& text, const std::string& option, int largest);
+// Whether the file is to be read as a scenario: by its ending .json, or because it begins as one. Anything else is a
+// picture.
+bool isScenarioFile(const std::string& path);
 // "X,Y", whole numbers from 0.
 PixelChoice parsePixel(const std::string& text, const std::string& option);
 std::int64_t parseWhole(const std::string& text, const std::string& option, std::int64_t low, std::int64_t high);
 std::uint64_t parseSeed(const std::string& text, const std::string& option);
-// "bricks", "bricks:512x256", "bricks:512x256:7" of --relief.
-void applyRecipe(Pictures& pictures, const std::string& text);
+// "bricks", "bricks:512", "bricks:512x256", "bricks:512x256:7" of --relief.
+void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option = "--relief");
 std::vector<std::string> splitText(const std::string& text, char separator);
 
-// --threads, --quiet
+// --threads, --quiet, --verbose
 class RunOptions {
   public:
     void add(CLI::App& parser, bool withThreads = true);
@@ -70,6 +75,7 @@ class RunOptions {
   private:
     OptionText threads_;
     bool quiet_ = false;
+    bool verbose_ = false;
 };
 
 // --resume, --anew: what becomes of FILE.part, which a run that was stopped has left.
@@ -89,8 +95,10 @@ class RestartOptions {
 // How a height file is read: --channel, --invert, --range, --max-pixels.
 class ReadingOptions {
   public:
-    void add(CLI::App& parser);
+    void add(CLI::App& parser, const char* group = "Reading the height map");
     void apply(HeightReadOptions& reading) const;
+    // An option that was given; empty where there is none.
+    std::string given() const;
 
   private:
     OptionText channel_, range_, maxPixels_;
@@ -101,18 +109,21 @@ class ReadingOptions {
 class ScenarioOptions {
   public:
     // Which groups a command takes beside scenario, height map and method.
-    // Yes: --color, --normal, --filter, --light. Heights: nothing but the height field, and the options of a method
-    // that the command chooses itself. Plain: nothing but the height field.
-    enum class Look { No, Yes, Heights, Plain };
+    // Yes: the view, --color, --normal, --filter, --light. View: the view alone. No: none of them. Heights: nothing but
+    // the height field, and the options of a method that the command chooses itself. Plain: nothing but the height
+    // field.
+    enum class Look { Yes, View, No, Heights, Plain };
     void add(CLI::App& parser, Look look);
     // The scenario (the file's, or the default one) with the options laid over it; checked. Throws InputError.
     Scenario scenario() const { return scenario(file_); }
-    // The same over another scenario's file; nothing: over the default one.
+    // The same over another file, a scenario or a height map; nothing: over the default one.
     Scenario scenario(const OptionText& file) const;
     const OptionText& file() const { return file_; }
-    bool heightsGiven() const { return height_ || recipe_; }
-    // The command chooses the method: no --tracer.
-    void chooseTracer(const std::string& name) { tracer_ = name; }
+    bool heightsGiven() const { return file_ || height_ || recipe_; }
+    // The command chooses the method: no --tracer. argument: what says which, for messages.
+    void chooseTracer(const std::string& method, const std::string& argument);
+    // An option of the view that was given, such as "--camera"; empty where there is none.
+    std::string viewOption() const;
     // --map: the stored map laid into the cache for the scenario's tracer, which gets the options it was built with.
     // follow: without --tracer and a scenario file the tracer that walks such maps is taken.
     void useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work, bool follow = false) const;
@@ -127,7 +138,8 @@ class ScenarioOptions {
     void addView(CLI::App& parser, Look look);
     void applyPictures(Scenario& scenario) const;
     void applyMethod(Scenario& scenario) const;
-    void applyFilter(FilterChoice& filter) const;
+    void applyTracer(MethodChoice& method) const;
+    void applyFilter(Scenario& scenario) const;
     void applyView(Scenario& scenario) const;
     void applyCamera(Scenario& scenario) const;
 
@@ -135,6 +147,7 @@ class ScenarioOptions {
     OptionText height_, recipe_, color_, normal_;
     ReadingOptions reading_;
     OptionText reliefDepth_, address_, surface_;
+    std::string tracerOption_ = "--tracer";  // for messages
     OptionText tracer_, map_, filter_, supersample_, pixelModel_;
     bool shadows_ = false;
     bool noSkip_ = false;

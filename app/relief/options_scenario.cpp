@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "filtering/filters/filter_choice.h"
 #include "options_common.h"
@@ -9,6 +10,7 @@
 #include "relief/tracers.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/row_methods.h"
+#include "scenario/variation.h"
 
 namespace relief::app {
 
@@ -35,12 +37,14 @@ std::vector<std::string> applySettings(Scenario& scenario, const std::string& te
             throw InputError(option, Message(MessageId::NotASetting, {{"text", part}, {"example", example}}));
         }
         const std::string key = part.substr(0, equals);
+        if (std::find(given.begin(), given.end(), key) != given.end()) {
+            throw InputError(option + " " + key, Message(MessageId::ArgumentRepeated));
+        }
         const auto entry = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == key; });
         if (entry == names.end()) {
             std::string known;
             for (const auto& [name, number] : names) known += (known.empty() ? "" : ", ") + name;
-            throw InputError(option, Message(MessageId::UnknownName,
-                                             {{"what", MessageId::WordSetting}, {"name", key}, {"known", known}}));
+            throw InputError(option, unknownName({"what", MessageId::WordSetting}, key, known));
         }
         setScenarioNumber(scenario, entry->second, parseNumber(part.substr(equals + 1), option), option);
         given.push_back(key);
@@ -53,23 +57,28 @@ glm::dvec3 parsePoint(const std::string& text, const std::string& option) {
     return {p[0], p[1], p[2]};
 }
 
-// "NAME=VALUE".
-void applySetting(OptionValues& options, const std::string& text, const std::string& subject) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        const std::string example = subject == "--set" ? "layers=64" : "anisotropy=32";
-        throw InputError(subject, Message(MessageId::NotASetting, {{"text", text}, {"example", example}}));
+// "NAME=VALUE", each name once.
+void applySettings(OptionValues& options, const std::vector<std::string>& settings, const std::string& option,
+                   const std::string& example) {
+    std::set<std::string> given;
+    for (const std::string& text : settings) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            throw InputError(option, Message(MessageId::NotASetting, {{"text", text}, {"example", example}}));
+        }
+        const std::string name = text.substr(0, equals);
+        if (!given.insert(name).second) throw InputError(option + " " + name, Message(MessageId::ArgumentRepeated));
+        options[name] = text.substr(equals + 1);
     }
-    options[text.substr(0, equals)] = text.substr(equals + 1);
 }
 
 // "drawn", "WxH", "0.1,0.5,...": as the trace command of a relief drawn by hand has it.
-void applyDrawn(Pictures& pictures, const std::vector<std::string>& parts) {
-    const SizeText size = parseSize(parts[1], "--relief", kMostDrawnSide);
-    pictures.drawn = {size.width, size.height, parseDrawnNumbers(parts[2], "--relief")};
+void applyDrawn(Pictures& pictures, const std::vector<std::string>& parts, const std::string& option) {
+    const SizeText size = parseSize(parts[1], option, kMostDrawnSide);
+    pictures.drawn = {size.width, size.height, parseDrawnNumbers(parts[2], option)};
     pictures.height.clear();
     pictures.recipe.clear();
-    checkDrawn(pictures.drawn, "--relief");
+    checkDrawn(pictures.drawn, option);
 }
 
 }  // namespace
@@ -82,9 +91,9 @@ void applyOrbit(Scenario& scenario, const std::string& text, const std::string& 
     if (given != std::vector<std::string>{"fov"}) scenario.camera.kind = Camera::Kind::Orbit;
 }
 
-void applyRecipe(Pictures& pictures, const std::string& text) {
+void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option) {
     const std::vector<std::string> parts = splitText(text, ':');
-    if (parts[0] == kDrawn && parts.size() == 3) return applyDrawn(pictures, parts);
+    if (parts[0] == kDrawn && parts.size() == 3) return applyDrawn(pictures, parts, option);
     pictures.drawn = {};
     std::string known;
     const ReliefRecipe* found = nullptr;
@@ -93,48 +102,43 @@ void applyRecipe(Pictures& pictures, const std::string& text) {
         known.append(known.empty() ? "" : ", ").append(recipe.name);
     }
     if (found == nullptr || parts.size() > 3) {
-        throw InputError("--relief", Message(MessageId::UnknownName,
-                                             {{"what", MessageId::WordRelief}, {"name", text}, {"known", known}}));
+        throw InputError(option,
+                         unknownName({"what", MessageId::WordRelief}, found == nullptr ? parts[0] : text, known));
     }
     pictures.height.clear();
     pictures.recipe = parts[0];
     pictures.recipeWidth = pictures.recipeHeight = found->defaultSize;
     if (parts.size() > 1) {
-        const SizeText size = parseSize(parts[1], "--relief", kMaxPictureSide);
+        const SizeText size = parseSize(parts[1], option, kMaxPictureSide);
         pictures.recipeWidth = size.width;
         pictures.recipeHeight = size.height;
         const std::int64_t limit = pictures.reading.maxPixels;
         if (std::int64_t{size.width} * size.height > limit) {
-            throw InputError("--relief", Message(MessageId::PictureTooLarge,
-                                                 {{"width", size.width}, {"height", size.height}, {"limit", limit}}));
+            throw InputError(option, Message(MessageId::PictureTooLarge,
+                                             {{"width", size.width}, {"height", size.height}, {"limit", limit}}));
         }
     }
-    if (parts.size() > 2) pictures.seed = parseSeed(parts[2], "--relief");
+    if (parts.size() > 2) pictures.seed = parseSeed(parts[2], option);
 }
 
 void ScenarioOptions::add(CLI::App& parser, Look look) {
-    if (look == Look::Heights || look == Look::Plain) {
-        addPictures(parser, look);
-        reading_.add(parser);
-        addMethod(parser, look);
-        return;
-    }
-    addText(parser, "SCENARIO", file_, "",
-            "a scenario (.json) as the window saves it, or as a --report holds it under \"scenario\": pictures, "
-            "method, camera, light. "
-            "Every option below overrides what it says",
+    addText(parser, "FILE", file_, "",
+            "a height map (PNG, JPEG, TIFF, EXR, HDR, ...), or a scenario (.json) as the window saves it or --report "
+            "holds it: pictures, method, camera, light. Every option overrides what a scenario says",
             "Arguments");
     addPictures(parser, look);
     reading_.add(parser);
     addMethod(parser, look);
-    addView(parser, look);
+    if (look == Look::Yes || look == Look::View) addView(parser, look);
 }
 
 void ScenarioOptions::addPictures(CLI::App& parser, Look look) {
     const char* group = "Pictures";
-    addText(parser, "--height", height_, "FILE", "height map: PNG, JPEG, TIFF, EXR, HDR, ...", group);
-    addText(parser, "--relief", recipe_, "NAME[:WxH[:SEED]]",
-            "instead of a file, a procedural relief (relief list names them), such as bricks:512x512:7", group);
+    addText(parser, "--height", height_, "FILE", "height map: the same as FILE", group);
+    addText(parser, "--relief", recipe_, "NAME[:SIZE[:SEED]]",
+            "instead of a file, a procedural relief (relief list reliefs names them), such as bricks:512 or "
+            "bricks:512x256:7",
+            group);
     if (look != Look::Yes) return;
     addText(parser, "--color", color_, "FILE", "colour picture; default: the heights in grey", group);
     addText(parser, "--normal", normal_, "FILE",
@@ -143,9 +147,11 @@ void ScenarioOptions::addPictures(CLI::App& parser, Look look) {
 
 void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
     const char* group = look == Look::Plain ? "Relief" : "Method";
-    if (look == Look::No || look == Look::Yes) {
-        addText(parser, "--tracer", tracer_, "NAME",
-                "how rays meet the relief: " + namesOf(tracerList()) + "; default " + Scenario{}.method.name, group);
+    if (look == Look::Yes || look == Look::View || look == Look::No) {
+        addText(parser, "--tracer", tracer_, "NAME[:OPTION=VALUE...]",
+                "how rays meet the relief: " + namesOf(tracerList()) + "; default " + Scenario{}.method.name +
+                    "; with options such as layers:layers=64 (relief list NAME shows what there is)",
+                group);
         addText(parser, "--map", map_, "FILE.tif",
                 "a distance or cone map as relief map stores it, in place of the one that the tracer would build; its "
                 "options are the map's",
@@ -153,8 +159,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
     }
     if (look != Look::Plain) {
         addTexts(parser, "--set", settings_, "NAME=VALUE",
-                 "an option of the method, such as layers=64; may be repeated (relief list shows what there is)",
-                 group);
+                 "an option of the method, such as layers=64; may be repeated, once for each option", group);
     }
     addText(parser, "--relief-depth", reliefDepth_, "D", numberHelp("relief-depth"), group);
     addText(parser, "--address", address_, "repeat|clamp|border",
@@ -164,7 +169,9 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
     if (look == Look::Yes) {
         addText(parser, "--filter", filter_, "NAME[:OPTION=VALUE...]",
                 "how colours are sampled: " + namesOf(filterList()) + "; default " + Scenario{}.filter.name +
-                    "; with options such as elliptical:weights=uniform:radius=0.6 (relief list shows what there is)",
+                    "; with options such as elliptical:weights=uniform:radius=0.6 or supersample:samples=4 (relief "
+                    "list NAME "
+                    "shows what there is)",
                 group);
         addTexts(parser, "--filter-set", filterSettings_, "NAME=VALUE",
                  "an option of the filter, such as anisotropy=32; may be repeated", group);
@@ -175,7 +182,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
                 group);
         addText(
             parser, "--pixel-model", pixelModel_, "box|gaussian|lcd|crt",
-            "how samples are weighed: evenly in the pixel's square (default), by a bell of sigma " +
+            "of --supersample, how samples are weighed: evenly in the pixel's square (default), by a bell of sigma " +
                 numberText(kGaussianSigma) +
                 " pixels that reaches into the neighbours, in a display's three stripes, or in a tube's three spots",
             group);
@@ -184,7 +191,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
 
 void ScenarioOptions::addView(CLI::App& parser, Look look) {
     const char* group = "View";
-    addText(parser, "--size", size_, "WxH", "size of the picture, pixels, default 800x600", group);
+    addText(parser, "--size", size_, "WxH|N", "size of the picture, pixels, default 800x600; N: N x N", group);
     addText(parser, "--scene", scene_, "floor|wall|cube", "what carries the relief; default floor", group);
     addText(parser, "--camera", camera_, "elevation=..,...",
             "a camera that looks at the middle of the scene. elevation: " + numberHelp("elevation") + "; azimuth: " +
@@ -198,7 +205,7 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
                 commaList(mappingNames()) +
                 "; direct: in double; the others in float, such as incremental:anchor=0; default direct",
             group);
-    if (look == Look::No) return;
+    if (look == Look::View) return;
     addFlag(parser, "--no-skip", noSkip_,
             "do all the work that cannot change a bit as well: the same picture, slower (the report says what is "
             "spared). What "
@@ -215,8 +222,22 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
 }
 
 Scenario ScenarioOptions::scenario(const OptionText& file) const {
-    Scenario scenario = file ? loadScenario(*file) : Scenario{};
+    Scenario scenario;
+    if (file && isScenarioFile(*file)) {
+        scenario = loadScenario(*file);
+    } else if (file) {
+        if (file->empty()) throw InputError("FILE", Message(MessageId::FileMissing));
+        if (height_ || recipe_) {
+            throw InputError(height_ ? "--height" : "--relief",
+                             Message(MessageId::ArgumentsExclude, {{"other", *file}}));
+        }
+        scenario.pictures.height = *file;
+    }
     applyPictures(scenario);
+    const Pictures& pictures = scenario.pictures;
+    if (pictures.height.empty() && pictures.recipe.empty() && pictures.drawn.empty()) {
+        throw InputError(file.value_or("--height"), Message(MessageId::NoHeights));
+    }
     applyMethod(scenario);
     applyView(scenario);
     checkScenario(scenario, file.value_or(""));
@@ -228,7 +249,7 @@ void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, Map
     if (!map_) return;
     const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
     const StoredMap map = loadMap(*map_, field, maps.budget(), work);
-    if (follow && !tracer_ && !file_) scenario.method.name = methodOfMap(mapKindName(map));
+    if (follow && !tracer_ && !(file_ && isScenarioFile(*file_))) scenario.method.name = methodOfMap(mapKindName(map));
     scenario.method = useMap(*map_, map, scenario.method, field, maps);
 }
 
@@ -261,10 +282,32 @@ void ScenarioOptions::applyPictures(Scenario& scenario) const {
     if (normal_) scenario.pictures.normal = *normal_;
 }
 
-void ScenarioOptions::applyMethod(Scenario& scenario) const {
+void ScenarioOptions::chooseTracer(const std::string& method, const std::string& argument) {
+    tracer_ = method;
+    tracerOption_ = argument;
+}
+
+std::string ScenarioOptions::viewOption() const {
+    for (const auto& [given, name] :
+         {std::pair(&size_, "--size"), std::pair(&scene_, "--scene"), std::pair(&camera_, "--camera"),
+          std::pair(&eye_, "--eye"), std::pair(&target_, "--target"), std::pair(&fov_, "--fov"),
+          std::pair(&mapping_, "--mapping")}) {
+        if (*given) return name;
+    }
+    return {};
+}
+
+void ScenarioOptions::applyTracer(MethodChoice& method) const {
+    if (!tracer_) return;
+    MethodChoice given = splitMethodChoice(*tracer_, tracerOption_);
+    checkMethod(given, tracerOption_);
     // Options belong to their method: another method does not inherit them.
-    if (tracer_ && *tracer_ != scenario.method.name) scenario.method = {findTracer(*tracer_).name, {}};
-    for (const std::string& setting : settings_) applySetting(scenario.method.options, setting, "--set");
+    if (given.name != method.name || !given.options.empty()) method = std::move(given);
+}
+
+void ScenarioOptions::applyMethod(Scenario& scenario) const {
+    applyTracer(scenario.method);
+    applySettings(scenario.method.options, settings_, "--set", "layers=64");
     if (!settings_.empty()) checkMethod(scenario.method, "--set");
     if (reliefDepth_) {
         const std::string option = "--relief-depth";
@@ -272,19 +315,21 @@ void ScenarioOptions::applyMethod(Scenario& scenario) const {
     }
     if (address_) scenario.address = parseAddress(*address_);
     if (surface_) scenario.surface = parseSurface(*surface_);
-    applyFilter(scenario.filter);
+    applyFilter(scenario);
 }
 
-void ScenarioOptions::applyFilter(FilterChoice& filter) const {
+void ScenarioOptions::applyFilter(Scenario& scenario) const {
+    FilterChoice& filter = scenario.filter;
     if (filter_) {
+        const MethodChoice given = splitMethodChoice(*filter_, "--filter");
+        checkVariation(CompareSubject::Filters, given, "--filter");
         // Options belong to their filter: another filter does not inherit them.
-        FilterChoice given = parseFilter(*filter_, "--filter");
-        if (given.name == filter.name && given.options.empty()) given.options = filter.options;
-        filter.name = given.name;
-        filter.options = given.options;
+        if (given.name != filter.name || !given.options.empty()) {
+            scenario = varied(scenario, CompareSubject::Filters, given);
+        }
     }
     if (supersample_) {
-        if (filter_ && filter.name != kSupersample) {
+        if (filter_ && *filter_ != kSupersample) {
             throw InputError("--supersample",
                              Message(MessageId::ArgumentsExclude, {{"other", "--filter " + *filter_}}));
         }
@@ -292,7 +337,7 @@ void ScenarioOptions::applyFilter(FilterChoice& filter) const {
         filter.options.clear();
         filter.samples = static_cast<int>(parseWhole(*supersample_, "--supersample", 1, kMaxSamples));
     }
-    for (const std::string& setting : filterSettings_) applySetting(filter.options, setting, "--filter-set");
+    applySettings(filter.options, filterSettings_, "--filter-set", "anisotropy=32");
     if (!filterSettings_.empty()) checkFilter(filter, "--filter-set");
     if (pixelModel_) {
         if (filter.name != kSupersample) throw InputError("--pixel-model", Message(MessageId::SupersampleNeeded));

@@ -85,6 +85,7 @@ void TextOutput::write(std::string_view text) {
         const ssize_t written = ::write(descriptor_, text.data(), piece);
         if (written < 0) {
             if (errno == EINTR || errno == EAGAIN) continue;
+            if (errno == EPIPE) throw OutputClosed();
             failWriting(name_, errno);
         }
         text.remove_prefix(static_cast<std::size_t>(written));

@@ -12,6 +12,10 @@
 
 namespace relief::app {
 
+// Thrown where the reader of standard output, or of a pipe, has gone away: the program ends as SIGPIPE ends others,
+// without a word.
+struct OutputClosed {};
+
 // Text written piece by piece. path "-": standard output; devices and pipes are written directly; anything else beside
 // and renamed by commit().
 class TextOutput {

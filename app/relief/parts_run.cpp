@@ -17,8 +17,6 @@ namespace {
 
 constexpr std::int64_t kPermille = 1000;  // of the bar, a part
 constexpr auto kBetweenLooks = std::chrono::milliseconds(1);
-constexpr int kFailed = 1;
-constexpr int kBadUsage = 2;
 constexpr int kInterrupted = 130;
 
 Json taskJson(const Task& task) {

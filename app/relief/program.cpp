@@ -1,5 +1,7 @@
 #include "program.h"
 
+#include <signal.h>
+
 #include <algorithm>
 #include <cstring>
 #include <exception>
@@ -23,10 +25,6 @@ namespace relief::app {
 
 namespace {
 
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kBadUsage = 2;
-
 // The language is needed before anything can go wrong.
 Language chosenLanguage(int count, char** arguments) {
     std::string name;
@@ -37,8 +35,7 @@ Language chosenLanguage(int count, char** arguments) {
     }
     if (name.empty() || name == "en") return Language::English;
     if (name == "uk") return Language::Ukrainian;
-    throw InputError("--language", Message(MessageId::UnknownName,
-                                           {{"what", MessageId::WordLanguage}, {"name", name}, {"known", "en, uk"}}));
+    throw InputError("--language", unknownName({"what", MessageId::WordLanguage}, name, "en, uk"));
 }
 
 std::string helpCommand(const CLI::App& program) {
@@ -46,26 +43,59 @@ std::string helpCommand(const CLI::App& program) {
     return "relief " + (parsed.empty() ? "" : parsed.front()->get_name() + " ") + "--help";
 }
 
+// Whether the command has an option of this name.
+bool hasOption(const CLI::App& command, const std::string& name) {
+    return name.starts_with("-") && command.get_option_no_throw(name) != nullptr;
+}
+
+// An argument that the command does not know.
+InputError unknownArgument(const CLI::App& program, const Commands& commands, const std::string& argument) {
+    const auto parsed = program.get_subcommands();
+    const CLI::App& command = parsed.empty() ? program : *parsed.front();
+    if (parsed.empty() && !argument.starts_with("-")) {
+        std::string known;
+        for (const Command& one : commands) known += (known.empty() ? "" : ", ") + one.parser->get_name();
+        return InputError("", unknownName({"what", MessageId::WordCommand}, argument, known));
+    }
+    const std::string name = argument.substr(0, argument.find('='));
+    std::string others;
+    for (const Command& one : commands) {
+        if (hasOption(*one.parser, name)) others += (others.empty() ? "relief " : ", relief ") + one.parser->get_name();
+    }
+    if (!others.empty()) {
+        const std::string here = parsed.empty() ? "relief" : "relief " + command.get_name();
+        return InputError(name, Message(MessageId::ArgumentOfOther, {{"others", others}, {"command", here}}));
+    }
+    const MessageValue help("help", helpCommand(program));
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& word : option->get_lnames()) known.push_back("--" + word);
+    }
+    const std::string near = name.starts_with("--") ? nearestName(name, known) : "";
+    if (near.empty()) return InputError(argument, Message(MessageId::ArgumentUnknown, {help}));
+    return InputError(argument, Message(MessageId::ArgumentNear, {{"near", near}, help}));
+}
+
 // CLI11's exceptions in our words.
 InputError usageError(const CLI::App& program, const Commands& commands, const CLI::ParseError& error) {
     const MessageValue help("help", helpCommand(program));
     const std::string text = error.what();
-    const std::string option = text.substr(0, text.find(':'));
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
         const auto left = program.remaining(true);
-        const std::string argument = left.empty() ? text : left.front();
-        if (program.get_subcommands().empty() && !argument.starts_with("-")) {
-            std::string known;
-            for (const Command& command : commands) known += (known.empty() ? "" : ", ") + command.parser->get_name();
-            return InputError("", Message(MessageId::UnknownName,
-                                          {{"what", MessageId::WordCommand}, {"name", argument}, {"known", known}}));
-        }
-        return InputError(argument, Message(MessageId::ArgumentUnknown, {help}));
+        return unknownArgument(program, commands, left.empty() ? text : left.front());
     }
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        const std::string option = text.substr(0, text.find(':'));
         const bool missing = text.find("missing") != std::string::npos;
         return InputError(option,
                           missing ? Message(MessageId::ValueMissing, {help}) : Message(MessageId::ArgumentRepeated));
+    }
+    // "--json excludes --check", "--step-cost requires --form".
+    for (const auto& [word, id] :
+         {std::pair(" excludes ", MessageId::ArgumentsExclude), std::pair(" requires ", MessageId::NeedsArgument)}) {
+        const std::size_t at = text.find(word);
+        if (at == std::string::npos) continue;
+        return InputError(text.substr(0, at), Message(id, {{"other", text.substr(at + std::strlen(word))}}));
     }
     return InputError("", Message(MessageId::ArgumentWrong, {{"why", text}}));
 }
@@ -78,10 +108,20 @@ void buildParser(CLI::App& program, Commands& commands) {
     program.set_version_flag("--version", "relief " RELIEF_VERSION, "name and version")->group("General");
     addLanguage(program);
     program.footer(
-        "Examples:\n  relief make bricks -o bricks.png\n  relief render --height bricks.png --scene wall -o wall.png\n"
-        "  relief trace --height bricks.png --pixel 400,300\n\nrelief COMMAND --help tells all about one command.\n"
-        "Exit status: 0 done, 1 the work failed, 2 bad usage or input, or more memory needed than is free, with one "
-        "line that says why.");
+        "Examples:\n  relief make bricks -o bricks.png\n  relief render bricks.png --scene wall -o wall.png\n"
+        "  relief trace bricks.png --pixel 400,300\n\n"
+        "relief help COMMAND, or relief COMMAND --help, explains one command; relief list NAME one tracer, filter, map "
+        "or\nrelief.\n\n"
+        "Exit status:\n"
+        "  0    done\n"
+        "  1    the work failed, or a check has found a violation (certify, compare --max-flip, recommend --check,\n"
+        "       stress, merge of stress tests)\n"
+        "  2    wrong usage, input that cannot be used, or more memory needed than is free\n"
+        "  3    not decided: certify could neither prove nor refute that the map is safe\n"
+        "  129, 130, 143    ended by a hang-up, by Ctrl-C, by a request to terminate (128 + the signal's number);\n"
+        "       141 where the reader of standard output has gone away, as after | head\n"
+        "Statuses 1 (unless a check explains itself on standard output) and 2 come with one line that says why.");
+    addHelpCommand(program, commands);
     addInfoCommand(program, commands);
     addMakeCommand(program, commands);
     addListCommand(program, commands);
@@ -97,7 +137,8 @@ void buildParser(CLI::App& program, Commands& commands) {
     addMergeCommand(program, commands);
 }
 
-int parseAndRun(int count, char** arguments, Session& session) {
+// failed: becomes the status of a command whose work fails.
+int parseAndRun(int count, char** arguments, Session& session, int& failed) {
     CLI::App program{
         "Relief texturing on height maps, every step shown.\nView rays are traced into a relief that lies under the "
         "polygon's plane: render pictures, trace single rays and see each decision on their way, compare methods.",
@@ -115,7 +156,9 @@ int parseAndRun(int count, char** arguments, Session& session) {
         throw usageError(program, commands, error);
     }
     for (const Command& command : commands) {
-        if (command.parser->parsed()) return command.run(session);
+        if (!command.parser->parsed()) continue;
+        failed = command.failed;
+        return command.run(session);
     }
     throw InputError("", Message(MessageId::CommandMissing));
 }
@@ -138,9 +181,21 @@ void sayFailure(const std::string& why, Language language, const std::stop_token
 
 }  // namespace
 
+namespace {
+
+// As if SIGPIPE had never been ignored.
+int endByClosedPipe() {
+    signal(SIGPIPE, SIG_DFL);
+    raise(SIGPIPE);
+    return 128 + SIGPIPE;
+}
+
+}  // namespace
+
 int runProgram(int count, char** arguments) {
     const SignalWatch signals;
     Language language = Language::English;
+    int failure = kFailed;
     const auto failed = [&](const std::string& why, int status) {
         sayFailure(why, language, signals.stop(), worksAlone(count, arguments));
         return status;
@@ -148,19 +203,21 @@ int runProgram(int count, char** arguments) {
     try {
         language = chosenLanguage(count, arguments);
         Session session(language, signals.stop());
-        return parseAndRun(count, arguments, session);
+        return parseAndRun(count, arguments, session, failure);
     } catch (const Cancelled&) {
         return signals.exitStatus();
     } catch (const RunEnded& ended) {
         return ended.status;
+    } catch (const OutputClosed&) {
+        return endByClosedPipe();
     } catch (const WorkError& error) {
-        return failed(error.text(language), kFailed);
+        return failed(error.text(language), failure);
     } catch (const InputError& error) {
         return failed(error.text(language), kBadUsage);
     } catch (const std::bad_alloc&) {
         return failed(sentence(Message(MessageId::OutOfMemory), language), kBadUsage);
     } catch (const std::exception& error) {
-        return failed(sentence(Message(MessageId::InternalError, {{"why", error.what()}}), language), kFailed);
+        return failed(sentence(Message(MessageId::InternalError, {{"why", error.what()}}), language), failure);
     }
 }
 

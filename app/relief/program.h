@@ -3,8 +3,8 @@
 
 namespace relief::app {
 
-// Returns the exit status: 0 done, 1 the work failed, 2 bad usage or input, or more memory needed than is free,
-// 128 + signal where it was interrupted. Takes over the signals of the process: once, from the main thread.
+// Returns the exit status: see session.h; 128 + the signal's number where it was interrupted. Takes over the signals of
+// the process: once, from the main thread.
 int runProgram(int count, char** arguments);
 
 }  // namespace relief::app

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kShowAfter = 1.0;    // seconds
 constexpr double kRedrawEvery = 0.1;  // seconds
+constexpr double kLineEvery = 10;     // seconds between lines of a log
 constexpr int kBarCells = 24;
 
 int terminalColumns() {
@@ -30,11 +31,15 @@ double secondsBetween(std::chrono::steady_clock::time_point from, std::chrono::s
 
 }  // namespace
 
-ProgressBar::ProgressBar(bool shown, Language language)
-    : shown_(shown && isatty(STDERR_FILENO) == 1), language_(language), begun_(Clock::now()), drawn_(begun_) {}
+ProgressBar::ProgressBar(bool shown, bool lines, Language language)
+    : shown_(shown && isatty(STDERR_FILENO) == 1),
+      lines_(lines && !shown_),
+      language_(language),
+      begun_(Clock::now()),
+      drawn_(begun_) {}
 
 Progress::Listener ProgressBar::listener() {
-    if (!shown_) return {};
+    if (!shown_ && !lines_) return {};
     return [this](std::string_view what, double fraction) { update(what, fraction); };
 }
 
@@ -44,9 +49,18 @@ void ProgressBar::update(std::string_view what, double fraction) {
     if (what != what_ || fraction <= 0) {
         what_ = what;
         begun_ = now;
+        said_ = false;
         return;
     }
     const double spent = secondsBetween(begun_, now);
+    if (lines_) {
+        if (spent < kShowAfter || fraction >= 1 || (said_ && secondsBetween(drawn_, now) < kLineEvery)) return;
+        drawn_ = now;
+        said_ = true;
+        writeTerminal("relief: " + progressSentence(what, fraction, spent * (1 - fraction) / fraction, language_) +
+                      "\n");
+        return;
+    }
     // Work that is nearly done by its first second needs no bar that flashes up.
     if (!visible_ && (spent < kShowAfter || fraction >= 1)) return;
     if (secondsBetween(drawn_, now) < kRedrawEvery) return;
@@ -70,6 +84,13 @@ std::string durationText(double seconds) {
     if (whole < 60) return std::to_string(whole) + " s";
     const std::string rest = std::to_string(whole % 60);
     return std::to_string(whole / 60) + " min " + (rest.size() < 2 ? "0" : "") + rest + " s";
+}
+
+std::string progressSentence(std::string_view what, double fraction, double secondsLeft, Language language) {
+    const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100);
+    return sentence(Message(MessageId::ProgressSays,
+                            {{"what", std::string(what)}, {"percent", percent}, {"time", durationText(secondsLeft)}}),
+                    language);
 }
 
 std::string progressLine(std::string_view what, double fraction, double secondsLeft, int columns, Language language) {

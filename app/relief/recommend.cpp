@@ -1,5 +1,9 @@
-// relief recommend --height FILE [--views LO,HI] [--error E] [--memory MB] [--seconds S] [--form lanes|scalar]
+// relief recommend PICTURE|SCENARIO.json [--views LO,HI] [--error E] [--memory MB] [--seconds S] [--form lanes|scalar]
 // [--json] [--check] [-o FILE]
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
 #include "measuring/advise/recommend.h"
 #include "options_common.h"
 #include "output.h"
@@ -9,7 +13,6 @@ namespace relief::app {
 
 namespace {
 
-constexpr int kViolated = 1;
 constexpr double kMostError = 1e6;
 constexpr double kMostMemory = 1 << 20;  // megabytes
 constexpr double kMostSeconds = 24 * 3600;
@@ -44,6 +47,9 @@ void applyAsked(const RecommendOptions& given, AdviceOptions& options) {
     }
     if (given.seconds) options.seconds = parseRange(*given.seconds, "--seconds", 1, kMostSeconds);
     if (given.form) options.form = parseForm(*given.form, "--form");
+    if (given.stepCost && options.form != Form::Scalar) {
+        throw InputError("--step-cost", Message(MessageId::NeedsArgument, {{"other", "--form scalar"}}));
+    }
     if (given.stepCost) options.stepCost = parseRange(*given.stepCost, "--step-cost", 0, kMostStepCost);
     if (given.maxSteps) options.maxSteps = parseWhole(*given.maxSteps, "--max-steps", 1, kMostSteps);
     if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
@@ -80,7 +86,7 @@ int runCheck(const RecommendOptions& given, Session& session) {
     TextOutput out(given.output.value_or("-"), session.stop());
     out.write(regretText(checked));
     out.commit();
-    return keepsBounds(checked) ? 0 : kViolated;
+    return keepsBounds(checked) ? kDone : kFailed;
 }
 
 int runRecommend(const RecommendOptions& given, Session& session) {
@@ -93,6 +99,12 @@ int runRecommend(const RecommendOptions& given, Session& session) {
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work);
     noteHeights(session, assets, scenario);
+    const ImageInfo& info = assets.height->info;
+    if (info.channels.size() > 1 && scenario.pictures.reading.channel.empty()) {
+        session.note(heightsName(scenario.pictures),
+                     Message(MessageId::HeightChannelTaken,
+                             {{"name", assets.height->channel}, {"known", commaList(info.channels)}}));
+    }
     AdviceOptions options(fieldOf(scenario, assets));
     applyAsked(given, options);
     options.name = heightsName(scenario.pictures);
@@ -129,9 +141,9 @@ void addAsked(CLI::App& parser, RecommendOptions& options) {
             group);
     addText(parser, "--step-cost", options.stepCost, "C",
             "reads that the arithmetic of a step is worth (scalar), default 2", group);
-    addText(parser, "--color", options.color, "FILE", "colours that filters are tried on; default: coloured patches",
-            group);
-    addFlag(parser, "--no-filter", options.noFilter, "no advice on filters", group);
+    CLI::Option* const color = addText(parser, "--color", options.color, "FILE",
+                                       "colours that filters are tried on; default: coloured patches", group);
+    addFlag(parser, "--no-filter", options.noFilter, "no advice on filters", group)->excludes(color);
 }
 
 }  // namespace
@@ -140,25 +152,28 @@ void addRecommendCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<RecommendOptions>();
     CLI::App* parser = addCommand(
         program, "recommend", "which method, filter and map for a height map, measured on it",
-        "Tries every tracer with the values of its options that are worth it, all on the same rays of the views that "
-        "are asked: what breaks the error bound or the memory, or whose map takes too long to build, is out; the rest "
-        "is timed in short rounds in turn, and what is clearly slower is out after each. Of forms within 3% the one "
-        "with the smaller map is taken. Says why: what the relief is like, steps, reads, bytes, build time; warns "
-        "where building the map outweighs what it saves. Filters are held against the supersampled picture, small. "
-        "The scalar form hangs on counts alone: the same seed gives the same answer, if the time was enough to build "
-        "every map.",
-        "  relief recommend --height heights.png --views 15,70 --error 0.5 --memory 64 --seconds 20\n"
+        "Which method should trace this height map? All tracers, with those values of their options that are worth "
+        "trying, are measured on the same rays of the views asked for. A method that breaks the error bound, needs too "
+        "much memory, or whose map takes too long to build, is dropped; the others are timed in short rounds in turn, "
+        "and after each round those that are clearly slower are dropped. A method up to 3% slower is preferred if its "
+        "map is smaller. The answer gives the reasons: what the relief is like, steps, samples, bytes and build time; "
+        "it warns where building the map costs more than it saves. Filters are compared with a small supersampled "
+        "picture. With --form scalar the answer depends on counts alone: the same seed gives the same answer, if there "
+        "was time to build every map.",
+        "  relief recommend heights.png --views 15,70 --error 0.5 --memory 64 --seconds 20\n"
         "  relief recommend --relief city:512x512 --form scalar --json -o city.json");
     options->scenario.add(*parser, ScenarioOptions::Look::Plain);
     addAsked(*parser, *options);
     addText(*parser, "--seconds", options->seconds, "S", "for all of it, 1 or more, default 20", "Run");
     addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Run");
-    addFlag(*parser, "--check", options->check,
-            "hold the advice against the full table, every form measured to the end on other rays: the regret; without "
-            "a height map for every procedural relief, 128 x 128; exit status 1 where the error bound is broken there",
-            "Run");
+    CLI::Option* const check = addFlag(
+        *parser, "--check", options->check,
+        "hold the advice against the full table, every form measured to the end on other rays: the regret; without "
+        "a height map for every procedural relief, 128 x 128; exit status 1 where the error bound is broken there",
+        "Run");
     addOutput(*parser, options->output, "text, or JSON where the name ends in .json; default standard output");
-    addFlag(*parser, "--json", options->json, "JSON instead of text", "Output");
+    CLI::Option* const json = addFlag(*parser, "--json", options->json, "JSON instead of text", "Output");
+    check->excludes(json, parser->get_option("--color"), parser->get_option("--no-filter"));
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runRecommend(*options, session); }});
 }

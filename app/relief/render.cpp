@@ -1,4 +1,4 @@
-// relief render [SCENARIO.json] [options] -o FILE [--layers NAME,...] [--report FILE.json | --part K/N]
+// relief render [PICTURE | SCENARIO.json] [options] -o FILE [--layers NAME,...] [--report FILE.json | --part K/N]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -63,8 +63,7 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
             throw InputError("--layers", Message(MessageId::LayerRepeated, {{"layer", layer}}));
         }
         if (std::find(names.begin(), names.end(), layer) != names.end()) continue;
-        throw InputError("--layers", Message(MessageId::UnknownName,
-                                             {{"what", MessageId::WordLayer}, {"name", layer}, {"known", known}}));
+        throw InputError("--layers", unknownName({"what", MessageId::WordLayer}, layer, known));
     }
     return layers;
 }
@@ -345,12 +344,12 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App* parser = addCommand(
         program, "render", "render a picture of a relief",
-        "Renders what a camera sees of a floor, a wall or a cube that carries the relief. What is looked at comes from "
-        "a scenario, from the options, or from both (the options override). The same input gives the same pixels on "
-        "any "
-        "number of threads. mpirun -n N relief render ... shares one picture (.png, .tif, .exr) or many among N "
+        "Renders what a camera sees of a floor, a wall or a cube that carries the relief of a height map. What is "
+        "looked at comes from a scenario, from the options, or from both (the options override). The same input gives "
+        "the same pixels on any number of threads. mpirun -n N relief render ... shares one picture (.png, .tif, .exr) "
+        "or many among N "
         "processes.",
-        "  relief render --height heights.png --color color.jpg --scene wall \\\n"
+        "  relief render heights.png --color color.jpg --scene wall \\\n"
         "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
     options->scenario.add(*parser, ScenarioOptions::Look::Yes);
     options->many.add(*parser);

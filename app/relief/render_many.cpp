@@ -134,7 +134,8 @@ void requirePictureMemory(const FrameRequest& request, const std::vector<std::st
 }
 
 void ManyFrames::add(CLI::App& parser) {
-    parser.add_option("MORE", more, "further scenarios: -o is a folder then, a picture of each goes there")
+    parser
+        .add_option("MORE", more, "further height maps or scenarios: -o is a folder then, a picture of each goes there")
         ->type_name("")
         ->group("Arguments");
     addText(parser, "--frames", frames, "N",

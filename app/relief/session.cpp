@@ -6,7 +6,7 @@ namespace relief::app {
 
 Work& Session::work() {
     if (!work_) {
-        bar_ = std::make_unique<ProgressBar>(!quiet_, language_);
+        bar_ = std::make_unique<ProgressBar>(!quiet_, !quiet_ && verbose_, language_);
         work_ = std::make_unique<Work>(threads_, stop_, bar_->listener());
     }
     return *work_;

@@ -28,6 +28,7 @@ class Session {
     const std::stop_token& stop() const { return stop_; }
     // Before work(): how it is to be done.
     void setQuiet(bool quiet) { quiet_ = quiet; }
+    void setVerbose(bool verbose) { verbose_ = verbose; }
     void setThreads(int threads) { threads_ = threads; }
     int threads() const { return threads_; }
 
@@ -43,6 +44,7 @@ class Session {
     Language language_;
     std::stop_token stop_;
     bool quiet_ = false;
+    bool verbose_ = false;
     int threads_ = 0;
     std::unique_ptr<ProgressBar> bar_;
     std::unique_ptr<Work> work_;
@@ -51,13 +53,22 @@ class Session {
 // "relief: ..." on standard error, always one line.
 void sayLine(const std::string& text);
 
+// Exit statuses of all commands; usage errors and input that cannot be used are 2 everywhere, and an interrupted
+// command ends with 128 + the signal's number.
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;  // the work failed, or a check has found a violation
+inline constexpr int kBadUsage = 2;
+inline constexpr int kUndecided = 3;  // a check could not be decided
+
 // One command of the program: its parser and what it does. The result is the exit status.
 struct Command {
     CLI::App* parser = nullptr;
     std::function<int(Session&)> run;
+    int failed = kFailed;  // the status where the work fails
 };
 using Commands = std::vector<Command>;
 
+void addHelpCommand(CLI::App& program, Commands& commands);
 void addInfoCommand(CLI::App& program, Commands& commands);
 void addMakeCommand(CLI::App& program, Commands& commands);
 void addMapCommand(CLI::App& program, Commands& commands);

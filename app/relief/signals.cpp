@@ -12,7 +12,8 @@ constexpr long kWakeNanoseconds = 50'000'000;
 }  // namespace
 
 SignalWatch::SignalWatch() {
-    // A closed pipe or a file that may not grow is an error of write(), said in a line, not a silent end.
+    // A closed pipe is an error of write(), so that temporary files are removed before the program ends (program.cpp);
+    // so is a file that may not grow, which is said in a line.
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
     sigemptyset(&signals_);

@@ -18,7 +18,6 @@ namespace relief::app {
 
 namespace {
 
-constexpr int kViolated = 1;
 constexpr double kSecondsAtMost = 30.0 * 24 * 3600;
 constexpr std::int64_t kCasesAtMost = 1'000'000'000;
 
@@ -149,7 +148,7 @@ int runStress(const StressCommandOptions& given, Session& session) {
                      session.language()));
         // The tracer holds its thread: nothing else can be ended in order.
         if (record) record->discard();
-        _exit(kViolated);
+        _exit(kFailed);
     };
     if (launchedProcesses() > 1 && !number) return runShared(given, options, session);
     record = begunRecord(given, number, options, session);
@@ -170,7 +169,7 @@ int tellStress(const StressReport& report, std::uint64_t seed, Session& session)
     writeStandardOutput(stressText(report, seed));
     if (report.violationCount == 0) return 0;
     sayLine(sentence(Message(MessageId::StressViolations, {{"count", report.violationCount}}), session.language()));
-    return kViolated;
+    return kFailed;
 }
 
 void addStressCommand(CLI::App& program, Commands& commands) {

@@ -1,4 +1,5 @@
-// relief trace --height FILE --tracer NAME (--rays FILE.csv | --ray S0,T0,A,B ... | --pixel X,Y ...) [-o HITS.csv]
+// relief trace PICTURE|SCENARIO.json --tracer NAME (--rays FILE.csv | --ray S0,T0,A,B ... | --pixel X,Y ...) [-o
+// HITS.csv]
 // [--steps FILE.csv|json]
 #include <algorithm>
 
@@ -177,6 +178,10 @@ void refuseTwoSources(const TraceOptions& options) {
     if (options.rays && !options.pixels.empty()) refuse("--rays", "--pixel");
     if (options.rays && !options.single.empty()) refuse("--rays", "--ray");
     if (!options.single.empty() && !options.pixels.empty()) refuse("--ray", "--pixel");
+    // Rays that are given do not depend on a view.
+    const std::string view = options.scenario.viewOption();
+    if (!view.empty() && options.rays) refuse(view, "--rays");
+    if (!view.empty() && !options.single.empty()) refuse(view, "--ray");
 }
 
 int runTrace(const TraceOptions& options, Session& session) {
@@ -257,8 +262,8 @@ void addTraceCommand(CLI::App& program, Commands& commands) {
         "outcome,lambda,s,t,steps. The outcome is hit, miss or limit; lambda is the descent (0 the top plane, 1 the "
         "bottom), s and t are texels. Rays come from a file with the header s0,t0,a,b (where the ray enters the top "
         "plane, its run a unit of descent, texels), from the command line, or are those of pixels of a view.",
-        "  relief trace --height heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv");
-    options->scenario.add(*parser, ScenarioOptions::Look::No);
+        "  relief trace heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv");
+    options->scenario.add(*parser, ScenarioOptions::Look::View);
     addText(*parser, "--rays", options->rays, "FILE.csv", "rays, header s0,t0,a,b; - for standard input", "Rays");
     addTexts(*parser, "--ray", options->single, "S0,T0,A,B", "one ray; may be repeated", "Rays");
     addTexts(*parser, "--pixel", options->pixels, "X,Y",

@@ -12,16 +12,15 @@ namespace {
 constexpr const char* kHelp = "reliefscope --help";
 constexpr int kLargestSide = 16384;
 
-// "WxH"
+// "WxH", or "N" for NxN
 bool parseSize(std::string_view text, int& width, int& height) {
     const std::size_t x = text.find('x');
-    if (x == std::string_view::npos) return false;
     const auto whole = [](std::string_view part, int& value) {
         const auto result = std::from_chars(part.data(), part.data() + part.size(), value);
         return result.ec == std::errc() && result.ptr == part.data() + part.size() && value > 0 &&
                value <= kLargestSide;
     };
-    return whole(text.substr(0, x), width) && whole(text.substr(x + 1), height);
+    return whole(text.substr(0, x), width) && whole(x == std::string_view::npos ? text : text.substr(x + 1), height);
 }
 
 void checkAxis(const std::string& text) {
@@ -158,13 +157,13 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
                         the program)
 
   --anew                as the first time
-  --size WxH            size of the window, pixels
+  --size WxH|N          size of the window, pixels; N: N x N
   --screenshot FILE     open the window, save it as a PNG, and end
   --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
 )" + views +
            R"(
   --pixel X,Y           the pixel whose ray is shown (the scenario's), at its last step
-  --pixels WxH          the size of the picture that is rendered; a PNG is as wide
+  --pixels WxH|N        the size of the picture that is rendered; a PNG is as wide
   --tracers A,B,...     the method, and those that it is compared with, as relief bench tracers takes them
   --filters A,B,...     the same of filters (bilinear,trilinear,elliptical:radius=0.6,supersample:samples=16)
   --mappings A,B,...    the same of coordinates along rows (direct,affine,incremental:anchor=0)

@@ -26,9 +26,22 @@ TEST_P(CertifyTest, SafeMapsAreProven) {
         expectPart(said, "rays: 20000 against exact, seed 7");
         expectPart(said, "safe: proven by the values");
     }
-    const std::string exact = runFine({"certify", "--height", height, "--tracer", "exact", "--rays", "2000"});
-    expectPart(exact, "none checked");
-    expectPart(exact, "no proof");
+}
+
+// Rays refute safety, they do not prove it; neither does a check that could not be carried out.
+TEST_P(CertifyTest, WhatIsNeitherProvenNorRefutedIsUndecided) {
+    const std::string height = walls();
+    for (const char* tracer : {"exact", "flat"}) {
+        const Result result = run({"certify", height, "--tracer", tracer, "--rays", "2000"});
+        EXPECT_EQ(result.status, 3) << result.err;
+        EXPECT_EQ(result.err, "");
+        expectPart(result.out, "none checked");
+        expectPart(result.out, "not decided: no ray speaks against it, which is evidence, no proof");
+    }
+    expectRefusal({"certify", height, "--tracer", "cone-dummer", "-o", path("no/w.json")}, 3, {path("no/w.json")});
+    RunSetup full;
+    full.output = "/dev/full";
+    expectRefusal({"certify", height, "--tracer", "cone", "--rays", "100"}, 3, {"standard output"}, full);
 }
 
 // Status 1, one block; the scenario's pixel and the printed ray show the same again.

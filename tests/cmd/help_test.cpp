@@ -11,7 +11,7 @@ INSTANTIATE_TEST_SUITE_P(Places, HelpTest, testing::ValuesIn(everyPlace()), plac
 TEST_P(HelpTest, EveryCommandExplainsItself) {
     const std::string page = runFine({"--help"});
     for (const std::string command : {"info", "make", "list", "map", "render", "trace", "compare", "bench", "stress",
-                                      "certify", "recommend", "claims", "merge"}) {
+                                      "certify", "recommend", "claims", "merge", "help"}) {
         EXPECT_NE(page.find("\n  " + command + " "), std::string::npos) << command;
         const std::string help = runFine({command, "--help"});
         EXPECT_NE(help.find("Usage: relief " + command), std::string::npos) << help;
@@ -37,8 +37,11 @@ TEST_P(HelpTest, OptionsNameUnitsRangesAndDefaults) {
 
 TEST_P(HelpTest, WrongCommandsAndOptions) {
     expectRefusal({}, 2, {"--help"});
-    expectRefusal({"redner"}, 2, {"\"redner\"", "render"});
-    expectRefusal({"render", "--hieght", "x.png"}, 2, {"--hieght", "relief render --help"});
+    expectRefusal({"redner"}, 2, {"\"redner\"; did you mean \"render\"? Known: "});
+    expectRefusal({"render", "--hieght", "x.png"}, 2, {"--hieght", "did you mean --height?", "relief render --help"});
+    expectRefusal({"render", "--hieght=x.png"}, 2, {"did you mean --height?"});
+    expectRefusal({"render", "--abracadabra"}, 2, {"--abracadabra: is not understood here; relief render --help"});
+    expectRefusal({"render", "--quiet", "--verbose"}, 2, {"--verbose", "--quiet"});
     expectRefusal({"render", "--height"}, 2, {"--height", "needs a value"});
     expectRefusal({"render", "--height", "a.png", "--height", "b.png", "-o", path("x.png")}, 2,
                   {"--height", "more than once"});
@@ -54,8 +57,60 @@ TEST_P(HelpTest, MessagesSpeakUkrainian) {
     expectRefusal({"--language=uk", "redner"}, 2, {"немає такого"});
 }
 
+TEST_P(HelpTest, OptionsOfOtherCommandsAreNamed) {
+    expectRefusal({"make", "bricks", "--camera", "elevation=30", "-o", path("x.png")}, 2,
+                  {"--camera: is an option of relief render, relief trace, not of relief make"});
+    expectRefusal({"certify", "--relief", "bricks", "--scene=wall"}, 2, {"--scene: is an option of", "relief certify"});
+    expectRefusal({"--seed", "3", "list"}, 2, {"--seed: is an option of", "not of relief"});
+}
+
+TEST_P(HelpTest, HelpAndListExplainOneThing) {
+    EXPECT_EQ(runFine({"help", "render"}), runFine({"render", "--help"}));
+    EXPECT_EQ(runFine({"help"}), runFine({"--help"}));
+    expectRefusal({"help", "rendr"}, 2, {"did you mean \"render\""});
+    for (const char* part : {"0    done", "3    not decided", "130"}) {
+        EXPECT_NE(runFine({"help"}).find(part), std::string::npos) << part;
+    }
+    const std::string cone = runFine({"list", "cone"});
+    for (const char* part : {"Tracers: ", "\n  cone  ", "--set sectors=..", "Maps that"}) {
+        EXPECT_NE(cone.find(part), std::string::npos) << part << "\n" << cone;
+    }
+    EXPECT_EQ(cone.find("layers-secant"), std::string::npos) << cone;
+    const auto json = nlohmann::json::parse(runFine({"list", "cone", "--json"}));
+    ASSERT_EQ(json.size(), 2U) << json;
+    EXPECT_EQ(json["tracers"].size(), 1U);
+    EXPECT_EQ(json["maps"][0]["tracer"], "cone");
+    EXPECT_EQ(runFine({"list", "reliefs"}).find("Tracers"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(runFine({"list", "filters", "--json"})).size(), 1U);
+    expectRefusal({"list", "briks"}, 2, {"did you mean \"bricks\""});
+    // All of it is the sum of its kinds.
+    std::string all;
+    for (const std::string kind :
+         {"tracers", "shading", "meshes", "any-hit", "maps", "rows", "filters", "reliefs", "numbers", "layers"}) {
+        all += (all.empty() ? "" : "\n") + runFine({"list", kind});
+    }
+    EXPECT_EQ(runFine({"list"}), all);
+}
+
 TEST_P(HelpTest, FilesMayBeCalledLikeCommands) {
     expectRefusal({"info", "list"}, 2, {"list: no such file"});
+}
+
+TEST_P(HelpTest, InfoForPrograms) {
+    const std::string height = makeRelief("hills", "hills.png", {"--size", "24x16"});
+    const auto one = nlohmann::json::parse(runFine({"info", height, "--json", "--range", "0,32767"}));
+    EXPECT_EQ(one["width"], 24);
+    EXPECT_EQ(one["channels"], nlohmann::json::array({"Y"}));
+    EXPECT_EQ(one["file_values"][1], 65535);
+    EXPECT_EQ(one["heights"][1], 1);
+    runFine({"render", height, "--size", "8", "--tracer", "exact", "-o", path("p.png"), "--report", path("r.json")});
+    const auto both = nlohmann::json::parse(runFine({"info", height, path("r.json"), "--json"}));
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[1]["scenario"]["method"]["name"], "exact");
+    const std::string text = runFine({"info", height, path("r.json")});
+    EXPECT_NE(text.find(height + "\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("24 x 16"), std::string::npos) << text;
+    expectRefusal({"info", path("r.json"), "--channel", "0"}, 2, {"--channel", "r.json"});
 }
 
 TEST_P(HelpTest, InfoSaysWhatAScenarioLooksAt) {

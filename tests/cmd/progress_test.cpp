@@ -1,12 +1,15 @@
 // The bar of long work: on a terminal, and gone when the work is done.
 #include "progress_bar.h"
 
+#include <fcntl.h>
 #include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +35,53 @@ TEST(ProgressBar, aLineIsNoWiderThanTheTerminal) {
     EXPECT_NE(progressLine("tracing", 0.5, 3, 80, Language::Ukrainian), line);
     EXPECT_EQ(progressLine("tracing", 0.5, 3, static_cast<int>(line.size()), Language::English), line);
     EXPECT_EQ(progressLine("tracing", 0.5, 3, static_cast<int>(line.size()) - 1, Language::English), "50%");
+}
+
+TEST(ProgressBar, aLogHasLines) {
+    EXPECT_EQ(app::progressSentence("tracing", 0.505, 65, Language::English), "tracing: 50%, 1 min 05 s left");
+}
+
+// Interrupted as soon as they have said how far they are.
+TEST(ProgressBar, linesAreWrittenWhereThereIsNoTerminal) {
+    struct Running {
+        pid_t child;
+        int errors;
+    };
+    const auto start = [](const std::vector<const char*>& more) {
+        int ends[2] = {-1, -1};
+        EXPECT_EQ(::pipe(ends), 0);
+        const pid_t child = fork();
+        if (child == 0) {
+            dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
+            dup2(ends[1], STDERR_FILENO);
+            std::vector<const char*> words{"relief"};
+            words.insert(words.end(), more.begin(), more.end());
+            words.insert(words.end(), {"--verbose", "--threads", "1", nullptr});
+            execv(RELIEF_PROGRAM, const_cast<char* const*>(words.data()));
+            _exit(127);
+        }
+        ::close(ends[1]);
+        return Running{child, ends[0]};
+    };
+    // At the same time: each says nothing in its first second.
+    const std::pair<std::string, Running> all[]{
+        {"stress", start({"stress", "--seconds", "60"})},
+        {"recommend", start({"recommend", "--relief", "city:512", "--seconds", "60"})}};
+    for (const auto& [stage, running] : all) {
+        std::string text;
+        char bytes[4096];
+        for (ssize_t got = 0; (got = ::read(running.errors, bytes, sizeof bytes)) > 0;) {
+            text.append(bytes, static_cast<std::size_t>(got));
+            if (text.find(" left\n") != std::string::npos) ::kill(running.child, SIGINT);
+        }
+        ::close(running.errors);
+        int status = 0;
+        ::waitpid(running.child, &status, 0);
+        EXPECT_EQ(WEXITSTATUS(status), 130) << text;
+        EXPECT_EQ(text.find("relief: " + stage + ": "), 0U) << text;
+        EXPECT_NE(text.find("%, "), std::string::npos) << text;
+        EXPECT_EQ(text.find('\r'), std::string::npos) << text;
+    }
 }
 
 // What the program writes to a terminal until it is interrupted, as soon as it has drawn a bar.

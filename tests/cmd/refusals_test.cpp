@@ -149,7 +149,8 @@ TEST_P(RefusalTest, WrongValues) {
     refuse({"--relief-depth", "-1"}, {"--relief-depth"});
     refuse({"--relief-depth", "0,5"}, {"--relief-depth", "0,5"});
     refuse({"--relief-depth", "nan"}, {"--relief-depth"});
-    refuse({"--size", "800"}, {"--size", "800x600"});
+    refuse({"--size", "800x"}, {"--size", "800x600"});
+    refuse({"--size", "8x8x8"}, {"--size", "512 for 512x512"});
     refuse({"--size", "0x600"}, {"--size"});
     refuse({"--size", "99999999999x600"}, {"--size"});
     refuse({"--camera", "elevation=91"}, {"--camera", "91"});

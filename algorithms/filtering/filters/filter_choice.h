@@ -24,8 +24,8 @@ struct FilterChoice {
 const std::vector<FilterDescription>& filterList();
 // Every filter as it is by default, and those that ask what is visible in each of their forms.
 std::vector<FilterChoice> filterForms();
-// Throws InputError("--filter", ...) with the known names.
-const FilterDescription& findFilter(std::string_view name);
+// Throws InputError(subject, ...) with the known names.
+const FilterDescription& findFilter(std::string_view name, const std::string& subject = {});
 // The name, the options and their values. Throws InputError; `subject` stands for what was given.
 void checkFilter(const FilterChoice& choice, const std::string& subject);
 // "elliptical:weights=uniform:radius=0.6". Throws InputError naming the subject.

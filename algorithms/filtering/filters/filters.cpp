@@ -84,13 +84,11 @@ std::vector<FilterChoice> advisedFilters() {
     });
 }
 
-const FilterDescription& findFilter(std::string_view name) {
+const FilterDescription& findFilter(std::string_view name, const std::string& subject) {
     for (const FilterDescription& filter : filterList()) {
         if (filter.name == name) return filter;
     }
-    throw InputError("--filter", Message(MessageId::UnknownName, {{"what", MessageId::WordFilter},
-                                                                  {"name", std::string(name)},
-                                                                  {"known", namesOf(filterList())}}));
+    throw InputError(subject, unknownName({"what", MessageId::WordFilter}, std::string(name), namesOf(filterList())));
 }
 
 bool needsLevels(const FilterChoice& choice) {
@@ -109,13 +107,13 @@ std::optional<EllipticalSettings> ellipticalSettings(const FilterChoice& choice)
 }
 
 void checkFilter(const FilterChoice& choice, const std::string& subject) {
-    withFilter(findFilter(choice.name).name, [&]<class Filter>() { optionsOf<Filter>(choice, subject); });
+    withFilter(findFilter(choice.name, subject).name, [&]<class Filter>() { optionsOf<Filter>(choice, subject); });
 }
 
 FilterChoice parseFilter(std::string_view text, const std::string& subject) {
     FilterChoice choice;
     std::size_t colon = text.find(':');
-    choice.name = findFilter(text.substr(0, colon)).name;
+    choice.name = findFilter(text.substr(0, colon), subject).name;
     while (colon != std::string_view::npos) {
         text.remove_prefix(colon + 1);
         colon = text.find(':');

@@ -148,10 +148,8 @@ Options parseOptions(const std::string& method, const OptionValues& values, cons
             known += (known.empty() ? "" : ", ") + field.description.name;
         }
         if (found == nullptr) {
-            throw InputError(subject, Message(MessageId::UnknownName,
-                                              {{"what", Message(MessageId::WordOptionOf, {{"method", method}})},
-                                               {"name", name},
-                                               {"known", known.empty() ? "none" : known}}));
+            throw InputError(
+                subject, unknownName({"what", Message(MessageId::WordOptionOf, {{"method", method}})}, name, known));
         }
         if constexpr (!std::is_empty_v<Options>) assignOption(*found, text, options, subject);
     }

@@ -56,6 +56,11 @@ struct Message {
         : id(messageId), values(std::move(messageValues)) {}
 };
 
+// Of `known`, the name that `name` is most likely a slip of the finger for; empty where none is near.
+std::string nearestName(std::string_view name, const std::vector<std::string>& known);
+// "There is no WHAT called NAME", with the nearest of the known names ("a, b, c"), if one is near, and all of them.
+Message unknownName(MessageValue what, const std::string& name, const std::string& known);
+
 // "1 to 8".
 template <class T>
 Message rangeOf(T low, T high) {

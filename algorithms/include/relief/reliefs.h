@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "relief/image.h"
+#include "relief/work.h"
 
 namespace relief {
 
@@ -20,8 +21,9 @@ struct ReliefRecipe {
 // bricks, spikes, pits, columns, city, fractal, hills, steps, checker, paper8x8, paper-walls
 const std::vector<ReliefRecipe>& reliefRecipes();
 
-// Heights in [0, 1]; tile seamlessly where the recipe allows. Throws InputError for an unknown name or a size that
-// the recipe does not take.
-FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_t seed);
+// Heights in [0, 1]; tile seamlessly where the recipe allows. work: where rows are reported and when to stop; null: no
+// report. Throws InputError for an unknown name or a size that the recipe does not take, Cancelled where the work is
+// stopped.
+FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_t seed, Work* work = nullptr);
 
 }  // namespace relief

@@ -15,8 +15,8 @@ std::vector<std::string> innerTracerNames();
 
 // Every tracer there is, in the order of lists.
 const std::vector<MethodDescription>& tracerList();
-// Throws InputError("--tracer", ...) with the known names.
-const MethodDescription& findTracer(const std::string& name);
+// Throws InputError(subject, ...) with the known names.
+const MethodDescription& findTracer(const std::string& name, const std::string& subject = {});
 
 // The options that a choice can have: the method's own and, as inner.NAME, those of the method inside it.
 struct ChoiceOption {

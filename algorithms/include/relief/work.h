@@ -50,6 +50,16 @@ class Progress {
     explicit Progress(Listener listener) : listener_(std::move(listener)) {}
 
     void begin(std::string_view what, std::int64_t total) {
+        if (!whole_) restart(what, total);
+    }
+    void advance(std::int64_t amount = 1) {
+        if (!whole_) add(amount);
+    }
+
+  private:
+    friend class WholeProgress;
+
+    void restart(std::string_view what, std::int64_t total) {
         const std::lock_guard lock(mutex_);
         what_ = what;
         total_ = total;
@@ -57,7 +67,7 @@ class Progress {
         told_ = -1;
         if (listener_) listener_(what_, 0.0);
     }
-    void advance(std::int64_t amount = 1) {
+    void add(std::int64_t amount) {
         const std::int64_t done = done_.fetch_add(amount) + amount;
         if (!listener_) return;
         const std::int64_t total = total_;
@@ -69,13 +79,35 @@ class Progress {
         listener_(what_, static_cast<double>(permille) / 1000.0);
     }
 
-  private:
     std::mutex mutex_;
     std::string what_;
     Listener listener_;
     std::atomic<std::int64_t> total_{0};
     std::atomic<std::int64_t> done_{0};
     std::atomic<std::int64_t> told_{-1};
+    std::atomic<bool> whole_{false};
+};
+
+// Work of several stages that is told as one piece: stages that begin while this lives are not told.
+class WholeProgress {
+  public:
+    WholeProgress(Progress& progress, std::string_view what, std::int64_t total)
+        : progress_(progress), outermost_(!progress.whole_.exchange(true)) {
+        if (outermost_) progress_.restart(what, total);
+    }
+    ~WholeProgress() {
+        if (outermost_) progress_.whole_ = false;
+    }
+    WholeProgress(const WholeProgress&) = delete;
+    WholeProgress& operator=(const WholeProgress&) = delete;
+
+    void advance(std::int64_t amount = 1) {
+        if (outermost_) progress_.add(amount);
+    }
+
+  private:
+    Progress& progress_;
+    bool outermost_;
 };
 
 class Work {

@@ -37,14 +37,15 @@ class Elimination {
     std::vector<AdviceTrial> run(std::size_t& stillClose) {
         const std::vector<MethodChoice> forms =
             options_.forms.empty() ? adviceForms(options_.field, lowest(), options_.maxSteps) : options_.forms;
-        work_.progress().begin("recommend", static_cast<std::int64_t>(forms.size()) + kRounds);
+        // Each form is tried once, and those that are left in rounds; their maps and rays are stages within.
+        WholeProgress progress(work_.progress(), "recommend", static_cast<std::int64_t>(forms.size()) + kRounds);
         for (const MethodChoice& form : forms) {
             trials_.emplace_back();
             trials_.back().facts.method = form;
         }
-        screen();
+        screen(progress);
         if (options_.form == Form::Simd) {
-            rounds(stillClose);
+            rounds(stillClose, progress);
         } else {
             byCounts();
         }
@@ -62,12 +63,12 @@ class Elimination {
     }
 
     // Each form built, counted on one block and timed once.
-    void screen() {
+    void screen(WholeProgress& progress) {
         AdviceMaps maps(options_, work_);
         double best = std::numeric_limits<double>::infinity();
         for (AdviceTrial& trial : trials_) {
             maps.make(trial, std::min(kOneMap * options_.seconds, kBuilding * options_.seconds - elapsed()));
-            work_.progress().advance();
+            progress.advance();
             if (!trial.tracer) continue;
             rays_.count(trial, 1, work_);
             // Those that promise nothing on all rays at once: a bound broken later would have driven better ones out.
@@ -103,7 +104,7 @@ class Elimination {
         return all;
     }
 
-    void rounds(std::size_t& stillClose) {
+    void rounds(std::size_t& stillClose, WholeProgress& progress) {
         std::vector<double> middles;  // of each round, over the forms in it
         const double until = (1 - (options_.filters ? kFilters : 0)) * options_.seconds;
         std::vector<AdviceTrial*> in = live();
@@ -122,7 +123,7 @@ class Elimination {
             }
             middles.push_back(quantile(times, 0.5));
             judge(in, middles);
-            work_.progress().advance();
+            progress.advance();
         }
     }
 

@@ -83,9 +83,7 @@ ParetoPoint pointOf(const std::vector<const BenchRow*>& rows) {
 ErrorMeasure parseErrorMeasure(const std::string& text, const std::string& option) {
     const auto found = std::find(kErrorMeasureNames.begin(), kErrorMeasureNames.end(), text);
     if (found != kErrorMeasureNames.end()) return static_cast<ErrorMeasure>(found - kErrorMeasureNames.begin());
-    throw InputError(
-        option, Message(MessageId::UnknownName,
-                        {{"what", MessageId::WordErrorMeasure}, {"name", text}, {"known", "mean, p95, p9999, max"}}));
+    throw InputError(option, unknownName({"what", MessageId::WordErrorMeasure}, text, "mean, p95, p9999, max"));
 }
 
 ParetoTable paretoTable(std::span<const BenchRow> rows) {
@@ -170,8 +168,7 @@ std::vector<BenchRow> chosenRows(std::vector<BenchRow> rows, const std::string& 
         for (const BenchRow& row : rows) addOnce(known, textOf(row));
         std::erase_if(rows, [&](const BenchRow& row) { return textOf(row) != wanted; });
         if (!rows.empty()) return;
-        throw InputError(
-            option, Message(MessageId::UnknownName, {{"what", what}, {"name", wanted}, {"known", commaList(known)}}));
+        throw InputError(option, unknownName({"what", what}, wanted, commaList(known)));
     };
     // The short name, or all of it.
     const bool whole = std::any_of(rows.begin(), rows.end(), [&](const BenchRow& row) { return row.height == height; });

@@ -52,7 +52,8 @@ std::string certificateText(const Certificate& certificate, const HeightField& f
     std::string text = valuesText(certificate) + raysText(certificate);
     if (certificate.safe()) {
         return text + (certificate.proven() ? "safe: proven by the values, and no ray speaks against it\n"
-                                            : "safe as far as these rays show: no proof\n");
+                                            : "not decided: no ray speaks against it, which is evidence, no proof; "
+                                              "answers before the first hit are not looked at\n");
     }
     text += "NOT SAFE\n";
     if (certificate.bounds && certificate.bounds->broken > 0) {

@@ -87,13 +87,10 @@ class StressRun {
           groups_(grouped(options.methods.empty() ? methodVariants() : options.methods)),
           watched_(static_cast<std::size_t>(std::max(1, work.threads().size()))),
           work_(work),
+          progress_(work.progress(), "stress", total(options)),
           tally_(options.listed) {}
 
     StressReport run() {
-        const std::uint64_t end = options_.cases.value_or(0);
-        const std::uint64_t cases = (end - std::min(options_.first, end)) / options_.step;
-        work_.progress().begin("stress", options_.cases ? static_cast<std::int64_t>(cases)
-                                                        : static_cast<std::int64_t>(options_.seconds * 1000));
         std::jthread watch([this](const std::stop_token& end) { watchOver(end); });
         {
             std::vector<std::jthread> workers;
@@ -111,6 +108,12 @@ class StressRun {
     }
 
   private:
+    // Cases, or milliseconds.
+    static std::int64_t total(const StressOptions& options) {
+        if (!options.cases) return static_cast<std::int64_t>(options.seconds * 1000);
+        return static_cast<std::int64_t>((*options.cases - std::min(options.first, *options.cases)) / options.step);
+    }
+
     void workOn(Watched& watched) {
         try {
             while (!work_.stopped() && !failed_) {
@@ -141,7 +144,7 @@ class StressRun {
             add(waiting_.begin()->second);
             waiting_.erase(waiting_.begin());
             added_ += options_.step;
-            if (options_.cases) work_.progress().advance();
+            if (options_.cases) progress_.advance();
         }
     }
 
@@ -153,7 +156,7 @@ class StressRun {
         std::int64_t shown = 0;
         while (!wake.wait_for(lock, end, kLookEvery, [&] { return end.stop_requested(); })) {
             const auto now = static_cast<std::int64_t>(std::min(secondsSince(begun_), options_.seconds) * 1000);
-            if (!options_.cases) work_.progress().advance(now - std::exchange(shown, now));
+            if (!options_.cases) progress_.advance(now - std::exchange(shown, now));
             for (Watched& watched : watched_) {
                 watched.look([&](const Running& running) {
                     if (told || !options_.onHang || secondsSince(running.since) < options_.hangSeconds) return;
@@ -200,6 +203,7 @@ class StressRun {
     std::vector<MethodGroup> groups_;
     std::deque<Watched> watched_;
     Work& work_;
+    WholeProgress progress_;  // a case is many stages
     Clock::time_point begun_ = Clock::now();
     std::atomic<std::uint64_t> next_{options_.only.value_or(options_.first)};
     std::mutex mutex_;
@@ -236,8 +240,7 @@ StressPart parseStressPart(std::string_view text, const std::string& option) {
         if (stressPartName(part) == text) return part;
         known.append(known.empty() ? "" : ", ").append(stressPartName(part));
     }
-    throw InputError(option, Message(MessageId::UnknownName,
-                                     {{"what", MessageId::WordPart}, {"name", std::string(text)}, {"known", known}}));
+    throw InputError(option, unknownName({"what", MessageId::WordPart}, std::string(text), known));
 }
 
 StressReport stress(const StressOptions& options, Work& work) {

@@ -156,9 +156,8 @@ DistanceTo parseDistanceTo(std::string_view text) {
     for (std::size_t n = 0; n < kToNames.size(); ++n) {
         if (kToNames[n] == text) return static_cast<DistanceTo>(n);
     }
-    throw InputError("--set", Message(MessageId::UnknownName, {{"what", MessageId::WordDistanceTarget},
-                                                               {"name", std::string(text)},
-                                                               {"known", "surface, voxel"}}));
+    throw InputError("--set",
+                     unknownName({"what", MessageId::WordDistanceTarget}, std::string(text), "surface, voxel"));
 }
 
 int azimuthSector(double x, double y, int sectors) {

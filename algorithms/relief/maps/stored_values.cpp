@@ -24,9 +24,7 @@ Precision parsePrecision(std::string_view text) {
     for (std::size_t i = 0; i < kNames.size(); ++i) {
         if (kNames[i] == text) return static_cast<Precision>(i);
     }
-    throw InputError("--set", Message(MessageId::UnknownName, {{"what", MessageId::WordPrecision},
-                                                               {"name", std::string(text)},
-                                                               {"known", "float, u16, u8"}}));
+    throw InputError("--set", unknownName({"what", MessageId::WordPrecision}, std::string(text), "float, u16, u8"));
 }
 
 std::size_t bytesEach(Precision precision) {

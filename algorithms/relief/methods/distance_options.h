@@ -120,9 +120,9 @@ DistanceParameters distanceParameters(DistanceKind kind, const Options& options)
     }
     if constexpr (requires { options.horizons; }) {
         if (refined && options.horizons % options.sectors != 0) {
-            throw InputError("--set", Message(MessageId::OutOfRange, {{"what", "sectors"},
-                                                                      {"value", options.sectors},
-                                                                      {"range", MessageId::RangeDivisors}}));
+            const Message range(MessageId::RangeDivisors, {{"horizons", options.horizons}});
+            throw InputError("--set", Message(MessageId::OutOfRange,
+                                              {{"what", "sectors"}, {"value", options.sectors}, {"range", range}}));
         }
         if (refined) parameters.horizons = options.horizons, parameters.sectors = options.sectors;
     }

@@ -138,8 +138,7 @@ const std::string& methodOfMap(const std::string& kind) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (mapKinds()[i] == kind) return names[i];
     }
-    throw InputError("", Message(MessageId::UnknownName,
-                                 {{"what", MessageId::WordMap}, {"name", kind}, {"known", commaList(mapKinds())}}));
+    throw InputError("", unknownName({"what", MessageId::WordMap}, kind, commaList(mapKinds())));
 }
 
 StoredMap buildMap(const std::string& kind, const OptionValues& options, const HeightField& field, MapCache& cache,
@@ -195,9 +194,8 @@ MethodChoice useMap(const std::string& path, const StoredMap& map, const MethodC
     std::string wanted;
     const auto prefix = prefixOfWalker(choice, kind, wanted);
     if (!prefix) {
-        throw InputError(
-            path, Message(MessageId::MapNotForMethod,
-                          {{"method", choice.name}, {"wanted", wanted.empty() ? "-" : wanted}, {"given", kind}}));
+        const MessageId why = wanted.empty() ? MessageId::MapForNoWalker : MessageId::MapNotForMethod;
+        throw InputError(path, Message(why, {{"method", choice.name}, {"wanted", wanted}, {"given", kind}}));
     }
     MethodChoice chosen = choice;
     const std::string mapOption = *prefix + std::string(kMapOption);

@@ -136,13 +136,11 @@ const std::vector<MethodDescription>& tracerList() {
     return list;
 }
 
-const MethodDescription& findTracer(const std::string& name) {
+const MethodDescription& findTracer(const std::string& name, const std::string& subject) {
     for (const MethodDescription& method : tracerList()) {
         if (method.name == name) return method;
     }
-    throw InputError("--tracer",
-                     Message(MessageId::UnknownName,
-                             {{"what", MessageId::WordTracer}, {"name", name}, {"known", namesOf(tracerList())}}));
+    throw InputError(subject, unknownName({"what", MessageId::WordTracer}, name, namesOf(tracerList())));
 }
 
 std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice) {
@@ -186,6 +184,7 @@ bool supports(const MethodChoice& choice, Surface surface, Address address) {
 }
 
 void checkMethod(const MethodChoice& choice, const std::string& subject) {
+    findTracer(choice.name, subject);  // throws
     const std::vector<ChoiceOption> options = choiceOptions(choice);
     for (const auto& [name, text] : choice.options) {
         std::string known;
@@ -195,17 +194,15 @@ void checkMethod(const MethodChoice& choice, const std::string& subject) {
             if (option.description.name == name) found = &option.description;
         }
         if (found == nullptr) {
-            throw InputError(subject, Message(MessageId::UnknownName,
-                                              {{"what", Message(MessageId::WordOptionOf, {{"method", choice.name}})},
-                                               {"name", name},
-                                               {"known", known.empty() ? "-" : known}}));
+            throw InputError(subject, unknownName({"what", Message(MessageId::WordOptionOf, {{"method", choice.name}})},
+                                                  name, known));
         }
         checkOption(*found, text, subject);
     }
 }
 
 Form methodForm(const MethodChoice& choice) {
-    checkMethod(choice, "--set");
+    checkMethod(choice, {});
     Form form = Form::Scalar;
     forEachType<TracerTypes>([&]<class T>() {
         if (descriptionOf<T>().name != choice.name) return;
@@ -216,7 +213,7 @@ Form methodForm(const MethodChoice& choice) {
 
 std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work,
                                    Form form) {
-    checkMethod(choice, "--set");
+    checkMethod(choice, {});
     std::unique_ptr<Tracer> made;
     forEachType<TracerTypes>([&]<class T>() {
         if (made || descriptionOf<T>().name != choice.name) return;

@@ -78,9 +78,8 @@ std::unique_ptr<AnyHitQuery> makeAnyHit(const MethodChoice& choice, const Height
         made = std::make_unique<QueryOf<T>>(T::make(field, options, cache, work));
     });
     if (!made) {
-        throw InputError("any-hit query", Message(MessageId::UnknownName, {{"what", MessageId::WordAnyHit},
-                                                                           {"name", choice.name},
-                                                                           {"known", namesOf(anyHitList())}}));
+        throw InputError("any-hit query",
+                         unknownName({"what", MessageId::WordAnyHit}, choice.name, namesOf(anyHitList())));
     }
     return made;
 }

@@ -291,6 +291,7 @@ TEST_F(OldFiles, ReportsHoldTheirScenario) {
     const auto report = nlohmann::ordered_json::parse(textOf(kVersion1 / "report.json"));
     EXPECT_EQ(report["tool"], "relief");
     const Scenario scenario = parseScenario(report["scenario"].dump(), (kVersion1 / "report.json").string());
+    EXPECT_EQ(loadScenario((kVersion1 / "report.json").string()), scenario);
     EXPECT_EQ(scenario.method.name, "cone");
     EXPECT_TRUE(scenario.shadows);
     EXPECT_EQ(scenario.pictures.height, (kVersion1 / "pictures/height.png").string());

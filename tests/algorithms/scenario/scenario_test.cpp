@@ -127,11 +127,22 @@ void expectRefused(const std::string& text, const std::string& fragment) {
     }
 }
 
+// What relief render --report writes is a scenario, too; its faults have its own lines.
+TEST(Scenario, aReportIsOne) {
+    const std::string text = scenarioText(unusual());
+    const std::string report = "{\"tool\": \"relief\",\n\"relief\": {\"depth\": 1},\n\"scenario\": " + text + "}";
+    EXPECT_EQ(parseScenario(report, "r.json"), parseScenario(text, "r.json"));
+    expectRefused("{\"tool\": \"relief\",\n\"scenario\": 3}", "s.json: line 2: \"scenario\" must be an object");
+    expectRefused("{\"method\": 1, \"scenario\": {\"reliefscope\": 1,\n\"method\": {\n\"name\": \"magic\"}}}",
+                  "s.json: line 3: there is no tracer");
+    expectRefused("{\"scenario\": {}}", "is missing");
+}
+
 TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused("", "s.json: line 1: this is not JSON");
     expectRefused("{\n\"reliefscope\": 1,\n oops}", "line 3: this is not JSON");
-    expectRefused("[]", "must be an object");
-    expectRefused("{}", "not a scenario of version 1");
+    expectRefused("[]", "s.json: line 1: a JSON object is needed here");
+    expectRefused("{}", "s.json: is not a scenario: \"reliefscope\" is missing");
     expectRefused("{\"reliefscope\": 2}", "not a scenario of version 1");
     expectRefused("{\"reliefscope\": 1,\n\"colour\": 3}", "line 2: nothing is called \"colour\"");
     expectRefused("{\"reliefscope\": 1,\n\"relief\": {\n\"depth\": \"deep\"}}", "line 3: \"depth\" must be a number");
@@ -168,12 +179,26 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused(compare + "\"rate\": 0}}", "rate is 0");
     expectRefused(compare + "\"subject\": \"lights\"}}",
                   "line 2: compare: there is no subject of comparison \"lights\"");
-    expectRefused(compare + "\"filters\": [{\"name\": \"magic\"}]}}", "s.json: there is no filter \"magic\"");
-    expectRefused(compare + "\"mappings\": [{\"name\": \"fill\"}]}}", "s.json: there is no mapping \"fill\"");
+    expectRefused(compare + "\"filters\": [{\"name\": \"magic\"}]}}", "s.json: line 2: there is no filter \"magic\"");
+    expectRefused(compare + "\"mappings\": [{\"name\": \"fill\"}]}}", "s.json: line 2: there is no mapping \"fill\"");
     const std::string bits = compare + "\"heights\": [{\"name\": \"quantised\", \"options\": {\"bits\": ";
     expectRefused(bits + "17}}]}}", "17");
     expectRefused(compare + "\"filters\": [{}, {}, {}, {}]}}", "compared filters is 5");
     expectRefused("{\"reliefscope\": 1, \"camera\": {\"fov\": 1e999}}", "s.json");
+    const std::string method = "{\"reliefscope\": 1, \"method\": {\n\"name\": ";
+    expectRefused(method + "\"coen\"}}", "s.json: line 2: there is no tracer \"coen\"; did you mean \"cone\"?");
+    expectRefused(method + "\"layers\", \"options\": {\n\"layers\": \"x\"}}}",
+                  "s.json: line 3: \"layers=x\" is not a number");
+    expectRefused(method + "\"hybrid\", \"options\": {\"inner\": \"layers\",\n\"inner.layers\": 0}}}",
+                  "s.json: line 3: inner.layers is 0");
+    expectRefused("{\"reliefscope\": 1, \"filter\": \"elliptical\",\n\"filter-options\": {\n\"sigma\": 9}}",
+                  "s.json: line 3: sigma is 9");
+    expectRefused("{\"reliefscope\": 1, \"filter\": \"supersample\",\n\"supersample\": 65}",
+                  "s.json: line 2: supersample is 65");
+    expectRefused("{\"reliefscope\": 1,\n\"scene\": \"sea\"}", "s.json: line 2: there is no scene \"sea\"");
+    expectRefused("{\"reliefscope\": 1,\n\"camera\": {\n\"elevation\": 91}}", "s.json: line 3: elevation is 91");
+    expectRefused("{\"reliefscope\": 1,\n\"light\": {\"azimuth\": 0,\n\"elevation\": 91}}",
+                  "s.json: line 3: light-elevation is 91");
     expectRefused("{\"reliefscope\": 1, \"camera\": {\"eye\": [0,0,0], \"target\": [0,0,0]}}", "distance from eye");
 }
 
