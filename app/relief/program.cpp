@@ -13,6 +13,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "help_formatter.h"
+#include "manual.h"
 #include "options_common.h"
 #include "output.h"
 #include "session.h"
@@ -95,6 +96,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addRecommendCommand(program, commands);
     addClaimsCommand(program, commands);
     addMergeCommand(program, commands);
+    addManual(program);
 }
 
 int parseAndRun(int count, char** arguments, Session& session) {
