@@ -10,7 +10,7 @@ reliefPackagesBuild=(g++ cmake ninja-build libopenimageio-dev openimageio-tools 
     nlohmann-json3-dev libtbb-dev libhwy-dev ccache)
 reliefPackagesWindow=(libvtk9-dev libvtk9-qt-dev libqt5svg5-dev libqwt-qt5-dev qttools5-dev qttools5-dev-tools
     qttranslations5-l10n libx11-dev fonts-dejavu-core)
-reliefPackagesTest=(libgtest-dev libbenchmark-dev xvfb xauth locales clang-format parallel)
+reliefPackagesTest=(libgtest-dev libbenchmark-dev xvfb xauth locales clang-format parallel pkg-config)
 
 reliefSay() { printf 'reliefscope: %s\n' "$*" >&2; }
 reliefDie() {

@@ -10,6 +10,7 @@
 
 #include "filtering/filters/filter_choice.h"
 #include "manual.h"
+#include "relief/maps/pyramid_files.h"
 #include "relief/reliefs.h"
 #include "relief/tracers.h"
 #include "relief/tracers/map_choice.h"
@@ -56,23 +57,34 @@ Words choicesIn(const std::string& type) {
     return words;
 }
 
+Words both(Words some, const Words& others) {
+    some.insert(some.end(), others.begin(), others.end());
+    return some;
+}
+
 // What may stand behind the option, or as the first argument of the command; empty: a file, or nothing that is known.
 Words valuesOf(const std::string& command, const std::string& option, const std::string& type) {
-    const std::map<std::string, Words> known{{"--tracer", nameWords(tracerList())},
-                                             {"--tracers", nameWords(tracerList())},
-                                             {"--filter", nameWords(filterList())},
-                                             {"--filters", nameWords(filterList())},
-                                             {"--relief", nameWords(reliefRecipes())},
-                                             {"--layers", layerNames()},
-                                             {"--mapping", nameWords(rowMethodList())},
-                                             {"--mappings", nameWords(rowMethodList())},
-                                             {"--variants", nameWords(rowMethodList())},
-                                             {"--set", optionWords(tracerList())},
+    const Words tracers = nameWords(tracerList());
+    const Words filters = nameWords(filterList());
+    const Words reliefs = nameWords(reliefRecipes());
+    const Words rows = nameWords(rowMethodList());
+    const Words maps = both(mapKinds(), pyramidMapKinds());
+    const std::map<std::string, Words> known{{"--tracer", tracers},
+                                             {"--tracers", tracers},
+                                             {"--filter", filters},
+                                             {"--filters", filters},
+                                             {"--relief", reliefs},
                                              {"--layer", layerNames()},
+                                             {"--layers", layerNames()},
+                                             {"--mapping", rows},
+                                             {"--mappings", rows},
+                                             {"--variants", rows},
+                                             {"--set", optionWords(tracerList())},
                                              {"--filter-set", optionWords(filterList())},
-                                             {"make", nameWords(reliefRecipes())},
-                                             {"map", mapKinds()},
-                                             {"bench", {"tracers", "rows", "filters"}}};
+                                             {"make", reliefs},
+                                             {"map", maps},
+                                             {"bench", {"tracers", "rows", "filters"}},
+                                             {"list", both(both(tracers, filters), both(reliefs, maps))}};
     const auto found = known.find(option.empty() ? command : option);
     return found != known.end() ? found->second : choicesIn(type);
 }
@@ -167,18 +179,20 @@ complete -F _)" +
 std::string bashCompletion(const CLI::App& program) {
     std::string body = R"(    for ((at = 1; at < COMP_CWORD; ++at)); do
         case ${COMP_WORDS[at]} in
+            --language) if [ -z "$command" ]; then ((++at)); fi ;;
             -*) ;;
             *) if [ -z "$command" ]; then command=${COMP_WORDS[at]} place=$((COMP_CWORD - at)); fi ;;
         esac
     done
     case $command in
 )";
+    const auto shown = program.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
     Words commands;
-    for (const CLI::App* command : program.get_subcommands({})) {
-        if (command->get_group().empty()) continue;
-        commands.push_back(command->get_name());
-        body += "        " + command->get_name() + ")\n" + cases(completionOf(*command), "            ") +
-                "            ;;\n";
+    for (const CLI::App* command : shown) commands.push_back(command->get_name());
+    for (const CLI::App* command : shown) {
+        Completion completion = completionOf(*command);
+        if (completion.name == "help") completion.first = commands;
+        body += "        " + completion.name + ")\n" + cases(completion, "            ") + "            ;;\n";
     }
     Completion whole = completionOf(program);
     body += "        *)\n" + cases(whole, "            ") + "            values=${values:-" + joined(commands) +

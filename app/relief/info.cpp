@@ -1,4 +1,5 @@
 // relief info FILE
+#include "installed.h"
 #include "options_common.h"
 #include "output.h"
 #include "scenario/scenario.h"
@@ -114,7 +115,7 @@ std::string scenarioInfo(const std::string& path, Session& session) {
 
 int runInfo(const InfoOptions& options, Session& session) {
     options.run.apply(session);
-    const std::string& path = needed(options.file, "FILE", "info");
+    const std::string path = shippedFile(needed(options.file, "FILE", "info"));
     HeightReadOptions reading;
     options.reading.apply(reading);
     const bool isScenario = fileEnding(path) == "json";

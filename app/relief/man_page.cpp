@@ -60,20 +60,41 @@ std::string lineFrom(const std::string& text, std::size_t at) {
     return text.substr(at, text.find('\n', at) - at);
 }
 
-// What a help text says of the exit status: the paragraph that begins so.
-std::string exitStatus(const std::string& help) {
+// The lines of a help text under "Exit status:", which stand in its line or below it: up to an empty line or another
+// title.
+std::string exitStatusLines(const std::string& help) {
     constexpr std::string_view kTitle = "Exit status:";
     const std::size_t at = help.find(kTitle);
     if (at == std::string::npos) return {};
-    std::size_t end = at;
-    // Up to the next line that is empty or a title of its own.
-    while ((end = help.find('\n', end)) != std::string::npos) {
-        const std::string next = lineFrom(help, ++end);
-        if (next.empty() || (next.front() != ' ' && next.find(": ") != std::string::npos)) break;
+    std::istringstream lines(help.substr(at + kTitle.size()));
+    std::string out;
+    for (std::string line; std::getline(lines, line);) {
+        const bool first = out.empty();
+        if (line.empty() && !first) break;
+        if (!first && line.front() != ' ' && line.find(": ") != std::string::npos) break;
+        if (!line.empty()) out += line + "\n";
     }
-    std::string text = help.substr(at + kTitle.size(), end == std::string::npos ? end : end - at - kTitle.size());
-    text.erase(0, text.find_first_not_of(" \n"));
-    return roff(text);
+    return out;
+}
+
+// A number, or several, indented, with its meaning behind two spaces or more: a tagged paragraph; the others are text.
+std::string exitStatus(const std::string& help) {
+    std::istringstream lines(exitStatusLines(help));
+    std::string out;
+    bool inList = false;
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t text = line.find_first_not_of(' ');
+        const std::size_t end = line.find("  ", text);
+        const bool number = text > 1 && line[text] >= '0' && line[text] <= '9' && end != std::string::npos;
+        if (number) {
+            out += tagged(bold(line.substr(text, end - text)), line.substr(line.find_first_not_of(' ', end)));
+        } else {
+            if (inList && text == 0) out += ".PP\n";
+            out += roff(line.substr(text)) + "\n";
+        }
+        inList = number || (inList && text > 0);
+    }
+    return out;
 }
 
 std::string optionTag(const CLI::Option& option) {
@@ -127,7 +148,9 @@ std::string manPage(const CLI::App& program, const CLI::App& parser) {
     const bool whole = &program == &parser;
     const std::string description = parser.get_description();
     const std::size_t end = description.find('\n');
-    std::string out = heading(pageName(program, parser), description.substr(0, end));
+    std::string summary = description.substr(0, end);
+    if (summary.ends_with('.')) summary.pop_back();
+    std::string out = heading(pageName(program, parser), summary);
     const auto formatter = std::dynamic_pointer_cast<CLI::Formatter>(parser.get_formatter());
     std::string usage = formatter->make_usage(&parser, whole ? "relief" : "relief " + parser.get_name());
     usage.erase(0, usage.find_first_not_of(" \n"));
@@ -156,7 +179,9 @@ std::string manPage(const CLI::App& program, const CLI::App& parser) {
 
 std::string manPage(const std::string& help) {
     const std::size_t colon = help.find(": ");
-    std::string out = heading(help.substr(0, colon), lineFrom(help, colon + 2));
+    std::string summary = lineFrom(help, colon + 2);
+    if (summary.ends_with('.')) summary.pop_back();
+    std::string out = heading(help.substr(0, colon), summary);
     std::istringstream lines(help.substr(help.find('\n') + 1));
     std::string entries;
     std::string examples;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "filtering/filters/filter_choice.h"
+#include "installed.h"
 #include "options_common.h"
 #include "output.h"
 #include "part.h"
@@ -215,8 +216,10 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
 }
 
 Scenario ScenarioOptions::scenario(const OptionText& file) const {
-    Scenario scenario = file ? loadScenario(*file) : Scenario{};
+    Scenario scenario = file ? loadScenario(shippedFile(*file)) : Scenario{};
     applyPictures(scenario);
+    for (std::string* picture : {&scenario.pictures.height, &scenario.pictures.color, &scenario.pictures.normal})
+        *picture = shippedFile(*picture);
     applyMethod(scenario);
     applyView(scenario);
     checkScenario(scenario, file.value_or(""));
