@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs, moves what was installed, and uses it there: headers, library, CMake package, programs.
+# Installs, moves what was installed, and uses it there: headers, library, CMake and pkg-config packages, programs, data
+# sets, lessons, manual pages, completion.
 #   install_test.sh CMAKE BUILD SOURCES [options of cmake for tests/example]
 set -euo pipefail
 cmake=$1 build=$2 sources=$3
@@ -7,6 +8,14 @@ shift 3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 fail() { echo "$1"; exit 1; }
+# What the library was compiled with holds for a program without CMake, too.
+flags=
+for option in "$@"; do
+    case $option in
+        -DCMAKE_CXX_FLAGS=*) flags=${option#*=} flags=${flags//;/ } ;;
+        -DCMAKE_CXX_COMPILER=*) CXX=${option#*=} ;;
+    esac
+done
 
 "$cmake" --install "$build" --prefix "$folder/here" >"$folder/log" || { cat "$folder/log"; exit 1; }
 prefix="$folder/moved to there"
@@ -27,13 +36,73 @@ grep -qF "relief_DIR:PATH=$prefix" "$project/build/CMakeCache.txt" || fail "anot
 "$cmake" --build "$project/build" -j2 >"$folder/log" || { cat "$folder/log"; exit 1; }
 "$project/build/example" | grep '^hit at texel'
 
-# The programs, with none of the checkout's folders named.
+# The same program without CMake.
+if command -v pkg-config >/dev/null; then
+    pc=$(find "$prefix" -name relief.pc)
+    export PKG_CONFIG_PATH=${pc%/*}
+    # Spaces of the folder's name come escaped.
+    eval "${CXX:-g++} -std=c++20 $flags '$project/main.cpp' $(pkg-config --cflags --libs relief) -o '$folder/plain'"
+    "$folder/plain" | grep '^hit at texel'
+fi
+
+# The programs, with none of the checkout's folders named. Neither start loads OpenImageIO and what it needs.
 cd "$folder"
-"$prefix/bin/relief" render -q --height "$prefix/share/reliefscope/datasets/gray_rocks/height.png" --size 60x40 -o rocks.png
+share=$prefix/share
+relief=$prefix/bin/relief
+if ldd "$relief" | grep -i openimageio; then fail "OpenImageIO is loaded at every start"; fi
+"$relief" render -q --height "$share/reliefscope/datasets/gray_rocks/height.png" --size 60x40 -o rocks.png
 [ -s rocks.png ]
+# What comes with the program is found from its place: here the installed, not the checkout's.
+cp "$share/reliefscope/datasets/brick_tiles037/height.jpg" "$share/reliefscope/datasets/brick_tiles037/moved.jpg"
+"$relief" info datasets/brick_tiles037/moved.jpg | grep -F moved.jpg
+"$relief" render -q lessons/missed_spike.json --size 60x40 -o lesson.png
+[ -s lesson.png ]
+# Without its plug-in the program says so, and everything without pictures goes on.
+mv "$prefix/lib/reliefscope/relief_pictures.so" .
+status=0
+"$relief" info rocks.png 2>said || status=$?
+if [ "$status" -ne 2 ] || ! grep -q 'relief_pictures.so: cannot be read' said; then fail "$status $(cat said)"; fi
+"$relief" list >listed
+mv relief_pictures.so "$prefix/lib/reliefscope"
+
+# A manual page for each program and command, which groff takes without a warning.
+for command in $("$relief" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/-\1/p') ''; do
+    page=$(find "$share/man/man1" -name "relief$command.1*")
+    [ -n "$page" ] || fail "relief$command has no manual page"
+    ! command -v man >/dev/null || man --warnings -l "$page" >text 2>said || fail "$page: $(cat said)"
+    if [ -s said ]; then fail "$page: $(cat said)"; fi
+    ! command -v man >/dev/null || grep -q '^EXIT STATUS' text || fail "$page tells no exit status"
+done
+
+# Completion: what the last of WORD... becomes: becomes EXPECTED WORD...
+completions=$share/bash-completion/completions
+becomes() {
+    local expected=$1
+    shift
+    COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
+    "_$1"
+    [ "${COMPREPLY[*]}" = "$expected" ] || fail "$*: completed by ${COMPREPLY[*]}, not $expected"
+}
+# shellcheck source=/dev/null
+. "$completions/relief"
+becomes render relief rend
+becomes max-pyramid-paper relief render --tracer max-pyramid-
+becomes depth,normal relief render --layers depth,nor
+becomes refined-sampled relief map refined-
+becomes --address relief render --addr
+becomes rocks.png relief render --height roc
+
 if [ -e "$prefix/bin/reliefscope" ]; then
     # Without a file it shows the stone wall, whose pictures it finds from its own place.
     export HOME=$folder
+    [ -n "$(find "$share/man/man1" -name 'reliefscope.1*')" ] || fail "reliefscope has no manual page"
+    # shellcheck source=/dev/null
+    . "$completions/reliefscope"
+    becomes --screenshot reliefscope --screen
+    for file in applications/reliefscope.desktop icons/hicolor/scalable/apps/reliefscope.svg; do
+        [ -s "$share/$file" ] || fail "$file is not installed"
+    done
+    ! command -v desktop-file-validate >/dev/null || desktop-file-validate "$share/applications/reliefscope.desktop"
     "$prefix/bin/reliefscope" --export profile -o profile.svg
     [ -s profile.svg ]
     wall="$prefix/share/reliefscope/datasets/stone_wall_bricks102/height.jpg"

@@ -17,6 +17,9 @@ namespace relief {
 
 enum class NumberType : std::uint8_t { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float, Double };
 
+// A to Z become a to z, whatever the locale.
+std::string lowerCase(std::string_view text);
+
 // The largest number of an integer type; 0 for floats.
 double fullRange(NumberType type);
 
@@ -57,6 +60,8 @@ struct RawPlanes {
     std::vector<RawPlane> planes;  // as asked for
 };
 
+class PictureFile;
+
 class PictureInput {
   public:
     // Checks the file, its format and its size; allocates nothing of the size of the picture.
@@ -80,12 +85,7 @@ class PictureInput {
     RawPlanes read(std::span<const int> channels, Work& work, std::size_t bytesAfter);
 
   private:
-    struct Library;
-
-    void checkSpec(std::int64_t maxPixels);
-
-    std::string path_;
-    std::unique_ptr<Library> library_;
+    std::unique_ptr<PictureFile> file_;
     ImageInfo info_;
 };
 

@@ -1,19 +1,13 @@
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
+#include <cassert>
 #include <cmath>
 #include <filesystem>
 
 #include "base/parallel.h"
 #include "images/described_tiff.h"
 #include "images/picture_bands.h"
-#include "images/system_error.h"
-#include "relief/files.h"
+#include "images/picture_library.h"
 
 namespace relief {
 
@@ -44,11 +38,8 @@ std::string extensions(const Predicate& wanted) {
 }
 
 std::string extensionOf(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    if (!extension.empty()) extension.erase(0, 1);
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension;
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return lowerCase(extension.empty() ? extension : extension.substr(1));
 }
 
 const Format& formatOf(const std::string& path) {
@@ -60,114 +51,24 @@ const Format& formatOf(const std::string& path) {
                              {{"extension", extension}, {"known", extensions([](const Format&) { return true; })}}));
 }
 
-// The formats' libraries notice a full disk late or never, and some say so on stderr. Here the first failure is kept,
-// and they are told that all is well.
-class CheckedOutput : public OIIO::Filesystem::IOProxy {
-  public:
-    explicit CheckedOutput(const std::string& path)
-        : IOProxy(path, Write), descriptor_(::open(path.c_str(), O_RDWR | O_TRUNC | O_CLOEXEC)) {
-        if (descriptor_ < 0) error_ = errno;
-    }
-    ~CheckedOutput() override { finish(); }
-    CheckedOutput(const CheckedOutput&) = delete;
-    CheckedOutput& operator=(const CheckedOutput&) = delete;
+using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-    // 0, or the errno of the first failure.
-    int finish() {
-        if (descriptor_ >= 0 && ::close(descriptor_) != 0) keep(errno);
-        descriptor_ = -1;
-        return error_;
-    }
-
-    const char* proxytype() const override { return "checked"; }
-    std::size_t size() const override { return static_cast<std::size_t>(size_); }
-    std::size_t write(const void* bytes, std::size_t count) override {
-        pwrite(bytes, count, m_pos);
-        m_pos += static_cast<std::int64_t>(count);
-        return count;
-    }
-    std::size_t pwrite(const void* bytes, std::size_t count, std::int64_t offset) override {
-        std::size_t done = 0;
-        while (done < count && error_ == 0) {
-            const auto at = offset + static_cast<std::int64_t>(done);
-            const ::ssize_t wrote = ::pwrite(descriptor_, static_cast<const char*>(bytes) + done, count - done, at);
-            if (wrote > 0)
-                done += static_cast<std::size_t>(wrote);
-            else if (wrote == 0)
-                keep(ENOSPC);
-            else if (errno != EINTR)
-                keep(errno);
-        }
-        size_ = std::max(size_, offset + static_cast<std::int64_t>(count));
-        return count;
-    }
-    std::size_t read(void* bytes, std::size_t count) override {
-        const std::size_t got = pread(bytes, count, m_pos);
-        m_pos += static_cast<std::int64_t>(got);
-        return got;
-    }
-    std::size_t pread(void* bytes, std::size_t count, std::int64_t offset) override {
-        const ::ssize_t got = ::pread(descriptor_, bytes, count, offset);
-        return got > 0 ? static_cast<std::size_t>(got) : 0;
-    }
-
-  private:
-    void keep(int error) {
-        if (error_ == 0) error_ = error;
-    }
-
-    int descriptor_;
-    int error_ = 0;
-    std::int64_t size_ = 0;
-};
-
-// write(output): opens it and writes all there is; true if nothing failed.
-template <class Write>
-void writeWhole(const std::string& path, const Format& format, const Write& write) {
-    AtomicFile file(path);
-    CheckedOutput sink(file.temporaryPath());
-    bool done = false;
-    std::string why;
-    if (const auto output = OIIO::ImageOutput::create(std::string(format.library))) {
-        done = output->set_ioproxy(&sink) && write(*output, file.temporaryPath());
-        why = output->geterror();
-        done = output->close() && done;
-        if (why.empty()) why = output->geterror();
-    } else {
-        why = OIIO::geterror();
-    }
-    if (const int error = sink.finish(); error != 0)
-        throw WorkError(path,
-                        systemMessage(error, FileAccess::Write, std::filesystem::path(path).parent_path().string()));
-    if (!done) throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", oneLine(why)}}));
-    file.commit();
-}
-
-void writePixels(const std::string& path, const Format& format, const OIIO::ImageSpec& spec, const void* pixels) {
-    if (spec.width < 1 || spec.height < 1)
-        throw InputError(path, Message(MessageId::PictureEmpty, {{"width", spec.width}, {"height", spec.height}}));
-    writeWhole(path, format, [&](OIIO::ImageOutput& output, const std::string& name) {
-        return output.open(name, spec) && output.write_image(spec.format, pixels);
-    });
-}
-
-OIIO::ImageSpec specOf(int width, int height, int channels, OIIO::TypeDesc::BASETYPE type) {
-    OIIO::ImageSpec spec(width, height, channels, type);
-    if (channels == 1) spec.channelnames = {"Y"};
-    // Twice as fast as zlib's own level 6, for a tenth more bytes; read by the PNG writer alone.
-    spec.attribute("png:compressionLevel", 4);
-    return spec;
+void writeBlock(const std::string& path, const Format& format, PictureBlock block, const void* numbers) {
+    if (block.width < 1 || block.height < 1)
+        throw InputError(path, Message(MessageId::PictureEmpty, {{"width", block.width}, {"height", block.height}}));
+    block.numbers = numbers;
+    pictureLibrary().write(path, std::string(format.library), block);
 }
 
 // TIFF would get an EXIF directory for it, which OpenImageIO 2.4 puts where the picture's own should be.
-void setColorSpace(OIIO::ImageSpec& spec, const Format& format, const std::string& name) {
-    if (format.library != "tiff" && !name.empty()) spec.attribute("oiio:ColorSpace", name);
+void setColorSpace(Attributes& attributes, const Format& format, const std::string& name) {
+    if (format.library != "tiff" && !name.empty()) attributes.emplace_back("oiio:ColorSpace", name);
 }
 
 // The text of a band, where its format has a place for it.
-void setBandText(OIIO::ImageSpec& spec, const Format& format, const PictureBand* band) {
+void setBandText(Attributes& attributes, const Format& format, const PictureBand* band) {
     if (band == nullptr || band->text.empty()) return;
-    spec.attribute(format.library == "tiff" ? "ImageDescription" : std::string(kBandAttribute), band->text);
+    attributes.emplace_back(format.library == "tiff" ? "ImageDescription" : kBandAttribute, band->text);
 }
 
 // The band, or all rows of a picture.
@@ -212,35 +113,28 @@ void writeColor(const std::string& path, const ColorImage& image, const PictureB
     const auto width = static_cast<std::size_t>(image.width());
     const std::span<const Color> pixels = image.pixels().subspan(
         width * static_cast<std::size_t>(rows.begin), width * static_cast<std::size_t>(rows.end - rows.begin));
-    const auto type = format.light ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
-    OIIO::ImageSpec spec = specOf(image.width(), rows.end - rows.begin, 3, type);
-    setColorSpace(spec, format, format.light ? "Linear" : "sRGB");
-    setBandText(spec, format, band);
+    PictureBlock block{image.width(), rows.end - rows.begin, {"R", "G", "B"}, format.light ? "float" : "uint8", {}, {}};
+    setColorSpace(block.attributes, format, format.light ? "Linear" : "sRGB");
+    setBandText(block.attributes, format, band);
     if (format.light) {
         static_assert(sizeof(Color) == 3 * sizeof(float));
-        writePixels(path, format, spec, pixels.data());
+        writeBlock(path, format, std::move(block), pixels.data());
         return;
     }
-    if (format.library == "jpeg") spec.attribute("Compression", "jpeg:95");
+    if (format.library == "jpeg") block.attributes.emplace_back("Compression", "jpeg:95");
     const SrgbCodes codes;
     std::vector<std::uint8_t> bytes(pixels.size() * 3);
     forIndices(pixels.size(), [&](std::size_t i) {
         for (int c = 0; c < 3; ++c) bytes[3 * i + static_cast<std::size_t>(c)] = codes(pixels[i][c]);
     });
-    writePixels(path, format, spec, bytes.data());
+    writeBlock(path, format, std::move(block), bytes.data());
 }
 
 void writeNumbers(const std::string& path, const ImageInfo& info, const std::byte* numbers) {
     const Format& format = formatOf(path);
-    const OIIO::TypeDesc type(info.type);
-    OIIO::ImageSpec spec = specOf(info.width, info.height, static_cast<int>(info.channels.size()),
-                                  static_cast<OIIO::TypeDesc::BASETYPE>(type.basetype));
-    spec.channelnames = info.channels;
-    setColorSpace(spec, format, info.colorSpace);
-    const OIIO::TypeDesc given = type == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : type;
-    writeWhole(path, format, [&](OIIO::ImageOutput& output, const std::string& name) {
-        return output.open(name, spec) && output.write_image(given, numbers);
-    });
+    PictureBlock block{info.width, info.height, info.channels, info.type, {}, {}};
+    setColorSpace(block.attributes, format, info.colorSpace);
+    writeBlock(path, format, std::move(block), numbers);
 }
 
 void writeHeight(const std::string& path, const FloatImage& heights, bool asFloat) {
@@ -252,12 +146,12 @@ void writeHeight(const std::string& path, const FloatImage& heights, bool asFloa
                                        {{"extension", extensionOf(path)}, {"known", extensions(fits)}}));
     }
     if (floats) {
-        writePixels(path, format, specOf(heights.width(), heights.height(), 1, OIIO::TypeDesc::FLOAT), heights.data());
+        writeBlock(path, format, {heights.width(), heights.height(), {"Y"}, "float", {}, {}}, heights.data());
         return;
     }
     std::vector<std::uint16_t> codes(heights.size());
     forIndices(codes.size(), [&](std::size_t i) { codes[i] = sixteenBit(heights.pixels()[i]); });
-    writePixels(path, format, specOf(heights.width(), heights.height(), 1, OIIO::TypeDesc::UINT16), codes.data());
+    writeBlock(path, format, {heights.width(), heights.height(), {"Y"}, "uint16", {}, {}}, codes.data());
 }
 
 void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes, const PictureBand* band) {
@@ -270,12 +164,11 @@ void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes,
     const std::size_t count = planes.size();
     const PictureBand rows = bandOf(band, first.height());
     const int height = rows.end - rows.begin;
-    OIIO::ImageSpec spec = specOf(first.width(), height, static_cast<int>(count), OIIO::TypeDesc::FLOAT);
-    setBandText(spec, format, band);
-    spec.channelnames.clear();
+    PictureBlock block{first.width(), height, {}, "float", {}, {}};
+    setBandText(block.attributes, format, band);
     for (const NamedPlane& plane : planes) {
         assert(plane.plane.width() == first.width() && plane.plane.height() == first.height());
-        spec.channelnames.push_back(plane.name);
+        block.channels.push_back(plane.name);
     }
     const auto width = static_cast<std::size_t>(first.width());
     const std::size_t skipped = width * static_cast<std::size_t>(rows.begin);
@@ -283,7 +176,7 @@ void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes,
     forIndices(numbers.size() / count, [&](std::size_t i) {
         for (std::size_t c = 0; c < count; ++c) numbers[i * count + c] = planes[c].plane.pixels()[skipped + i];
     });
-    writePixels(path, format, spec, numbers.data());
+    writeBlock(path, format, std::move(block), numbers.data());
 }
 
 namespace {
@@ -295,60 +188,20 @@ const Format& tiffFormatOf(const std::string& path) {
                      Message(MessageId::FormatNotForThis, {{"extension", extensionOf(path)}, {"known", "tif, tiff"}}));
 }
 
-// Whether the file has these very pages.
-bool holds(const std::string& path, const std::vector<DescribedPage>& pages) {
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) return false;
-    std::vector<float> read;
-    for (std::size_t p = 0; p < pages.size(); ++p) {
-        const FloatImage& picture = *pages[p].picture;
-        const OIIO::ImageSpec spec = input->spec(0, static_cast<int>(p));
-        if (spec.width != picture.width() || spec.height != picture.height()) return false;
-        read.assign(picture.size(), 0);
-        if (!input->read_image(0, static_cast<int>(p), 0, 1, OIIO::TypeDesc::FLOAT, read.data())) return false;
-        if (!std::equal(read.begin(), read.end(), picture.pixels().begin())) return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 void writeMipTiff(const std::string& path, const std::vector<DescribedPage>& pages) {
     assert(!pages.empty());
-    const Format& format = tiffFormatOf(path);
-    AtomicFile file(path);
-    std::string why;
-    // Pages are appended by opening the file again, which a checked output of our own does not live through: what was
-    // written is read back instead.
-    const auto output = OIIO::ImageOutput::create(std::string(format.library));
-    bool done = output != nullptr;
-    for (std::size_t p = 0; done && p < pages.size(); ++p) {
-        const FloatImage& picture = *pages[p].picture;
-        OIIO::ImageSpec spec = specOf(picture.width(), picture.height(), 1, OIIO::TypeDesc::FLOAT);
-        spec.tile_width = kTiffTile;
-        spec.tile_height = kTiffTile;
-        spec.attribute("ImageDescription", pages[p].description);
-        // What readers know MIP levels in a TIFF by.
-        spec.attribute("textureformat", "Plain Texture");
-        const auto mode = p == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage;
-        done = output->open(file.temporaryPath(), spec, mode) && output->write_image(spec.format, picture.data());
-    }
-    why = output ? output->geterror() : OIIO::geterror();
-    if (output) done = output->close() && done;
-    if (!done || !holds(file.temporaryPath(), pages)) {
-        if (why.empty()) throw WorkError(path, Message(MessageId::DiskFull));
-        throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", oneLine(why)}}));
-    }
-    file.commit();
+    tiffFormatOf(path);
+    pictureLibrary().writeTiffPages(path, pages);
 }
 
 void writeDescribedTiff(const std::string& path, int width, int height, const PictureCodes& codes,
                         const std::string& description) {
-    constexpr std::array kTypes{OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::UINT16, OIIO::TypeDesc::UINT8};
+    constexpr std::array kTypes{"float", "uint16", "uint8"};
     const Format& format = tiffFormatOf(path);
-    OIIO::ImageSpec spec = specOf(width, height, 1, kTypes[codes.index()]);
-    spec.attribute("ImageDescription", description);
-    std::visit([&](const auto& all) { writePixels(path, format, spec, all.data()); }, codes);
+    const PictureBlock block{width, height, {"Y"}, kTypes[codes.index()], {{"ImageDescription", description}}, {}};
+    std::visit([&](const auto& all) { writeBlock(path, format, block, all.data()); }, codes);
 }
 
 }  // namespace relief

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "help_formatter.h"
+#include "installed.h"
 #include "options_common.h"
 #include "output.h"
 #include "scenario/scenario.h"
@@ -157,7 +158,8 @@ int runInfo(const InfoOptions& options, Session& session) {
     options.reading.apply(reading);
     std::string text;
     Json all = Json::array();
-    for (const std::string& path : options.files) {
+    for (const std::string& file : options.files) {
+        const std::string path = shippedFile(file);
         if (isScenarioFile(path)) {
             if (const std::string given = options.reading.given(); !given.empty()) {
                 throw InputError(given, Message(MessageId::ArgumentsExclude, {{"other", path}}));

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "filtering/filters/filter_choice.h"
+#include "installed.h"
 #include "options_common.h"
 #include "output.h"
 #include "part.h"
@@ -223,17 +224,21 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
 
 Scenario ScenarioOptions::scenario(const OptionText& file) const {
     Scenario scenario;
-    if (file && isScenarioFile(*file)) {
-        scenario = loadScenario(*file);
+    const std::string path = file ? shippedFile(*file) : std::string();
+    if (file && isScenarioFile(path)) {
+        scenario = loadScenario(path);
     } else if (file) {
-        if (file->empty()) throw InputError("FILE", Message(MessageId::FileMissing));
+        if (path.empty()) throw InputError("FILE", Message(MessageId::FileMissing));
         if (height_ || recipe_) {
-            throw InputError(height_ ? "--height" : "--relief",
-                             Message(MessageId::ArgumentsExclude, {{"other", *file}}));
+            throw InputError(height_ ? "--height" : "--relief", Message(MessageId::ArgumentsExclude, {{"other", path}}));
         }
-        scenario.pictures.height = *file;
+        scenario.pictures.height = path;
     }
     applyPictures(scenario);
+    for (std::string* const picture :
+         {&scenario.pictures.height, &scenario.pictures.color, &scenario.pictures.normal}) {
+        *picture = shippedFile(*picture);
+    }
     const Pictures& pictures = scenario.pictures;
     if (pictures.height.empty() && pictures.recipe.empty() && pictures.drawn.empty()) {
         throw InputError(file.value_or("--height"), Message(MessageId::NoHeights));

@@ -15,6 +15,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "help_formatter.h"
+#include "manual.h"
 #include "options_common.h"
 #include "output.h"
 #include "session.h"
@@ -135,6 +136,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addRecommendCommand(program, commands);
     addClaimsCommand(program, commands);
     addMergeCommand(program, commands);
+    addManual(program);
 }
 
 // failed: becomes the status of a command whose work fails.

@@ -7,10 +7,10 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <thread>
 
 #include "../mpi/relief_mpi.h"
+#include "installed.h"
 #include "relief/errors.h"
 #include "relief/work.h"
 
@@ -25,13 +25,6 @@ int environmentNumber(const char* name) {
     int number = -1;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() ? number : -1;
-}
-
-// Beside the program, where it was built and where it was installed.
-std::filesystem::path pluginPath() {
-    std::error_code none;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
-    return program.parent_path().parent_path() / RELIEF_PLUGIN_FOLDER / "relief_mpi.so";
 }
 
 }  // namespace
@@ -63,7 +56,7 @@ bool leadsRun(bool withoutOthers) {
 
 std::unique_ptr<Team> Team::join() {
     if (launchedProcesses() < 2) return nullptr;
-    const std::string path = pluginPath().string();
+    const std::string path = pluginPath("relief_mpi.so");
     const Message missing(MessageId::MpiMissing, {{"processes", launchedProcesses()}});
     if (access(path.c_str(), R_OK) != 0) throw InputError("", missing);
     // Open MPI's own plug-ins look for its symbols among everybody's.

@@ -1,0 +1,299 @@
+// Picture files opened, checked and read by OpenImageIO.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <new>
+#include <optional>
+
+#include "images/picture_bytes.h"
+#include "images/picture_library.h"
+#include "images/system_error.h"
+#include "relief/memory.h"
+
+namespace relief {
+
+namespace {
+
+constexpr std::size_t kHeadBytes = 65536;
+
+// Formats without a signature, told by the name. What is in neither list is refused: films, volumes, camera raw and
+// medical pictures (their libraries write on stderr); Maya IFF, DPX, ICO, SGI, DDS (OpenImageIO 2.4 dies of damaged
+// ones).
+constexpr std::array<std::string_view, 3> kFormatsByName{"targa", "rla", "heif"};
+
+std::string formatByName(const std::string& path) {
+    const std::size_t dot = path.find_last_of("./");
+    if (dot == std::string::npos || path[dot] == '/') return {};
+    const std::string extension = lowerCase(path.substr(dot + 1));
+    // "targa:tga,tpic;webp:webp;..."
+    const std::string list = OIIO::get_string_attribute("extension_list");
+    for (const std::string_view format : kFormatsByName) {
+        const std::size_t at = (";" + list).find(";" + std::string(format) + ":");
+        if (at == std::string::npos) continue;
+        const std::size_t from = at + format.size() + 1;
+        const std::string known = "," + list.substr(from, list.find(';', at) - from) + ",";
+        if (known.find("," + extension + ",") != std::string::npos) return std::string(format);
+    }
+    return {};
+}
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+// Opens only what is an ordinary file: opening a pipe would wait for its writer.
+File openRegular(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) throw InputError(path, systemMessage(errno, FileAccess::Read));
+    if (S_ISDIR(status.st_mode)) throw InputError(path, Message(MessageId::FileIsDirectory));
+    if (!S_ISREG(status.st_mode)) throw InputError(path, Message(MessageId::FileNotRegular));
+    File file(std::fopen(path.c_str(), "rbe"));
+    if (!file) throw InputError(path, systemMessage(errno, FileAccess::Read));
+    if (status.st_size == 0) throw InputError(path, Message(MessageId::FileEmpty));
+    return file;
+}
+
+Bytes readBytes(std::FILE* file, std::size_t size, const std::string& path) {
+    Bytes bytes(size);
+    bytes.resize(std::fread(bytes.data(), 1, size, file));
+    if (std::ferror(file) != 0) throw InputError(path, systemMessage(errno, FileAccess::Read));
+    return bytes;
+}
+
+Bytes wholeFile(std::FILE* file, const std::string& path) {
+    if (::fseeko(file, 0, SEEK_END) != 0) throw InputError(path, systemMessage(errno, FileAccess::Read));
+    const auto size = static_cast<std::size_t>(std::max<::off_t>(0, ::ftello(file)));
+    // The bytes, and a copy that is cleaned.
+    requireMemory(byteProduct({2, size}), path, MemoryHint::SmallerPicture);
+    std::rewind(file);
+    return readBytes(file, size, path);
+}
+
+void checkSize(const std::string& path, std::int64_t width, std::int64_t height, std::int64_t maxPixels) {
+    if (width <= 0 || height <= 0)
+        throw InputError(path, Message(MessageId::PictureEmpty, {{"width", width}, {"height", height}}));
+    // Divided, not multiplied: the product may not fit. Sizes are int in every picture of ours.
+    const std::int64_t largest = std::min<std::int64_t>(maxPixels, std::numeric_limits<std::int64_t>::max() / 64);
+    if (width > largest / height || std::max(width, height) > std::numeric_limits<int>::max())
+        throw InputError(
+            path, Message(MessageId::PictureTooLarge, {{"width", width}, {"height", height}, {"limit", maxPixels}}));
+}
+
+// libpng's own limit, about which it would complain on stderr.
+void checkPngSides(const std::string& path, DeclaredSize size) {
+    constexpr std::uint32_t kLimit = 1000000;
+    if (size.width <= kLimit && size.height <= kLimit) return;
+    throw InputError(path, Message(MessageId::PictureSideTooLong,
+                                   {{"width", size.width}, {"height", size.height}, {"limit", kLimit}}));
+}
+
+[[noreturn]] void throwDamaged(const std::string& path, const std::string& libraryText) {
+    const std::string why = oneLine(libraryText);
+    if (why.empty()) throw InputError(path, Message(MessageId::FileTruncated));
+    throw InputError(path, Message(MessageId::FileDamaged, {{"why", why}}));
+}
+
+std::optional<NumberType> numberType(const OIIO::TypeDesc& type) {
+    switch (type.basetype) {
+        case OIIO::TypeDesc::UINT8:
+            return NumberType::UInt8;
+        case OIIO::TypeDesc::INT8:
+            return NumberType::Int8;
+        case OIIO::TypeDesc::UINT16:
+            return NumberType::UInt16;
+        case OIIO::TypeDesc::INT16:
+            return NumberType::Int16;
+        case OIIO::TypeDesc::UINT32:
+            return NumberType::UInt32;
+        case OIIO::TypeDesc::INT32:
+            return NumberType::Int32;
+        case OIIO::TypeDesc::HALF:
+        case OIIO::TypeDesc::FLOAT:
+            return NumberType::Float;
+        case OIIO::TypeDesc::DOUBLE:
+            return NumberType::Double;
+        default:
+            return std::nullopt;
+    }
+}
+
+// The type to ask the library for: the file's own, so that it converts nothing; half to float is exact.
+OIIO::TypeDesc readType(const OIIO::TypeDesc& type) {
+    return type.basetype == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : type;
+}
+
+// Bytes a pixel that PictureInput::read() keeps: of channels in one type, all from the first wanted to the last.
+std::size_t bytesRead(const OIIO::ImageSpec& spec, std::span<const int> channels) {
+    std::size_t bytes = 0;
+    if (!spec.channelformats.empty()) {
+        for (const int c : channels) bytes += readType(spec.channelformat(c)).size();
+        return bytes;
+    }
+    const auto [low, high] = std::minmax_element(channels.begin(), channels.end());
+    return static_cast<std::size_t>(*high + 1 - *low) * readType(spec.format).size();
+}
+
+// Asked between the rows; true ends the reading.
+bool askStop(void* work, float) {
+    return static_cast<const Work*>(work)->stopped();
+}
+
+// Looks at the file before any library does; takes into memory what is cleaned first. Returns the format's name.
+std::string loadFile(const std::string& path, std::int64_t maxPixels, Bytes& bytes) {
+    const File file = openRegular(path);
+    const Bytes head = readBytes(file.get(), kHeadBytes, path);
+    std::string format(formatBySignature(head));
+    if (format.empty()) format = formatByName(path);
+    if (format.empty()) throw InputError(path, Message(MessageId::FileNotPicture));
+    const std::optional<DeclaredSize> size = declaredSize(format, head);
+    if (size) checkSize(path, size->width, size->height, maxPixels);
+    if (format == "png") {
+        if (size) checkPngSides(path, *size);
+        auto clean = cleanPng(wholeFile(file.get(), path));
+        if (!clean) throwDamaged(path, {});
+        bytes = std::move(*clean);
+    } else if (format == "jpeg") {
+        bytes = cleanJpeg(wholeFile(file.get(), path));
+    } else if (format == "tiff") {
+        bytes = wholeFile(file.get(), path);
+        if (const std::uint64_t depth = tiffDepth(bytes); depth > 1)
+            throw InputError(path, Message(MessageId::PictureVolume, {{"depth", depth}}));
+        hideTiffMetadata(bytes);
+    }
+    return format;
+}
+
+class OpenImageIoFile final : public PictureFile {
+  public:
+    OpenImageIoFile(const std::string& path, std::int64_t maxPixels);
+
+    ImageInfo info() const override;
+    std::string attribute(const std::string& name) const override {
+        return std::string(input_->spec().get_string_attribute(name));
+    }
+    int alphaChannel() const override { return input_->spec().alpha_channel; }
+    RawPlanes read(std::span<const int> channels, Work& work, std::size_t bytesAfter) override;
+
+  private:
+    bool open(std::string& why);
+    void checkSpec(std::int64_t maxPixels) const;
+
+    std::string path_;
+    // The order matters: the input goes before the bytes it reads from.
+    Bytes bytes_;
+    std::optional<OIIO::Filesystem::IOMemReader> memory_;
+    OIIO::ImageInput::unique_ptr input_;
+};
+
+OpenImageIoFile::OpenImageIoFile(const std::string& path, std::int64_t maxPixels) : path_(path) {
+    try {
+        const std::string format = loadFile(path, maxPixels, bytes_);
+        if (!bytes_.empty()) memory_.emplace(bytes_.data(), bytes_.size());
+        input_ = OIIO::ImageInput::create(format);
+        if (!input_) {
+            OIIO::geterror();
+            throw InputError(path, Message(MessageId::FileNotPicture));
+        }
+        std::string why;
+        if (!open(why)) throwDamaged(path, why);
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw MemoryError(path, systemMessage(ENOMEM, FileAccess::Read));
+    } catch (const std::exception& fault) {
+        throwDamaged(path, fault.what());
+    }
+    checkSpec(maxPixels);
+}
+
+bool OpenImageIoFile::open(std::string& why) {
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    if (memory_ && !input_->set_ioproxy(&*memory_)) return false;
+    OIIO::ImageSpec spec;
+    const bool done = input_->open(path_, spec, hints);
+    // A warning about what surrounds the pixels would look like a failure of reading them.
+    why = input_->geterror();
+    return done;
+}
+
+void OpenImageIoFile::checkSpec(std::int64_t maxPixels) const {
+    const OIIO::ImageSpec& spec = input_->spec();
+    checkSize(path_, spec.width, spec.height, maxPixels);
+    if (spec.depth > 1) throw InputError(path_, Message(MessageId::PictureVolume, {{"depth", spec.depth}}));
+    if (spec.deep) throw InputError(path_, Message(MessageId::PictureDeep));
+    if (spec.nchannels < 1) throw InputError(path_, Message(MessageId::FileNotPicture));
+    for (int c = 0; c < spec.nchannels; ++c)
+        if (!numberType(spec.channelformat(c)))
+            throw InputError(path_, Message(MessageId::PictureNumberType, {{"type", spec.channelformat(c).c_str()}}));
+    // OpenImageIO 2.4 hands out zeros for these and calls it done.
+    const bool doubles = spec.format.basetype == OIIO::TypeDesc::DOUBLE;
+    if (doubles && input_->format_name() == std::string_view("tiff") && (spec.tile_width > 0 || spec.height == 1))
+        throw InputError(path_, Message(MessageId::PictureDoubles));
+}
+
+ImageInfo OpenImageIoFile::info() const {
+    const OIIO::ImageSpec& spec = input_->spec();
+    return {path_,
+            input_->format_name(),
+            spec.width,
+            spec.height,
+            spec.channelnames,
+            spec.format.c_str(),
+            attribute("oiio:ColorSpace")};
+}
+
+RawPlanes OpenImageIoFile::read(std::span<const int> channels, Work& work, std::size_t bytesAfter) {
+    const OIIO::ImageSpec& spec = input_->spec();
+    const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+    requireMemory(byteProduct({pixels, bytesRead(spec, channels) + bytesAfter}), path_, MemoryHint::SmallerPicture);
+    RawPlanes raw;
+    const auto readBlock = [&](int from, int to) {
+        const OIIO::TypeDesc type = readType(spec.channelformat(from));
+        const auto count = static_cast<std::size_t>(to - from);
+        raw.storage.push_back(std::make_unique<std::byte[]>(pixels * count * type.size()));
+        OIIO::ImageInput& input = *input_;
+        const bool done = input.read_image(0, 0, from, to, type, raw.storage.back().get(), OIIO::AutoStride,
+                                           OIIO::AutoStride, OIIO::AutoStride, &askStop, &work);
+        work.throwIfStopped();
+        // libjpeg calls a file that ends early a warning: the rest is grey, and read_image is content.
+        const std::string why = input.geterror();
+        if (!done || !why.empty()) throwDamaged(path_, why);
+    };
+    const auto plane = [&](const std::byte* block, int from, int channel, int stride) {
+        const OIIO::TypeDesc type = readType(spec.channelformat(channel));
+        raw.planes.push_back({block + static_cast<std::size_t>(channel - from) * type.size(),
+                              static_cast<std::size_t>(stride), *numberType(type)});
+    };
+    const auto [low, high] = std::minmax_element(channels.begin(), channels.end());
+    try {
+        if (spec.channelformats.empty()) {
+            readBlock(*low, *high + 1);
+            for (const int c : channels) plane(raw.storage.back().get(), *low, c, *high + 1 - *low);
+        } else {
+            for (const int c : channels) {
+                readBlock(c, c + 1);
+                plane(raw.storage.back().get(), c, c, 1);
+            }
+        }
+    } catch (const std::bad_alloc&) {
+        throw MemoryError(path_, Message(MessageId::PictureNoMemory, {{"width", spec.width}, {"height", spec.height}}));
+    }
+    return raw;
+}
+
+}  // namespace
+
+std::unique_ptr<PictureFile> openWithOpenImageIo(const std::string& path, std::int64_t maxPixels) {
+    return std::make_unique<OpenImageIoFile>(path, maxPixels);
+}
+
+}  // namespace relief

@@ -1,0 +1,157 @@
+// Picture files written by OpenImageIO.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+
+#include "images/picture_library.h"
+#include "images/system_error.h"
+
+namespace relief {
+
+namespace {
+
+// The formats' libraries notice a full disk late or never, and some say so on stderr. Here the first failure is kept,
+// and they are told that all is well.
+class CheckedOutput : public OIIO::Filesystem::IOProxy {
+  public:
+    explicit CheckedOutput(const std::string& path)
+        : IOProxy(path, Write), descriptor_(::open(path.c_str(), O_RDWR | O_TRUNC | O_CLOEXEC)) {
+        if (descriptor_ < 0) error_ = errno;
+    }
+    ~CheckedOutput() override { finish(); }
+    CheckedOutput(const CheckedOutput&) = delete;
+    CheckedOutput& operator=(const CheckedOutput&) = delete;
+
+    // 0, or the errno of the first failure.
+    int finish() {
+        if (descriptor_ >= 0 && ::close(descriptor_) != 0) keep(errno);
+        descriptor_ = -1;
+        return error_;
+    }
+
+    const char* proxytype() const override { return "checked"; }
+    std::size_t size() const override { return static_cast<std::size_t>(size_); }
+    std::size_t write(const void* bytes, std::size_t count) override {
+        pwrite(bytes, count, m_pos);
+        m_pos += static_cast<std::int64_t>(count);
+        return count;
+    }
+    std::size_t pwrite(const void* bytes, std::size_t count, std::int64_t offset) override {
+        std::size_t done = 0;
+        while (done < count && error_ == 0) {
+            const auto at = offset + static_cast<std::int64_t>(done);
+            const ::ssize_t wrote = ::pwrite(descriptor_, static_cast<const char*>(bytes) + done, count - done, at);
+            if (wrote > 0)
+                done += static_cast<std::size_t>(wrote);
+            else if (wrote == 0)
+                keep(ENOSPC);
+            else if (errno != EINTR)
+                keep(errno);
+        }
+        size_ = std::max(size_, offset + static_cast<std::int64_t>(count));
+        return count;
+    }
+    std::size_t read(void* bytes, std::size_t count) override {
+        const std::size_t got = pread(bytes, count, m_pos);
+        m_pos += static_cast<std::int64_t>(got);
+        return got;
+    }
+    std::size_t pread(void* bytes, std::size_t count, std::int64_t offset) override {
+        const ::ssize_t got = ::pread(descriptor_, bytes, count, offset);
+        return got > 0 ? static_cast<std::size_t>(got) : 0;
+    }
+
+  private:
+    void keep(int error) {
+        if (error_ == 0) error_ = error;
+    }
+
+    int descriptor_;
+    int error_ = 0;
+    std::int64_t size_ = 0;
+};
+
+OIIO::ImageSpec specOf(int width, int height, const std::vector<std::string>& channels, OIIO::TypeDesc type) {
+    OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()), type);
+    spec.channelnames = channels;
+    // Twice as fast as zlib's own level 6, for a tenth more bytes; read by the PNG writer alone.
+    spec.attribute("png:compressionLevel", 4);
+    return spec;
+}
+
+// Whether the file has these very pages.
+bool holds(const std::string& path, const std::vector<DescribedPage>& pages) {
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) return false;
+    std::vector<float> read;
+    for (std::size_t p = 0; p < pages.size(); ++p) {
+        const FloatImage& picture = *pages[p].picture;
+        const OIIO::ImageSpec spec = input->spec(0, static_cast<int>(p));
+        if (spec.width != picture.width() || spec.height != picture.height()) return false;
+        read.assign(picture.size(), 0);
+        if (!input->read_image(0, static_cast<int>(p), 0, 1, OIIO::TypeDesc::FLOAT, read.data())) return false;
+        if (!std::equal(read.begin(), read.end(), picture.pixels().begin())) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void writeWithOpenImageIo(const std::string& path, const std::string& format, const PictureBlock& block) {
+    const OIIO::TypeDesc type(block.type);
+    OIIO::ImageSpec spec = specOf(block.width, block.height, block.channels, type);
+    for (const auto& [name, text] : block.attributes) spec.attribute(name, text);
+    const OIIO::TypeDesc given = type == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : type;
+    AtomicFile file(path);
+    CheckedOutput sink(file.temporaryPath());
+    bool done = false;
+    std::string why;
+    if (const auto output = OIIO::ImageOutput::create(format)) {
+        done = output->set_ioproxy(&sink) && output->open(file.temporaryPath(), spec) &&
+               output->write_image(given, block.numbers);
+        why = output->geterror();
+        done = output->close() && done;
+        if (why.empty()) why = output->geterror();
+    } else {
+        why = OIIO::geterror();
+    }
+    if (const int error = sink.finish(); error != 0)
+        throw WorkError(path,
+                        systemMessage(error, FileAccess::Write, std::filesystem::path(path).parent_path().string()));
+    if (!done) throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", oneLine(why)}}));
+    file.commit();
+}
+
+void writePagesWithOpenImageIo(const std::string& path, const std::vector<DescribedPage>& pages) {
+    AtomicFile file(path);
+    std::string why;
+    // Pages are appended by opening the file again, which a checked output of our own does not live through: what was
+    // written is read back instead.
+    const auto output = OIIO::ImageOutput::create("tiff");
+    bool done = output != nullptr;
+    for (std::size_t p = 0; done && p < pages.size(); ++p) {
+        const FloatImage& picture = *pages[p].picture;
+        OIIO::ImageSpec spec = specOf(picture.width(), picture.height(), {"Y"}, OIIO::TypeDesc::FLOAT);
+        spec.tile_width = kTiffTile;
+        spec.tile_height = kTiffTile;
+        spec.attribute("ImageDescription", pages[p].description);
+        // What readers know MIP levels in a TIFF by.
+        spec.attribute("textureformat", "Plain Texture");
+        const auto mode = p == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage;
+        done = output->open(file.temporaryPath(), spec, mode) && output->write_image(spec.format, picture.data());
+    }
+    why = output ? output->geterror() : OIIO::geterror();
+    if (output) done = output->close() && done;
+    if (!done || !holds(file.temporaryPath(), pages)) {
+        if (why.empty()) throw WorkError(path, Message(MessageId::DiskFull));
+        throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", oneLine(why)}}));
+    }
+    file.commit();
+}
+
+}  // namespace relief
