@@ -230,7 +230,8 @@ Scenario ScenarioOptions::scenario(const OptionText& file) const {
     } else if (file) {
         if (path.empty()) throw InputError("FILE", Message(MessageId::FileMissing));
         if (height_ || recipe_) {
-            throw InputError(height_ ? "--height" : "--relief", Message(MessageId::ArgumentsExclude, {{"other", path}}));
+            throw InputError(height_ ? "--height" : "--relief",
+                             Message(MessageId::ArgumentsExclude, {{"other", path}}));
         }
         scenario.pictures.height = path;
     }
