@@ -255,7 +255,8 @@ void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, Map
     if (!map_) return;
     const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
     const StoredMap map = loadMap(*map_, field, maps.budget(), work);
-    if (follow && !tracer_ && !(file_ && isScenarioFile(*file_))) scenario.method.name = methodOfMap(mapKindName(map));
+    if (follow && !tracer_ && !(file_ && isScenarioFile(shippedFile(*file_))))
+        scenario.method.name = methodOfMap(mapKindName(map));
     scenario.method = useMap(*map_, map, scenario.method, field, maps);
 }
 
