@@ -10,7 +10,8 @@ reliefPackagesBuild=(g++ cmake ninja-build libopenimageio-dev openimageio-tools 
     nlohmann-json3-dev libtbb-dev libhwy-dev ccache)
 reliefPackagesWindow=(libvtk9-dev libvtk9-qt-dev libqt5svg5-dev libqwt-qt5-dev qttools5-dev qttools5-dev-tools
     qttranslations5-l10n libx11-dev fonts-dejavu-core)
-reliefPackagesTest=(libgtest-dev libbenchmark-dev xvfb xauth locales clang-format parallel pkg-config python3 python3-jsonschema
+reliefPackagesTest=(libgtest-dev libbenchmark-dev xvfb xauth locales clang-format parallel pkg-config python3
+    python3-jsonschema doxygen)
     doxygen)
 
 reliefSay() { printf 'reliefscope: %s\n' "$*" >&2; }

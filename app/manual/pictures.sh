@@ -32,7 +32,7 @@ tracers=exact,max-pyramid,cone,distance-refined,layers:layers=16,layers:layers=6
 tracers+=,offset,offset-limited,cone-dummer,relaxed-cone,hybrid
 "$bin/relief" bench tracers -q --relief fractal:512x512:1 --elevations 25 --threads 1 --rounds 9 --tracers "$tracers" \
     -o "$scratch/bench.json"
-"$bin/reliefscope" "$scratch/bench.json" --export pareto -o "$out/pareto.png" --width 160 --dpi 140
+"$bin/reliefscope" "$scratch/bench.json" --export pareto -o "$out/pareto.png" --width 200 --dpi 130
 
 if [ -n "${DISPLAY:-}" ]; then
     "$bin/reliefscope" app/manual/window.json --anew --screenshot ui/window.png --size 1600x1000

@@ -38,8 +38,8 @@ struct Key {
     Qt::KeyboardModifiers modifiers;
 };
 
-// As the table in ui/README.md has them, but those that open a dialog or undo, and the projector (slow to draw; an action
-// below).
+// As the table in ui/README.md has them, but those that open a dialog or undo, and the projector (slow to draw; an
+// action below).
 const std::vector<Key>& viewingKeys() {
     static const std::vector<Key> keys = [] {
         std::vector<Key> all;
