@@ -12,7 +12,6 @@ reliefPackagesWindow=(libvtk9-dev libvtk9-qt-dev libqt5svg5-dev libqwt-qt5-dev q
     qttranslations5-l10n libx11-dev fonts-dejavu-core)
 reliefPackagesTest=(libgtest-dev libbenchmark-dev xvfb xauth locales clang-format parallel pkg-config python3
     python3-jsonschema doxygen)
-    doxygen)
 
 reliefSay() { printf 'reliefscope: %s\n' "$*" >&2; }
 reliefDie() {
