@@ -8,7 +8,7 @@ reliefRoot=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 # Packages of Debian 12. Without the first group nothing is built; without the others their part is left out.
 reliefPackagesBuild=(g++ cmake ninja-build libopenimageio-dev openimageio-tools libglm-dev libcli11-dev
     nlohmann-json3-dev libtbb-dev libhwy-dev ccache)
-reliefPackagesWindow=(libvtk9-dev libvtk9-qt-dev libqt5svg5-dev libqwt-qt5-dev qttools5-dev qttools5-dev-tools
+reliefPackagesWindow=(libvtk9-dev libvtk9-qt-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools
     qttranslations5-l10n libx11-dev fonts-dejavu-core)
 reliefPackagesTest=(libgtest-dev libbenchmark-dev xvfb xauth locales clang-format parallel pkg-config python3
     python3-jsonschema doxygen)

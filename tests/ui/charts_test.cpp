@@ -7,7 +7,10 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
-#include "painting/chart_parts.h"
+#include "chart_laws.h"
+#include "golden.h"
+#include "painting/chart.h"
+#include "painting/painter.h"
 #include "panes/charts/charts_drawing.h"
 #include "relief/errors.h"
 #include "rendering/error_layer.h"
@@ -211,6 +214,41 @@ TEST(Charts, HistogramsCountEveryRay) {
     ASSERT_TRUE(at.bar);
     EXPECT_EQ(at.bar->rays, 100);
     EXPECT_EQ(at.bar->low, 2);
+}
+
+TEST(Charts, AreAsStored) {
+    auto histograms = std::make_shared<relief::FrameHistograms>();
+    histograms->rays = 5931;
+    histograms->steps = {0, 40, 900, 3000, 1200, 500, 200, 60, 20, 8, 3};
+    histograms->stepWidth = 4;
+    histograms->stepsMean = 14.2;
+    histograms->stepsP95 = 24;
+    histograms->stepsMost = 43;
+    histograms->exact = 2400;
+    histograms->wrong = 11;
+    histograms->lowDecade = -3;
+    histograms->before = {100, 300, 500, 700, 200, 60, 20, 3, 1};
+    histograms->behind = {0, 20, 100, 300, 700, 400, 90, 20, 6};
+    histograms->largest = 0.84;
+    ChartsSource source;
+    ParetoSource pareto = sourceOf(madeUp());
+    pareto.current = "layers";
+    source.pareto = std::make_shared<const ParetoSource>(std::move(pareto));
+    source.histograms = histograms;
+    source.chosenSteps = 17;
+    const auto paint = [&](QPainter& painter, const Box& page, const Style& style) {
+        const double unit = style.pixelsPerPoint();
+        const Drawing legend = chartsLegend(source, page.width() / unit - 2 * kFigureMargin, style.language);
+        const Box room = figureRoom(legend, page, style);
+        const ChartsPicture charts = chartsPicture(source, room.width() / unit, room.height() / unit);
+        paintFigure(painter, {&charts.drawing}, legend, page, style);
+    };
+    expectGoldens(paint, 420, 460, "charts");
+    for (const auto& [width, height] : {std::pair(320.0, 300.0), {400.0, 420.0}, {900.0, 300.0}}) {
+        const ChartsPicture charts = chartsPicture(source, width, height);
+        for (const HistogramPicture* picture : {&*charts.steps, &*charts.errors}) expectWordsInside(picture->drawing);
+        expectWordsInside(charts.pareto->drawing);
+    }
 }
 
 // By the program, without a display.

@@ -11,7 +11,7 @@
 
 #include "measuring/bench/view_bench.h"
 #include "measuring/compare/picture_error.h"
-#include "painting/chart_parts.h"
+#include "painting/chart.h"
 #include "panes/compare/compare_drawing.h"
 #include "panes/compare/compare_view.h"
 #include "scenario/scenario.h"

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "painting/chart_parts.h"
+#include "golden.h"
+#include "painting/chart.h"
+#include "painting/painter.h"
 #include "panes/compare/compare_drawing.h"
 
 namespace reliefui {
@@ -52,6 +54,21 @@ TEST(Compare, TilesLieBesideEachOther) {
     };
     EXPECT_GT(second(900, 250).x0, 300);
     EXPECT_GT(second(200, 600).y0, 200);
+}
+
+TEST(Compare, WhatStandsAroundThePicturesIsAsStored) {
+    CompareSource source = madeUp(3, relief::CompareMode::Difference);
+    source.tiles[0].reference = true;
+    source.tiles[1].equal = true;
+    source.tiles[2].missing = relief::Message(relief::MessageId::DrawCompareMeasuring);
+    const auto paint = [&](QPainter& painter, const Box& page, const Style& style) {
+        const double unit = style.pixelsPerPoint();
+        const Drawing legend = compareLegend(source, page.width() / unit - 2 * kFigureMargin, style.language);
+        const Box room = figureRoom(legend, page, style);
+        const CompareLayout layout = compareLayout(source, room.width() / unit, room.height() / unit, style.language);
+        paintFigure(painter, {&layout.drawing}, legend, page, style);
+    };
+    expectGoldens(paint, 420, 260, "compare");
 }
 
 // However narrow the tiles are, no line of numbers reaches into the next one.

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "painting/view_map.h"
+#include "chart_laws.h"
 #include "traced_ray.h"
 
 namespace reliefui {
@@ -279,6 +279,8 @@ TEST(ProfileDrawing, raysOfEveryKindAreDrawn) {
                     EXPECT_TRUE(finite(relief) && finite(axes)) << method;
                     EXPECT_EQ(countOf(relief, ItemKind::Surface), 1);
                     EXPECT_GT(axes.items.size(), 6u);
+                    expectWordsInside(axes);
+                    expectWordsInside(profileAxes(t.source, profileFrame(t.source, options, 226, 120)));
                 }
             }
         }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <QTranslator>
 
+#include "chart_laws.h"
 #include "measuring/bench/bench_rows.h"
 #include "painting/style.h"
 #include "panes/rows/rows_drawing.h"
@@ -205,7 +206,11 @@ TEST(Rows, EveryVariantIsDrawnWithinThePlots) {
                 const Drawing names = rowsLegend(data, 500, relief::Language::English, RowsLegend::Names);
                 EXPECT_EQ(names.items.size(), 2 * data.names.size());
                 EXPECT_LE(names.bounds.height(), 40);
-                EXPECT_FALSE(rowsAxes(data, frame).items.empty());
+                for (const auto& [w, h] : {std::pair(500.0, 300.0), {226.0, 176.0}, {226.0, 120.0}}) {
+                    const Drawing axes = rowsAxes(data, rowsFrame(data, {}, {}, w, h));
+                    EXPECT_GT(axes.items.size(), 6u);
+                    expectWordsInside(axes);
+                }
             }
         }
     }

@@ -5,17 +5,24 @@
 
 namespace reliefui {
 
+std::vector<std::string> textParts(const std::string& text) {
+    constexpr std::string_view kBetween = " · ";
+    std::vector<std::string> parts;
+    std::size_t from = 0;
+    while (true) {
+        const std::size_t to = text.find(kBetween, from);
+        parts.push_back(text.substr(from, to - from));
+        if (to == std::string::npos) return parts;
+        from = to + kBetween.size();
+    }
+}
+
 std::string labelText(const Label& label, relief::Language language) {
     const std::string text = relief::sentence(label.text, language);
     if (label.part < 0) return text;
-    constexpr std::string_view kBetween = " · ";
-    std::size_t begin = 0;
-    for (int n = 0; n < label.part; ++n) {
-        const std::size_t at = text.find(kBetween, begin);
-        if (at == std::string::npos) return {};
-        begin = at + kBetween.size();
-    }
-    return text.substr(begin, text.find(kBetween, begin) - begin);
+    const std::vector<std::string> parts = textParts(text);
+    const auto part = static_cast<std::size_t>(label.part);
+    return part < parts.size() ? parts[part] : std::string();
 }
 
 std::string idText(const ItemId& id) {
@@ -97,14 +104,30 @@ Shape shapeOf(relief::Decision decision) {
     return Shape::Dot;
 }
 
+void Drawing::append(Drawing other) {
+    bounds = bounds.joined(other.bounds);
+    items.insert(items.end(), std::move_iterator(other.items.begin()), std::move_iterator(other.items.end()));
+}
+
+Cells colorBar(const Box& box, ColorMap map, const ColorScale& scale) {
+    constexpr int kCells = 96;
+    auto values = std::make_shared<relief::FloatImage>(kCells, 1);
+    for (int i = 0; i < kCells; ++i) (*values)(i, 0) = static_cast<float>(scale.value((i + 0.5) / kCells));
+    return {.values = std::move(values),
+            .x = box.x0,
+            .y = box.y0,
+            .cellWidth = box.width() / kCells,
+            .cellHeight = box.height(),
+            .clip = box,
+            .map = map,
+            .scale = scale};
+}
+
 Drawing messageDrawing(relief::MessageId message) {
     Drawing drawing;
     drawing.bounds = {0, 0, 300, 100};
-    Label label;
-    label.at = drawing.bounds.center();
-    label.text = relief::Message(message);
-    label.anchor = Anchor::Center;
-    drawing.add({}, Role::Label, std::move(label));
+    drawing.add({}, Role::Label,
+                Label{.at = drawing.bounds.center(), .text = relief::Message(message), .anchor = Anchor::Center});
     return drawing;
 }
 

@@ -38,6 +38,7 @@ struct Box {
     bool contains(Point p) const { return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1; }
     bool overlaps(const Box& o) const { return x0 < o.x1 && o.x0 < x1 && y0 < o.y1 && o.y0 < y1; }
     Box grown(double by) const { return {x0 - by, y0 - by, x1 + by, y1 + by}; }
+    Box moved(Point by) const { return {x0 + by.x, y0 + by.y, x1 + by.x, y1 + by.y}; }
     Box cut(const Box& o) const {
         return {std::max(x0, o.x0), std::max(y0, o.y0), std::min(x1, o.x1), std::min(y1, o.y1)};
     }
@@ -62,6 +63,10 @@ struct ItemId {
 };
 // "texel/3/1/0", "step/7"; also the id in an SVG.
 std::string idText(const ItemId& id);
+// Of a step of a run.
+inline ItemId stepId(std::size_t step, int run = 0) {
+    return {ItemKind::Step, run, static_cast<std::int64_t>(step), 0};
+}
 
 // What a thing is; the style turns it into a colour, a width, a dash and a shape (style.h).
 enum class Role : std::uint8_t {
@@ -140,14 +145,14 @@ struct Rectangle {
 // A grid of values in colours. The grid starts at (x, y); only what lies in `clip` is seen. Values are printed into
 // cells that are large enough on the screen.
 struct Cells {
-    std::shared_ptr<const relief::FloatImage> values;
+    std::shared_ptr<const relief::FloatImage> values{};
     double x = 0;
     double y = 0;
     double cellWidth = 1;
     double cellHeight = 1;
-    Box clip;
+    Box clip{};
     ColorMap map = ColorMap::Height;
-    ColorScale scale;
+    ColorScale scale{};
     bool print = false;
     double printFrom = 0;     // points: the values of lower cells are not printed
     std::int64_t firstI = 0;  // names of the first column and row, for picking
@@ -193,19 +198,21 @@ enum class Anchor : std::uint8_t { TopLeft, Left, BottomLeft, Center, Top, Botto
 // Text of `size` times the style's size. yields: left out where it would cover text placed before it (in the order of
 // the items, strong ones first).
 struct Label {
-    Point at;
-    relief::Message text;
+    Point at{};
+    relief::Message text{};
     Anchor anchor = Anchor::Left;
     double size = 1;
-    Point offset;        // points
+    Point offset{};      // points
     bool plate = false;  // on a plate of its role's colour
     bool yields = false;
-    Box room;              // drawn only if it fits in here (drawing units); empty: always
+    Box room{};            // drawn only if it fits in here (drawing units); empty: always
     bool evades = false;   // drawn beside the room where it does not fit
     int part = -1;         // of what stands between " · " in the text this one alone, from 0; -1: all
     bool formula = false;  // set as one: formula_text.h
 };
 
+// What stands between " · ".
+std::vector<std::string> textParts(const std::string& text);
 // Its words in a language.
 std::string labelText(const Label& label, relief::Language language);
 
@@ -229,10 +236,15 @@ struct Drawing {
     Box bounds;
     std::vector<Item> items;
 
-    void add(ItemId id, Role role, Primitive primitive, Emphasis emphasis = Emphasis::Normal) {
-        items.push_back({id, role, emphasis, std::move(primitive), {}});
+    void add(ItemId id, Role role, Primitive primitive, Emphasis emphasis = Emphasis::Normal, LevelTint tint = {}) {
+        items.push_back({id, role, emphasis, std::move(primitive), tint});
     }
+    // All that another one shows; the bounds hold both.
+    void append(Drawing other);
 };
+
+// A bar of all colours of a map, from the left to the right.
+Cells colorBar(const Box& box, ColorMap map, const ColorScale& scale = {});
 
 relief::Message plainText(std::string text);
 // Nothing but these words, in the middle: what would fill the drawing, and how.

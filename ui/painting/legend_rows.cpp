@@ -26,14 +26,17 @@ MessageId nameOf(Decision decision) {
 }  // namespace
 
 Point LegendRows::place(double width) {
-    if (x_ > 0 && x_ + width > width_) {
-        x_ = 0;
-        y_ += kRow;
-    }
+    if (x_ + width > width_) newRow();
     const Point at{x_, y_ + kRow / 2};
     right_ = std::max(right_, x_ + width);
     x_ += width;
     return at;
+}
+
+void LegendRows::newRow() {
+    if (x_ == 0) return;
+    x_ = 0;
+    y_ += kRow;
 }
 
 double LegendRows::textRoom(const Message& message) const {
@@ -41,51 +44,64 @@ double LegendRows::textRoom(const Message& message) const {
 }
 
 void LegendRows::add(Role role, Primitive primitive, LevelTint tint, Emphasis emphasis) {
-    drawing_.items.push_back({{ItemKind::Legend, 0, 0, 0}, role, emphasis, std::move(primitive), tint});
+    drawing_.add({ItemKind::Legend, 0, 0, 0}, role, std::move(primitive), emphasis, tint);
 }
 
 void LegendRows::text(Point at, Message message) {
-    Label label;
-    label.at = at;
-    label.text = std::move(message);
-    label.size = kTextSize;
-    add(Role::Legend, std::move(label));
+    add(Role::Legend, Label{.at = at, .text = std::move(message), .size = kTextSize});
+}
+
+Point LegendRows::sign(Role role, Primitive sign, const Message& what, LevelTint tint, Emphasis emphasis, double room) {
+    const Point at = place(room + textRoom(what) + kBetween);
+    const Point middle{at.x + 5, at.y};
+    if (auto* const marker = std::get_if<Marker>(&sign)) marker->at = middle;
+    if (auto* const ring = std::get_if<Ring>(&sign)) ring->center = middle;
+    if (auto* const circle = std::get_if<Circle>(&sign)) circle->center = middle;
+    if (auto* const label = std::get_if<Label>(&sign)) label->at = middle;
+    if (auto* const box = std::get_if<Rectangle>(&sign)) box->box = box->box.moved(middle);
+    if (auto* const cells = std::get_if<Cells>(&sign)) {
+        cells->clip = cells->clip.moved(middle);
+        cells->x = cells->clip.x0;
+        cells->y = cells->clip.y0;
+    }
+    add(role, std::move(sign), tint, emphasis);
+    text({at.x + room, at.y}, what);
+    return middle;
+}
+
+void LegendRows::words(const Message& message, double behind) {
+    const Point at = place(textRoom(message) + behind);
+    text(at, message);
+}
+
+void LegendRows::wrapped(const Message& message) {
+    if (textRoom(message) <= width_) return words(message, 0);
+    const auto width = [](const std::string& line) { return textWidth(line, kTextSize); };
+    for (const std::string& line : wrappedText(relief::sentence(message, language_), width_, width)) {
+        newRow();
+        text(place(width(line)), plainText(line));
+    }
 }
 
 void LegendRows::line(Role role, const Message& what, LevelTint tint, double length) {
     const Point at = place(length + 4 + textRoom(what) + kBetween);
-    add(role, Polyline{{{at.x, at.y}, {at.x + length, at.y}}, false}, tint);
+    add(role, Polyline{{{at.x, at.y}, {at.x + length, at.y}}}, tint);
     text({at.x + length + 4, at.y}, what);
 }
 
-void LegendRows::swatch(Role role, const Message& what, LevelTint tint) {
-    constexpr double kWide = 12;
-    constexpr double kHigh = 8;
-    const Point at = place(kWide + 4 + textRoom(what) + kBetween);
-    const Box patch{at.x, at.y - kHigh / 2, at.x + kWide, at.y + kHigh / 2};
-    add(role, Rectangle{patch, true, 0, 0}, tint, Emphasis::Strong);
-    text({at.x + kWide + 4, at.y}, what);
+void LegendRows::swatch(Role role, const Message& what, LevelTint tint, bool hatched) {
+    const Box patch{-5, -4, 7, 4};
+    const Point at =
+        sign(role, Rectangle{patch, true, 0, 0}, what, tint, hatched ? Emphasis::Normal : Emphasis::Strong, kSign + 2);
+    if (hatched) add(role, Hatch{patch.moved(at)});
 }
 
 void LegendRows::ramp(ColorMap map, const Message& what) {
-    static constexpr int kRampCells = 64;
     constexpr double kBar = 56;
     const Point at = place(kBar + 5 + textRoom(what) + kBetween);
-    static const auto values = [] {
-        auto ramp = std::make_shared<relief::FloatImage>(kRampCells, 1);
-        for (int i = 0; i < kRampCells; ++i) (*ramp)(i, 0) = static_cast<float>(i) / (kRampCells - 1);
-        return std::shared_ptr<const relief::FloatImage>(ramp);
-    }();
-    Cells bar;
-    bar.values = values;
-    bar.x = at.x;
-    bar.y = at.y - 5;
-    bar.cellWidth = kBar / kRampCells;
-    bar.cellHeight = 10;
-    bar.clip = {bar.x, bar.y, bar.x + kBar, bar.y + 10};
-    bar.map = map;
-    add(Role::HeightFill, bar);
-    add(Role::Frame, Rectangle{bar.clip, false, 0, 0});
+    const Box bar{at.x, at.y - 5, at.x + kBar, at.y + 5};
+    add(Role::HeightFill, colorBar(bar, map));
+    add(Role::Frame, Rectangle{bar, false, 0, 0});
     text({at.x + kBar + 5, at.y}, what);
 }
 
@@ -117,10 +133,7 @@ void LegendRows::decisions(const std::array<bool, relief::kDecisionNames.size()>
     for (std::size_t d = 0; d < seen.size(); ++d) {
         if (!seen[d]) continue;
         const auto decision = static_cast<Decision>(d);
-        const Message name(nameOf(decision));
-        const Point at = place(kSign + textRoom(name) + kBetween);
-        add(roleOf(decision), Marker{{at.x + 5, at.y}, shapeOf(decision), 8});
-        text({at.x + kSign, at.y}, name);
+        sign(roleOf(decision), Marker{{}, shapeOf(decision), 8}, Message(nameOf(decision)));
     }
 }
 

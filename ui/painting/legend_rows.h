@@ -14,15 +14,18 @@ class LegendRows {
   public:
     LegendRows(double width, relief::Language language) : width_(width), language_(language) {}
 
-    // The place of an entry of this width; the middle of its row.
-    Point place(double width);
+    // A sign that is given around (0, 0), and what it is. room: of the sign and the gap behind it. Where its middle is.
+    Point sign(Role role, Primitive sign, const relief::Message& what, LevelTint tint = {},
+               Emphasis emphasis = Emphasis::Normal, double room = kSign);
+    // Words alone; in several lines where they are wider than the legend.
+    void words(const relief::Message& message, double behind = kBetween);
+    void wrapped(const relief::Message& message);
     // About the width of the text.
     double textRoom(const relief::Message& message) const;
-    void text(Point at, relief::Message message);
     // A short line of this role, and what it is.
     void line(Role role, const relief::Message& what, LevelTint tint = {}, double length = 18);
-    // A patch of its colour, and what it is.
-    void swatch(Role role, const relief::Message& what, LevelTint tint = {});
+    // A patch of its colour, on request hatched, and what it is.
+    void swatch(Role role, const relief::Message& what, LevelTint tint = {}, bool hatched = false);
     // The colours of a map, and what they are of.
     void ramp(ColorMap map, const relief::Message& what);
     // What takes more than one row, before all others.
@@ -35,12 +38,18 @@ class LegendRows {
     void decisions(const std::array<bool, relief::kDecisionNames.size()>& seen);
 
     void add(Role role, Primitive primitive, LevelTint tint = {}, Emphasis emphasis = Emphasis::Normal);
+    // What follows begins a row.
+    void newRow();
     Drawing take();
 
     static constexpr double kSign = 14;
     static constexpr double kBetween = 9;
 
   private:
+    // The place of an entry of this width; the middle of its row.
+    Point place(double width);
+    void text(Point at, relief::Message message);
+
     double width_;
     relief::Language language_;
     double x_ = 0;

@@ -316,7 +316,10 @@ void paintLabel(QPainter& painter, const Item& item, const Label& label, const V
     const double height = text.height() * 0.92 + (label.plate ? 0 : 1);
     const Box box = labelBox(label, map, width, height, style.pixelsPerPoint());
     if (box.empty() || !box.overlaps(screen)) return;
-    if (!room.place(box) && label.yields) return;
+    // What gives way keeps clear of the words beside it.
+    const double air = label.plate ? 0 : 2.5 * style.pixelsPerPoint();
+    if (label.yields && !room.free({box.x0 - air, box.y0, box.x1 + air, box.y1})) return;
+    room.place(box);
     Rgba color = style.color(item);
     if (label.plate && item.emphasis == Emphasis::Faint) color.a = kFaintPlate;
     if (label.plate) {
@@ -379,7 +382,9 @@ void paintFigure(QPainter& painter, const std::vector<const Drawing*>& layers, c
     for (const Drawing* layer : layers) bounds = bounds.joined(layer->bounds);
     const ViewMap map = ViewMap::fitting(bounds, figureRoom(legend, page, style));
     for (const Drawing* layer : layers) paint(painter, *layer, map, style, page);
-    paint(painter, legend, legendMap, style, page);
+    Style legendStyle = style;
+    legendStyle.screenPixelsPerPoint *= legendMap.scale / style.pixelsPerPoint();
+    paint(painter, legend, legendMap, legendStyle, page);
 }
 
 }  // namespace reliefui

@@ -4,8 +4,7 @@
 
 #include <QCoreApplication>
 
-#include "painting/axis_ticks.h"
-#include "painting/text_width.h"
+#include "painting/chart.h"
 
 namespace reliefui {
 
@@ -115,11 +114,12 @@ std::vector<double> marksOf(const ColorScale& scale) {
     const double from = scale.twoSided && !scale.logarithmic ? 0 : scale.low;
     if (!(scale.high > from)) return {from};
     if (scale.logarithmic) {
-        const int first = static_cast<int>(std::ceil(std::log10(from) - 1e-9));
-        const int last = static_cast<int>(std::floor(std::log10(scale.high) + 1e-9));
-        for (int n = first; n <= last; ++n) marks.push_back(std::pow(10.0, n));
+        for (const double n : chart::multiples(std::log10(from), std::log10(scale.high), 1)) {
+            marks.push_back(std::pow(10.0, n));
+        }
     } else {
-        marks = ticks(from, scale.high, niceStep(scale.high - from, scale.twoSided ? kMostTicks / 2 : kMostTicks));
+        const double most = scale.twoSided ? kMostTicks / 2 : kMostTicks;
+        marks = chart::multiples(from, scale.high, chart::niceStep(scale.high - from, most));
     }
     if (!scale.twoSided) return marks;
     // 0 first: it has its number whatever the others have. What is not told apart from it has none.
@@ -135,21 +135,7 @@ class Legend {
     Legend(const RangedValues& values, Box bar) : values_(values), bar_(bar) {}
 
     void colors() {
-        constexpr int kCells = 96;
-        auto shown = std::make_shared<relief::FloatImage>(kCells, 1);
-        for (int i = 0; i < kCells; ++i) {
-            (*shown)(i, 0) = static_cast<float>(values_.scale.value((i + 0.5) / kCells));
-        }
-        Cells cells;
-        cells.values = std::move(shown);
-        cells.x = bar_.x0;
-        cells.y = bar_.y0;
-        cells.cellWidth = bar_.width() / kCells;
-        cells.cellHeight = bar_.height();
-        cells.clip = bar_;
-        cells.map = values_.map;
-        cells.scale = values_.scale;
-        add(Role::HeightFill, std::move(cells));
+        add(Role::HeightFill, colorBar(bar_, values_.map, values_.scale));
         drawing_.add(kColorBar, Role::Frame, Rectangle{bar_, false, 0, 0});
     }
 
@@ -219,12 +205,7 @@ class Legend {
     }
 
     void text(Point at, const std::string& words, Anchor anchor = Anchor::TopLeft) {
-        Label label;
-        label.at = at;
-        label.text = plainText(words);
-        label.anchor = anchor;
-        label.size = kText;
-        add(Role::Legend, std::move(label));
+        add(Role::Legend, Label{.at = at, .text = plainText(words), .anchor = anchor, .size = kText});
     }
 
     Drawing take(double width, double height) {
@@ -241,15 +222,10 @@ class Legend {
 
     // From where to where it reaches.
     std::pair<double, double> number(double place, const std::string& words) {
-        Label label;
-        // In sight, however long it is.
-        label.at = {std::max(bar_.x0 + place * bar_.width(), textWidth(words, kText) / 2), bar_.y1 + kTick};
-        label.text = plainText(words);
-        label.anchor = Anchor::Top;
-        label.size = kText;
-        const double x = label.at.x;
         const double half = textWidth(words, kText) / 2;
-        add(Role::Legend, std::move(label));
+        // In sight, however long it is.
+        const double x = std::max(bar_.x0 + place * bar_.width(), half);
+        text({x, bar_.y1 + kTick}, words, Anchor::Top);
         return {x - half, x + half};
     }
 

@@ -85,12 +85,8 @@ class Table {
 
     void text(Point at, Anchor anchor, const std::string& words, double size, Emphasis emphasis) {
         if (words.empty()) return;
-        Label label;
-        label.at = at;
-        label.text = plainText(words);
-        label.anchor = anchor;
-        label.size = size;
-        drawing_.add({}, Role::Label, std::move(label), emphasis);
+        drawing_.add({}, Role::Label, Label{.at = at, .text = plainText(words), .anchor = anchor, .size = size},
+                     emphasis);
     }
 
     void heading(const TableRow& row) {

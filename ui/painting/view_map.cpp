@@ -1,6 +1,8 @@
 #include "painting/view_map.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace reliefui {
 
@@ -128,11 +130,13 @@ ItemId pick(const Drawing& drawing, const ViewMap& map, Point at, double pixelsP
     return {};
 }
 
+bool LabelRoom::free(const Box& box) const {
+    return std::none_of(placed_.begin(), placed_.end(), [&](const Box& other) { return other.overlaps(box); });
+}
+
 bool LabelRoom::place(const Box& box) {
-    for (const Box& other : placed_) {
-        if (other.overlaps(box)) return false;
-    }
-    placed_.push_back(box);
+    if (!free(box)) return false;
+    take(box);
     return true;
 }
 
@@ -218,6 +222,45 @@ std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const 
         if (before != nullptr) length += std::hypot(b.x - a.x, b.y - a.y);
     }
     return runs;
+}
+
+std::vector<Point> ellipseLine(Point centre, Point a, Point b) {
+    constexpr int kAround = 120;
+    std::vector<Point> line;
+    for (int n = 0; n <= kAround; ++n) {
+        const double angle = std::numbers::pi + 2 * std::numbers::pi * n / kAround;
+        const double x = std::cos(angle), y = std::sin(angle);
+        line.push_back({centre.x + a.x * x + b.x * y, centre.y + a.y * x + b.y * y});
+    }
+    return line;
+}
+
+void addLine(Drawing& drawing, const std::vector<Point>& line, const Box& plot, ItemId id, Role role, Emphasis emphasis,
+             LevelTint tint) {
+    for (std::vector<Point>& run : clippedTo(line, plot)) {
+        drawing.add(id, role, Polyline{std::move(run)}, emphasis, tint);
+    }
+}
+
+void addFill(Drawing& drawing, const std::vector<Point>& line, double y, const Box& plot, Role role) {
+    Area area;
+    area.base = std::clamp(y, plot.y0, plot.y1);
+    for (const Point& p : line) {
+        if (p.x >= plot.x0 && p.x <= plot.x1) area.line.push_back({p.x, std::clamp(p.y, plot.y0, plot.y1)});
+    }
+    drawing.add({}, role, std::move(area), Emphasis::Faint);
+}
+
+void addEllipse(Drawing& drawing, Point centre, double rx, double ry, const Box& plot, ItemId id, Role role,
+                Emphasis emphasis) {
+    const std::vector<Point> line = ellipseLine(centre, {rx, 0}, {0, ry});
+    if (emphasis == Emphasis::Strong) {
+        std::vector<Point> half(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(line.size() / 2 + 1));
+        addFill(drawing, half, centre.y, plot, role);
+        for (Point& p : half) p.y = 2 * centre.y - p.y;
+        addFill(drawing, half, centre.y, plot, role);
+    }
+    addLine(drawing, line, plot, id, role, emphasis);
 }
 
 std::vector<Point> shapePolygon(Shape shape, double size) {

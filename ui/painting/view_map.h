@@ -52,6 +52,8 @@ ItemId pick(const Drawing& drawing, const ViewMap& map, Point at, double pixelsP
 // Remembers where text stands.
 class LabelRoom {
   public:
+    bool free(const Box& box) const;
+    void take(const Box& box) { placed_.push_back(box); }
     // False if the box covers one placed before; else it is placed.
     bool place(const Box& box);
 
@@ -69,6 +71,18 @@ bool clip(Segment& segment, const Box& box);
 // The parts of a line that lie within the box; before: the length of the line up to each of them.
 std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const Box& box,
                                           std::vector<double>* before = nullptr);
+
+// The ellipse that a and b are half axes of (any two conjugate ones), begun at -a; closed.
+std::vector<Point> ellipseLine(Point centre, Point a, Point b);
+
+// What of a line lies in a plot, drawn.
+void addLine(Drawing& drawing, const std::vector<Point>& line, const Box& plot, ItemId id, Role role,
+             Emphasis emphasis = Emphasis::Normal, LevelTint tint = {});
+// What lies between a line (x ascending) and the horizontal at y, in a plot.
+void addFill(Drawing& drawing, const std::vector<Point>& line, double y, const Box& plot, Role role);
+// An ellipse with upright axes in a plot; a strong one is filled.
+void addEllipse(Drawing& drawing, Point centre, double rx, double ry, const Box& plot, ItemId id, Role role,
+                Emphasis emphasis);
 
 // Outlines of marker shapes, in pixels around the origin, y downwards; closed polygons. Empty for Ring and Dot, which
 // are round, and for Cross, which is two strokes.

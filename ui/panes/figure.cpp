@@ -156,6 +156,24 @@ std::shared_ptr<const Figure> paintedFigure(PagePainter paint, FigureCaption cap
     return std::make_shared<PaintedFigure>(std::move(paint), std::move(caption), std::move(aspect));
 }
 
+std::shared_ptr<const Figure> chartFigure(ChartMaker maker, FigureCaption caption) {
+    const auto paint = [maker](QPainter& painter, const Box& page, const Style& style) {
+        const double unit = style.pixelsPerPoint();
+        const Drawing legend = maker.legend(page.width() / unit - kFigureMargins, style.language);
+        const Box room = figureRoom(legend, page, style);
+        const std::vector<Drawing> layers = maker.layers(room.width() / unit, room.height() / unit, style);
+        std::vector<const Drawing*> all;
+        for (const Drawing& layer : layers) all.push_back(&layer);
+        paintFigure(painter, all, legend, page, style);
+    };
+    const auto aspect = [maker](const FigurePage& page) {
+        const double points = page.widthMm / kMmPerPoint;
+        const Drawing legend = maker.legend(points - kFigureMargins, page.style.language);
+        return std::max(maker.aspect, maker.leastRoom + (legend.bounds.height() + 1.5 * kFigureMargins) / points);
+    };
+    return paintedFigure(paint, std::move(caption), aspect);
+}
+
 QImage Figure::image(const FigurePage& page, const QSize& size) const {
     QImage image(size, QImage::Format_RGB32);
     image.fill(toColor(page.style.background()));

@@ -46,6 +46,15 @@ using FigureCaption = std::function<std::string(relief::Language)>;
 // Of lines and words. aspect: empty: as Figure::aspect().
 std::shared_ptr<const Figure> paintedFigure(PagePainter paint, FigureCaption caption, PageAspect aspect = {});
 
+// Charts with a legend below them. legend: in so many points of width; layers: in the room that it leaves, points.
+struct ChartMaker {
+    std::function<Drawing(double width, relief::Language)> legend;
+    std::function<std::vector<Drawing>(double width, double height, const Style&)> layers;
+    double aspect = kFigureAspect;  // of the page; higher where a long legend would leave less than
+    double leastRoom = 0.42;        // of its width
+};
+std::shared_ptr<const Figure> chartFigure(ChartMaker maker, FigureCaption caption);
+
 inline constexpr double kMmPerPoint = 25.4 / 72;
 inline constexpr double kFigureMargins = 2 * kFigureMargin;  // both sides
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <optional>
 
 #include "panes/ray_geometry.h"
@@ -17,7 +16,6 @@ using relief::Message;
 using relief::MessageId;
 
 constexpr int kDecimals = 3;
-constexpr int kAround = 120;  // points of a circle
 constexpr double kBesidePlane =
     0.5;  // texels: a point as near as that to the plane is drawn, however small its spheres
 constexpr LevelTint kEuclidean{0, 4};
@@ -55,8 +53,10 @@ class PointMarks {
         const std::optional<Point> at = pointMarkAt(view_, query_);
         if (!at) return;
         drawing_.add({}, Role::Highlight, Ring{*at, 4});
-        Label name{*at, plainText("C"), Anchor::BottomLeft, 1, {5, -5}, true, false, {}};
-        drawing_.add({}, Role::Highlight, std::move(name), Emphasis::Strong);
+        drawing_.add(
+            {}, Role::Highlight,
+            Label{.at = *at, .text = plainText("C"), .anchor = Anchor::BottomLeft, .offset = {5, -5}, .plate = true},
+            Emphasis::Strong);
     }
 
   private:
@@ -105,13 +105,7 @@ class PointMarks {
         if (!view_.spheres || !(radius > std::abs(view_.off))) return;
         const double cut = std::sqrt(radius * radius - view_.off * view_.off);
         const Point at = view_.at(view_.center);
-        std::vector<Point> circle;
-        for (int n = 0; n <= kAround; ++n) {
-            const double angle = 2 * std::numbers::pi * n / kAround;
-            circle.push_back(
-                {at.x + cut * view_.scaleX * std::cos(angle), at.y + cut * view_.scaleY * std::sin(angle)});
-        }
-        line(circle, role, tint, false);
+        line(ellipseLine(at, {cut * view_.scaleX, 0}, {0, cut * view_.scaleY}), role, tint, false);
     }
 
     void line(const std::vector<Point>& points, Role role, const LevelTint& tint, bool arrow) {
@@ -125,31 +119,31 @@ class PointMarks {
     void name(const char* text, Point from, Point to, Role role, const LevelTint& tint) {
         const auto runs = clippedTo({from, to}, view_.plot);
         if (runs.empty()) return;
-        Label label;
-        label.at = runs.front().front();
-        label.text = plainText(text);
-        label.anchor = Anchor::TopLeft;
-        label.offset = {4, 3};
-        label.size = 0.9;
-        label.plate = true;
-        put(role, std::move(label), tint);
+        put(role,
+            Label{.at = runs.front().front(),
+                  .text = plainText(text),
+                  .anchor = Anchor::TopLeft,
+                  .size = 0.9,
+                  .offset = {4, 3},
+                  .plate = true},
+            tint);
     }
 
     // In the middle between two points, where it can be seen.
     void number(Point from, Point to, double value, Role role, const LevelTint& tint) {
         const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
         if (!view_.plot.contains(middle)) return;
-        Label label;
-        label.at = middle;
-        label.text = plainText(relief::fixedText(value, kDecimals));
-        label.anchor = Anchor::Center;
-        label.size = 0.8;
-        label.plate = true;
-        put(role, std::move(label), tint);
+        put(role,
+            Label{.at = middle,
+                  .text = plainText(relief::fixedText(value, kDecimals)),
+                  .anchor = Anchor::Center,
+                  .size = 0.8,
+                  .plate = true},
+            tint);
     }
 
     void put(Role role, Primitive primitive, const LevelTint& tint) {
-        drawing_.items.push_back({{}, role, Emphasis::Strong, std::move(primitive), tint});
+        drawing_.add({}, role, std::move(primitive), Emphasis::Strong, tint);
     }
 
     Drawing& drawing_;
@@ -203,13 +197,10 @@ std::optional<Point> pointMarkAt(const PointPlane& view, const PointQuery& query
 void addPointLegend(LegendRows& rows, const PointQuery& query) {
     const auto fixed = [](double value) { return relief::fixedText(value, kDecimals); };
     const relief::PointDistances& found = query.distances;
-    const auto note = [&](const Message& message) {
-        rows.text(rows.place(rows.textRoom(message) + LegendRows::kBetween), message);
-    };
-    if (found.rays == 0) return note(Message(MessageId::DrawPointInside));
+    if (found.rays == 0) return rows.words(Message(MessageId::DrawPointInside));
     rows.line(Role::Series, Message(MessageId::DrawPointEuclidean, {{"texels", fixed(found.euclidean)}}), kEuclidean);
     if (hides(query)) rows.line(Role::Hidden, Message(MessageId::DrawPointHidden));
-    if (!found.reached) return note(Message(MessageId::DrawPointNoRay));
+    if (!found.reached) return rows.words(Message(MessageId::DrawPointNoRay));
     const relief::ViewRay& ray = found.ray;
     const std::string text = fixed(ray.s0) + "," + fixed(ray.t0) + "," + fixed(ray.a) + "," + fixed(ray.b);
     const char* const name = decidingName(hides(query));

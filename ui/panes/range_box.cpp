@@ -11,7 +11,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "painting/axis_ticks.h"
+#include "painting/chart.h"
 #include "painting/painter.h"
 #include "workspace/pane_states.h"
 #include "workspace/workspace.h"
@@ -144,7 +144,7 @@ void RangeBox::fitNumbers(const RangedValues& values) {
     constexpr double kMost = 1e9;
     constexpr double kSteps = 100;
     const double span = std::max(values.scale.high - values.scale.low, 1e-9);
-    const double step = niceStep(span, kSteps);
+    const double step = chart::niceStep(span, kSteps);
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 0, 8);
     const bool percent = values.range.ends == RangeEnds::Percentile;
     for (QDoubleSpinBox* const box : {low_, high_, threshold_}) {

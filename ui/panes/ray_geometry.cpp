@@ -1,5 +1,6 @@
 #include "panes/ray_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace reliefui {
@@ -44,6 +45,11 @@ Box stepBox(const relief::HeightField& field, const relief::Step& step, int base
     side(field.width(), step.i, step.periodX, box.x0, box.x1);
     side(field.height(), step.j, step.periodY, box.y0, box.y1);
     return box;
+}
+
+double rayEnd(const relief::Hit& hit, const std::vector<relief::Step>* steps) {
+    if (hit.outcome == relief::Outcome::Hit) return hit.lambda;
+    return steps == nullptr || steps->empty() ? 1 : std::clamp(steps->back().lambdaAfter, 0.0, 1.0);
 }
 
 Box cellDomain(const relief::HeightField& field) {
@@ -133,6 +139,13 @@ std::vector<Box> wrapped(const Box& box, const Box& domain, bool wraps) {
         }
     }
     return pieces;
+}
+
+std::pair<int, int> periodsSeen(double low, double high, double start, double period, bool wraps) {
+    if (!wraps) return {0, 0};
+    constexpr double kRounding = 1e-9;
+    return {static_cast<int>(std::floor((low - start) / period + kRounding)),
+            static_cast<int>(std::ceil((high - start) / period - kRounding)) - 1};
 }
 
 bool coversStretch(relief::Decision decision) {

@@ -7,6 +7,7 @@
 
 #include "painting/view_map.h"
 #include "relief/cell_grid.h"
+#include "relief/ray.h"
 #include "relief/step_log.h"
 
 namespace reliefui {
@@ -28,6 +29,9 @@ struct RayPath {
 // baseLevel: what the method traced instead of the heights; its texels need not be whole texels of the field.
 Box stepBox(const relief::HeightField& field, const relief::Step& step, int baseLevel = 0);
 
+// Lambda where the ray ends: its hit, or where the last of its steps left it.
+double rayEnd(const relief::Hit& hit, const std::vector<relief::Step>* steps);
+
 // What a pyramid's level 0 covers: the cells of the field, or its texels. Under clamp the outermost cells are drawn one
 // texel wide.
 Box cellDomain(const relief::HeightField& field);
@@ -37,6 +41,9 @@ Box texelDomain(const relief::HeightField& field);
 // many periods only both ends are given.
 std::vector<Segment> wrapped(const Segment& segment, const Box& domain, bool wraps);
 std::vector<Box> wrapped(const Box& box, const Box& domain, bool wraps);
+
+// The first and the last period of a picture between two places; where nothing repeats, it is number 0.
+std::pair<int, int> periodsSeen(double low, double high, double start, double period, bool wraps);
 
 // The decisions that cover the ray without overlapping: what its stretches are coloured by.
 bool coversStretch(relief::Decision decision);

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "measuring/text_table.h"
-#include "painting/axis_ticks.h"
-#include "painting/chart_parts.h"
+#include "painting/chart.h"
 #include "painting/legend_rows.h"
 #include "scenario/step_sentence.h"
 
@@ -16,11 +15,6 @@ namespace {
 using relief::FrameHistograms;
 using relief::Message;
 using relief::MessageId;
-
-constexpr double kLeft = 34;  // margins of a histogram, points
-constexpr double kRight = 10;
-constexpr double kTop = 17;
-constexpr double kBottom = 18;
 
 Role roleOf(BarKind kind) {
     switch (kind) {
@@ -34,31 +28,23 @@ Role roleOf(BarKind kind) {
 }
 
 HistogramPicture emptyHistogram(const Box& room, std::int64_t most, Message title) {
-    constexpr double kLeastSide = 10;
+    constexpr double kTop = 17;  // points
     HistogramPicture picture;
-    picture.plot = {room.x0 + kLeft, room.y0 + kTop, std::max(room.x1 - kRight, room.x0 + kLeft + kLeastSide),
-                    std::max(room.y1 - kBottom, room.y0 + kTop + kLeastSide)};
     picture.countHigh = std::max(std::ceil(std::log10(static_cast<double>(std::max<std::int64_t>(most, 1)))), 1.0);
     picture.drawing.bounds = room;
     const int lines = chart::title(picture.drawing, std::move(title), room);
-    picture.plot.y0 = std::min(picture.plot.y0 + (lines - 1) * chart::kTitleLine, picture.plot.y1 - kLeastSide);
-    constexpr double kApart = 15;
-    const int decades = static_cast<int>(picture.countHigh);
-    const int every = std::max(1, static_cast<int>(std::ceil(decades * kApart / picture.plot.height())));
-    for (int n = 0; n <= decades; n += every) {
-        const auto count = static_cast<std::int64_t>(std::pow(10.0, n));
-        chart::side(picture.drawing, picture.plot, picture.yAt(count), powerOfTen(n));
-    }
-    chart::line(picture.drawing, {picture.plot.x0, picture.plot.y0}, {picture.plot.x0, picture.plot.y1});
-    chart::line(picture.drawing, {picture.plot.x0, picture.plot.y1}, {picture.plot.x1, picture.plot.y1});
+    picture.plot = chart::plotIn(room, {.top = kTop + (lines - 1) * chart::kTitleLine, .bottom = kTop + 1});
+    const chart::Axes axes(picture.drawing, picture.plot, room);
+    axes.left(picture.counts(), true);
+    axes.sides();
     // What the numbers count stands below them, in the corner that is free; small enough for it in either language.
-    Label counted;
-    counted.at = {picture.plot.x0, picture.plot.y1};
-    counted.text = Message(MessageId::DrawChartRays);
-    counted.anchor = Anchor::Right;
-    counted.offset = {-1, chart::kTick + 7};
-    counted.size = 0.68;
-    picture.drawing.add({}, Role::Legend, std::move(counted));
+    const Message counted(MessageId::DrawChartRays);
+    picture.drawing.add({}, Role::Legend,
+                        Label{.at = {picture.plot.x0, picture.plot.y1},
+                              .text = counted,
+                              .anchor = Anchor::Right,
+                              .size = chart::fittingSize(chart::widthOf(counted), chart::kLeft - 3),
+                              .offset = {-2, chart::kTick + 7}});
     return picture;
 }
 
@@ -71,10 +57,10 @@ void addBar(HistogramPicture& picture, const HistogramBar& bar) {
     if (bar.kind == BarKind::Behind) picture.drawing.add({}, Role::Overshoot, Hatch{body});
 }
 
-void addTick(HistogramPicture& picture, double x, std::string value) {
+void addTick(HistogramPicture& picture, double x, Message word) {
     const double y = picture.plot.y1;
     chart::line(picture.drawing, {x, y}, {x, y + chart::kTick});
-    chart::text(picture.drawing, {x, y}, plainText(std::move(value)), Anchor::Top, {0, chart::kTick + 1});
+    chart::text(picture.drawing, {x, y}, std::move(word), Anchor::Top, {0, chart::kTick + 1});
 }
 
 std::string countText(double value) {
@@ -82,11 +68,6 @@ std::string countText(double value) {
 }
 
 }  // namespace
-
-double HistogramPicture::yAt(std::int64_t rays) const {
-    const double value = rays > 0 ? std::log10(static_cast<double>(rays)) : kCountLow;
-    return plot.y1 - (value - kCountLow) / (countHigh - kCountLow) * plot.height();
-}
 
 HistogramPicture stepsHistogram(const FrameHistograms& data, std::int64_t chosen, const Box& room) {
     std::int64_t most = 1;
@@ -109,16 +90,17 @@ HistogramPicture stepsHistogram(const FrameHistograms& data, std::int64_t chosen
                          data.steps[b],
                          b});
     }
-    constexpr double kApart = 32;
     const double range = static_cast<double>(data.steps.size()) * data.stepWidth;
-    const double step = std::max<double>(data.stepWidth, niceStep(range, plot.width() / kApart));
     // Marks of single numbers stand below the middles of their bars, of wider bins where they begin.
     const double shift = data.stepWidth == 1 ? 0.5 : 0;
-    const auto xAt = [&](double steps) { return plot.x0 + (steps + shift) / range * plot.width(); };
-    for (const double value : ticks(0, range - shift, step)) addTick(picture, xAt(value), tickText(value, step));
+    const chart::Scale numbers{.low = -shift,
+                               .high = range - shift,
+                               .from = plot.x0,
+                               .to = plot.x1,
+                               .leastStep = static_cast<double>(data.stepWidth)};
+    chart::Axes(picture.drawing, plot, room).below(numbers);
     if (chosen > 0 && static_cast<double>(chosen) <= range) {
-        const double x =
-            data.stepWidth == 1 ? xAt(static_cast<double>(chosen)) : xAt(static_cast<double>(chosen) + 0.5);
+        const double x = numbers.at(static_cast<double>(chosen) + (data.stepWidth == 1 ? 0 : 0.5));
         picture.drawing.add({ItemKind::Ray, 0, 0, 0}, Role::Hit, Marker{{x, plot.y0 + 3}, Shape::TriangleDown, 7});
         picture.drawing.add({ItemKind::Ray, 0, 0, 0}, Role::Hit, Polyline{{{x, plot.y0}, {x, plot.y1}}, false},
                             Emphasis::Faint);
@@ -141,10 +123,10 @@ HistogramPicture errorHistogram(const FrameHistograms& data, const Box& room) {
     const double inner0 = plot.x0 + 4 + kSingle + kGap;
     const double inner1 = plot.x1 - 4 - kSingle - kGap;
     addBar(picture, {BarKind::Exact, {plot.x0 + 4, plot.y0, plot.x0 + 4 + kSingle, plot.y1}, 0, 0, data.exact, 0});
-    addTick(picture, plot.x0 + 4 + kSingle / 2, "0");
+    addTick(picture, plot.x0 + 4 + kSingle / 2, plainText("0"));
     addBar(picture, {BarKind::Wrong, {plot.x1 - 4 - kSingle, plot.y0, plot.x1 - 4, plot.y1}, 0, 0, data.wrong, 0});
-    chart::text(picture.drawing, {plot.x1 - 4 - kSingle / 2, plot.y1}, Message(MessageId::DrawChartWrongBar),
-                Anchor::Top, {0, chart::kTick + 1});
+    const Message wrong(MessageId::DrawChartWrongBar);
+    addTick(picture, plot.x1 - 4 - kSingle / 2, wrong);
     const std::size_t bins = data.before.size();
     if (bins == 0 || inner1 <= inner0) return picture;
     const double side = (inner1 - inner0) / static_cast<double>(bins);
@@ -167,13 +149,11 @@ HistogramPicture errorHistogram(const FrameHistograms& data, const Box& room) {
                          data.behind[b],
                          b});
     }
-    constexpr double kApart = 24;
-    const double decade = side * FrameHistograms::kErrorBins;
-    const int every = std::max(1, static_cast<int>(std::ceil(kApart / decade)));
-    constexpr double kWord = 16;  // of the bar beside it
-    for (int n = 0; n * decade <= inner1 - inner0 - kWord; n += every) {
-        addTick(picture, inner0 + n * decade, powerOfTen(data.lowDecade + n));
-    }
+    // As far as the word of the bar beside it.
+    const double end = std::min(inner1, plot.x1 - 4 - kSingle / 2 - chart::widthOf(wrong) / 2 - 9);
+    const double decades = (end - inner0) / (side * FrameHistograms::kErrorBins);
+    chart::Axes(picture.drawing, plot, room)
+        .below({double(data.lowDecade), data.lowDecade + decades, inner0, end, chart::Numbers::Powers});
     return picture;
 }
 
@@ -208,10 +188,6 @@ Rooms rooms(ChartsShown shown, double width, double height) {
     return out;
 }
 
-void append(Drawing& to, const Drawing& from) {
-    to.items.insert(to.items.end(), from.items.begin(), from.items.end());
-}
-
 }  // namespace
 
 ChartsPicture chartsPicture(const ChartsSource& source, double width, double height) {
@@ -221,51 +197,28 @@ ChartsPicture chartsPicture(const ChartsSource& source, double width, double hei
     if (!where.pareto.empty()) {
         if (source.pareto) {
             picture.pareto = paretoPicture(*source.pareto, where.pareto);
-            append(picture.drawing, picture.pareto->drawing);
+            picture.drawing.append(picture.pareto->drawing);
         } else {
-            chart::text(picture.drawing, where.pareto.center(), Message(source.missing), Anchor::Center, {});
+            chart::text(picture.drawing, where.pareto.center(), Message(source.missing), Anchor::Center);
         }
     }
     if (!where.steps.empty() && source.histograms) {
         picture.steps = stepsHistogram(*source.histograms, source.chosenSteps, where.steps);
         picture.errors = errorHistogram(*source.histograms, where.errors);
-        append(picture.drawing, picture.steps->drawing);
-        append(picture.drawing, picture.errors->drawing);
+        picture.drawing.append(picture.steps->drawing);
+        picture.drawing.append(picture.errors->drawing);
     }
     return picture;
 }
 
 Drawing chartsLegend(const ChartsSource& source, double width, relief::Language language) {
-    Drawing pareto;
-    if (source.pareto && source.shown != ChartsShown::Histograms) {
-        pareto = paretoLegend(*source.pareto, width, language);
-    }
-    if (source.shown == ChartsShown::Pareto || !source.histograms) return pareto;
     LegendRows rows(width, language);
-    const auto entry = [&](Role role, MessageId what) {
-        const Message text(what);
-        const Point at = rows.place(LegendRows::kSign + rows.textRoom(text) + LegendRows::kBetween);
-        const Box box{at.x, at.y - 4, at.x + 9, at.y + 4};
-        rows.add(role, Rectangle{box, true, 0, 0}, {}, role == Role::Overshoot ? Emphasis::Normal : Emphasis::Strong);
-        if (role == Role::Overshoot) rows.add(role, Hatch{box});
-        rows.text({at.x + LegendRows::kSign, at.y}, text);
-    };
-    entry(Role::Layer, MessageId::DrawChartShort);
-    entry(Role::Overshoot, MessageId::DrawChartPast);
-    Drawing own = rows.take();
-    if (pareto.items.empty()) return own;
-    // Below the chart's.
-    const double below = pareto.bounds.y1;
-    for (Item& item : own.items) {
-        if (auto* box = std::get_if<Rectangle>(&item.primitive)) box->box.y0 += below, box->box.y1 += below;
-        if (auto* hatch = std::get_if<Hatch>(&item.primitive)) hatch->box.y0 += below, hatch->box.y1 += below;
-        if (auto* label = std::get_if<Label>(&item.primitive)) label->at.y += below;
-    }
-    append(pareto, own);
-    Box lower = own.bounds;
-    lower.y0 += below, lower.y1 += below;
-    pareto.bounds = pareto.bounds.joined(lower);
-    return pareto;
+    if (source.pareto && source.shown != ChartsShown::Histograms) addParetoLegend(rows, *source.pareto);
+    if (source.shown == ChartsShown::Pareto || !source.histograms) return rows.take();
+    rows.newRow();
+    rows.swatch(Role::Layer, Message(MessageId::DrawChartShort));
+    rows.swatch(Role::Overshoot, Message(MessageId::DrawChartPast), {}, true);
+    return rows.take();
 }
 
 ChartsReading chartsReading(const ChartsPicture& picture, Point at) {

@@ -39,7 +39,8 @@ struct HistogramPicture {
 
     // The lower side lies below one ray, so that one is seen.
     static constexpr double kCountLow = -0.35;
-    double yAt(std::int64_t rays) const;
+    chart::Scale counts() const { return {kCountLow, countHigh, plot.y1, plot.y0, chart::Numbers::Powers}; }
+    double yAt(std::int64_t rays) const { return rays > 0 ? counts().at(static_cast<double>(rays)) : plot.y1; }
 };
 // chosen: of the pixel's ray, marked; 0: none.
 HistogramPicture stepsHistogram(const relief::FrameHistograms& data, std::int64_t chosen, const Box& room);

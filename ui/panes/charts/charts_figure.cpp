@@ -7,20 +7,16 @@
 namespace reliefui {
 
 std::shared_ptr<const Figure> chartsFigure(std::shared_ptr<const ChartsSource> source, FigureCaption caption) {
-    return paintedFigure(
-        [source](QPainter& painter, const Box& page, const Style& style) {
-            const double unit = style.pixelsPerPoint();
-            const Drawing legend = chartsLegend(*source, page.width() / unit - kFigureMargins, style.language);
-            const Box room = figureRoom(legend, page, style);
-            const ChartsPicture picture = chartsPicture(*source, room.width() / unit, room.height() / unit);
-            paintFigure(painter, {&picture.drawing}, legend, page, style);
-        },
-        std::move(caption),
-        [source](const FigurePage&) {
-            constexpr double kPareto = 0.68;  // names beside their marks
-            constexpr double kAll = 0.95;     // and histograms below
-            return source->shown == ChartsShown::Pareto ? kPareto : kAll;
-        });
+    const auto legend = [source](double width, relief::Language language) {
+        return chartsLegend(*source, width, language);
+    };
+    const auto layers = [source](double width, double height, const Style&) {
+        return std::vector{chartsPicture(*source, width, height).drawing};
+    };
+    constexpr double kPareto = 0.68;  // names beside their marks
+    constexpr double kAll = 0.95;     // and histograms below
+    const double aspect = source->shown == ChartsShown::Pareto ? kPareto : kAll;
+    return chartFigure({legend, layers, aspect, aspect - 0.1}, std::move(caption));
 }
 
 std::shared_ptr<const Figure> measuredCharts(std::shared_ptr<const Snapshot> snapshot, const std::string& error) {

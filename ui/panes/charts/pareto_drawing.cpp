@@ -4,10 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "painting/axis_ticks.h"
-#include "painting/chart_parts.h"
-#include "painting/legend_rows.h"
-
 namespace reliefui {
 
 namespace {
@@ -16,10 +12,7 @@ using relief::Message;
 using relief::MessageId;
 using relief::ParetoPoint;
 
-constexpr double kLeft = 44;  // margins, points
-constexpr double kRight = 12;
-constexpr double kTop = 32;
-constexpr double kBottom = 34;
+constexpr double kTop = 32;  // points, above the plot
 constexpr double kMarkSize = 9;
 constexpr double kReach = 9;  // of a click
 
@@ -58,52 +51,26 @@ void setRanges(ParetoFrame& frame, const ParetoSource& source) {
     frame.errorHigh = std::max(std::ceil(errorHigh + kHeadroom), frame.errorLow + 1);
 }
 
-void addTimeAxis(Drawing& drawing, const ParetoFrame& frame, double bottom) {
-    constexpr double kApart = 34;
-    const double decade = frame.plot.width() / (frame.timeHigh - frame.timeLow);
-    // 1, 2, 5 where there is room for them; else powers of ten, as many as can be read.
-    const bool fine = decade * std::log10(2.0) >= kApart;
-    const int every = fine ? 1 : std::max(1, static_cast<int>(std::ceil(kApart / decade)));
-    for (int n = static_cast<int>(std::floor(frame.timeLow)); n <= static_cast<int>(frame.timeHigh); ++n) {
-        if (n % every != 0) continue;
-        for (const double factor : {1.0, 2.0, 5.0}) {
-            if (!fine && factor > 1) break;
-            const double value = factor * std::pow(10.0, n);
-            const double x = frame.xAt(value);
-            if (x < frame.plot.x0 - 0.5 || x > frame.plot.x1 + 0.5) continue;
-            chart::line(drawing, {x, frame.plot.y0}, {x, bottom}, Role::Grid);
-            chart::line(drawing, {x, bottom}, {x, bottom + chart::kTick});
-            chart::text(drawing, {x, bottom}, plainText(tickText(value, value)), Anchor::Top, {0, chart::kTick + 1});
-        }
-    }
-    chart::text(drawing, {frame.plot.x1, bottom}, Message(MessageId::DrawChartTime), Anchor::Right,
-                {0, chart::kTick + 21});
-}
-
-void addErrorAxis(Drawing& drawing, const ParetoFrame& frame) {
-    constexpr double kApart = 17;
-    const double range = frame.errorHigh - frame.errorLow;
-    const int every = std::max(1, static_cast<int>(std::ceil(range * kApart / frame.plot.height())));
-    for (int n = static_cast<int>(frame.errorHigh); n >= static_cast<int>(frame.errorLow); n -= every) {
-        chart::side(drawing, frame.plot, frame.yAt(std::pow(10.0, n)), powerOfTen(n));
-    }
-}
-
 Drawing axes(const ParetoSource& source, const ParetoFrame& frame) {
     Drawing drawing;
     drawing.bounds = frame.whole;
-    chart::text(drawing, {frame.whole.x0, frame.plot.y0}, Message(measureTitle(source.measure)), Anchor::BottomLeft,
-                {2, -4});
-    const double bottom = frame.whole.y1 - kBottom;
-    addTimeAxis(drawing, frame, bottom);
-    addErrorAxis(drawing, frame);
-    chart::line(drawing, {frame.plot.x0, frame.plot.y0}, {frame.plot.x0, frame.plot.y1});
-    chart::line(drawing, {frame.plot.x0, frame.plot.y1}, {frame.plot.x1, frame.plot.y1});
-    if (frame.zeros) {
-        chart::line(drawing, {frame.plot.x0, frame.plot.y1 + 3}, {frame.plot.x0, bottom});
-        chart::line(drawing, {frame.plot.x0, bottom}, {frame.plot.x1, bottom});
-        chart::side(drawing, frame.plot, frame.zero, "0");
+    const chart::Axes errors(drawing, frame.plot, frame.whole);
+    errors.corner(Message(measureTitle(source.measure)));
+    // Below the methods without any error.
+    Box all = frame.plot;
+    all.y1 = std::max(frame.whole.y1 - chart::kBottom, all.y1);
+    for (const chart::Tick& tick : chart::ticks(frame.times(), chart::Side::Below)) {
+        chart::line(drawing, {tick.at, all.y0}, {tick.at, all.y1}, Role::Grid);
     }
+    chart::Axes(drawing, all, frame.whole).below(frame.times(), Message(MessageId::DrawChartTime));
+    errors.left(frame.errors(), true);
+    errors.sides();
+    if (!frame.zeros) return drawing;
+    chart::line(drawing, {all.x0, frame.plot.y1 + 3}, {all.x0, all.y1});
+    chart::line(drawing, {all.x0, all.y1}, {all.x1, all.y1});
+    chart::line(drawing, {all.x0, frame.zero}, {all.x1, frame.zero}, Role::Grid);
+    chart::line(drawing, {all.x0 - chart::kTick, frame.zero}, {all.x0, frame.zero});
+    chart::text(drawing, {all.x0, frame.zero}, plainText("0"), Anchor::Right, {-chart::kTick - 2, 0});
     return drawing;
 }
 
@@ -179,7 +146,7 @@ class Names {
     bool free(const ParetoMark& own, const Box& box) const {
         const ParetoFrame& frame = picture_.frame;
         if (box.x0 < frame.plot.x0 + 2 || box.x1 > frame.whole.x1 || box.y0 < frame.plot.y0 ||
-            box.y1 > frame.whole.y1 - kBottom) {
+            box.y1 > frame.whole.y1 - chart::kBottom) {
             return false;
         }
         for (const ParetoMark& mark : picture_.marks) {
@@ -276,31 +243,26 @@ Message paretoTitle(const relief::ParetoTable& table) {
                                               {"elevation", degreesText(table.elevations.front())}});
 }
 
-double ParetoFrame::xAt(double nanoseconds) const {
-    return plot.x0 + (std::log10(nanoseconds) - timeLow) / (timeHigh - timeLow) * plot.width();
-}
-
 double ParetoFrame::yAt(double texels) const {
     if (texels == 0) return zero;
     // No number: no ray hits where `exact` does.
     if (!std::isfinite(texels)) return plot.y0;
-    return plot.y1 - (std::log10(texels) - errorLow) / (errorHigh - errorLow) * plot.height();
+    return errors().at(texels);
 }
 
 ParetoFrame paretoFrame(const ParetoSource& source, const Box& room) {
-    constexpr double kLeastSide = 20;
     constexpr double kMostZeroRoom = 0.42;  // of the plot
     ParetoFrame frame;
     frame.whole = room;
     setRanges(frame, source);
-    const double right = std::max(room.x1 - kRight, room.x0 + kLeft + kLeastSide);
-    const double bottom = std::max(room.y1 - kBottom, room.y0 + kTop + kLeastSide);
+    frame.plot = chart::plotIn(room, {.top = kTop});
+    const double bottom = frame.plot.y1;
     std::size_t zeros = 0;
     for (const ParetoPoint& point : source.table.points) zeros += point.errorOf(source.measure) == 0 ? 1 : 0;
     // Their names need room above and below them.
     const double wanted = zeros == 0 ? 0 : 24 + 12.0 * static_cast<double>(zeros - 1);
-    const double below = std::min(wanted, kMostZeroRoom * (bottom - room.y0 - kTop));
-    frame.plot = {room.x0 + kLeft, room.y0 + kTop, right, bottom - below};
+    const double below = std::min(wanted, kMostZeroRoom * frame.plot.height());
+    frame.plot.y1 = bottom - below;
     frame.zero = bottom - below / 2;
     return frame;
 }
@@ -338,37 +300,21 @@ ParetoPicture paretoPicture(const ParetoSource& source, const Box& room) {
     return picture;
 }
 
-Drawing paretoLegend(const ParetoSource& source, double width, relief::Language language) {
-    LegendRows rows(width, language);
-    const auto entry = [&](Role role, const Primitive& sign, MessageId what) {
-        const Message text(what);
-        const Point at = rows.place(LegendRows::kSign + rows.textRoom(text) + LegendRows::kBetween);
-        Primitive own = sign;
-        const Point middle{at.x + 5, at.y};
-        if (auto* marker = std::get_if<Marker>(&own)) marker->at = middle;
-        if (auto* ring = std::get_if<Ring>(&own)) ring->center = middle;
-        rows.add(role, own);
-        rows.text({at.x + LegendRows::kSign, at.y}, text);
-    };
+void addParetoLegend(LegendRows& rows, const ParetoSource& source) {
     rows.line(Role::Series, Message(MessageId::DrawChartFront));
-    entry(Role::Layer, Marker{{}, Shape::Dot, 0.75 * kMarkSize}, MessageId::DrawChartDominated);
+    rows.sign(Role::Layer, Marker{{}, Shape::Dot, 0.75 * kMarkSize}, Message(MessageId::DrawChartDominated));
     const auto& points = source.table.points;
     if (std::any_of(points.begin(), points.end(), [](const ParetoPoint& p) { return p.wrongOutcome > 0; })) {
-        entry(Role::Layer, Marker{{}, Shape::Diamond, 0.8 * kMarkSize}, MessageId::DrawChartWrong);
+        rows.sign(Role::Layer, Marker{{}, Shape::Diamond, 0.8 * kMarkSize}, Message(MessageId::DrawChartWrong));
     }
-    if (!source.current.empty()) entry(Role::Hit, Ring{{}, 4.5}, MessageId::DrawChartCurrent);
-    const auto words = [&](const Message& message) {
-        rows.text(rows.place(rows.textRoom(message) + LegendRows::kBetween), message);
-    };
+    if (!source.current.empty()) rows.sign(Role::Hit, Ring{{}, 4.5}, Message(MessageId::DrawChartCurrent));
     if (!source.table.leftOut.empty()) {
-        words(Message(MessageId::DrawChartLeftOut, {{"methods", joined(source.table.leftOut)}}));
+        rows.words(Message(MessageId::DrawChartLeftOut, {{"methods", joined(source.table.leftOut)}}));
     }
-    if (!source.table.cpu.empty()) {
-        words(Message(
-            MessageId::DrawChartMachine,
-            {{"cpu", source.table.cpu}, {"threads", source.table.threads}, {"compiler", source.table.compiler}}));
-    }
-    return rows.take();
+    if (source.table.cpu.empty()) return;
+    rows.words(
+        Message(MessageId::DrawChartMachine,
+                {{"cpu", source.table.cpu}, {"threads", source.table.threads}, {"compiler", source.table.compiler}}));
 }
 
 std::optional<std::size_t> paretoPointAt(const ParetoPicture& picture, Point at) {

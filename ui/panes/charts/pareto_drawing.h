@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "measuring/bench/pareto.h"
-#include "painting/drawing.h"
+#include "painting/chart.h"
+#include "painting/legend_rows.h"
 
 namespace reliefui {
 
@@ -32,7 +33,9 @@ struct ParetoFrame {
     double errorLow = 0;
     double errorHigh = 1;
 
-    double xAt(double nanoseconds) const;
+    chart::Scale times() const { return {timeLow, timeHigh, plot.x0, plot.x1, chart::Numbers::Decades}; }
+    chart::Scale errors() const { return {errorLow, errorHigh, plot.y1, plot.y0, chart::Numbers::Powers}; }
+    double xAt(double nanoseconds) const { return times().at(nanoseconds); }
     double yAt(double texels) const;
 };
 ParetoFrame paretoFrame(const ParetoSource& source, const Box& room);
@@ -53,7 +56,7 @@ struct ParetoPicture {
 ParetoPicture paretoPicture(const ParetoSource& source, const Box& room);
 
 // What the marks are, and where it was measured.
-Drawing paretoLegend(const ParetoSource& source, double width, relief::Language language);
+void addParetoLegend(LegendRows& rows, const ParetoSource& source);
 
 // The point whose mark or name is there.
 std::optional<std::size_t> paretoPointAt(const ParetoPicture& picture, Point at);

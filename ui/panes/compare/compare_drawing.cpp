@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "painting/chart_parts.h"
+#include "painting/chart.h"
 #include "painting/legend_rows.h"
 
 namespace reliefui {
@@ -24,42 +24,13 @@ std::string figures(double value) {
     return relief::numberText(value, 3);
 }
 
-std::vector<std::string> split(const std::string& text) {
-    constexpr std::string_view kPoint = " · ";
-    std::vector<std::string> parts;
-    std::size_t from = 0;
-    while (true) {
-        const std::size_t to = text.find(kPoint, from);
-        parts.push_back(text.substr(from, to - from));
-        if (to == std::string::npos) return parts;
-        from = to + kPoint.size();
-    }
-}
-
-// Between words, where it is too wide.
-std::vector<std::string> broken(const std::string& text, double width) {
-    std::vector<std::string> out{text};
-    while (textWidth(out.back()) > width) {
-        const std::string whole = out.back();
-        std::size_t at = whole.rfind(' ');
-        while (at != std::string::npos && at > 0 && textWidth(whole.substr(0, at)) > width) {
-            const std::size_t before = whole.rfind(' ', at - 1);
-            if (before == std::string::npos) break;
-            at = before;
-        }
-        if (at == std::string::npos || at == 0) break;
-        out.back() = whole.substr(0, at);
-        out.push_back(whole.substr(at + 1));
-    }
-    return out;
-}
-
 // The numbers in as many lines as it takes.
 std::vector<std::string> lines(const std::vector<std::string>& numbers, double width) {
     std::vector<std::string> out;
+    const auto textOf = [](const std::string& line) { return textWidth(line); };
     for (const std::string& number : numbers) {
         if (out.empty() || textWidth(out.back() + kBetween + number) > width) {
-            for (std::string& line : broken(number, width)) out.push_back(std::move(line));
+            for (std::string& line : wrappedText(number, width, textOf)) out.push_back(std::move(line));
         } else {
             out.back() += kBetween + number;
         }
@@ -98,12 +69,8 @@ Grid gridOf(const CompareSource& source, double width, double height, relief::La
 
 void add(Drawing& drawing, Point at, std::string text, double size, Anchor anchor, Role role,
          Emphasis emphasis = Emphasis::Normal) {
-    Label label;
-    label.at = at;
-    label.text = plainText(std::move(text));
-    label.anchor = anchor;
-    label.size = size;
-    drawing.add({}, role, std::move(label), emphasis);
+    drawing.add({}, role, Label{.at = at, .text = plainText(std::move(text)), .anchor = anchor, .size = size},
+                emphasis);
 }
 
 void addTitle(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
@@ -130,13 +97,12 @@ void addNumbers(Drawing& drawing, const CompareTile& tile, const Box& box, relie
 void addMissing(Drawing& drawing, const CompareTile& tile, const Box& room) {
     const std::optional<Message>& text = tile.veiled ? tile.pending : tile.missing;
     if (!text) return;
-    Label label;
-    label.at = room.center();
-    label.text = *text;
-    label.anchor = Anchor::Center;
-    label.size = tile.veiled ? 1 : chart::kTextSize;
-    label.plate = tile.veiled;
-    drawing.add({}, tile.veiled ? Role::Background : Role::Label, std::move(label));
+    drawing.add({}, tile.veiled ? Role::Background : Role::Label,
+                Label{.at = room.center(),
+                      .text = *text,
+                      .anchor = Anchor::Center,
+                      .size = chart::fittingSize(chart::widthOf(*text), room.width() - 4),
+                      .plate = tile.veiled});
 }
 
 CompareLayout tiled(const CompareSource& source, double width, double height, relief::Language language) {
@@ -197,15 +163,14 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
     for (std::size_t n = 0; n < count; ++n) {
         const Box& clip = layout.clips[n];
         if (clip.empty()) continue;
-        Label label;
-        label.at = {clip.x0, room.y0};
-        label.text =
-            plainText(clip.width() > textWidth(source.tiles[n].name, 1) + 14 ? source.tiles[n].name
-                                                                             : source.tiles[n].name.substr(0, 1));
-        label.anchor = Anchor::TopLeft;
-        label.offset = {5, 5};
-        label.plate = true;
-        layout.drawing.add({}, Role::Background, std::move(label), Emphasis::Strong);
+        const std::string& name = source.tiles[n].name;
+        layout.drawing.add({}, Role::Background,
+                           Label{.at = {clip.x0, room.y0},
+                                 .text = plainText(clip.width() > textWidth(name, 1) + 14 ? name : name.substr(0, 1)),
+                                 .anchor = Anchor::TopLeft,
+                                 .offset = {5, 5},
+                                 .plate = true},
+                           Emphasis::Strong);
         if (n == 0 || source.mode != CompareMode::Swipe) continue;
         const ItemId id{ItemKind::Layer, 0, static_cast<std::int64_t>(n), 0};
         layout.drawing.add(id, Role::Highlight, Polyline{{{clip.x0, room.y0}, {clip.x0, room.y1}}, false});
@@ -235,7 +200,7 @@ void addScale(LegendRows& rows, const CompareSource& source) {
 std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Language language) {
     std::vector<std::string> numbers;
     const auto say = [&](const Message& message) {
-        for (std::string& part : split(relief::sentence(message, language))) numbers.push_back(std::move(part));
+        for (std::string& part : textParts(relief::sentence(message, language))) numbers.push_back(std::move(part));
     };
     if (tile.pending) {
         say(*tile.pending);
@@ -294,28 +259,7 @@ Drawing compareLegend(const CompareSource& source, double width, relief::Languag
         source.rays > 0 ? Message(filters ? MessageId::DrawCompareFiltersAgainst : MessageId::DrawCompareAgainst,
                                   {{"reference", source.reference}, {"rays", source.rays}, {"rounds", source.rounds}})
                         : Message(MessageId::DrawCompareColors, {{"reference", source.reference}});
-    // Sentence by sentence, where all of it does not fit into a row.
-    const std::string all = relief::sentence(note, language);
-    if (rows.textRoom(note) <= width) {
-        rows.text(rows.place(rows.textRoom(note)), note);
-        return rows.take();
-    }
-    std::string line;
-    const auto put = [&] {
-        if (line.empty()) return;
-        const Message part = plainText(line);
-        rows.text(rows.place(std::max(rows.textRoom(part), 0.7 * width)), part);
-        line.clear();
-    };
-    std::size_t from = 0;
-    while (from < all.size()) {
-        const std::size_t to = std::min(all.find(' ', from), all.size());
-        const std::string word = all.substr(from, to - from);
-        if (!line.empty() && rows.textRoom(plainText(line + ' ' + word)) > width) put();
-        line += (line.empty() ? "" : " ") + word;
-        from = to + 1;
-    }
-    put();
+    rows.wrapped(note);
     return rows.take();
 }
 

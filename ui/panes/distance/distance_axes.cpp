@@ -3,9 +3,10 @@
 
 #include <QCoreApplication>
 
-#include "painting/axis_ticks.h"
+#include "painting/chart.h"
 #include "painting/legend_rows.h"
 #include "panes/distance/distance_drawing.h"
+#include "scenario/step_sentence.h"
 
 namespace reliefui {
 
@@ -17,21 +18,6 @@ using relief::MessageId;
 class DistanceText {
     Q_DECLARE_TR_FUNCTIONS(reliefui::DistanceText)
 };
-
-constexpr double kTextSize = 0.8;
-constexpr double kTick = 3;  // points
-constexpr double kNumberRoom = 34;
-
-void addText(Drawing& drawing, Point at, Message text, Anchor anchor, Point offset, bool yields = false) {
-    Label label;
-    label.at = at;
-    label.text = std::move(text);
-    label.anchor = anchor;
-    label.size = kTextSize;
-    label.offset = offset;
-    label.yields = yields;
-    drawing.add({}, Role::Legend, std::move(label));
-}
 
 Message titleOf(const DistancePicture& picture, relief::Language language) {
     const DistanceFrame& frame = picture.frame;
@@ -59,39 +45,28 @@ void addDistanceAxes(DistancePicture& picture, relief::Language language) {
     const Box& plot = frame.plot;
     const bool level = frame.axis == SliceAxis::Z;
     drawing.add({}, Role::Frame, Rectangle{plot, false, -0.5, 0});
-    const auto tick = [&](Point from, Point to) { drawing.add({}, Role::Frame, Polyline{{from, to}, false}); };
-    const Message upwards = level ? Message(MessageId::DrawAxisY)
-                                  : Message(MessageId::DrawHeightAxis, {{"texels", relief::numberText(frame.slab, 3)}});
-    addText(drawing, {plot.x0, plot.y0}, upwards, Anchor::BottomLeft, {kTick - kNumberRoom + 2, -7}, true);
-    const Message across(frame.axis == SliceAxis::X ? MessageId::DrawAxisY : MessageId::DrawAxisX);
-    if (lowPane(frame)) {
-        addText(drawing, {plot.x1, plot.y1}, across, Anchor::Right, {0, kTick + 6});
-    } else {
-        addText(drawing, {plot.center().x, plot.y1}, across, Anchor::Top, {0, kTick + 13});
+    const chart::Axes axes(drawing, plot, frame.whole);
+    axes.corner(level ? Message(MessageId::DrawAxisY)
+                      : Message(MessageId::DrawHeightAxis, {{"texels", relief::numberText(frame.slab, 3)}}));
+    axes.below({frame.window.x0, frame.window.x1, plot.x0, plot.x1},
+               Message(frame.axis == SliceAxis::X ? MessageId::DrawAxisY : MessageId::DrawAxisX));
+    chart::Scale upwards{frame.window.y0, frame.window.y1, plot.y0, plot.y1};
+    if (!level) {
+        // Of heights, what the window shows of them.
+        const double slab = std::max(frame.slab, 1e-9);
+        upwards.low = std::max(0.0, 1 - frame.window.y1 / slab);
+        upwards.high = std::min(1.0, 1 - frame.window.y0 / slab);
+        upwards.from = frame.at(Point{0, (1 - upwards.low) * frame.slab}).y;
+        upwards.to = frame.at(Point{0, (1 - upwards.high) * frame.slab}).y;
     }
-    const double stepU = niceStep(frame.window.width(), plot.width() / 52);
-    for (const double u : ticks(frame.window.x0, frame.window.x1, stepU)) {
-        const double x = frame.at(Point{u, 0}).x;
-        tick({x, plot.y1}, {x, plot.y1 + kTick});
-        addText(drawing, {x, plot.y1}, plainText(tickText(u, stepU)), Anchor::Top, {0, kTick + 1}, true);
-    }
-    // Of heights, what the window shows of them.
-    const double slab = std::max(frame.slab, 1e-9);
-    const double low = level ? frame.window.y0 : std::max(0.0, 1 - frame.window.y1 / slab);
-    const double high = level ? frame.window.y1 : std::min(1.0, 1 - frame.window.y0 / slab);
-    const double stepV = niceStep(std::max(high - low, 1e-9), plot.height() / 22);
-    for (const double v : ticks(low, high, stepV)) {
-        const double y = frame.at(Point{0, level ? v : (1 - v) * frame.slab}).y;
-        tick({plot.x0 - kTick, y}, {plot.x0, y});
-        addText(drawing, {plot.x0, y}, plainText(tickText(v, stepV)), Anchor::Right, {-kTick - 2, 0}, true);
-    }
-    Label title;
-    title.at = {plot.x1, plot.y0};
-    title.text = titleOf(picture, language);
-    title.anchor = Anchor::Right;
-    title.size = 0.85;
-    title.offset = {0, -9};
-    drawing.add({}, Role::Title, std::move(title), Emphasis::Strong);
+    axes.left(upwards);
+    drawing.add({}, Role::Title,
+                Label{.at = {plot.x1, plot.y0},
+                      .text = titleOf(picture, language),
+                      .anchor = Anchor::Right,
+                      .size = chart::kTextSize,
+                      .offset = {0, -9}},
+                Emphasis::Strong);
 }
 
 namespace {
@@ -104,22 +79,14 @@ Message barName(const DistancePicture& picture) {
                    {{"first", picture.kind}, {"second", picture.minus}});
 }
 
-void addPatch(LegendRows& rows, Role role, const Message& name, bool hatched) {
-    const Point at = rows.place(LegendRows::kSign + 2 + rows.textRoom(name) + LegendRows::kBetween);
-    const Box box{at.x, at.y - 5, at.x + 12, at.y + 5};
-    Cells patch;
-    auto value = std::make_shared<relief::FloatImage>(1, 1);
-    (*value)(0, 0) = role == Role::Tested ? relief::StoredValues::kSurface : std::numeric_limits<float>::quiet_NaN();
-    patch.values = std::move(value);
-    patch.x = box.x0;
-    patch.y = box.y0;
+// In the colours of a mark of the map.
+void addPatch(LegendRows& rows, float mark, MessageId name) {
+    const Box box{-5, -5, 7, 5};
+    Cells patch = colorBar(box, ColorMap::Distance);
+    patch.values = std::make_shared<const relief::FloatImage>(1, 1, mark);
     patch.cellWidth = box.width();
-    patch.cellHeight = box.height();
-    patch.clip = box;
-    patch.map = ColorMap::Distance;
-    rows.add(role, patch);
-    if (hatched) rows.add(Role::Background, Hatch{box});
-    rows.text({at.x + LegendRows::kSign + 2, at.y}, name);
+    const Point at = rows.sign(Role::HeightFill, patch, Message(name), {}, Emphasis::Normal, LegendRows::kSign + 2);
+    if (std::isnan(mark)) rows.add(Role::Background, Hatch{box.moved(at)});
 }
 
 }  // namespace
@@ -151,8 +118,8 @@ Drawing distanceLegend(const DistanceSource& source, const DistancePicture& pict
         buried = buried || std::isnan(value);
         surface = surface || (picture.minus.empty() && value < 0);
     }
-    if (surface) addPatch(rows, Role::Tested, Message(MessageId::DrawSurfaceVoxel), false);
-    if (buried) addPatch(rows, Role::HeightFill, Message(MessageId::DrawBuried), true);
+    if (surface) addPatch(rows, relief::StoredValues::kSurface, MessageId::DrawSurfaceVoxel);
+    if (buried) addPatch(rows, std::numeric_limits<float>::quiet_NaN(), MessageId::DrawBuried);
     if (picture.isoStep > 0) {
         rows.line(Role::IsoLine, Message(MessageId::DrawIsoLines, {{"step", relief::numberText(picture.isoStep, 3)}}));
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "painting/axis_ticks.h"
+#include "painting/chart.h"
 #include "painting/iso_lines.h"
 #include "painting/style.h"
 #include "panes/ray_geometry.h"
@@ -16,14 +16,6 @@ using relief::Message;
 using relief::MessageId;
 
 constexpr double kIsoLines = 8;  // at most that many
-
-// How many periods before and after the first one are seen.
-std::pair<int, int> periodsSeen(double low, double high, double start, double period, bool wraps) {
-    if (!wraps) return {0, 0};
-    constexpr double kRounding = 1e-9;
-    return {static_cast<int>(std::floor((low - start) / period + kRounding)),
-            static_cast<int>(std::ceil((high - start) / period - kRounding)) - 1};
-}
 
 void addCells(DistancePicture& picture, const DistanceSource& source) {
     const MapSlice& slice = picture.slice;
@@ -45,18 +37,17 @@ void addCells(DistancePicture& picture, const DistanceSource& source) {
             if (part.empty()) continue;
             const Point low = frame.at(Point{part.x0, part.y0});
             const Point high = frame.at(Point{part.x1, part.y1});
-            Cells cells;
-            cells.values = slice.values;
             const Point origin = frame.at(start);
-            cells.x = origin.x;
-            cells.y = origin.y;
-            cells.cellWidth = slice.cellWidth * frame.scale;
-            cells.cellHeight = slice.cellHeight * frame.scale;
-            cells.clip = {low.x, low.y, high.x, high.y};
-            cells.map = picture.values.map;
-            cells.scale = picture.values.scale;
-            cells.print = true;
-            picture.drawing.add({ItemKind::Level, 0, 0, 0}, Role::HeightFill, std::move(cells));
+            picture.drawing.add({ItemKind::Level, 0, 0, 0}, Role::HeightFill,
+                                Cells{.values = slice.values,
+                                      .x = origin.x,
+                                      .y = origin.y,
+                                      .cellWidth = slice.cellWidth * frame.scale,
+                                      .cellHeight = slice.cellHeight * frame.scale,
+                                      .clip = {low.x, low.y, high.x, high.y},
+                                      .map = picture.values.map,
+                                      .scale = picture.values.scale,
+                                      .print = true});
         }
     }
 }
@@ -149,8 +140,8 @@ IsoValues isoValues(const ColorScale& scale, int coarser) {
         return iso;
     }
     const double low = scale.twoSided ? -scale.high : scale.low;
-    iso.step = niceStep(scale.twoSided ? scale.high : scale.high - low, kIsoLines / (1 << coarser));
-    iso.values = ticks(low, scale.high, iso.step);
+    iso.step = chart::niceStep(scale.twoSided ? scale.high : scale.high - low, kIsoLines / (1 << coarser));
+    iso.values = chart::multiples(low, scale.high, iso.step);
     std::erase_if(iso.values, [&](double value) { return std::abs(value) < 1e-6 * iso.step; });
     return iso;
 }
@@ -173,21 +164,19 @@ void addIsoLine(DistancePicture& picture, const IsoLine& line) {
     const bool printed = slice.cellWidth * frame.scale > kPrinted && slice.cellHeight * frame.scale > kPrinted / 2;
     const Rgba ground = Style{}.cell(picture.values.map, line.value, picture.values.scale);
     const LevelTint tint{Style::textOn(ground).r > 128 ? kLightLine : kDarkLine, 2};
-    for (const std::vector<Point>& run : clippedTo(line.points, frame.plot)) {
-        picture.drawing.items.push_back(
-            {{ItemKind::IsoLine, 0, 0, 0}, Role::IsoLine, Emphasis::Normal, Polyline{run, false}, tint});
-    }
+    addLine(picture.drawing, line.points, frame.plot, {ItemKind::IsoLine, 0, 0, 0}, Role::IsoLine, Emphasis::Normal,
+            tint);
     const Point middle = line.points[line.points.size() / 2];
     if (printed || lengthOf(line.points) < kLabelled || !frame.plot.grown(-8).contains(middle)) return;
-    Label label;
-    label.at = middle;
-    label.text =
-        plainText(picture.isoStep > 0 ? tickText(line.value, picture.isoStep) : relief::numberText(line.value, 3));
-    label.anchor = Anchor::Center;
-    label.size = 0.75;
-    label.plate = true;
-    label.yields = true;
-    picture.drawing.add({}, Role::IsoLine, std::move(label));
+    const std::string value =
+        picture.isoStep > 0 ? chart::tickText(line.value, picture.isoStep) : relief::numberText(line.value, 3);
+    picture.drawing.add({}, Role::IsoLine,
+                        Label{.at = middle,
+                              .text = plainText(value),
+                              .anchor = Anchor::Center,
+                              .size = 0.75,
+                              .plate = true,
+                              .yields = true});
 }
 
 void addIsoLines(DistancePicture& picture) {
@@ -308,9 +297,7 @@ void addSurface(Drawing& drawing, const DistanceSource& source, const DistanceFr
     }
     for (std::vector<Point>& line : lines) {
         for (Point& p : line) p = frame.at(p);
-        for (std::vector<Point>& run : clippedTo(line, frame.plot)) {
-            drawing.add({ItemKind::Surface, 0, 0, 0}, Role::Surface, Polyline{std::move(run), false});
-        }
+        addLine(drawing, line, frame.plot, {ItemKind::Surface, 0, 0, 0}, Role::Surface);
     }
 }
 

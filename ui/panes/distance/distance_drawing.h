@@ -66,11 +66,6 @@ struct DistanceFrame {
     Point at(const Place3& place) const { return at(toSlice(axis, slab, place)); }
 };
 
-// Too low for two rows of words below the plot.
-inline bool lowPane(const DistanceFrame& frame) {
-    return frame.whole.height() < 190;
-}
-
 // The slice: made anew with the map, the slice or the room.
 struct DistancePicture {
     DistanceFrame frame;

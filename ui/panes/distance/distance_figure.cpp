@@ -1,5 +1,7 @@
 #include "panes/distance/distance_figure.h"
 
+#include <mutex>
+
 #include "painting/painter.h"
 #include "panes/distance/distance_maps.h"
 #include "panes/figure_caption.h"
@@ -34,25 +36,31 @@ DistancePane paneOf(const DistanceOptions& options) {
 
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                              const DistanceOptions& options, const std::optional<QueryPoint>& point) {
-    return paintedFigure(
-        [snapshot, step, options, point](QPainter& painter, const Box& page, const Style& style) {
+    // Made when it is first drawn.
+    struct Kept {
+        std::once_flag once;
+        DistanceMaps maps;
+        DistanceSource source;
+    };
+    const auto sourceOf = [snapshot, options, point, kept = std::make_shared<Kept>()]() -> const DistanceSource& {
+        std::call_once(kept->once, [&] {
             relief::Work work;
-            const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
-            DistanceSource source = distanceSource(*snapshot, maps);
-            source.point = pointOf(*snapshot, point, work);
-            const double unit = style.pixelsPerPoint();
-            const auto pictureIn = [&](const Box& room) {
-                return distancePicture(source, options, step, room.width() / unit, room.height() / unit,
-                                       style.language);
-            };
-            // What the legend names does not depend on the room.
-            const Drawing legend = distanceLegend(source, pictureIn(figureRoom({}, page, style)),
-                                                  page.width() / unit - kFigureMargins, style.language);
-            const DistancePicture picture = pictureIn(figureRoom(legend, page, style));
-            const Drawing marks = distanceMarks(source, picture.frame, step);
-            paintFigure(painter, {&picture.drawing, &marks}, legend, page, style);
-        },
-        figureCaption(snapshot, step));
+            kept->maps = distanceMaps(*snapshot, options, {}, work);
+            kept->source = distanceSource(*snapshot, kept->maps);
+            kept->source.point = pointOf(*snapshot, point, work);
+        });
+        return kept->source;
+    };
+    const auto legend = [sourceOf, options, step](double width, relief::Language language) {
+        // What it names does not depend on the room.
+        return distanceLegend(sourceOf(), distancePicture(sourceOf(), options, step, width, width / 2, language), width,
+                              language);
+    };
+    const auto layers = [sourceOf, options, step](double width, double height, const Style& style) {
+        const DistancePicture picture = distancePicture(sourceOf(), options, step, width, height, style.language);
+        return std::vector{picture.drawing, distanceMarks(sourceOf(), picture.frame, step)};
+    };
+    return chartFigure({legend, layers}, figureCaption(snapshot, step));
 }
 
 }  // namespace reliefui

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "painting/chart.h"
 #include "panes/ray_geometry.h"
 
 namespace reliefui {
 
 namespace {
 
-// Margins, points.
-constexpr double kLeft = 34;
-constexpr double kRight = 10;
-constexpr double kTop = 19;
-constexpr double kBottom = 29;
-constexpr double kLowBottom = 16;  // of a low pane: one row of words
+constexpr double kLow = 190;  // points: lower panes have one row of words below the plot
 
 // One direction of the window: the ray's stretch and its surroundings, at least `least`, at most `most` around
 // `center`.
@@ -101,11 +97,7 @@ Windows windowOf(const DistanceSource& source, const DistanceOptions& options, c
 }  // namespace
 
 double rayEndOf(const DistanceSource& source) {
-    if (source.hit.outcome == relief::Outcome::Hit) return source.hit.lambda;
-    if (source.steps != nullptr && !source.steps->empty()) {
-        return std::clamp(source.steps->back().lambdaAfter, 0.0, 1.0);
-    }
-    return 1;
+    return rayEnd(source.hit, source.steps);
 }
 
 Place3 placeOnRay(const DistanceSource& source, double lambda) {
@@ -151,7 +143,6 @@ std::optional<double> voxelMiddle(const DistanceSource& source, int step, SliceA
 
 DistanceFrame distanceFrame(const DistanceSource& source, const DistanceOptions& options, int step, double width,
                             double height) {
-    constexpr double kLeastSide = 8;
     DistanceFrame frame;
     frame.slopes = source.first->slopes();
     frame.slab = source.field->slabTexels();
@@ -177,8 +168,7 @@ DistanceFrame distanceFrame(const DistanceSource& source, const DistanceOptions&
     frame.cut = cut[axis];
     frame.sectors = source.first->sectors();
     frame.sector = sectorOf(*source.first, source, options);
-    const Box room{kLeft, kTop, std::max(width - kRight, kLeft + kLeastSide),
-                   std::max(height - (lowPane(frame) ? kLowBottom : kBottom), kTop + kLeastSide)};
+    const Box room = chart::plotIn(frame.whole, {.top = 19, .bottom = chart::bottomOf(height, kLow)});
     const Windows windows = windowOf(source, options, frame, current, room.width() / room.height());
     frame.window = {windows.u.low, windows.v.low, windows.u.high, windows.v.high};
     const double w = std::max(frame.window.width(), 1e-9);

@@ -36,14 +36,11 @@ class Marks {
   private:
     bool known() const { return source_.steps != nullptr && !source_.steps->empty(); }
     const relief::Step& step(std::size_t k) const { return (*source_.steps)[k]; }
-    static ItemId stepId(std::size_t k) { return {ItemKind::Step, 0, static_cast<std::int64_t>(k), 0}; }
     Emphasis emphasis(std::size_t k) const { return k > chosen_ ? Emphasis::Faint : Emphasis::Normal; }
     Point onPlot(double lambda) const { return frame_.at(placeOnRay(source_, lambda)); }
 
     void line(const std::vector<Point>& points, const ItemId& id, Role role, Emphasis strength) {
-        for (std::vector<Point>& run : clippedTo(points, frame_.plot)) {
-            drawing_.add(id, role, Polyline{std::move(run), false}, strength);
-        }
+        addLine(drawing_, points, frame_.plot, id, role, strength);
     }
 
     // --- spheres and cones, where the slice cuts them
@@ -74,36 +71,8 @@ class Marks {
         if (!(std::abs(off) < radius)) return;
         const double cut = std::sqrt(radius * radius - off * off) * frame_.scale;
         const Point at = frame_.at(center);
-        std::vector<Point> circle;
-        std::vector<Point> upper;
-        std::vector<Point> lower;
-        for (int n = 0; n <= kAround; ++n) {
-            const double angle = std::numbers::pi + 2 * std::numbers::pi * n / kAround;
-            circle.push_back({at.x + cut * std::cos(angle), at.y + cut * std::sin(angle)});
-            if (2 * n <= kAround) {
-                upper.push_back(circle.back());
-                lower.push_back({circle.back().x, 2 * at.y - circle.back().y});
-            }
-        }
-        if (strength == Emphasis::Strong) {
-            fill(upper, at.y);
-            fill(lower, at.y);
-        }
-        line(circle, stepId(k), role_, strength);
-        const std::size_t top = static_cast<std::size_t>(kAround) / 4;
-        number(k, circle[top], strength);
-    }
-
-    // What lies between the line (x ascending) and the horizontal at y, in the plot.
-    void fill(const std::vector<Point>& points, double y) {
-        const Box& plot = frame_.plot;
-        Area area;
-        area.base = std::clamp(y, plot.y0, plot.y1);
-        for (const Point& p : points) {
-            if (p.x < plot.x0 || p.x > plot.x1) continue;
-            area.line.push_back({p.x, std::clamp(p.y, plot.y0, plot.y1)});
-        }
-        drawing_.add({}, role_, std::move(area), Emphasis::Faint);
+        addEllipse(drawing_, at, cut, cut, frame_.plot, stepId(k), role_, strength);
+        number(k, {at.x, at.y - cut}, strength);
     }
 
     void cone(std::size_t k, const Place3& over, const StepBody& body, Emphasis strength) {
@@ -152,7 +121,7 @@ class Marks {
         }
         for (const std::vector<Point>& run : runs) {
             if (run.size() < 2) continue;
-            if (strength == Emphasis::Strong) fill(run, frame_.plot.y0);
+            if (strength == Emphasis::Strong) addFill(drawing_, run, frame_.plot.y0, frame_.plot, role_);
             line(run, stepId(k), role_, strength);
         }
         number(k, frame_.at(apex), strength);
@@ -160,14 +129,14 @@ class Marks {
 
     void number(std::size_t k, Point at, Emphasis strength) {
         if (!frame_.plot.contains(at)) return;
-        Label label;
-        label.at = at;
-        label.text = plainText(std::to_string(k + 1));
-        label.anchor = Anchor::Center;
-        label.size = kNumberSize;
-        label.plate = true;
-        label.yields = strength != Emphasis::Strong;
-        drawing_.add({}, role_, std::move(label), strength);
+        drawing_.add({}, role_,
+                     Label{.at = at,
+                           .text = plainText(std::to_string(k + 1)),
+                           .anchor = Anchor::Center,
+                           .size = kNumberSize,
+                           .plate = true,
+                           .yields = strength != Emphasis::Strong},
+                     strength);
     }
 
     // --- the ray, seen along the slice's axis
@@ -217,8 +186,13 @@ class Marks {
         drawing_.add(stepId(k), Role::Highlight, Rectangle{{at.x, at.y, at.x, at.y}, false, 0, 13});
         const StepBody body = stepBody(s);
         if (body) return;
-        Label label{at, plainText(std::to_string(k + 1)), Anchor::Left, kNumberSize, {9, 0}, true, false, {}};
-        drawing_.add({}, roleOf(s.decision), std::move(label), Emphasis::Strong);
+        drawing_.add({}, roleOf(s.decision),
+                     Label{.at = at,
+                           .text = plainText(std::to_string(k + 1)),
+                           .size = kNumberSize,
+                           .offset = {9, 0},
+                           .plate = true},
+                     Emphasis::Strong);
     }
 
     void hit() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "painting/chart.h"
 #include "painting/legend_rows.h"
 #include "panes/ray_geometry.h"
 
@@ -17,18 +18,11 @@ using relief::MessageId;
 // Room for words outside the plot of a profile, in texels of a relief this wide.
 constexpr double kMargin = 0.06;
 
-double rayEnd(const DrawnSource& source) {
-    return source.hit.outcome == relief::Outcome::Hit ? source.hit.lambda : 1;
-}
-
-void addRayFromAbove(Drawing& drawing, const DrawnSource& source, const Box& domain) {
-    const relief::ViewRay& ray = source.ray;
-    const double end = rayEnd(source);
-    const auto at = [&](double lambda) { return Point{ray.s0 + lambda * ray.a, ray.t0 + lambda * ray.b}; };
-    const bool wraps = source.address == relief::Address::Repeat;
-    const std::vector<Segment> pieces = wrapped(Segment{at(0), at(end)}, domain, wraps);
+// The ray in the drawing, from where it enters to where it ends.
+void addRay(Drawing& drawing, const DrawnSource& source, Point from, Point to, const Box& domain) {
+    const std::vector<Segment> pieces = wrapped(Segment{from, to}, domain, source.address == relief::Address::Repeat);
     for (const Segment& piece : pieces) {
-        drawing.add({ItemKind::Ray, 0, 0, 0}, Role::Ray, Polyline{{piece.first, piece.second}, false});
+        drawing.add({ItemKind::Ray, 0, 0, 0}, Role::Ray, Polyline{{piece.first, piece.second}});
     }
     if (pieces.empty()) return;
     drawing.add({ItemKind::Ray, 0, 0, 0}, Role::Start, Marker{pieces.front().first, Shape::Dot, 7});
@@ -53,7 +47,11 @@ DrawnPicture gridPicture(const DrawnSource& source) {
         picture.drawing.add({ItemKind::Texel, 0, source.chosen->first, source.chosen->second}, Role::Highlight,
                             Rectangle{{i, j, i + 1, j + 1}, false, 0, 6}, Emphasis::Strong);
     }
-    if (source.hasRay) addRayFromAbove(picture.drawing, source, picture.body);
+    if (source.hasRay) {
+        const relief::ViewRay& ray = source.ray;
+        const double end = rayEnd(source.hit, nullptr);
+        addRay(picture.drawing, source, {ray.s0, ray.t0}, {ray.s0 + end * ray.a, ray.t0 + end * ray.b}, picture.body);
+    }
     return picture;
 }
 
@@ -81,22 +79,12 @@ std::vector<Point> outline(const DrawnSource& source, const DrawnPicture& pictur
 // Every row is the same, so that the ray's way in (s, height) is the whole truth.
 void addRayFromAside(DrawnPicture& picture, const DrawnSource& source) {
     const relief::ViewRay& ray = source.ray;
-    const double end = rayEnd(source);
+    const double end = rayEnd(source.hit, nullptr);
     const Box& body = picture.body;
-    const auto at = [&](double lambda) { return Point{ray.s0 + lambda * ray.a, body.y0 + lambda * body.height()}; };
-    const bool wraps = source.address == relief::Address::Repeat;
     // Only along the row: a ray that goes down all of the slab does not come in again at the top.
     const double low = body.y0 - body.height();
-    const Box domain{body.x0, low, body.x1, low + 4 * body.height()};
-    const std::vector<Segment> pieces = wrapped(Segment{at(0), at(end)}, domain, wraps);
-    for (const Segment& piece : pieces) {
-        picture.drawing.add({ItemKind::Ray, 0, 0, 0}, Role::Ray, Polyline{{piece.first, piece.second}, false});
-    }
-    if (pieces.empty()) return;
-    picture.drawing.add({ItemKind::Ray, 0, 0, 0}, Role::Start, Marker{pieces.front().first, Shape::Dot, 7});
-    if (source.hit.outcome == relief::Outcome::Hit) {
-        picture.drawing.add({ItemKind::Hit, 0, 0, 0}, Role::Hit, Ring{pieces.back().second, 5});
-    }
+    addRay(picture.drawing, source, {ray.s0, body.y0}, {ray.s0 + end * ray.a, body.y0 + end * body.height()},
+           {body.x0, low, body.x1, low + 4 * body.height()});
 }
 
 DrawnPicture profilePicture(const DrawnSource& source, double aspect) {
@@ -115,25 +103,20 @@ DrawnPicture profilePicture(const DrawnSource& source, double aspect) {
         picture.drawing.add(id, chosen ? Role::Highlight : Role::Layer,
                             Polyline{{{i + 0.04, top}, {i + 0.96, top}}, false},
                             chosen ? Emphasis::Strong : Emphasis::Normal);
-        Label label;
-        label.at = {i + 0.5, top};
-        label.text = plainText(relief::numberText(relief.at(i, 0), 2));
-        label.anchor = Anchor::Bottom;
-        label.size = 0.8;
-        label.offset = {0, -3};
-        label.yields = true;
-        picture.drawing.add({}, Role::Label, std::move(label), chosen ? Emphasis::Strong : Emphasis::Normal);
+        picture.drawing.add({}, Role::Label,
+                            Label{.at = {i + 0.5, top},
+                                  .text = plainText(relief::numberText(relief.at(i, 0), 2)),
+                                  .anchor = Anchor::Bottom,
+                                  .size = 0.8,
+                                  .offset = {0, -3},
+                                  .yields = true},
+                            chosen ? Emphasis::Strong : Emphasis::Normal);
     }
     picture.drawing.add({ItemKind::Surface, 0, 0, 0}, Role::Surface, Polyline{outline(source, picture), false});
     picture.drawing.add({}, Role::Frame, Rectangle{body, false, 0, 0});
     for (const double height : {0.0, 0.5, 1.0}) {
-        Label label;
-        label.at = {body.x0, body.y1 - height * body.height()};
-        label.text = plainText(relief::numberText(height, 2));
-        label.anchor = Anchor::Right;
-        label.size = 0.8;
-        label.offset = {-4, 0};
-        picture.drawing.add({}, Role::Legend, std::move(label));
+        chart::text(picture.drawing, {body.x0, body.y1 - height * body.height()},
+                    plainText(relief::numberText(height, 2)), Anchor::Right, {-4, 0});
     }
     if (source.hasRay) addRayFromAside(picture, source);
     picture.drawing.bounds = body.grown(margin);
@@ -160,8 +143,7 @@ Drawing drawnLegend(const DrawnSource& source, double width, relief::Language la
     if (source.hasRay) {
         rows.line(Role::Ray, source.relief.profile() ? Message(MessageId::DrawRay) : Message(MessageId::DrawDrawnRay));
     }
-    const Message help(MessageId::DrawDrawnHelp);
-    rows.text(rows.place(rows.textRoom(help) + LegendRows::kBetween), help);
+    rows.words(Message(MessageId::DrawDrawnHelp));
     return rows.take();
 }
 

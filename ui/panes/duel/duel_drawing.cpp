@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "painting/chart.h"
 #include "painting/legend_rows.h"
 
 namespace reliefui {
@@ -23,16 +24,15 @@ constexpr double kRing = 6;
 constexpr double kLeastGap = 4;  // between marks
 constexpr double kNameSize = 0.9;
 constexpr double kNumberSize = 0.8;
-constexpr double kLetter = 6.4;      // about the width of one at this size
 constexpr double kMostNames = 0.26;  // of the width
 constexpr double kLeastWidth = 260;  // with names beside the tracks
 
 // Room for the names of the tracks, left of them.
 double namesWidth(const DuelSource& source, double width) {
     if (width < kLeastWidth) return 0;
-    std::size_t letters = 0;
-    for (const relief::DuelRun& run : *source.runs) letters = std::max(letters, run.name.size());
-    return std::min(kLetter * kNameSize * static_cast<double>(letters) + 8, kMostNames * width);
+    double widest = 0;
+    for (const relief::DuelRun& run : *source.runs) widest = std::max(widest, textWidth(run.name, kNameSize));
+    return std::min(widest + 12, kMostNames * width);
 }
 
 double tracksHeight(const DuelSource& source) {
@@ -70,11 +70,8 @@ class DuelMarks {
         return std::clamp(room / static_cast<double>(std::max<std::size_t>(source_.count(), 1)), 1.0, kTrack);
     }
     double trackY(std::size_t r) const { return kAboveTracks + (static_cast<double>(r) + 0.5) * spacing(); }
-    static ItemId stepId(std::size_t r, std::size_t k) {
-        return {ItemKind::Step, static_cast<int>(r), static_cast<std::int64_t>(k), 0};
-    }
     void add(std::size_t r, ItemId id, Primitive primitive, Emphasis emphasis = Emphasis::Normal) {
-        drawing_.items.push_back({id, Role::Series, emphasis, std::move(primitive), tintOf(r)});
+        drawing_.add(id, Role::Series, std::move(primitive), emphasis, tintOf(r));
     }
 
     void track(std::size_t r) {
@@ -90,7 +87,8 @@ class DuelMarks {
             if (duelPlace(steps[k]) > frame_.lambdaEnd) break;
             if (k == current || (x - last) * frame_.zoom < kLeastGap) continue;
             last = x;
-            add(r, stepId(r, k), Marker{{x, y}, runShape(r), kMark}, k > current ? Emphasis::Faint : Emphasis::Normal);
+            add(r, stepId(k, static_cast<int>(r)), Marker{{x, y}, runShape(r), kMark},
+                k > current ? Emphasis::Faint : Emphasis::Normal);
         }
         if (run(r).hit.outcome == relief::Outcome::Hit && run(r).hit.lambda <= frame_.lambdaEnd) {
             drawing_.add({ItemKind::Hit, static_cast<int>(r), 0, 0}, Role::Hit,
@@ -98,7 +96,7 @@ class DuelMarks {
         }
         if (current < steps.size()) {
             const double x = xAt(duelPlace(steps[current]));
-            add(r, stepId(r, current), Marker{{x, y}, runShape(r), kNow}, Emphasis::Strong);
+            add(r, stepId(current, static_cast<int>(r)), Marker{{x, y}, runShape(r), kNow}, Emphasis::Strong);
             // Above the ring where it is the hit.
             const bool hit = steps[current].decision == relief::Decision::Hit;
             text({x, y}, plainText(std::to_string(current + 1)), Anchor::Bottom, {0, hit ? -kRing - 1 : 1 - kNow / 2},
@@ -108,7 +106,7 @@ class DuelMarks {
 
     // Left of the track; over its end where there is no room for that.
     void name(std::size_t r, double y) {
-        const bool beside = frame_.plot.x0 > kNumbersRoom;
+        const bool beside = frame_.plot.x0 > chart::kLeft;
         const double x = beside ? frame_.plot.x0 : frame_.plot.x1;
         text({x, y}, plainText(run(r).name), Anchor::Right, {beside ? -8.0 : -2.0, beside ? 0 : -spacing() / 4},
              kNameSize);
@@ -144,7 +142,8 @@ class DuelMarks {
         const auto& steps = run(r).steps;
         if (now(r) < steps.size()) {
             const double lambda = std::clamp(duelPlace(steps[now(r)]), 0.0, frame_.lambdaEnd);
-            add(r, stepId(r, now(r)), Marker{frame_.onRay(lambda), runShape(r), kNow}, Emphasis::Strong);
+            add(r, stepId(now(r), static_cast<int>(r)), Marker{frame_.onRay(lambda), runShape(r), kNow},
+                Emphasis::Strong);
         }
         const bool ended = now(r) + 1 >= steps.size();
         if (!ended || run(r).hit.outcome != relief::Outcome::Hit) return;
@@ -153,18 +152,16 @@ class DuelMarks {
     }
 
     void text(Point at, Message message, Anchor anchor, Point offset, double size) {
-        Label label;
-        label.at = at;
-        label.text = std::move(message);
-        label.anchor = anchor;
-        label.offset = offset;
-        label.size = size;
-        label.yields = true;
-        drawing_.add({}, Role::Label, std::move(label));
+        drawing_.add({}, Role::Label,
+                     Label{.at = at,
+                           .text = std::move(message),
+                           .anchor = anchor,
+                           .size = size,
+                           .offset = offset,
+                           .yields = true});
     }
 
-    static constexpr double kTopRoom = 14;      // for the name of the height axis
-    static constexpr double kNumbersRoom = 30;  // left of the plot, its numbers alone
+    static constexpr double kTopRoom = 14;  // for the name of the height axis
 
     const DuelSource& source_;
     const ProfileFrame& frame_;
@@ -198,7 +195,7 @@ ProfileFrame duelFrame(const DuelSource& source, const ProfileOptions& options, 
     frame.plot.y1 += room;
     frame.whole.y1 += room;
     // With the tracks it may not be low any more.
-    frame.plot.y1 = std::max(frame.whole.y1 - profileBottom(frame), frame.plot.y0 + 1);
+    frame.plot.y1 = std::max(frame.whole.y1 - chart::bottomOf(frame.whole.height()), frame.plot.y0 + 1);
     frame.visible = frame.whole;
     return frame;
 }
@@ -210,16 +207,10 @@ Drawing duelMarks(const DuelSource& source, const ProfileFrame& frame, const std
 Drawing duelLegend(const DuelSource& source, double width, relief::Language language) {
     LegendRows rows(width, language);
     for (std::size_t r = 0; r < source.count(); ++r) {
-        const Message name = plainText((*source.runs)[r].name);
-        const Point at = rows.place(LegendRows::kSign + rows.textRoom(name) + LegendRows::kBetween);
-        rows.add(Role::Series, Marker{{at.x + 5, at.y}, runShape(r), 9}, tintOf(r));
-        rows.text({at.x + LegendRows::kSign, at.y}, name);
+        rows.sign(Role::Series, Marker{{}, runShape(r), 9}, plainText((*source.runs)[r].name), tintOf(r));
     }
     rows.line(Role::Overshoot, Message(MessageId::StopDisagreement));
-    const Message hit(MessageId::DrawHit);
-    const Point at = rows.place(LegendRows::kSign + rows.textRoom(hit));
-    rows.add(Role::Hit, Ring{{at.x + 5, at.y}, 4.5});
-    rows.text({at.x + LegendRows::kSign, at.y}, hit);
+    rows.sign(Role::Hit, Ring{{}, 4.5}, Message(MessageId::DrawHit));
     return rows.take();
 }
 

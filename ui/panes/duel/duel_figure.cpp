@@ -11,25 +11,26 @@ std::shared_ptr<const Figure> duelFigure(std::shared_ptr<const Snapshot> snapsho
                                          const ProfileOptions& options, std::size_t moment, double upTo) {
     std::string methods;
     for (const relief::DuelRun& run : duel->runs) methods += (methods.empty() ? "" : ", ") + run.name;
-    return paintedFigure(
-        [snapshot, duel = std::move(duel), options, moment, upTo](QPainter& painter, const Box& page,
-                                                                  const Style& style) {
-            ProfileOptions shown = options;
-            shown.levels = LevelsShown::None;
-            DuelSource source = duel->source();
-            source.upTo = upTo;
-            const double unit = style.pixelsPerPoint();
-            const Drawing legend = duelLegend(source, page.width() / unit - kFigureMargins, style.language);
-            const Box room = figureRoom(legend, page, style);
-            const ProfileFrame frame = duelFrame(source, shown, room.width() / unit, room.height() / unit);
-            const Drawing relief = profileRelief(source.profile, shown, frame);
-            const Drawing axes = profileAxes(source.profile, frame);
-            const auto& moments = duel->steps.moments;
-            const std::size_t at = std::min(moment, moments.empty() ? 0 : moments.size() - 1);
-            const Drawing marks = duelMarks(source, frame, moments.empty() ? std::vector<std::size_t>{} : moments[at]);
-            paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
-        },
-        figureCaption(snapshot, {}, methods));
+    const auto sourceOf = [snapshot, duel = std::move(duel), upTo] {
+        DuelSource source = duel->source();
+        source.upTo = upTo;
+        return std::pair(source, duel);
+    };
+    const auto legend = [sourceOf](double width, relief::Language language) {
+        return duelLegend(sourceOf().first, width, language);
+    };
+    const auto layers = [sourceOf, options, moment](double width, double height, const Style&) {
+        ProfileOptions shown = options;
+        shown.levels = LevelsShown::None;
+        const auto [source, duel] = sourceOf();
+        const ProfileFrame frame = duelFrame(source, shown, width, height);
+        const auto& moments = duel->steps.moments;
+        const std::vector<std::size_t> now =
+            moments.empty() ? std::vector<std::size_t>{} : moments[std::min(moment, moments.size() - 1)];
+        return std::vector{profileRelief(source.profile, shown, frame), profileAxes(source.profile, frame),
+                           duelMarks(source, frame, now)};
+    };
+    return chartFigure({legend, layers, kFigureAspect, 0.5}, figureCaption(snapshot, {}, methods));
 }
 
 std::shared_ptr<const Figure> computedDuel(std::shared_ptr<const Snapshot> snapshot) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "painting/axis_ticks.h"
+#include "painting/chart.h"
+#include "painting/view_map.h"
 #include "rendering/display.h"
 
 namespace reliefui {
@@ -115,16 +115,8 @@ Box extentOf(const PixelFootprint& f) {
 }
 
 // The circle of `radius` pixels as the Jacobian maps it.
-Polyline ellipseLine(const relief::Jacobian& j, double radius, Point centre) {
-    constexpr int kCorners = 96;
-    Polyline line;
-    for (int n = 0; n <= kCorners; ++n) {
-        const double angle = 2 * std::numbers::pi * n / kCorners;
-        const double x = radius * std::cos(angle);
-        const double y = radius * std::sin(angle);
-        line.points.push_back({centre.x + j.ux * x + j.uy * y, centre.y + j.vx * x + j.vy * y});
-    }
-    return line;
+Polyline circleLine(const relief::Jacobian& j, double radius, Point centre) {
+    return {ellipseLine(centre, {radius * j.ux, radius * j.vx}, {radius * j.uy, radius * j.vy})};
 }
 
 class Marks {
@@ -164,7 +156,7 @@ class Marks {
                 at.y += std::round((centre_.y - at.y) / f_.down.extent) * f_.down.extent;
             }
             add(Role::Neighbour,
-                ellipseLine({j.ux * shrink, j.vx * shrink, j.uy * shrink, j.vy * shrink}, circle.radius, at));
+                circleLine({j.ux * shrink, j.vx * shrink, j.uy * shrink, j.vy * shrink}, circle.radius, at));
         }
     }
 
@@ -179,13 +171,13 @@ class Marks {
             };
             axis(axes.major, axes.majorU, axes.majorV);
             axis(axes.minor, -axes.majorV, axes.majorU);
-            add(Role::PixelCircle, ellipseLine(f_.seen, 1, centre_));
+            add(Role::PixelCircle, circleLine(f_.seen, 1, centre_));
         }
         if (isEllipse(f_)) {
             const Box b = circleBox(f.widened, f.radius, centre_);
             add(Role::Frame, Polyline{{{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}, {b.x0, b.y0}}, false},
                 Emphasis::Strong);
-            add(Role::Footprint, ellipseLine(f.widened, f.radius, centre_));
+            add(Role::Footprint, circleLine(f.widened, f.radius, centre_));
         }
         add(Role::Hit, Marker{centre_, Shape::Dot, 4});
     }
@@ -233,16 +225,14 @@ class Marks {
         const double unit = 1 / scale_;
         const auto along = [&](double low, double high, double apart, const LevelAxis& axis, const auto& place) {
             if (!(high > low)) return;
-            const int step = static_cast<int>(std::max(1.0, niceStep(high - low, (high - low) * scale_ / apart)));
+            const int step =
+                static_cast<int>(std::max(1.0, chart::niceStep(high - low, (high - low) * scale_ / apart)));
             for (const Run& run : runsOf(axis, low, high)) {
                 for (int n = 0; n < run.count && !run.rim; ++n) {
                     const double at = run.start + n + 0.5;
                     if ((run.first + n) % step != 0 || at < low || at > high) continue;
-                    Label label;
-                    label.text = plainText(std::to_string(run.first + n));
-                    label.size = 0.8;
-                    label.plate = true;
-                    label.yields = true;
+                    Label label{
+                        .text = plainText(std::to_string(run.first + n)), .size = 0.8, .plate = true, .yields = true};
                     place(label, at);
                     add(Role::Background, std::move(label));
                 }

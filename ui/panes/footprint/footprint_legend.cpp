@@ -31,17 +31,11 @@ class Rows {
     }
 
   private:
-    void entry(const Message& message) {
-        const Point at = rows_.place(rows_.textRoom(message) + 2 * LegendRows::kBetween);
-        rows_.text(at, message);
-    }
+    void entry(const Message& message) { rows_.words(message, 2 * LegendRows::kBetween); }
     // A sign, and what it is.
-    template <class Primitive>
-    void sign(Role role, const Primitive& primitive, MessageId what) {
-        const Message name(what);
-        const Point at = rows_.place(LegendRows::kSign + rows_.textRoom(name) + LegendRows::kBetween);
-        primitive(role, Point{at.x + 5, at.y});
-        rows_.text({at.x + LegendRows::kSign, at.y}, name);
+    void sign(Role role, Primitive primitive, MessageId what) {
+        const Emphasis emphasis = role == Role::Weight ? Emphasis::Strong : Emphasis::Normal;
+        rows_.sign(role, std::move(primitive), Message(what), {}, emphasis);
     }
 
     void numbers() {
@@ -109,39 +103,15 @@ class Rows {
             coarser = coarser || f_.sideOf(texel) > 1;
         }
         if (!f_.log.texels.empty() && weights) {
-            sign(
-                Role::Weight,
-                [&](Role role, Point at) {
-                    rows_.add(role, Circle{at, 4.2, true, true}, {}, Emphasis::Strong);
-                },
-                MessageId::DrawFootprintWeight);
+            sign(Role::Weight, Circle{{}, 4.2, true, true}, MessageId::DrawFootprintWeight);
         }
-        if (!f_.rays.empty()) {
-            sign(
-                Role::Sample,
-                [&](Role role, Point at) {
-                    rows_.add(role, Marker{at, Shape::Dot, 6});
-                },
-                MessageId::DrawFootprintRay);
-        }
-        const auto square = [&](Role role, Point at) {
-            rows_.add(role, Rectangle{{at.x - 4, at.y - 4, at.x + 4, at.y + 4}, false, 0, 0});
-        };
+        if (!f_.rays.empty()) sign(Role::Sample, Marker{{}, Shape::Dot, 6}, MessageId::DrawFootprintRay);
+        const Rectangle square{{-4, -4, 4, 4}, false, 0, 0};
         if (finer && weights) sign(Role::Neighbour, square, MessageId::DrawFootprintFiner);
         if (coarser && weights) sign(Role::Neighbour, square, MessageId::DrawFootprintCoarser);
         if (!hidden || !weights) return;
-        sign(
-            Role::Hidden,
-            [&](Role role, Point at) {
-                rows_.add(role, Marker{at, Shape::Cross, 7});
-            },
-            MessageId::DrawFootprintHidden);
-        sign(
-            Role::Blocker,
-            [&](Role role, Point at) {
-                rows_.add(role, Marker{at, Shape::Diamond, 7});
-            },
-            MessageId::DrawFootprintBlocker);
+        sign(Role::Hidden, Marker{{}, Shape::Cross, 7}, MessageId::DrawFootprintHidden);
+        sign(Role::Blocker, Marker{{}, Shape::Diamond, 7}, MessageId::DrawFootprintBlocker);
     }
 
     const PixelFootprint& f_;

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "filtering/weight_map.h"
-#include "painting/axis_ticks.h"
-#include "painting/chart_parts.h"
+#include "painting/chart.h"
 #include "painting/legend_rows.h"
 
 namespace reliefui {
@@ -19,12 +18,7 @@ using relief::MessageId;
 using relief::WeightKind;
 
 // Points, around a plot.
-constexpr double kLeft = 30;
-constexpr double kRight = 8;
-constexpr double kTop = 15;
-constexpr double kBottom = 29;  // numbers, and what they are
-constexpr double kAcross = 34;  // between numbers
-constexpr double kDown = 18;
+constexpr chart::Margins kMargins{.top = 15};
 constexpr double kDot = 5;
 constexpr std::size_t kMostDots = 3000;
 // Cells of a map that is drawn for weights that come from a formula.
@@ -44,33 +38,9 @@ bool colored(const EllipticalSettings& settings) {
 
 struct Plot {
     Box box;
-    double x0, x1, y0, y1;  // values at its sides, y upwards
-    Point at(double x, double y) const {
-        return {box.x0 + (x - x0) / (x1 - x0) * box.width(), box.y1 - (y - y0) / (y1 - y0) * box.height()};
-    }
+    chart::Scale x, y;
+    Point at(double across, double upwards) const { return {x.at(across), y.at(upwards)}; }
 };
-
-void axes(Drawing& drawing, const Plot& plot, MessageId across) {
-    const double stepY = niceStep(plot.y1 - plot.y0, std::max(plot.box.height() / kDown, 1.0));
-    for (const double y : ticks(plot.y0, plot.y1, stepY)) {
-        chart::side(drawing, plot.box, plot.at(plot.x0, y).y, tickText(y, stepY));
-    }
-    const double stepX = niceStep(plot.x1 - plot.x0, std::max(plot.box.width() / kAcross, 1.0));
-    for (const double x : ticks(plot.x0, plot.x1, stepX)) {
-        const Point at{plot.at(x, plot.y0).x, plot.box.y1};
-        chart::line(drawing, at, {at.x, at.y + chart::kTick});
-        chart::text(drawing, at, plainText(tickText(x, stepX)), Anchor::Top, {0, chart::kTick + 1});
-    }
-    chart::line(drawing, {plot.box.x0, plot.box.y0}, {plot.box.x0, plot.box.y1});
-    chart::line(drawing, {plot.box.x0, plot.box.y1}, {plot.box.x1, plot.box.y1});
-    chart::text(drawing, {plot.box.center().x, plot.box.y1}, Message(across), Anchor::Top, {0, chart::kTick + 12});
-}
-
-Box plotBox(const Box& room) {
-    constexpr double kLeastSide = 20;
-    return {room.x0 + kLeft, room.y0 + kTop, std::max(room.x1 - kRight, room.x0 + kLeft + kLeastSide),
-            std::max(room.y1 - kBottom, room.y0 + kTop + kLeastSide)};
-}
 
 class WeightPictures {
   public:
@@ -84,9 +54,13 @@ class WeightPictures {
             far = std::max(far, std::min(squared(du, dv), 2 * cut));
             high = std::max(high, PixelFootprint::weightOf(texel));
         });
-        const Plot plot{plotBox(room), 0, far * 1.04, 0, high * 1.04};
+        const Box box = chart::plotIn(room, kMargins);
+        const Plot plot{box, {0, far * 1.04, box.x0, box.x1}, {0, high * 1.04, box.y1, box.y0}};
         chart::title(drawing, Message(MessageId::DrawWeightGraph), room);
-        axes(drawing, plot, MessageId::DrawWeightAxis);
+        const chart::Axes axes(drawing, box, room);
+        axes.left(plot.y, true);
+        axes.below(plot.x, Message(MessageId::DrawWeightAxis));
+        axes.sides();
         if (radial(settings_)) {
             constexpr int kPoints = 80;
             Polyline curve;
@@ -116,23 +90,26 @@ class WeightPictures {
         if (settings.source != relief::WeightSource::Map) settings.resolution = kDrawnCells;
         const relief::WeightMap weights(settings);
         const int n = weights.size();
-        Box box = plotBox(room);
+        Box box = chart::plotIn(room, kMargins);
         const double side = std::min(box.width(), box.height());
         box = {box.x0, box.y0, box.x0 + side, box.y0 + side};
         const double reach = settings.radius;
         // Down the screen, as the pixel's y runs.
-        const Plot plot{box, -reach, reach, reach, -reach};
+        const Plot plot{box, {-reach, reach, box.x0, box.x1}, {-reach, reach, box.y0, box.y1}};
         chart::title(drawing, Message(MessageId::DrawWeightMap, {{"cells", n}}), room);
-        Cells cells;
-        cells.values = picture(weights);
-        cells.x = box.x0;
-        cells.y = box.y0;
-        cells.cellWidth = cells.cellHeight = side / n;
-        cells.clip = box;
-        cells.map = colored(settings) ? ColorMap::Picture : ColorMap::Count;
+        Cells cells{.values = picture(weights),
+                    .x = box.x0,
+                    .y = box.y0,
+                    .cellWidth = side / n,
+                    .cellHeight = side / n,
+                    .clip = box,
+                    .map = colored(settings) ? ColorMap::Picture : ColorMap::Count};
         cells.scale.high = highest(weights);
         drawing.add({}, Role::HeightFill, std::move(cells));
-        mapAxes(drawing, plot);
+        drawing.add({}, Role::Frame, Rectangle{box, false, 0, 0});
+        const chart::Axes axes(drawing, box, room);
+        axes.left(plot.y);
+        axes.below(plot.x, Message(MessageId::DrawWeightMapAxis));
         const Point a = plot.at(-0.5, -0.5), b = plot.at(0.5, 0.5);
         if (reach > 0.5) drawing.add({}, Role::Neighbour, Rectangle{{a.x, a.y, b.x, b.y}, false, 0, 0});
         const relief::PixelFromTexel back = relief::pixelFromTexel(f_.log.footprint.widened);
@@ -178,23 +155,6 @@ class WeightPictures {
         return values;
     }
 
-    // Numbers at the left and below, no lines across the picture.
-    static void mapAxes(Drawing& drawing, const Plot& plot) {
-        const Box& box = plot.box;
-        drawing.add({}, Role::Frame, Rectangle{box, false, 0, 0});
-        const double step = niceStep(plot.x1 - plot.x0, std::max(box.width() / kAcross, 1.0));
-        for (const double value : ticks(plot.x0, plot.x1, step)) {
-            const Point below{plot.at(value, 0).x, box.y1}, left{box.x0, plot.at(0, value).y};
-            chart::line(drawing, below, {below.x, below.y + chart::kTick});
-            chart::line(drawing, {left.x - chart::kTick, left.y}, left);
-            chart::text(drawing, below, plainText(tickText(value, step)), Anchor::Top, {0, chart::kTick + 1});
-            chart::text(drawing, left, plainText(tickText(value, step)), Anchor::Right, {-chart::kTick - 2, 0});
-        }
-        // It may be wider than the picture.
-        chart::text(drawing, {box.x0 - kLeft, box.y1}, Message(MessageId::DrawWeightMapAxis), Anchor::TopLeft,
-                    {2, chart::kTick + 12});
-    }
-
     const PixelFootprint& f_;
     const EllipticalSettings& settings_;
 };
@@ -216,7 +176,8 @@ Drawing weightDrawing(const PixelFootprint& footprint, const Box& room) {
     Box graph = room, map = room;
     if (room.width() >= room.height()) {
         // The map is square; the graph gets the rest, and no less than half.
-        const double square = std::min(room.height() - kTop - kBottom + kLeft + kRight, room.width() / 2);
+        const double square =
+            std::min(room.height() - kMargins.top - kMargins.bottom + kMargins.left + kMargins.right, room.width() / 2);
         graph.x1 = map.x0 = room.x1 - square;
     } else {
         graph.y1 = map.y0 = room.center().y;
@@ -230,26 +191,19 @@ Drawing weightLegend(const PixelFootprint& footprint, double width, relief::Lang
     const EllipticalSettings& settings = *footprint.weighing;
     const auto figures = [](double value) { return relief::numberText(value, 3); };
     LegendRows rows(width, language);
-    const auto sign = [&](Role role, Shape shape, MessageId what) {
-        const Message name(what);
-        const Point at = rows.place(LegendRows::kSign + rows.textRoom(name) + LegendRows::kBetween);
-        rows.add(role, Marker{{at.x + 5, at.y}, shape, 6});
-        rows.text({at.x + LegendRows::kSign, at.y}, name);
-    };
     if (radial(settings)) {
         const bool uniform = settings.weights == WeightKind::Uniform;
         rows.line(Role::Footprint, Message(uniform ? MessageId::DrawWeightConstant : MessageId::DrawWeightCurve,
                                            {{"sigma", figures(settings.sigma)}, {"radius", figures(settings.radius)}}));
     }
-    sign(Role::Weight, Shape::Dot, MessageId::DrawWeightTexel);
+    rows.sign(Role::Weight, Marker{{}, Shape::Dot, 6}, Message(MessageId::DrawWeightTexel));
     const auto& texels = footprint.log.texels;
     if (std::any_of(texels.begin(), texels.end(), [](const FootprintTexel& t) { return t.hidden; })) {
-        sign(Role::Hidden, Shape::Cross, MessageId::DrawFootprintHidden);
+        rows.sign(Role::Hidden, Marker{{}, Shape::Cross, 6}, Message(MessageId::DrawFootprintHidden));
     }
     if (!hasMap(settings)) return rows.take();
     if (colored(settings)) {
-        const Message channels(MessageId::DrawWeightChannels);
-        rows.text(rows.place(rows.textRoom(channels) + LegendRows::kBetween), channels);
+        rows.words(Message(MessageId::DrawWeightChannels));
     } else {
         const double high = WeightPictures(footprint).highest(relief::WeightMap(settings));
         rows.ramp(ColorMap::Count, Message(MessageId::DrawWeightBar, {{"high", figures(high)}}));

@@ -116,13 +116,10 @@ class GroupSheet {
 
     void label(double x, double y, const std::string& text, double size, Role role, Anchor anchor = Anchor::Left,
                bool bold = false, bool formula = true) {
-        Label label;
-        label.at = {x_ + x, y};
-        label.text = plainText(text);
-        label.anchor = anchor;
-        label.size = size;
-        label.formula = formula;
-        drawing_->add({}, role, std::move(label), bold ? Emphasis::Strong : Emphasis::Normal);
+        drawing_->add(
+            {}, role,
+            Label{.at = {x_ + x, y}, .text = plainText(text), .anchor = anchor, .size = size, .formula = formula},
+            bold ? Emphasis::Strong : Emphasis::Normal);
     }
     // In as many lines as it takes; where the last one ends.
     double words(const std::string& text, double size, Role role, double indent, bool bold, bool formula) {

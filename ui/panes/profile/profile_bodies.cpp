@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "panes/profile/profile_drawing.h"
 #include "panes/ray_geometry.h"
@@ -11,11 +10,6 @@ namespace {
 
 // Steps beyond these around the chosen one are not drawn: nobody could tell them apart.
 constexpr std::size_t kMost = 200;
-constexpr int kAround = 120;  // points of a circle
-
-ItemId stepId(std::size_t k) {
-    return {ItemKind::Step, 0, static_cast<std::int64_t>(k), 0};
-}
 
 class Bodies {
   public:
@@ -36,21 +30,7 @@ class Bodies {
         const double rx = body.radius * frame_.plot.width() / (frame_.lambdaEnd * frame_.run);
         const double ry =
             body.radius * frame_.plot.height() / ((frame_.high - frame_.low) * source_.field->slabTexels());
-        std::vector<Point> circle;
-        std::vector<Point> upper;
-        std::vector<Point> lower;
-        for (int n = 0; n <= kAround; ++n) {
-            const double angle = std::numbers::pi + 2 * std::numbers::pi * n / kAround;
-            circle.push_back({at.x + rx * std::cos(angle), at.y + ry * std::sin(angle)});
-            if (2 * n > kAround) continue;
-            upper.push_back(circle.back());
-            lower.push_back({circle.back().x, 2 * at.y - circle.back().y});
-        }
-        if (chosen) {
-            fill(upper, at.y);
-            fill(lower, at.y);
-        }
-        line(circle, k, chosen);
+        addEllipse(drawing_, at, rx, ry, frame_.plot, stepId(k), role_, chosen ? Emphasis::Strong : Emphasis::Faint);
     }
 
     // Two sides of a triangle; what lies behind is in another sector where there are several.
@@ -74,26 +54,8 @@ class Bodies {
                     {edge[n - 1].x + f * (edge[n].x - edge[n - 1].x), edge[n - 1].y + f * (edge[n].y - edge[n - 1].y)});
             }
         }
-        if (chosen) fill(shape, frame_.plot.y0);
-        line(edge, k, chosen);
-    }
-
-    void line(const std::vector<Point>& points, std::size_t k, bool chosen) {
-        for (std::vector<Point>& run : clippedTo(points, frame_.plot)) {
-            drawing_.add(stepId(k), role_, Polyline{std::move(run), false},
-                         chosen ? Emphasis::Strong : Emphasis::Faint);
-        }
-    }
-
-    // What lies between the line (x ascending) and the horizontal at y, in the plot.
-    void fill(const std::vector<Point>& points, double y) {
-        const Box& plot = frame_.plot;
-        Area area;
-        area.base = std::clamp(y, plot.y0, plot.y1);
-        for (const Point& p : points) {
-            if (p.x >= plot.x0 && p.x <= plot.x1) area.line.push_back({p.x, std::clamp(p.y, plot.y0, plot.y1)});
-        }
-        drawing_.add({}, role_, std::move(area), Emphasis::Faint);
+        if (chosen) addFill(drawing_, shape, frame_.plot.y0, frame_.plot, role_);
+        addLine(drawing_, edge, frame_.plot, stepId(k), role_, chosen ? Emphasis::Strong : Emphasis::Faint);
     }
 
     Drawing& drawing_;

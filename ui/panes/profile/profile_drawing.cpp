@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "painting/chart.h"
 #include "painting/legend_rows.h"
 #include "panes/ray_geometry.h"
 #include "panes/slice.h"
@@ -19,22 +20,8 @@ using relief::Message;
 using relief::MessageId;
 using relief::Phase;
 
-constexpr double kLeft = 30;  // margins, points
-constexpr double kRight = 14;
-constexpr double kTop = 16;
-constexpr double kBottom = 29;
-constexpr double kLowBottom = 16;      // of a low pane: one row of words
 constexpr double kVerticalRun = 1e-9;  // texels: a ray that runs less is drawn over its descent
 constexpr double kPixelsPerPoint = 2;  // fine enough for print
-
-// Where the ray ends: its hit, or where it was given up.
-double rayEnd(const ProfileSource& source) {
-    if (source.hit.outcome == relief::Outcome::Hit) return source.hit.lambda;
-    if (source.steps != nullptr && !source.steps->empty()) {
-        return std::clamp(source.steps->back().lambdaAfter, 0.0, 1.0);
-    }
-    return 1;
-}
 
 double runOf(const relief::ViewRay& ray) {
     return std::hypot(ray.a, ray.b);
@@ -47,7 +34,7 @@ double shownLambda(const ProfileSource& source) {
     constexpr double kLeast = 1e-9;
     const double run = runOf(source.ray);
     if (run < kVerticalRun) return 1;
-    const double end = rayEnd(source);
+    const double end = rayEnd(source.hit, source.steps);
     return std::clamp(std::max(end * kBehind, end + kTexelsBehind / run), kLeast, 1.0);
 }
 
@@ -100,14 +87,10 @@ void addPlateaus(Drawing& drawing, const ProfileSource& source, const relief::Py
                 const relief::Step& s = plateau.texel;
                 const bool known = !plateau.joined && visited.count(nameOf(s)) > 0;
                 if (known != wanted || s.value < frame.low || !(s.lambdaIn < frame.lambdaEnd)) continue;
-                Item item;
-                item.id = {ItemKind::Texel, s.level, s.i, s.j};
-                item.role = Role::Plateau;
-                item.emphasis = !known ? Emphasis::Faint : Emphasis::Normal;
-                item.primitive = Polyline{
-                    {frame.at(s.lambdaIn, s.value), frame.at(std::min(s.lambdaOut, frame.lambdaEnd), s.value)}, false};
-                item.tint = {level, source.maxima->pyramid.levels()};
-                drawing.items.push_back(std::move(item));
+                drawing.add({ItemKind::Texel, s.level, s.i, s.j}, Role::Plateau,
+                            Polyline{{frame.at(s.lambdaIn, s.value),
+                                      frame.at(std::min(s.lambdaOut, frame.lambdaEnd), s.value)}},
+                            known ? Emphasis::Normal : Emphasis::Faint, {level, source.maxima->pyramid.levels()});
             }
         }
     }
@@ -168,17 +151,12 @@ std::vector<int> profileLevels(const ProfileSource& source, const ProfileOptions
     return {levels.begin(), levels.end()};
 }
 
-double profileBottom(const ProfileFrame& frame) {
-    return lowPane(frame) ? kLowBottom : kBottom;
-}
-
 ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& options, double width, double height) {
     constexpr double kHeadroom = 0.07;
     constexpr double kLeastSide = 8;
     ProfileFrame frame;
     frame.whole = frame.visible = {0, 0, width, height};
-    frame.plot = {kLeft, kTop, std::max(width - kRight, kLeft + kLeastSide),
-                  std::max(height - profileBottom(frame), kTop + kLeastSide)};
+    frame.plot = chart::plotIn(frame.whole, {.top = 16, .right = 14, .bottom = chart::bottomOf(height)});
     frame.run = runOf(source.ray);
     frame.vertical = frame.run < kVerticalRun;
     frame.lambdaEnd = shownLambda(source);
@@ -213,13 +191,12 @@ Drawing profileRelief(const ProfileSource& source, const ProfileOptions& options
     addLayers(drawing, source, frame);
     drawing.add({ItemKind::Surface, 0, 0, 0}, Role::Surface, Polyline{std::move(line), false});
     if (surface.thinned) {
-        Label note;
-        note.at = {frame.seen().x1 - 3 / frame.zoom, frame.seen().y0 + 2 / frame.zoom};
-        note.text = Message(MessageId::DrawThinned);
-        note.anchor = Anchor::Right;
-        note.offset = {0, 7};
-        note.size = 0.8;
-        drawing.add({}, Role::Legend, std::move(note));
+        drawing.add({}, Role::Legend,
+                    Label{.at = {frame.seen().x1 - 3 / frame.zoom, frame.seen().y0 + 2 / frame.zoom},
+                          .text = Message(MessageId::DrawThinned),
+                          .anchor = Anchor::Right,
+                          .size = chart::kTextSize,
+                          .offset = {0, 7}});
     }
     return drawing;
 }
@@ -245,16 +222,10 @@ Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options
     }
     if (source.layers() > 0) rows.line(Role::Layer, Message(MessageId::DrawLayer));
     if (source.atPoints()) {
-        const Message read(MessageId::DrawSample);
-        const Point at = rows.place(LegendRows::kSign + rows.textRoom(read) + LegendRows::kBetween);
-        rows.add(Role::Sample, Marker{{at.x + 5, at.y}, Shape::Dot, 5});
-        rows.text({at.x + LegendRows::kSign, at.y}, read);
+        rows.sign(Role::Sample, Marker{{}, Shape::Dot, 5}, Message(MessageId::DrawSample));
     }
     if (!options.guessing && source.exact.outcome == relief::Outcome::Hit) {
-        const Message exact(MessageId::DrawExact);
-        const Point at = rows.place(LegendRows::kSign + rows.textRoom(exact) + LegendRows::kBetween);
-        rows.add(Role::Hit, Ring{{at.x + 5, at.y}, 5.5});
-        rows.text({at.x + LegendRows::kSign, at.y}, exact);
+        rows.sign(Role::Hit, Ring{{}, 5.5}, Message(MessageId::DrawExact));
     }
     rows.decisions(decisionsSeen(source.steps, source.hit.outcome == relief::Outcome::Hit));
     return rows.take();

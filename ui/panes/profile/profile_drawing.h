@@ -76,12 +76,6 @@ struct ProfileFrame {
     // The part of the plot that is seen.
     Box seen() const { return plot.cut(visible); }
 };
-// Too low for two rows of words below the plot.
-inline bool lowPane(const ProfileFrame& frame) {
-    return frame.whole.height() < 150;
-}
-// Points below the plot, for numbers and words.
-double profileBottom(const ProfileFrame& frame);
 // width, height: room in points; all of it is seen.
 ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& options, double width, double height);
 

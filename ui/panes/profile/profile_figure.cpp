@@ -27,21 +27,22 @@ void takeProfile(ProfileOptions& options, const ProfilePane& pane) {
 std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                             const ProfileOptions& options, const std::optional<QueryPoint>& point) {
     requireRay("profile", *snapshot);
-    return paintedFigure(
-        [snapshot, step, options, point](QPainter& painter, const Box& page, const Style& style) {
-            ProfileSource source = profileSource(*snapshot);
-            relief::Work work;
-            source.point = pointOf(*snapshot, point, work);
-            const double unit = style.pixelsPerPoint();
-            const Drawing legend = profileLegend(source, options, page.width() / unit - kFigureMargins, style.language);
-            const Box room = figureRoom(legend, page, style);
-            const ProfileFrame frame = profileFrame(source, options, room.width() / unit, room.height() / unit);
-            const Drawing relief = profileRelief(source, options, frame);
-            const Drawing marks = profileMarks(source, options, frame, step);
-            const Drawing axes = profileAxes(source, frame);
-            paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
-        },
-        figureCaption(snapshot, step));
+    const auto sourceOf = [snapshot, point] {
+        ProfileSource source = profileSource(*snapshot);
+        relief::Work work;
+        source.point = pointOf(*snapshot, point, work);
+        return source;
+    };
+    const auto legend = [sourceOf, options](double width, relief::Language language) {
+        return profileLegend(sourceOf(), options, width, language);
+    };
+    const auto layers = [sourceOf, options, step](double width, double height, const Style&) {
+        const ProfileSource source = sourceOf();
+        const ProfileFrame frame = profileFrame(source, options, width, height);
+        return std::vector{profileRelief(source, options, frame), profileAxes(source, frame),
+                           profileMarks(source, options, frame, step)};
+    };
+    return chartFigure({legend, layers}, figureCaption(snapshot, step));
 }
 
 }  // namespace reliefui

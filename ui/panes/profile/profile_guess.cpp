@@ -12,14 +12,10 @@ using relief::Message;
 using relief::MessageId;
 
 void addWords(Drawing& drawing, Point at, Message text, Anchor anchor, Point offset, double size) {
-    Label label;
-    label.at = at;
-    label.text = std::move(text);
-    label.anchor = anchor;
-    label.offset = offset;
-    label.size = size;
-    label.plate = true;
-    drawing.add({}, Role::Background, std::move(label), Emphasis::Strong);
+    drawing.add(
+        {}, Role::Background,
+        Label{.at = at, .text = std::move(text), .anchor = anchor, .size = size, .offset = offset, .plate = true},
+        Emphasis::Strong);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "painting/chart.h"
 #include "panes/profile/profile_drawing.h"
 #include "panes/slice.h"
 #include "scenario/step_sentence.h"
@@ -21,24 +22,11 @@ constexpr double kMarkHalf = 5.5;
 constexpr double kRingHalf = 6.5;
 constexpr double kExactHalf = 8;
 constexpr double kRow = 12.5;  // by which a mark is moved up for want of room
-constexpr double kDigit = 5.3;
 constexpr double kPlatePad = 5;
 constexpr double kNumberSize = 0.8;
 constexpr double kLevelSize = 0.75;
 constexpr std::size_t kMostMarks = 300;
 constexpr std::size_t kMostSamples = 200;
-
-// Room on the screen, points.
-class Places {
-  public:
-    bool free(const Box& box) const {
-        return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return other.overlaps(box); });
-    }
-    void take(const Box& box) { taken_.push_back(box); }
-
-  private:
-    std::vector<Box> taken_;
-};
 
 // Where on the ray a step is marked: in the middle of what it is about, or at its point.
 double markLambda(const relief::Step& s, double shown) {
@@ -95,7 +83,6 @@ class Marks {
     bool known() const { return source_.steps != nullptr && !source_.steps->empty(); }
     const relief::Step& step(std::size_t k) const { return (*source_.steps)[k]; }
     Emphasis emphasis(std::size_t k) const { return k > chosen_ ? Emphasis::Faint : Emphasis::Normal; }
-    static ItemId stepId(std::size_t k) { return {ItemKind::Step, 0, static_cast<std::int64_t>(k), 0}; }
     bool isHit() const { return source_.hit.outcome == relief::Outcome::Hit; }
     double clamped(double lambda) const { return std::clamp(lambda, 0.0, frame_.lambdaEnd); }
     Point points(Point p) const { return {p.x * frame_.zoom, p.y * frame_.zoom}; }
@@ -114,22 +101,19 @@ class Marks {
             drawing_.add({}, role, Polyline{{{x, band.y0}, {x, band.y1}}, false}, Emphasis::Faint);
         }
         const int decimals = relief::tellingDecimals(s.lambdaIn, s.lambdaOut);
-        Label label;
-        label.at = {frame_.seen().x1, std::max(frame_.plot.y0, frame_.visible.y0 + 12 * unit_)};
-        label.text = Message(MessageId::DrawStretch, {{"step", chosen_ + 1},
-                                                      {"from", relief::fixedText(s.lambdaIn, decimals)},
-                                                      {"to", relief::fixedText(s.lambdaOut, decimals)}});
-        label.anchor = Anchor::Right;
-        label.offset = {0, -7};
-        label.size = 0.85;
-        drawing_.add({}, Role::Label, std::move(label), Emphasis::Strong);
+        drawing_.add({}, Role::Label,
+                     Label{.at = {frame_.seen().x1, std::max(frame_.plot.y0, frame_.visible.y0 + 12 * unit_)},
+                           .text = Message(MessageId::DrawStretch, {{"step", chosen_ + 1},
+                                                                    {"from", relief::fixedText(s.lambdaIn, decimals)},
+                                                                    {"to", relief::fixedText(s.lambdaOut, decimals)}}),
+                           .anchor = Anchor::Right,
+                           .size = chart::kTextSize,
+                           .offset = {0, -7}},
+                     Emphasis::Strong);
         if (stepShape(s) != StepShape::Plateau || s.value < frame_.low) return;
         // The maximum that decided, where it did.
-        drawing_.items.push_back({{},
-                                  Role::Plateau,
-                                  Emphasis::Strong,
-                                  Polyline{{frame_.at(from, s.value), frame_.at(to, s.value)}, false},
-                                  {s.level, source_.maxima->pyramid.levels()}});
+        drawing_.add({}, Role::Plateau, Polyline{{frame_.at(from, s.value), frame_.at(to, s.value)}}, Emphasis::Strong,
+                     {s.level, source_.maxima->pyramid.levels()});
     }
 
     // Black and white are no colours of a stretch: the ray keeps its own.
@@ -272,16 +256,19 @@ class Marks {
             const double width = numberWidth(number) + 1;
             const bool left = box.x1 + width > rim();
             (left ? box.x0 : box.x1) += left ? -width : width;
-            Label label{on, plainText(number), left ? Anchor::Right : Anchor::Left, kNumberSize, {}, true, false, {}};
-            label.offset = {left ? -kRingHalf - 1 : kRingHalf + 1, 0};
-            drawing_.add({}, Role::Hit, std::move(label), k == chosen_ ? Emphasis::Strong : emphasis(k));
+            drawing_.add({}, Role::Hit,
+                         Label{.at = on,
+                               .text = plainText(number),
+                               .anchor = left ? Anchor::Right : Anchor::Left,
+                               .size = kNumberSize,
+                               .offset = {left ? -kRingHalf - 1 : kRingHalf + 1, 0},
+                               .plate = true},
+                         k == chosen_ ? Emphasis::Strong : emphasis(k));
             if (k == chosen_) drawing_.add(stepId(k), Role::Highlight, Rectangle{onDrawing(box), false, -1.5, 0});
         }
         places_.take(box);
     }
-    static double numberWidth(const std::string& number) {
-        return kPlatePad + kDigit * static_cast<double>(number.size());
-    }
+    static double numberWidth(const std::string& number) { return kPlatePad + textWidth(number, kNumberSize); }
     Box onDrawing(const Box& b) const { return {b.x0 * unit_, b.y0 * unit_, b.x1 * unit_, b.y1 * unit_}; }
 
     bool mark(std::size_t k, bool always) {
@@ -306,8 +293,14 @@ class Marks {
         }
         drawing_.add(stepId(k), role, Marker{center, shapeOf(s.decision), kMarkSize}, emphasis(k));
         if (!place->numbered) return true;
-        Label label{center, plainText(number), Anchor::Left, kNumberSize, {kMarkHalf, 0}, true, !always, {}};
-        drawing_.add({}, role, std::move(label), k == chosen_ ? Emphasis::Strong : emphasis(k));
+        drawing_.add({}, role,
+                     Label{.at = center,
+                           .text = plainText(number),
+                           .size = kNumberSize,
+                           .offset = {kMarkHalf, 0},
+                           .plate = true,
+                           .yields = !always},
+                     k == chosen_ ? Emphasis::Strong : emphasis(k));
         return true;
     }
 
@@ -325,17 +318,17 @@ class Marks {
         const double off = relief::answerError(source_.hit, exact, source_.ray);
         if (off <= relief::kSameAnswer) return;
         constexpr int kDigits = 2;
-        Label label;
-        label.at = at;
-        label.text = std::isfinite(off)
-                         ? Message(MessageId::DrawExactOff, {{"texels", relief::numberText(off, kDigits)}})
-                         : Message(MessageId::DrawExact);
-        label.anchor = Anchor::Left;
-        label.offset = {kExactHalf + 3, 0};
-        label.size = kNumberSize;
-        label.plate = true;
-        label.yields = true;
-        drawing_.add({}, Role::Label, std::move(label), Emphasis::Strong);
+        const Message words = std::isfinite(off)
+                                  ? Message(MessageId::DrawExactOff, {{"texels", relief::numberText(off, kDigits)}})
+                                  : Message(MessageId::DrawExact);
+        drawing_.add({}, Role::Label,
+                     Label{.at = at,
+                           .text = words,
+                           .size = kNumberSize,
+                           .offset = {kExactHalf + 3, 0},
+                           .plate = true,
+                           .yields = true},
+                     Emphasis::Strong);
     }
 
     // One name a level, beside one of its plateaus, clear of marks, lines and ray.
@@ -373,14 +366,14 @@ class Marks {
     }
 
     bool nameLevel(const Plateau& plateau, const Message& name, const Box& seen) {
-        constexpr double kWidth = 40;
+        const double width = chart::widthOf(name) * kLevelSize / chart::kTextSize;
         constexpr double kHeight = 9;
         const Box line = lineBox(plateau.texel);
         const double x0 = std::max(line.x0, seen.x0);
         const double x1 = std::min(line.x1, seen.x1);
-        for (const double x : {x1 - kWidth - 2, (x0 + x1 - kWidth) / 2, x0 + 3}) {
+        for (const double x : {x1 - width - 2, (x0 + x1 - width) / 2, x0 + 3}) {
             for (const double top : {line.y0 - kHeight - 0.5, line.y1 + 0.5}) {
-                const Box box{x, top, x + kWidth, top + kHeight};
+                const Box box{x, top, x + width, top + kHeight};
                 const auto hides = [&](const Box& other) { return other.overlaps(box); };
                 const bool inside = x >= seen.x0 && box.x1 <= seen.x1 && top >= seen.y0 && box.y1 <= seen.y1;
                 if (!inside || !places_.free(box) || std::any_of(rayPlaces_.begin(), rayPlaces_.end(), hides) ||
@@ -388,12 +381,11 @@ class Marks {
                     continue;
                 }
                 places_.take(box);
-                Label label;
-                label.at = {x * unit_, (top + kHeight / 2) * unit_};
-                label.text = name;
-                label.size = kLevelSize;
-                label.yields = true;
-                drawing_.add({ItemKind::Level, plateau.texel.level, 0, 0}, Role::Label, std::move(label));
+                drawing_.add({ItemKind::Level, plateau.texel.level, 0, 0}, Role::Label,
+                             Label{.at = {x * unit_, (top + kHeight / 2) * unit_},
+                                   .text = name,
+                                   .size = kLevelSize,
+                                   .yields = true});
                 return true;
             }
         }
@@ -405,7 +397,7 @@ class Marks {
     const ProfileFrame& frame_;
     double unit_;  // of the drawing, a point
     std::size_t chosen_;
-    Places places_;
+    LabelRoom places_;  // points
     std::vector<Box> rayPlaces_;
     std::vector<Box> linePlaces_;
     Drawing drawing_;

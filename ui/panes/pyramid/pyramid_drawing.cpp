@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "painting/chart.h"
 #include "panes/ray_geometry.h"
 
 namespace reliefui {
@@ -16,36 +17,18 @@ using relief::MessageId;
 // Steps beyond these around the chosen one are not marked: nobody can see them, and a redraw stays quick.
 constexpr std::size_t kMarkedSteps = 4000;
 constexpr std::size_t kNumberedTexels = 80;
+constexpr double kTitleSize = 0.9;
 
+// As much of it as fits into the room.
 Message levelTitle(const relief::Pyramid& pyramid, int level, double room) {
-    constexpr double kLetter = 5.8;  // about the width of a letter of a title
-    constexpr int kLongLetters = 18;
-    constexpr int kShortLetters = 4;
+    constexpr MessageId kWhole[] = {MessageId::DrawLevelMean, MessageId::DrawLevelMax, MessageId::DrawLevelMin};
+    static_assert(static_cast<int>(relief::PyramidKind::Max) == 1 && static_cast<int>(relief::PyramidKind::Min) == 2);
     const relief::FloatImage& image = pyramid.level(level);
-    const auto letters = [](int number) { return static_cast<int>(std::to_string(number).size()); };
-    const int numbers = letters(level) + letters(image.width()) + letters(image.height());
-    const std::vector<relief::MessageValue> values{
-        {"level", level}, {"width", image.width()}, {"height", image.height()}};
-    if ((numbers + kLongLetters) * kLetter <= room) {
-        switch (pyramid.kind()) {
-            case relief::PyramidKind::Max:
-                return Message(MessageId::DrawLevelMax, values);
-            case relief::PyramidKind::Mean:
-                return Message(MessageId::DrawLevelMean, values);
-            case relief::PyramidKind::Min:
-                return Message(MessageId::DrawLevelMin, values);
-        }
+    for (const MessageId id : {kWhole[static_cast<std::size_t>(pyramid.kind())], MessageId::DrawLevelShort}) {
+        const Message title(id, {{"level", level}, {"width", image.width()}, {"height", image.height()}});
+        if (chart::widthOf(title) * kTitleSize / chart::kTextSize <= room) return title;
     }
-    if ((numbers + kShortLetters) * kLetter <= room) return Message(MessageId::DrawLevelShort, values);
     return plainText(std::to_string(level));
-}
-
-// Where the ray ends: its hit, or where it was given up.
-double rayEnd(const PyramidSource& source) {
-    if (source.hit.outcome == relief::Outcome::Hit) return source.hit.lambda;
-    if (source.steps != nullptr && !source.steps->empty())
-        return std::clamp(source.steps->back().lambdaAfter, 0.0, 1.0);
-    return 1;
 }
 
 struct Window {
@@ -62,7 +45,7 @@ Window windowOf(const PyramidSource& source, double aspect) {
     constexpr double kLeast = 12;    // texels
     const RayPath path(*source.field, source.ray);
     const Point from = path.at(0);
-    const Point to = path.at(rayEnd(source));
+    const Point to = path.at(rayEnd(source.hit, source.steps));
     double width = std::max(std::abs(to.x - from.x) * (1 + 2 * kAround), kLeast);
     double height = std::max(std::abs(to.y - from.y) * (1 + 2 * kAround), kLeast);
     width = std::max(width, height * aspect);
@@ -129,7 +112,6 @@ class Marks {
   private:
     const relief::Step& step(std::size_t k) const { return (*source_.steps)[k]; }
     Emphasis emphasis(std::size_t k) const { return k > chosen_ ? Emphasis::Faint : Emphasis::Normal; }
-    static ItemId stepId(std::size_t k) { return {ItemKind::Step, 0, static_cast<std::int64_t>(k), 0}; }
 
     std::vector<Box> boxesOf(const relief::Step& s) const {
         if (s.level < 0 || s.level >= static_cast<int>(blocks_.size())) return {};
@@ -175,11 +157,18 @@ class Marks {
                 chosen = chosen || visit.steps[n] == chosen_;
             }
             if (visit.steps.size() > kMostNumbers) text += " …";
-            Label label{
-                {visit.box.x0, visit.box.y0}, plainText(text), Anchor::TopLeft, 0.8, {1.5, 1.5}, true, true, visit.box};
-            label.evades = true;
             const Emphasis strength = chosen ? Emphasis::Strong : emphasis(visit.steps.front());
-            drawing_.add({}, roleOf(step(last).decision), std::move(label), strength);
+            drawing_.add({}, roleOf(step(last).decision),
+                         Label{.at = {visit.box.x0, visit.box.y0},
+                               .text = plainText(text),
+                               .anchor = Anchor::TopLeft,
+                               .size = 0.8,
+                               .offset = {1.5, 1.5},
+                               .plate = true,
+                               .yields = true,
+                               .room = visit.box,
+                               .evades = true},
+                         strength);
         }
     }
 
@@ -211,7 +200,7 @@ class Marks {
 
     void ray(const LevelBlock& block) {
         const bool hit = source_.hit.outcome == relief::Outcome::Hit;
-        const double end = rayEnd(source_);
+        const double end = rayEnd(source_.hit, source_.steps);
         const bool known = source_.steps != nullptr && !source_.steps->empty();
         const double size = block.level == 0 ? 1 : 0.7;
         line(block, 0, end, Role::Ray, block.level == 0 ? Emphasis::Normal : Emphasis::Faint);
@@ -237,14 +226,8 @@ void addCells(Drawing& drawing, const PyramidSource& source, const LevelBlock& b
     const Box period = source.overCells ? cellDomain(*source.field) : texelDomain(*source.field);
     const relief::CellGrid grid(*source.field);
     const bool repeats = source.field->address() == relief::Address::Repeat;
-    const auto count = [&](double low, double high, double start, double size) {
-        if (!repeats) return std::pair(0, 0);
-        constexpr double kRounding = 1e-9;
-        return std::pair(static_cast<int>(std::floor((low - start) / size + kRounding)),
-                         static_cast<int>(std::ceil((high - start) / size - kRounding)) - 1);
-    };
-    const auto [i0, i1] = count(block.domain.x0, block.domain.x1, period.x0, period.width());
-    const auto [j0, j1] = count(block.domain.y0, block.domain.y1, period.y0, period.height());
+    const auto [i0, i1] = periodsSeen(block.domain.x0, block.domain.x1, period.x0, period.width(), repeats);
+    const auto [j0, j1] = periodsSeen(block.domain.y0, block.domain.y1, period.y0, period.height(), repeats);
     for (int j = j0; j <= j1; ++j) {
         for (int i = i0; i <= i1; ++i) {
             const Box part{period.x0 + i * period.width(), period.y0 + j * period.height(),
@@ -286,12 +269,11 @@ PyramidPicture pyramidPicture(const PyramidSource& source, double width, double 
         block.title = {block.title.x + origin.x, block.title.y + origin.y};
         addCells(drawing, source, block);
         drawing.add({}, Role::Frame, Rectangle{block.box, false, -0.5, 0});
-        Label title;
-        title.at = block.title;
-        title.text = levelTitle(*source.pyramid, block.level, block.box.width());
-        title.anchor = Anchor::BottomLeft;
-        title.size = 0.9;
-        drawing.add({}, Role::Title, std::move(title));
+        drawing.add({}, Role::Title,
+                    Label{.at = block.title,
+                          .text = levelTitle(*source.pyramid, block.level, block.box.width()),
+                          .anchor = Anchor::BottomLeft,
+                          .size = kTitleSize});
         drawing.bounds = drawing.bounds.joined(block.box).joined(
             {block.box.x0, block.box.y0 - kTitleHeight, block.box.x1, block.box.y1});
     }

@@ -11,11 +11,6 @@ using relief::PyramidKind;
 
 constexpr double kBetween = 16;  // points
 
-void append(Drawing& to, Drawing from) {
-    to.bounds = to.bounds.joined(from.bounds);
-    for (Item& item : from.items) to.items.push_back(std::move(item));
-}
-
 // The values of all levels, as far as they are drawn.
 ValueSpread seenHeights(const Drawing& levels) {
     constexpr std::size_t kMostSorted = std::size_t{1} << 16;
@@ -118,7 +113,7 @@ PyramidParts pyramidParts(const Snapshot& snapshot, const PyramidOptions& option
         const auto number = static_cast<double>(n);
         part.picture = rows ? pyramidPicture(part.source, width, high, {0, number * (high + kBetween)})
                             : pyramidPicture(part.source, wide, height, {number * (wide + kBetween), 0});
-        append(all.levels, part.picture.levels);
+        all.levels.append(part.picture.levels);
         all.parts.push_back(std::move(part));
     }
     colorHeights(all, options.heights, language);
@@ -127,7 +122,7 @@ PyramidParts pyramidParts(const Snapshot& snapshot, const PyramidOptions& option
 
 Drawing partsMarks(const PyramidParts& parts, int step) {
     Drawing marks;
-    for (const PyramidPart& part : parts.parts) append(marks, pyramidMarks(part.source, part.picture, step));
+    for (const PyramidPart& part : parts.parts) marks.append(pyramidMarks(part.source, part.picture, step));
     return marks;
 }
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "painting/axis_ticks.h"
+#include "painting/chart.h"
 #include "painting/legend_rows.h"
 #include "panes/rows/rows_drawing.h"
 #include "scenario/step_sentence.h"
@@ -15,59 +15,7 @@ using relief::Message;
 using relief::MessageId;
 using relief::RowCurve;
 
-constexpr double kTextSize = 0.8;
-constexpr double kTick = 3;  // points
 constexpr double kPlate = 17;
-
-void addText(Drawing& drawing, Point at, Message text, Anchor anchor, Point offset, bool yields = false) {
-    Label label;
-    label.at = at;
-    label.text = std::move(text);
-    label.anchor = anchor;
-    label.size = kTextSize;
-    label.offset = offset;
-    label.yields = yields;
-    drawing.add({}, Role::Legend, std::move(label));
-}
-
-void addLine(Drawing& drawing, Point from, Point to, Role role = Role::Frame) {
-    drawing.add({}, role, Polyline{{from, to}, false});
-}
-
-void addSide(Drawing& drawing, const Box& plot, double y, std::string text) {
-    addLine(drawing, {plot.x0, y}, {plot.x1, y}, Role::Grid);
-    addLine(drawing, {plot.x0 - kTick, y}, {plot.x0, y});
-    addText(drawing, {plot.x0, y}, plainText(std::move(text)), Anchor::Right, {-kTick - 2, 0});
-}
-
-void addTexels(Drawing& drawing, const RowsFrame& frame) {
-    constexpr double kApart = 22;
-    const double step = niceStep(frame.high - frame.low, frame.upper.height() / kApart);
-    for (const double texel : ticks(frame.low, frame.high, step)) {
-        addSide(drawing, frame.upper, frame.yAt(texel), tickText(texel, step));
-    }
-}
-
-void addErrorSide(Drawing& drawing, const RowsFrame& frame) {
-    constexpr double kApart = 16;
-    const double range = frame.errorHigh - frame.errorLow;
-    if (!frame.logarithmic) {
-        const double step = niceStep(range, frame.lower.height() / kApart);
-        for (const double error : ticks(0, frame.errorHigh, step)) {
-            addSide(drawing, frame.lower, frame.errorAt(error), tickText(error, step));
-        }
-        return;
-    }
-    const int every = std::max(1, static_cast<int>(std::ceil(range * kApart / frame.lower.height())));
-    for (int n = static_cast<int>(frame.errorHigh); n >= static_cast<int>(frame.errorLow); n -= every) {
-        addSide(drawing, frame.lower, frame.errorAt(std::pow(10.0, n)), powerOfTen(n));
-    }
-}
-
-void addFrame(Drawing& drawing, const Box& plot) {
-    addLine(drawing, {plot.x0, plot.y0}, {plot.x0, plot.y1});
-    addLine(drawing, {plot.x0, plot.y1}, {plot.x1, plot.y1});
-}
 
 Message titleOf(const RowsData& data) {
     double low = 0;
@@ -109,18 +57,11 @@ Message curveText(const RowsData& data, std::size_t c) {
 void addStripTitle(Drawing& drawing, const RowsData& data, const RowsFrame& frame, std::size_t s) {
     const std::size_t c = frame.stripCurves[s];
     const Box& strip = frame.strips[s];
-    addText(drawing, {strip.x0, strip.y0},
-            Message(MessageId::DrawRowStrip,
-                    {{"name", data.names[c]}, {"from", frame.lens.begin}, {"to", frame.lens.end - 1}}),
-            Anchor::BottomLeft, {16, -1});
-    Label label;
-    label.at = {strip.x0, strip.y0};
-    label.text = plainText(std::to_string(c + 1));
-    label.anchor = Anchor::BottomLeft;
-    label.size = kTextSize;
-    label.offset = {0, -1};
-    label.plate = true;
-    drawing.items.push_back({{}, Role::Series, Emphasis::Normal, std::move(label), {static_cast<int>(c), 1}});
+    chart::text(drawing, {strip.x0, strip.y0},
+                Message(MessageId::DrawRowStrip,
+                        {{"name", data.names[c]}, {"from", frame.lens.begin}, {"to", frame.lens.end - 1}}),
+                Anchor::BottomLeft, {16, -1});
+    addCurveNumber(drawing, {strip.x0, strip.y0}, c, {0, -1}, Anchor::BottomLeft);
 }
 
 }  // namespace
@@ -138,19 +79,20 @@ void addStrips(Drawing& drawing, const RowsData& data, const RowsFrame& frame) {
             const Box box{x, strip.y0, x + side, strip.y1};
             const std::int32_t stream = curve.stream[static_cast<std::size_t>(pixel - data.row.span.begin)];
             const LevelTint tint{stream, 1};
-            drawing.items.push_back({{}, Role::Stream, Emphasis::Strong, Rectangle{box.grown(-0.5), true, 1, 0}, tint});
+            drawing.add({}, Role::Stream, Rectangle{box.grown(-0.5), true, 1, 0}, Emphasis::Strong, tint);
             if (std::binary_search(curve.exact.begin(), curve.exact.end(), pixel)) {
                 drawing.add({}, Role::Highlight, Rectangle{box, false, 0.8, 0});
             }
             if (streamsOf(curve) < 2) continue;
-            Label number;
-            number.at = box.center();
-            number.text = plainText(std::to_string(stream));
-            number.anchor = Anchor::Center;
-            number.size = 0.62;
-            number.plate = true;
-            number.room = box.grown(2.5);  // a plate of the same colour may touch its neighbours
-            drawing.items.push_back({{}, Role::Stream, Emphasis::Normal, std::move(number), tint});
+            // A plate of the same colour may touch its neighbours.
+            drawing.add({}, Role::Stream,
+                        Label{.at = box.center(),
+                              .text = plainText(std::to_string(stream)),
+                              .anchor = Anchor::Center,
+                              .size = 0.62,
+                              .plate = true,
+                              .room = box.grown(2.5)},
+                        Emphasis::Normal, tint);
         }
         const double chosen = strip.x0 + side * (static_cast<double>(data.place.chosen - frame.lens.begin) + 0.5);
         if (data.place.chosen >= frame.lens.begin && data.place.chosen < frame.lens.end) {
@@ -160,35 +102,30 @@ void addStrips(Drawing& drawing, const RowsData& data, const RowsFrame& frame) {
 }
 
 Drawing rowsAxes(const RowsData& data, const RowsFrame& frame) {
-    constexpr double kPixelsApart = 60;
     Drawing drawing;
     drawing.bounds = frame.whole;
-    addText(drawing, {frame.upper.x0, frame.upper.y0}, Message(MessageId::DrawRowTexels), Anchor::BottomLeft,
-            {-36, -5});
-    // All of the title, or where it would run into these words its first part.
-    for (const int part : {-1, 0}) {
-        addText(drawing, {frame.upper.x1, frame.upper.y0}, titleOf(data), Anchor::Right, {0, -11}, true);
-        std::get<Label>(drawing.items.back().primitive).part = part;
+    const chart::Axes upper(drawing, frame.upper, frame.whole);
+    const chart::Axes lower(drawing, frame.lower, frame.whole);
+    upper.corner(Message(MessageId::DrawRowTexels));
+    lower.corner(Message(MessageId::DrawRowError));
+    // All of the title, or where it would run into the words at the left its first part, as large as there is room.
+    const double least = 0.75 * chart::kTextSize;
+    for (const auto& [part, size] : {std::pair(-1, chart::kTextSize), {0, chart::kTextSize}, {0, least}}) {
+        drawing.add({}, Role::Legend,
+                    Label{.at = {frame.upper.x1, frame.upper.y0},
+                          .text = titleOf(data),
+                          .anchor = Anchor::Right,
+                          .size = size,
+                          .offset = {0, -9},
+                          .yields = true,
+                          .part = part});
     }
-    addText(drawing, {frame.lower.x0, frame.lower.y0}, Message(MessageId::DrawRowError), Anchor::BottomLeft, {-36, -7});
-    addTexels(drawing, frame);
-    addErrorSide(drawing, frame);
-    addFrame(drawing, frame.upper);
-    addFrame(drawing, frame.lower);
-    // First: numbers give way to words.
-    const Message title(MessageId::DrawRowPixels);
-    if (frame.lowPane()) {
-        addText(drawing, {frame.lower.x1, frame.lower.y1}, title, Anchor::Right, {0, kTick + 6});
-    } else {
-        addText(drawing, {frame.lower.center().x, frame.lower.y1}, title, Anchor::Top, {0, kTick + 13});
-    }
-    const double step = std::max(1.0, niceStep(frame.to - frame.from, frame.upper.width() / kPixelsApart));
-    // Marks stand at the middles of their pixels.
-    for (const double pixel : ticks(frame.from, frame.to - 0.5, step)) {
-        const double x = frame.xAt(pixel + 0.5);
-        addLine(drawing, {x, frame.upper.y1}, {x, frame.upper.y1 + kTick});
-        addLine(drawing, {x, frame.lower.y1}, {x, frame.lower.y1 + kTick});
-        addText(drawing, {x, frame.lower.y1}, plainText(tickText(pixel, step)), Anchor::Top, {0, kTick + 1}, true);
+    upper.left(frame.texels(), true);
+    lower.left(frame.errors(), true);
+    for (const chart::Axes& axes : {upper, lower}) axes.sides();
+    lower.below(frame.pixels(), Message(MessageId::DrawRowPixels));
+    for (const chart::Tick& tick : chart::ticks(frame.pixels(), chart::Side::Below)) {
+        chart::line(drawing, {tick.at, frame.upper.y1}, {tick.at, frame.upper.y1 + chart::kTick});
     }
     return drawing;
 }
@@ -198,27 +135,20 @@ Drawing rowsLegend(const RowsData& data, double width, relief::Language language
     bool exact = false;
     for (std::size_t c = 0; c < data.row.curves.size(); ++c) {
         const Message text = legend == RowsLegend::Names ? plainText(data.names[c]) : curveText(data, c);
-        const Point at = rows.place(kPlate + rows.textRoom(text) + LegendRows::kBetween);
-        Label number;
-        number.at = {at.x + 5, at.y};
-        number.text = plainText(std::to_string(c + 1));
-        number.anchor = Anchor::Center;
-        number.size = kTextSize;
-        number.plate = true;
-        rows.add(Role::Series, std::move(number), {static_cast<int>(c), 1});
-        rows.text({at.x + kPlate, at.y}, text);
+        rows.sign(Role::Series,
+                  Label{.text = plainText(std::to_string(c + 1)),
+                        .anchor = Anchor::Center,
+                        .size = chart::kTextSize,
+                        .plate = true},
+                  text, {static_cast<int>(c), 1}, Emphasis::Normal, kPlate);
         exact = exact || !data.row.curves[c].exact.empty();
     }
     if (legend != RowsLegend::Whole) return rows.take();
-    const auto mark = [&](Shape shape, double size, const Message& text) {
-        const Point at = rows.place(LegendRows::kSign + rows.textRoom(text) + LegendRows::kBetween);
-        rows.add(Role::Highlight, Marker{{at.x + 5, at.y}, shape, size});
-        rows.text({at.x + LegendRows::kSign, at.y}, text);
-    };
-    if (exact) mark(Shape::Bar, 6, Message(MessageId::DrawRowExact));
+    if (exact) rows.sign(Role::Highlight, Marker{{}, Shape::Bar, 6}, Message(MessageId::DrawRowExact));
     if (data.affine) {
         const std::string share = relief::numberText(100 * data.affine->share, 2) + "%";
-        mark(Shape::SquareHollow, 7, Message(MessageId::DrawRowClosedForm, {{"share", share}}));
+        rows.sign(Role::Highlight, Marker{{}, Shape::SquareHollow, 7},
+                  Message(MessageId::DrawRowClosedForm, {{"share", share}}));
     }
     return rows.take();
 }

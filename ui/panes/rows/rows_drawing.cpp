@@ -17,8 +17,7 @@ using relief::RowCurve;
 constexpr double kLeft = 40;  // margins, points
 constexpr double kRight = 14;
 constexpr double kTop = 18;
-constexpr double kBottom = 29;
-constexpr double kLowBottom = 16;
+constexpr double kLow = 190;       // lower panes have one row of words below the plots
 constexpr double kGap = 25;        // between the plots: the title of the lower one
 constexpr double kStripRoom = 26;  // a strip and its title
 constexpr double kStripHeight = 13;
@@ -113,7 +112,7 @@ void placePlots(RowsFrame& frame, const RowsData& data) {
         if (streamsOf(data.row.curves[c]) > 1 || spans) frame.stripCurves.push_back(c);
     }
     const double strips = kStripRoom * static_cast<double>(frame.stripCurves.size());
-    const double bottom = frame.lowPane() ? kLowBottom : kBottom;
+    const double bottom = chart::bottomOf(frame.whole.height(), kLow);
     const double room = std::max(frame.whole.height() - kTop - bottom - kGap - strips, 2 * kLeastSide);
     const double middle = kTop + kUpperShare * room;
     frame.upper = {kLeft, kTop, right, middle};
@@ -158,19 +157,8 @@ std::vector<std::vector<Point>> lineOf(const RowsData& data, const RowsFrame& fr
 void addLines(Drawing& drawing, std::vector<std::vector<Point>> lines, Role role, int number, Emphasis emphasis) {
     for (std::vector<Point>& points : lines) {
         if (points.size() < 2) continue;
-        drawing.items.push_back({{}, role, emphasis, Polyline{std::move(points), false}, {number, 1}});
+        drawing.add({}, role, Polyline{std::move(points)}, emphasis, {number, 1});
     }
-}
-
-void addPlate(Drawing& drawing, Point at, std::size_t curve, Point offset) {
-    Label label;
-    label.at = at;
-    label.text = plainText(std::to_string(curve + 1));
-    label.anchor = Anchor::Center;
-    label.size = 0.8;
-    label.offset = offset;
-    label.plate = true;
-    drawing.items.push_back({{}, Role::Series, Emphasis::Normal, std::move(label), {static_cast<int>(curve), 1}});
 }
 
 void addCoordinates(Drawing& drawing, const RowsData& data, const RowsFrame& frame, std::size_t c) {
@@ -187,7 +175,8 @@ void addCoordinates(Drawing& drawing, const RowsData& data, const RowsFrame& fra
     const auto [from, to] = indices(data, frame);
     const double place = (static_cast<double>(c) + 0.7) / (static_cast<double>(data.row.curves.size()) + 0.4);
     const std::size_t i = from + static_cast<std::size_t>(static_cast<double>(to - from) * place);
-    if (i < to && !std::isnan(curve.u[i])) addPlate(drawing, {frame.xAt(data.row.x[i]), frame.yAt(curve.u[i])}, c, {});
+    if (i < to && !std::isnan(curve.u[i]))
+        addCurveNumber(drawing, {frame.xAt(data.row.x[i]), frame.yAt(curve.u[i])}, c, {});
 }
 
 // Pixels far enough apart: each in the colour of its stream.
@@ -200,11 +189,8 @@ void addPixels(Drawing& drawing, const RowsData& data, const RowsFrame& frame, s
         if (std::isnan(curve.error[i])) continue;
         const double x = frame.xAt(data.row.x[i]);
         for (const Point at : {Point{x, frame.yAt(curve.u[i])}, Point{x, frame.errorAt(curve.error[i])}}) {
-            drawing.items.push_back({{},
-                                     Role::Stream,
-                                     Emphasis::Normal,
-                                     Marker{at, Shape::Dot, 4},
-                                     {static_cast<int>(curve.stream[i]), 1}});
+            drawing.add({}, Role::Stream, Marker{at, Shape::Dot, 4}, Emphasis::Normal,
+                        {static_cast<int>(curve.stream[i]), 1});
         }
     }
 }
@@ -233,13 +219,12 @@ void addErrors(Drawing& drawing, const RowsData& data, const RowsFrame& frame, s
     const PixelSpan seen = frame.seen(data);
     if (curve.valid.empty() || curve.worstPixel < seen.begin || curve.worstPixel >= seen.end) return;
     const double x = frame.xAt(static_cast<double>(curve.worstPixel) + 0.5);
-    addPlate(drawing, {x, frame.errorAt(curve.worst)}, c, {0, -7});
+    addCurveNumber(drawing, {x, frame.errorAt(curve.worst)}, c, {0, -7});
 }
 
 // Where values are made anew: marks at the lower side, a row of them for each curve; nothing where they would be a bar.
 void addRestarts(Drawing& drawing, const RowsData& data, const RowsFrame& frame) {
-    constexpr double kTick = 4;  // points
-    constexpr double kApart = 3;
+    constexpr double kApart = 3;  // points
     const PixelSpan seen = frame.seen(data);
     double y = frame.lower.y1;
     for (std::size_t c = 0; c < data.row.curves.size(); ++c) {
@@ -249,13 +234,10 @@ void addRestarts(Drawing& drawing, const RowsData& data, const RowsFrame& frame)
         if (first == last || static_cast<double>(last - first) * kApart > frame.lower.width()) continue;
         for (auto pixel = first; pixel != last; ++pixel) {
             const double x = frame.xAt(static_cast<double>(*pixel) + 0.5);
-            drawing.items.push_back({{},
-                                     Role::Series,
-                                     Emphasis::Normal,
-                                     Polyline{{{x, y - kTick}, {x, y}}, false},
-                                     {static_cast<int>(c), 1}});
+            drawing.add({}, Role::Series, Polyline{{{x, y - chart::kTick}, {x, y}}}, Emphasis::Normal,
+                        {static_cast<int>(c), 1});
         }
-        y -= kTick + 1;
+        y -= chart::kTick + 2;
     }
 }
 
@@ -267,9 +249,19 @@ void addClosedForm(Drawing& drawing, const RowsData& data, const RowsFrame& fram
 
 }  // namespace
 
+void addCurveNumber(Drawing& drawing, Point at, std::size_t curve, Point offset, Anchor anchor) {
+    drawing.add({}, Role::Series,
+                Label{.at = at,
+                      .text = plainText(std::to_string(curve + 1)),
+                      .anchor = anchor,
+                      .size = 0.8,
+                      .offset = offset,
+                      .plate = true},
+                Emphasis::Normal, {static_cast<int>(curve), 1});
+}
+
 double RowsFrame::errorAt(double error) const {
-    const double value = logarithmic ? (error > 0 ? std::log10(error) : errorLow) : error;
-    return lower.y1 - (std::clamp(value, errorLow, errorHigh) - errorLow) / (errorHigh - errorLow) * lower.height();
+    return error > 0 || !logarithmic ? std::clamp(errors().at(error), lower.y0, lower.y1) : lower.y1;
 }
 
 PixelSpan RowsFrame::seen(const RowsData& data) const {
@@ -303,12 +295,11 @@ Drawing rowsPlots(const RowsData& data, const RowsFrame& frame) {
     const double weight = frame.errorAt(kWeightStep);
     if (frame.logarithmic || kWeightStep < frame.errorHigh) {
         drawing.add({}, Role::Miss, Polyline{{{frame.lower.x0, weight}, {frame.lower.x1, weight}}, false});
-        Label label;
-        label.at = {frame.lower.x0, weight};
-        label.text = Message(MessageId::DrawRowWeight);
-        label.size = 0.8;
-        label.offset = {10, -6};
-        drawing.add({}, Role::Legend, std::move(label));
+        drawing.add({}, Role::Legend,
+                    Label{.at = {frame.lower.x0, weight},
+                          .text = Message(MessageId::DrawRowWeight),
+                          .size = chart::kTextSize,
+                          .offset = {10, weight - frame.lower.y0 < 14 ? 7.0 : -6.0}});
     }
     const double chosen = static_cast<double>(data.place.chosen) + 0.5;
     if (chosen >= frame.from && chosen <= frame.to) {
@@ -317,13 +308,13 @@ Drawing rowsPlots(const RowsData& data, const RowsFrame& frame) {
             drawing.add({ItemKind::Ray, 0, 0, 0}, Role::Hit, Polyline{{{x, plot.y0}, {x, plot.y1}}, false},
                         Emphasis::Faint);
         }
-        Label label;
-        label.at = {x, frame.upper.y0};
-        label.text = Message(MessageId::DrawRowChosen, {{"x", data.place.chosen}});
-        label.anchor = x > frame.upper.center().x ? Anchor::Right : Anchor::Left;
-        label.size = 0.8;
-        label.offset = {x > frame.upper.center().x ? -4.0 : 4.0, 6};
-        drawing.add({}, Role::Legend, std::move(label));
+        const bool right = x > frame.upper.center().x;
+        drawing.add({}, Role::Legend,
+                    Label{.at = {x, frame.upper.y0},
+                          .text = Message(MessageId::DrawRowChosen, {{"x", data.place.chosen}}),
+                          .anchor = right ? Anchor::Right : Anchor::Left,
+                          .size = chart::kTextSize,
+                          .offset = {right ? -4.0 : 4.0, 6}});
     }
     if (frame.seen(data).empty()) return drawing;
     for (std::size_t c = 0; c < data.row.curves.size(); ++c) {

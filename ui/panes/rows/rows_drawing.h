@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mapping/rows/row_errors.h"
-#include "painting/drawing.h"
+#include "painting/chart.h"
 #include "scenario/row_methods.h"
 
 namespace reliefui {
@@ -84,19 +84,28 @@ struct RowsFrame {
     double errorLow = 0;  // at the sides of the lower one: texels, or their decimal logarithm
     double errorHigh = 1;
 
-    double xAt(double x) const { return upper.x0 + (x - from) / (to - from) * upper.width(); }
-    double pixelAt(double x) const { return from + (x - upper.x0) / upper.width() * (to - from); }
-    double yAt(double texel) const { return upper.y1 - (texel - low) / (high - low) * upper.height(); }
+    chart::Scale places() const { return {from, to, upper.x0, upper.x1}; }
+    // Marks stand at the middles of their pixels.
+    chart::Scale pixels() const {
+        return {.low = from - 0.5, .high = to - 0.5, .from = upper.x0, .to = upper.x1, .leastStep = 1};
+    }
+    chart::Scale texels() const { return {low, high, upper.y1, upper.y0}; }
+    chart::Scale errors() const {
+        return {errorLow, errorHigh, lower.y1, lower.y0, logarithmic ? chart::Numbers::Powers : chart::Numbers::Plain};
+    }
+    double xAt(double x) const { return places().at(x); }
+    double pixelAt(double x) const { return places().valueAt(x); }
+    double yAt(double texel) const { return texels().at(texel); }
     // What is too small for the scale lies on its lower side.
     double errorAt(double error) const;
     relief::PixelSpan seen(const RowsData& data) const;
-    // One row of words below the plots.
-    bool lowPane() const { return whole.height() < 190; }
 };
 RowsFrame rowsFrame(const RowsData& data, const RowsOptions& options, const RowsRange& range, double width,
                     double height);
 
 Drawing rowsPlots(const RowsData& data, const RowsFrame& frame);
+// The number of a curve on a plate of its colour.
+void addCurveNumber(Drawing& drawing, Point at, std::size_t curve, Point offset, Anchor anchor = Anchor::Center);
 // Who computes which pixel; part of the plots.
 void addStrips(Drawing& drawing, const RowsData& data, const RowsFrame& frame);
 Drawing rowsAxes(const RowsData& data, const RowsFrame& frame);

@@ -36,22 +36,15 @@ std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapsho
     if (!place) emptyFigure("rows", snapshot->scenario.pixel ? MessageId::ExportNoRelief : MessageId::ExportNoPixel);
     const std::vector<relief::RowMethod> methods = rowMethods(options, "--variants");
     if (methods.empty()) emptyFigure("rows", MessageId::DrawRowNoVariant);
-    return paintedFigure(
-        [place, methods, options, range](QPainter& painter, const Box& page, const Style& style) {
-            const RowsData data = rowsData(widened(*place, options.pixels), methods, options.inDouble);
-            const double unit = style.pixelsPerPoint();
-            const Drawing legend = rowsLegend(data, page.width() / unit - kFigureMargins, style.language);
-            const Box room = figureRoom(legend, page, style);
-            const RowsFrame frame = rowsFrame(data, options, range, room.width() / unit, room.height() / unit);
-            const Drawing axes = rowsAxes(data, frame);
-            const Drawing plots = rowsPlots(data, frame);
-            paintFigure(painter, {&axes, &plots}, legend, page, style);
-        },
-        figureCaption(snapshot),
-        [](const FigurePage&) {
-            constexpr double kAspect = 0.78;  // two plots, and what they cost
-            return kAspect;
-        });
+    const auto data =
+        std::make_shared<const RowsData>(rowsData(widened(*place, options.pixels), methods, options.inDouble));
+    const auto legend = [data](double width, relief::Language language) { return rowsLegend(*data, width, language); };
+    const auto layers = [data, options, range](double width, double height, const Style&) {
+        const RowsFrame frame = rowsFrame(*data, options, range, width, height);
+        return std::vector{rowsAxes(*data, frame), rowsPlots(*data, frame)};
+    };
+    constexpr double kAspect = 0.78;  // two plots, and what they cost
+    return chartFigure({legend, layers, kAspect, kAspect - 0.15}, figureCaption(snapshot));
 }
 
 }  // namespace reliefui

@@ -1,0 +1,63 @@
+#include "golden.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <QPainter>
+#include <QTemporaryDir>
+
+#include "measuring/compare/flip.h"
+#include "relief/files.h"
+
+namespace reliefui {
+
+void expectGolden(const QString& exported, const std::string& name) {
+    constexpr int kBlock = 16;
+    constexpr double kBound = 0.05, kPixelsPerDegree = 67;
+    const std::string golden = RELIEF_SOURCE "/tests/files/figures/" + name + ".png";
+    if (const char* wish = std::getenv("RELIEF_GOLDEN"); wish != nullptr && std::string(wish) == "write") {
+        std::filesystem::copy_file(exported.toStdString(), golden, std::filesystem::copy_options::overwrite_existing);
+        return;
+    }
+    relief::Work work(1);
+    const relief::ColorImage wanted = relief::readColor(golden, work);
+    const relief::ColorImage seen = relief::readColor(exported.toStdString(), work);
+    ASSERT_EQ(wanted.width(), seen.width()) << golden;
+    ASSERT_EQ(wanted.height(), seen.height()) << golden;
+    const relief::FloatImage errors = relief::flipErrors(wanted, seen, kPixelsPerDegree, work);
+    for (int y0 = 0; y0 < errors.height(); y0 += kBlock) {
+        for (int x0 = 0; x0 < errors.width(); x0 += kBlock) {
+            const int x1 = std::min(x0 + kBlock, errors.width()), y1 = std::min(y0 + kBlock, errors.height());
+            double sum = 0;
+            for (int y = y0; y < y1; ++y) {
+                for (int x = x0; x < x1; ++x) sum += static_cast<double>(errors(x, y));
+            }
+            const double mean = sum / ((x1 - x0) * (y1 - y0));
+            if (mean <= kBound) continue;
+            const auto kept = std::filesystem::temp_directory_path() / ("relief-" + name + ".png");
+            std::filesystem::copy_file(exported.toStdString(), kept, std::filesystem::copy_options::overwrite_existing);
+            FAIL() << name << " is not as stored: FLIP " << mean << " at " << x0 << ", " << y0 << "; it is in " << kept
+                   << " (with RELIEF_GOLDEN=write it is stored)";
+        }
+    }
+}
+
+void expectGoldens(const PaintsPage& paint, int width, int height, const std::string& name) {
+    const QTemporaryDir folder;
+    for (const bool english : {false, true}) {
+        Style style;
+        style.theme = english ? Theme::Dark : Theme::Light;
+        style.language = english ? relief::Language::English : relief::Language::Ukrainian;
+        style.screenPixelsPerPoint = 80.0 / 72;
+        QImage image(width, height, QImage::Format_RGB32);
+        QPainter painter(&image);
+        paint(painter, {0, 0, double(width), double(height)}, style);
+        painter.end();
+        const QString file = folder.filePath(QStringLiteral("figure.png"));
+        ASSERT_TRUE(image.save(file));
+        expectGolden(file, english ? name + "-english" : name);
+    }
+}
+
+}  // namespace reliefui
