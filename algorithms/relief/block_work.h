@@ -9,7 +9,7 @@
 
 #include "base/parallel.h"
 #include "relief/describe.h"
-#include "relief/step_log.h"
+#include "relief/tracer.h"
 #include "relief/work.h"
 
 namespace relief {

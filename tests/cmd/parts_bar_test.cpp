@@ -20,26 +20,30 @@ TEST(PartsBar, BeginsAnewWhereARunGoesOn) {
     constexpr std::size_t kParts = 20, kLeft = 4;
     constexpr std::chrono::milliseconds kPart(400);  // the bar comes after a second: during the third part
     const testing::TemporaryFolder folder;
-    PartsRun run;
-    run.bar = "parts";
-    run.parts = kParts;
-    run.output = folder / "table.csv";
-    run.measure = [](Task task, Work&) {
-        if (task.part >= kParts - kLeft) throw Cancelled();
-        return Json(task.part);
-    };
-    Session quiet(Language::English, std::stop_token());
-    quiet.setQuiet(true);
-    EXPECT_THROW(doParts(run, quiet), Cancelled);
-
-    run.earlier = EarlierRun::Resume;
-    run.measure = [&](Task task, Work&) {
-        std::this_thread::sleep_for(kPart);
-        return Json(task.part);
-    };
     int terminal = -1;
+    // All of it in the child: threads of an earlier run would not be there after the fork.
     const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
     if (child == 0) {
+        PartsRun run;
+        run.bar = "parts";
+        run.parts = kParts;
+        run.output = folder / "table.csv";
+        run.measure = [](Task task, Work&) {
+            if (task.part >= kParts - kLeft) throw Cancelled();
+            return Json(task.part);
+        };
+        Session quiet(Language::English, std::stop_token());
+        quiet.setQuiet(true);
+        try {
+            doParts(run, quiet);
+            _exit(2);
+        } catch (const Cancelled&) {
+        }
+        run.earlier = EarlierRun::Resume;
+        run.measure = [&](Task task, Work&) {
+            std::this_thread::sleep_for(kPart);
+            return Json(task.part);
+        };
         Session session(Language::English, std::stop_token());
         const std::optional<PartsDone> done = doParts(run, session);
         _exit(done && done->results.size() == kParts ? 0 : 1);

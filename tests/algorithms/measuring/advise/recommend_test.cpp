@@ -272,7 +272,7 @@ TEST(Recommend, ChecksKeepBoundsOnEveryRelief) {
     EXPECT_FALSE(keep({{"a", kept}, {"b", broken}, {"c", kept}}));
     const std::vector<CheckedRelief> reliefs{{"a", broken}, {"b", kept}};
     const std::string text = regretText(reliefs);
-    for (const char* const part : {" 50 ", " 25! ", "regret: median 25%, worst 50%"}) {
+    for (const char* const part : {" 50.0 ", " 25.0! ", "regret: median 25.0%, worst 50.0%"}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     }
 }
