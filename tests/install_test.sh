@@ -80,7 +80,8 @@ becomes() {
     local expected=$1
     shift
     COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
-    "_$1"
+    # Outside of a completion bash has no options to set for one: that fails, and may.
+    "_$1" || true
     [ "${COMPREPLY[*]}" = "$expected" ] || fail "$*: completed by ${COMPREPLY[*]}, not $expected"
 }
 # shellcheck source=/dev/null

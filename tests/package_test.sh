@@ -6,10 +6,17 @@ set -euo pipefail
 package=$(realpath "$1")
 root=${2:-$(mktemp -d)}
 mirror=${3:-http://deb.debian.org/debian}
-[ -n "${2:-}" ] || trap 'rm -rf "$root"' EXIT
+leave() {
+    ! mountpoint -q "$root/proc" || umount "$root/proc"
+    [ -n "$kept" ] || rm -rf --one-file-system "$root"
+}
+kept=${2:-}
+trap leave EXIT
 fail() { echo "$1"; exit 1; }
 
 [ -x "$root/usr/bin/apt-get" ] || debootstrap --variant=minbase bookworm "$root" "$mirror"
+# Where programs learn their own place.
+mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
 cp "$package" "$root/tmp/reliefscope.deb"
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp DEBIAN_FRONTEND=noninteractive "$@"; }
 inside apt-get -qq update
