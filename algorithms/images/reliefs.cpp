@@ -75,7 +75,7 @@ struct Canvas {
 
     // All rows will be passed over so many times.
     void begin(std::int64_t passes = 1) const {
-        if (work != nullptr) work->progress().begin("relief", passes * height);
+        if (work != nullptr) work->progress().begin("making the relief", passes * height);
     }
     // At the end of a row.
     void rowDone() const {

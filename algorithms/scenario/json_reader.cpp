@@ -31,6 +31,16 @@ std::size_t elementAt(const std::string& text, std::size_t at, std::size_t n) {
     return found == std::string::npos ? begin : found;
 }
 
+// Where the key is named at or after `at`; npos: nowhere. A text of the same letters is no key.
+std::size_t keyAt(const std::string& text, std::size_t at, const std::string& key) {
+    const std::string quoted = '"' + key + '"';
+    for (at = text.find(quoted, at); at != std::string::npos; at = text.find(quoted, at + 1)) {
+        const std::size_t next = text.find_first_not_of(" \t\r\n", at + quoted.size());
+        if (next != std::string::npos && text[next] == ':') break;
+    }
+    return at;
+}
+
 std::size_t lineAt(const std::string& text, std::size_t at) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size()));
     return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
@@ -45,7 +55,7 @@ std::size_t lineOf(const std::string& text, const std::vector<std::string>& path
             at = elementAt(text, at, std::stoul(key.substr(1)));
             continue;
         }
-        const std::size_t found = text.find('"' + key + '"', at);
+        const std::size_t found = keyAt(text, at, key);
         if (found == std::string::npos) break;
         at = found;
     }

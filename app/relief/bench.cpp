@@ -241,8 +241,9 @@ void refuseOthers(const CLI::App& parser, const std::string& kind) {
         for (const std::string& other : splitText(group.substr(open + 1, group.size() - open - 2), ',')) {
             others += (others.empty() ? "relief bench " : ", relief bench") + other;
         }
-        throw InputError(option->get_name(), Message(MessageId::ArgumentOfOther,
-                                                     {{"others", others}, {"command", "relief bench " + kind}}));
+        throw InputError(
+            option->get_positional() ? option->results().front() : option->get_name(),
+            Message(MessageId::ArgumentOfOther, {{"others", others}, {"command", "relief bench " + kind}}));
     }
 }
 

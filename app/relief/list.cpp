@@ -10,6 +10,7 @@
 #include "relief/tracers/map_choice.h"
 #include "relief/visibility/any_hit.h"
 #include "scenario/row_methods.h"
+#include "scenario/variation.h"
 
 namespace relief::app {
 
@@ -165,12 +166,14 @@ std::string rowMethodText(const RowMethodDescription& method) {
 // Of one kind: what a heading says, and each entry's name and lines.
 struct Section {
     std::string name;  // as relief list NAME has it
+    std::string key;   // in the JSON
     std::string heading;
     std::vector<std::pair<std::string, std::string>> entries;
 };
 
 Section tracerSection(const std::string& name, const std::string& heading, MethodKind kind) {
-    Section section{name, heading, {}};
+    const std::string key = kind == MethodKind::AnyHit ? "any_hit" : "tracers";
+    Section section{name, key, heading, {}};
     for (const MethodDescription& method : kind == MethodKind::AnyHit ? anyHitList() : tracerList()) {
         if (method.kind == kind) section.entries.emplace_back(method.name, methodText(method));
     }
@@ -180,8 +183,11 @@ Section tracerSection(const std::string& name, const std::string& heading, Metho
 std::string filterText(const FilterDescription& filter) {
     std::string out = entry(filter.name, filter.help, 2, 14);
     if (!filter.source.empty()) out += entry("source", filter.source, 6, 12);
-    for (const OptionDescription& option : filter.options) {
-        out += entry("--filter-set " + option.name + "=..", optionText(option, filter.defaults.at(option.name)), 6, 22);
+    // With those of supersampling, which only stand beside its name.
+    const MethodDescription described = describedVariation(CompareSubject::Filters, {filter.name, {}});
+    const std::string prefix = filter.name == kSupersample ? ":" : "--filter-set ";
+    for (const OptionDescription& option : described.options) {
+        out += entry(prefix + option.name + "=..", optionText(option, described.defaults.at(option.name)), 6, 22);
     }
     return out;
 }
@@ -202,7 +208,7 @@ std::vector<Section> sections() {
     all.push_back(tracerSection("any-hit",
                                 "Any-hit queries: whether something is in the way, for shadows and back-tracing",
                                 MethodKind::AnyHit));
-    Section maps{"maps", "Maps that are built once and stored (relief map KIND, --map FILE)", {}};
+    Section maps{"maps", "maps", "Maps that are built once and stored (relief map KIND, --map FILE)", {}};
     for (const std::string& kind : mapKinds()) {
         maps.entries.emplace_back(
             kind, entry(kind, "walked by the tracer " + methodOfMap(kind) + ", whose options it has", 2, 24));
@@ -211,63 +217,76 @@ std::vector<Section> sections() {
         maps.entries.emplace_back(kind, entry(kind, "for other programs, as a picture with MIP levels", 2, 24));
     }
     all.push_back(std::move(maps));
-    Section rows{"rows", "Rows: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)", {}};
+    Section rows{
+        "rows", "rows", "Rows: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)", {}};
     for (const RowMethodDescription& method : rowMethodList()) {
         rows.entries.emplace_back(method.name, rowMethodText(method));
     }
     all.push_back(std::move(rows));
-    Section filters{"filters", "Filters: how colours are sampled (--filter NAME:OPTION=VALUE)", {}};
+    Section filters{"filters", "filters", "Filters: how colours are sampled (--filter NAME:OPTION=VALUE)", {}};
     for (const FilterDescription& filter : filterList()) filters.entries.emplace_back(filter.name, filterText(filter));
     all.push_back(std::move(filters));
-    Section reliefs{"reliefs", "Reliefs: procedural height maps (relief make NAME, --relief NAME)", {}};
+    Section reliefs{"reliefs", "reliefs", "Reliefs: procedural height maps (relief make NAME, --relief NAME)", {}};
     for (const ReliefRecipe& recipe : reliefRecipes()) reliefs.entries.emplace_back(recipe.name, reliefText(recipe));
     all.push_back(std::move(reliefs));
-    Section numbers{"numbers", "Numbers of a view: unit, range, default", {}};
+    Section numbers{"numbers", "numbers", "Numbers of a view: unit, range, default", {}};
     for (const ScenarioNumber& number : scenarioNumbers()) {
         const std::string& name = number.description.name;
         numbers.entries.emplace_back(
             name, entry(name, optionText(number.description, numberText(number.get(Scenario{}))), 2, 18));
     }
     all.push_back(std::move(numbers));
+    Section layers{"render-layers", "layers", "Layers of a picture (relief render --layers NAME,...)", {}};
+    for (const std::string& name : layerNames()) layers.entries.emplace_back(name, "  " + name + "\n");
+    all.push_back(std::move(layers));
     return all;
+}
+
+// Throws InputError for what is neither a section nor an entry.
+[[noreturn]] void failUnknown(const std::vector<Section>& all, const std::string& wanted) {
+    std::vector<std::string> kinds, names;
+    for (const Section& section : all) {
+        kinds.push_back(section.name);
+        for (const auto& entry : section.entries) names.push_back(entry.first);
+    }
+    names.insert(names.begin(), kinds.begin(), kinds.end());
+    // All names would fill the screen: the kinds do.
+    const MessageValue what("what", MessageId::WordListed), name("name", wanted), known("known", commaList(kinds));
+    const std::string near = nearestName(wanted, names);
+    throw InputError("", near.empty() ? Message(MessageId::UnknownName, {what, name, known})
+                                      : Message(MessageId::UnknownNear, {what, name, {"near", near}, known}));
 }
 
 // wanted: a section, or an entry wherever it stands; empty: all.
 std::string listText(const std::string& wanted) {
+    const std::vector<Section> all = sections();
     std::string out;
-    std::string known;
-    for (const Section& section : sections()) {
+    for (const Section& section : all) {
         std::string text;
-        known += (known.empty() ? "" : ", ") + section.name;
         for (const auto& [name, lines] : section.entries) {
             if (wanted.empty() || wanted == section.name || wanted == name) text += lines;
-            known += ", " + name;
         }
         if (!text.empty()) out += (out.empty() ? "" : "\n") + section.heading + "\n" + text;
     }
-    if (wanted.empty() || wanted == "layers") {
-        out += (out.empty() ? "" : "\n") + ("Layers of relief render --layers: " + commaList(layerNames())) + "\n";
-    }
-    if (!out.empty()) return out;
-    throw InputError("", unknownName({"what", MessageId::WordListed}, wanted, known + ", layers"));
+    if (out.empty()) failUnknown(all, wanted);
+    return out;
 }
 
-// The same choice: arrays whose key is wanted, and entries of that name.
+// The same choice of what there is.
 std::string listJson(const std::string& wanted) {
     const Json all = listJson();
     if (wanted.empty()) return all.dump(2) + "\n";
-    listText(wanted);  // throws
-    Json chosen;
-    for (const auto& [key, entries] : all.items()) {
-        if (key == wanted || (key == "any_hit" && wanted == "any-hit")) chosen[key] = entries;
-        if (!entries.is_array() || chosen.contains(key)) continue;
-        for (const Json& one : entries) {
-            const bool shading =
-                one.is_object() && one.contains("kind") &&
-                ((wanted == "shading" && one["kind"] == "shading") || (wanted == "meshes" && one["kind"] == "mesh"));
-            if (shading || (one.is_object() && one["name"] == wanted)) chosen[key].push_back(one);
+    Json chosen = Json::object();
+    for (const Section& section : sections()) {
+        for (const auto& entry : section.entries) {
+            if (wanted != section.name && wanted != entry.first) continue;
+            for (const Json& one : all.at(section.key)) {
+                const Json& name = one.is_object() ? one.at("name") : one;
+                if (name == entry.first) chosen[section.key].push_back(one);
+            }
         }
     }
+    if (chosen.empty()) failUnknown(sections(), wanted);
     return chosen.dump(2) + "\n";
 }
 
@@ -290,7 +309,7 @@ void addListCommand(CLI::App& program, Commands& commands) {
         "  relief list --json | less");
     addText(*parser, "NAME", options->name, "",
             "of a tracer, map, row variant, filter, relief or number; or all of a kind: tracers, shading, meshes, "
-            "any-hit, maps, rows, filters, reliefs, numbers, layers",
+            "any-hit, maps, rows, filters, reliefs, numbers, render-layers",
             "Arguments");
     addFlag(*parser, "--json", options->json, "the same for programs", "Output");
     options->run.add(*parser, false);

@@ -190,7 +190,7 @@ TEST_P(RenderTest, AProceduralReliefNeedsNoFile) {
     runFine({"render", "--height", height, "--size", "60x40", "-o", path("a.png")});
     runFine({"render", "--relief", "pits:48x32:5", "--size", "60x40", "-o", path("b.png")});
     EXPECT_EQ(read("a.png"), read("b.png"));
-    expectRefusal({"render", "--relief", "pits:48", "-o", path("b.png")}, 2, {"--relief"});
+    expectRefusal({"render", "--relief", "pits:48x", "-o", path("b.png")}, 2, {"--relief"});
     expectRefusal({"render", "--relief", "moon", "-o", path("b.png")}, 2, {"--relief", "moon"});
 }
 

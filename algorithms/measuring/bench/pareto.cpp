@@ -170,9 +170,14 @@ std::vector<BenchRow> chosenRows(std::vector<BenchRow> rows, const std::string& 
         if (!rows.empty()) return;
         throw InputError(option, unknownName({"what", what}, wanted, commaList(known)));
     };
-    // The short name, or all of it.
+    // The short name, all of it, or all but the seed, as relief bench --relief takes it.
+    const auto begins = [&](const BenchRow& row) { return row.height.starts_with(height + ":"); };
     const bool whole = std::any_of(rows.begin(), rows.end(), [&](const BenchRow& row) { return row.height == height; });
-    keep("--relief", "relief", height, [&](const BenchRow& row) { return whole ? row.height : nameOf(row); });
+    const bool sized = height.find(':') != std::string::npos && std::any_of(rows.begin(), rows.end(), begins);
+    keep("--relief", "relief", height, [&](const BenchRow& row) {
+        if (sized && begins(row)) return height;
+        return whole ? row.height : nameOf(row);
+    });
     keep("--elevation", "elevation", elevation, [](const BenchRow& row) { return elevationText(row.elevation); });
     return rows;
 }

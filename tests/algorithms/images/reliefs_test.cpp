@@ -148,7 +148,8 @@ TEST(Reliefs, RefusesWhatTheyAreNot) {
     EXPECT_EQ(faultOf([] { makeRelief("bricks", 0, 8, 0); }),
               "bricks: the picture is 0 x 8: there is not a single pixel");
     EXPECT_EQ(faultOf([] { makeRelief("walls", 8, 8, 0); }),
-              "there is no relief \"walls\"; known: bricks, spikes, pits, columns, city, fractal, hills, steps, "
+              "there is no relief \"walls\"; did you mean \"paper-walls\"? Known: bricks, spikes, pits, columns, city, "
+              "fractal, hills, steps, "
               "checker, paper8x8, paper-walls");
 }
 

@@ -392,6 +392,7 @@ TEST_F(OldFiles, TablesAreReadAndTheirColumnsAreStillThere) {
         EXPECT_EQ(row.form, row.method.name == "exact" ? Form::Scalar : Form::Simd) << row.method.name;
     }
     const ParetoTable table = paretoTable(chosenRows(rows, "bricks:16x16:1", "60"));
+    EXPECT_EQ(chosenRows(rows, "bricks:16x16", "60").size(), chosenRows(rows, "bricks:16x16:1", "60").size());
     ASSERT_EQ(table.points.size(), 3U);
     EXPECT_EQ(table.points[0].method.name, "exact");
     EXPECT_EQ(table.points[0].errorOf(ErrorMeasure::Max), 0);
