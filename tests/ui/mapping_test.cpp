@@ -1,6 +1,7 @@
 // Coordinates by other rows than direct, chosen in the window.
 #include <QComboBox>
 #include <QLabel>
+#include <QSignalSpy>
 
 #include "window_fixture.h"
 
@@ -31,6 +32,38 @@ TEST_F(WindowTest, CoordinatesAreChosenSaidAndUndone) {
     EXPECT_EQ(scenario().mapping, "direct");
     EXPECT_EQ(box->currentData().toString(), QStringLiteral("direct"));
     EXPECT_EQ(snapshot()->frame->ray(100, 60), straight);
+}
+
+// How far the ellipses along rows are off; and what they cannot serve is refused in a line, the state kept.
+TEST_F(WindowTest, EllipsesAlongRowsAreSaidAndRefusedForShapedPixels) {
+    relief::Scenario start = smallScenario();
+    start.filter = {"elliptical", {{"ellipse", "cached"}}};
+    openWindow(start);
+    waitForFull();
+    auto* const line = window_->findChild<QLabel*>(QStringLiteral("status-frame"));
+    ASSERT_NE(line, nullptr);
+    EXPECT_GT(snapshot()->ellipseOff, 0);
+    EXPECT_LT(snapshot()->ellipseOff, 1e-4);
+    EXPECT_TRUE(line->text().contains(QStringLiteral("footprint axes ±"))) << line->text().toStdString();
+    const QSignalSpy problems(workspace_.get(), &Workspace::problem);
+    const std::shared_ptr<const Snapshot> shown = snapshot();
+    const relief::Scenario before = scenario();
+    relief::Scenario wrong = before;
+    wrong.filter.options["weights"] = "box";
+    workspace_->change(wrong, QStringLiteral("Weights"));
+    ASSERT_EQ(problems.size(), 1);
+    const QString said = problems[0][0].toString();
+    EXPECT_TRUE(said.contains(QStringLiteral("ellipse is cached"))) << said.toStdString();
+    EXPECT_TRUE(said.contains(QStringLiteral("weights=box"))) << said.toStdString();
+    EXPECT_FALSE(said.contains(QLatin1Char('\n')));
+    EXPECT_EQ(scenario(), before);
+    EXPECT_EQ(snapshot(), shown);
+    relief::Scenario direct = before;
+    direct.filter.options["ellipse"] = "direct";
+    workspace_->change(direct, QStringLiteral("Ellipse"));
+    waitForFull();
+    EXPECT_EQ(snapshot()->ellipseOff, 0);
+    EXPECT_FALSE(line->text().contains(QStringLiteral("footprint axes"))) << line->text().toStdString();
 }
 
 }  // namespace

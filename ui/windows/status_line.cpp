@@ -180,6 +180,12 @@ void StatusLine::showLedger() {
                     .arg(QString::fromStdString(snapshot->scenario.mapping), rounded(snapshot->frame->mappingOff, 2)) +
                 QLatin1Char('\n');
     }
+    if (snapshot->ellipseOff > 0) {
+        text += tr("Footprint ellipses: %1, semi-axes off by up to %2 %")
+                    .arg(QString::fromStdString(snapshot->scenario.filter.options.at("ellipse")),
+                         rounded(100 * snapshot->ellipseOff, 2)) +
+                QLatin1Char('\n');
+    }
     frame_->setToolTip(text + PauseLog::instance().text(kPauses));
 }
 
@@ -231,6 +237,9 @@ QString StatusLine::frameText() const {
                           counter(frame, relief::MessageId::CountRaysParallax);
     if (frame.mappingOff > 0) {
         text += QStringLiteral("     ") + tr("coordinates ±%1 texels").arg(rounded(frame.mappingOff, 2));
+    }
+    if (snapshot->ellipseOff > 0) {
+        text += QStringLiteral("     ") + tr("footprint axes ±%1 %").arg(rounded(100 * snapshot->ellipseOff, 2));
     }
     return text + QStringLiteral("     ") +
            tr("skipped: %1 %").arg(std::lround(pixels > 0 ? 100 * spared / pixels : 0));

@@ -32,6 +32,7 @@ struct Snapshot {
     relief::Guarantee guarantee = relief::Guarantee::Approximate;  // of the method with these options
     std::size_t methodBytes = 0;                                   // of its maps
     std::optional<relief::BoundedError> bounded;                   // of a full frame that skips within a bound
+    double ellipseOff = 0;                                         // of a full frame: ellipseError()
     std::shared_ptr<const PixelFootprint> footprint;               // of the pixel; null where it has no hit
     PixelTrace trace;                                              // in full-size pixels, also when coarse
     std::shared_ptr<const PixelTrace> other;                       // of somebody else's tracer; null: no files are open

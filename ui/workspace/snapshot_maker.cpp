@@ -6,6 +6,7 @@
 #include <string>
 
 #include "relief/maps/map_memory.h"
+#include "rendering/ellipse_error.h"
 #include "workspace/discard.h"
 #include "workspace/pane_states.h"
 
@@ -95,6 +96,7 @@ bool SnapshotMaker::draw(Shown& shown, const SnapshotOrder& order, const relief:
     if (request.bounded > 0 && &shown == &full_) {
         shown.bounded = relief::measureBounded(*shown.drawn.frame, request, *maps_, work);
     }
+    shown.ellipseOff = &shown == &full_ ? relief::ellipseError(*shown.drawn.frame, request, work) : 0;
     shown.scenario = order.scenario;
     return true;
 }
@@ -136,6 +138,7 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     snapshot->picture = shown.picture;
     snapshot->layer = shown.layer;
     snapshot->bounded = shown.bounded;
+    snapshot->ellipseOff = shown.ellipseOff;
     snapshot->tracer = picture.tracer;
     snapshot->guarantee = picture.tracer->guarantee();
     snapshot->methodBytes = picture.tracer->bytes();

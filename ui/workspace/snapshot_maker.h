@@ -43,6 +43,7 @@ class SnapshotMaker {
         QImage picture;
         LayerPicture layer;  // the one shown last
         std::optional<relief::BoundedError> bounded;
+        double ellipseOff = 0;
 
         bool is(const relief::Scenario& other, const relief::Assets& of) const;
     };
