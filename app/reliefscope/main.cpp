@@ -17,7 +17,10 @@
 #include "measuring/bench/bench_rows.h"
 #include "measuring/bench/pareto.h"
 #include "panes/charts/charts_figure.h"
+#include "panes/charts/charts_state.h"
+#include "panes/distance/distance_state.h"
 #include "panes/rows/rows_drawing.h"
+#include "panes/rows/rows_state.h"
 #include "relief/errors.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/variation.h"
@@ -29,7 +32,7 @@
 #include "windows/restore_offer.h"
 #include "workspace/language.h"
 #include "workspace/last_state.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 #include "workspace/snapshot_maker.h"
 #include "workspace/start_scenario.h"
@@ -59,7 +62,7 @@ Start chosenStart(const std::string& file, const std::string& datasets) {
     const std::string path = std::filesystem::absolute(file).lexically_normal().string();
     try {
         if (endsInJson(path)) {
-            start.scenario = reliefui::loadWindowScenario(path);
+            start.scenario = reliefui::loadWindowScenario(path, reliefui::stateReaders());
         } else {
             start.scenario.pictures = {};
             start.scenario.pictures.height = path;
@@ -79,7 +82,7 @@ Start startOfWindow(const Arguments& arguments, const std::string& datasets, rel
     if (arguments.file.empty() && session != nullptr && !arguments.anew) {
         Start start;
         session->setStarting(true);
-        if (const auto last = reliefui::lastState(start.pictures)) {
+        if (const auto last = reliefui::lastState(start.pictures, reliefui::stateReaders())) {
             start.scenario = *last;
             return start;
         }
@@ -131,14 +134,20 @@ reliefui::Layer chosenLayer(const std::string& name) {
 }
 
 // What stands in the command goes before what the scenario says.
-void takeArguments(reliefui::PaneStates& panes, const Arguments& arguments) {
-    if (!arguments.map.empty()) panes.distance.map = arguments.map;
-    if (!arguments.minus.empty()) panes.distance.minus = arguments.minus;
-    if (!arguments.axis.empty()) panes.distance.axis = arguments.axis;
-    if (arguments.slice >= 0) panes.distance.slice = arguments.slice;
-    if (!arguments.variants.empty()) panes.rows.variants = betweenCommas(arguments.variants);
-    if (arguments.rowWidth > 0) panes.rows.pixels = arguments.rowWidth;
-    if (!arguments.error.empty()) panes.charts.error = arguments.error;
+void takeArguments(Scenario& scenario, const Arguments& arguments) {
+    auto distance = reliefui::stateOf<reliefui::DistancePane>(scenario);
+    auto rows = reliefui::stateOf<reliefui::RowsPane>(scenario);
+    auto charts = reliefui::stateOf<reliefui::ChartsPane>(scenario);
+    if (!arguments.map.empty()) distance.map = arguments.map;
+    if (!arguments.minus.empty()) distance.minus = arguments.minus;
+    if (!arguments.axis.empty()) distance.axis = arguments.axis;
+    if (arguments.slice >= 0) distance.slice = arguments.slice;
+    if (!arguments.variants.empty()) rows.variants = betweenCommas(arguments.variants);
+    if (arguments.rowWidth > 0) rows.pixels = arguments.rowWidth;
+    if (!arguments.error.empty()) charts.error = arguments.error;
+    reliefui::setState(scenario, distance);
+    reliefui::setState(scenario, rows);
+    reliefui::setState(scenario, charts);
 }
 
 // "X,Y" within the picture. Throws InputError.
@@ -249,8 +258,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     }
     Start start = chosenStart(arguments.file, shippedPictures());
     takeView(start.scenario, arguments);
-    reliefui::PaneStates panes = reliefui::panesOf(start.scenario);
-    takeArguments(panes, arguments);
+    takeArguments(start.scenario, arguments);
     reliefui::prepareFigures();
     QApplication application(count, values);
     reliefui::dressApplication(application);
@@ -261,7 +269,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     order.lastStep = !arguments.pixel.empty();
     Work work;
     const auto snapshot = maker.make(order, work);
-    const auto figure = kind.make(snapshot, snapshot->scenario.step, panes);
+    const auto figure = kind.make(snapshot, snapshot->scenario);
     reliefui::writeFigure(*figure, page, arguments.output);
     return 0;
 }
@@ -320,7 +328,7 @@ int run(int count, char** values, const Arguments& arguments) {
     reliefui::dressApplication(application);
     if (!shot) reliefui::speak(reliefui::chosenLanguage());
     QApplication::setApplicationVersion(QStringLiteral(RELIEF_VERSION));
-    reliefui::Workspace workspace;
+    reliefui::Workspace workspace(std::make_shared<const reliefui::StateReaders>(reliefui::stateReaders()));
     // Reads and draws while the window is being made.
     workspace.start(start.scenario, std::move(start.pictures));
     reliefui::MainWindow* shown = nullptr;

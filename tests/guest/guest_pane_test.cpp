@@ -1,8 +1,10 @@
 // The guest among the panes, as a user of the window meets it: a folder of its own and a line in the list are enough.
 #include <QAction>
 #include <QDockWidget>
+#include <QSpinBox>
 #include <QTemporaryDir>
 
+#include "guest/numbers_pane.h"
 #include "panes/drawing_canvas.h"
 #include "window_fixture.h"
 #include "windows/pane_list.h"
@@ -33,8 +35,21 @@ TEST_F(WindowTest, TheGuestPaneIsEverywhere) {
     const QTemporaryDir folder;
     saveFigure(view, folder.filePath(QStringLiteral("numbers.pdf")));
     EXPECT_TRUE(validFigure(folder.filePath(QStringLiteral("numbers.pdf"))));
-    const QImage image = figureImage(*figureKind("numbers").make(snapshot(), 0, {}), {}, 400);
+    const QImage image = figureImage(*figureKind("numbers").make(snapshot(), scenario()), {}, 400);
     EXPECT_GT(colorsIn(image), 10);
+    // What is chosen in it is undone, saved and checked like that of any other pane.
+    const QImage before = grab(canvas);
+    view->findChild<QSpinBox*>()->setValue(1);
+    EXPECT_EQ(stateOf<NumbersState>(scenario()).decimals, 1);
+    EXPECT_NE(grab(canvas), before);
+    const std::string text = relief::scenarioText(scenario());
+    EXPECT_EQ(parseWindowScenario(text, "s.json", stateReaders()).ui, scenario().ui);
+    EXPECT_THROW(
+        parseWindowScenario(R"({"reliefscope": 1, "ui": {"numbers": {"decimals": 12}}})", "s.json", stateReaders()),
+        relief::InputError);
+    workspace_->undo();
+    EXPECT_EQ(grab(canvas), before);
+    EXPECT_TRUE(scenario().ui.empty());
     // Closed and gone from sight, then where panes stand at first.
     dock->hide();
     window_->resetLayout();

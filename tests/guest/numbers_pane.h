@@ -1,7 +1,8 @@
-// A guest: a pane of somebody else's, with its figure. It writes where the chosen ray enters the relief and where it
-// hits.
+// A guest: a pane of somebody else's, with its figure and a choice that is kept in scenarios. It writes where the
+// chosen ray enters the relief and where it hits, with as many decimals as are chosen.
 #pragma once
 
+#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "painting/painter.h"
@@ -10,17 +11,31 @@
 #include "panes/figure_view.h"
 #include "panes/pane.h"
 #include "scenario/step_sentence.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 
-inline Drawing numbersDrawing(const Snapshot& snapshot) {
+struct NumbersState {
+    static constexpr const char* kName = "numbers";
+    int decimals = 3;
+
+    void read(relief::JsonReader reader) {
+        reader.readWhole("decimals", decimals);
+        reader.finish();
+    }
+    void check(const std::string& subject) const { checkWithin(subject, "decimals", decimals, 0, 9); }
+    relief::Json json() const { return {{"decimals", decimals}}; }
+    bool operator==(const NumbersState&) const = default;
+};
+
+inline Drawing numbersDrawing(const Snapshot& snapshot, const NumbersState& state) {
     Drawing drawing;
     drawing.bounds = {0, 0, 200, 40};
     const relief::ViewRay& ray = snapshot.trace.ray;
     const auto write = [&](double y, const std::string& name, double value) {
         Label label;
         label.at = {0, y};
-        label.text = plainText(name + " = " + relief::fixedText(value, 3));
+        label.text = plainText(name + " = " + relief::fixedText(value, state.decimals));
         drawing.add({}, Role::Label, std::move(label));
     };
     write(10, "s0", ray.s0);
@@ -29,10 +44,11 @@ inline Drawing numbersDrawing(const Snapshot& snapshot) {
     return drawing;
 }
 
-inline std::shared_ptr<const Figure> numbersFigure(std::shared_ptr<const Snapshot> snapshot) {
+inline std::shared_ptr<const Figure> numbersFigure(std::shared_ptr<const Snapshot> snapshot,
+                                                   const relief::Scenario& scenario) {
     return paintedFigure(
-        [snapshot](QPainter& painter, const Box& page, const Style& style) {
-            const Drawing drawing = numbersDrawing(*snapshot);
+        [snapshot, state = stateOf<NumbersState>(scenario)](QPainter& painter, const Box& page, const Style& style) {
+            const Drawing drawing = numbersDrawing(*snapshot, state);
             paintFigure(painter, {&drawing}, {}, page, style);
         },
         figureCaption(snapshot));
@@ -43,29 +59,43 @@ class NumbersView : public FigureView {
     NumbersView(Workspace* workspace, QWidget* parent)
         : FigureView(workspace, QStringLiteral("Numbers"), QStringLiteral("numbers"), QStringLiteral("Export numbers"),
                      parent),
-          canvas_(new DrawingCanvas(this)) {
+          canvas_(new DrawingCanvas(this)),
+          decimals_(new QSpinBox(this)) {
         setFace(canvas_);
         auto* const column = new QVBoxLayout(this);
+        column->addWidget(decimals_);
         column->addWidget(canvas_);
+        decimals_->setRange(0, 9);
+        decimals_->setValue(stateOf<NumbersState>(workspace->scenario()).decimals);
+        connect(decimals_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int decimals) {
+            workspace_->change(withState(workspace_->scenario(), NumbersState{decimals}), QStringLiteral("Decimals"));
+        });
+        connect(workspace, &Workspace::panesChanged, this, [this] {
+            const QSignalBlocker blocked(decimals_);
+            decimals_->setValue(stateOf<NumbersState>(workspace_->scenario()).decimals);
+            refresh();
+        });
         connect(workspace, &Workspace::styleChanged, this, &NumbersView::refresh);
     }
 
   protected:
     std::shared_ptr<const Figure> figure() const override {
         const auto shown = workspace_->snapshot();
-        return shown ? numbersFigure(shown) : nullptr;
+        return shown ? numbersFigure(shown, workspace_->scenario()) : nullptr;
     }
 
     void showSnapshot() override {
         const auto shown = workspace_->snapshot();
         if (!shown) return;
         canvas_->setStyle(workspace_->style());
-        canvas_->setLayers({std::make_shared<const Drawing>(numbersDrawing(*shown))}, nullptr);
+        const auto state = stateOf<NumbersState>(workspace_->scenario());
+        canvas_->setLayers({std::make_shared<const Drawing>(numbersDrawing(*shown, state))}, nullptr);
     }
     void letGo() override { canvas_->letGo(); }
 
   private:
     DrawingCanvas* canvas_;
+    QSpinBox* decimals_;
 };
 
 inline PaneKind numbersPane() {
@@ -74,7 +104,8 @@ inline PaneKind numbersPane() {
     kind.title = QStringLiteral("Numbers");
     kind.help = QStringLiteral("Where the ray enters and hits");
     kind.make = makePane<NumbersView>;
-    kind.figures = {{"numbers", true, plainFigure<numbersFigure>}};
+    kind.figures = {{"numbers", true, numbersFigure}};
+    kind.states = {readerOf<NumbersState>()};
     return kind;
 }
 

@@ -3,12 +3,13 @@
 #include <QToolButton>
 
 #include "measuring/bench/view_bench.h"
+#include "panes/charts/charts_state.h"
 #include "panes/charts/charts_view.h"
 #include "panes/compare/compare_view.h"
 #include "panes/drawing_canvas.h"
 #include "panes/number_control.h"
 #include "window_fixture.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 namespace {
@@ -43,9 +44,7 @@ class BarsAndOptions : public WindowTest {
 TEST_F(BarsAndOptions, AClickOnABarChoosesOneOfItsPixels) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "8"}}};
-    PaneStates panes;
-    panes.charts = {"histograms", "mean", false, false};
-    setPanesOf(scenario, panes);
+    setState(scenario, ChartsPane{"histograms", "mean", false, false});
     openWindow(scenario);
     QTest::keyClick(window_.get(), Qt::Key_0);
     ChartsView* const view = window_->pane<ChartsView>();
@@ -87,9 +86,7 @@ TEST_F(BarsAndOptions, AClickOnABarChoosesOneOfItsPixels) {
 
 TEST_F(BarsAndOptions, ABarOfStepsChoosesARayOfSoMany) {
     relief::Scenario scenario = smallScenario();
-    PaneStates panes;
-    panes.charts = {"histograms", "mean", false, false};
-    setPanesOf(scenario, panes);
+    setState(scenario, ChartsPane{"histograms", "mean", false, false});
     openWindow(scenario);
     QTest::keyClick(window_.get(), Qt::Key_0);
     ChartsView* const view = window_->pane<ChartsView>();

@@ -12,13 +12,14 @@
 #include "panes/drawing_canvas.h"
 #include "panes/figure.h"
 #include "panes/footprint/footprint_drawing.h"
+#include "panes/footprint/footprint_state.h"
 #include "panes/footprint/footprint_view.h"
 #include "panes/footprint/weight_drawing.h"
 #include "panes/number_control.h"
 #include "panes/result/result_painting.h"
 #include "window_fixture.h"
 #include "windows/filter_box.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 
@@ -136,7 +137,7 @@ TEST_F(FootprintTest, WeightsStandBesideItWhereThereIsRoom) {
     auto* const button = wide.findChild<QToolButton*>(QStringLiteral("footprint-weights"));
     button->click();
     EXPECT_TRUE(weights->isHidden());
-    EXPECT_FALSE(panesOf(scenario()).footprint.weights);
+    EXPECT_FALSE(stateOf<FootprintPane>(scenario()).weights);
     workspace_->undo();
     EXPECT_FALSE(weights->isHidden());
     // High: below it. Small: the footprint alone.

@@ -35,7 +35,7 @@ TEST_F(LastStateTest, ScenarioPanesAndThemeAreThereAgain) {
     keepState(left);
 
     relief::AssetStore store;
-    const auto last = lastState(store);
+    const auto last = lastState(store, stateReaders());
     ASSERT_TRUE(last);
     EXPECT_EQ(*last, left);
     openNext(*last);
@@ -69,14 +69,14 @@ TEST_F(LastStateTest, WhatCannotBeReadIsNoReasonNotToStart) {
         QFileInfo(QSettings(QSettings::NativeFormat, QSettings::UserScope, name, name).fileName()).path();
     const std::string file = (folder + QStringLiteral("/last.json")).toStdString();
     relief::AssetStore store;
-    ASSERT_TRUE(lastState(store));
+    ASSERT_TRUE(lastState(store, stateReaders()));
     std::ofstream(file) << "{";
-    EXPECT_FALSE(lastState(store));
+    EXPECT_FALSE(lastState(store, stateReaders()));
     relief::Scenario gone = smallScenario();
     gone.pictures = {};
     gone.pictures.height = "/nowhere/height.png";
     keepState(gone);
-    EXPECT_FALSE(lastState(store)) << "its picture is not there";
+    EXPECT_FALSE(lastState(store, stateReaders())) << "its picture is not there";
 }
 
 TEST_F(LastStateTest, StartingAnewIsUndone) {

@@ -5,11 +5,13 @@
 #include <QDockWidget>
 
 #include "lessons/lessons.h"
+#include "panes/distance/distance_state.h"
 #include "panes/duel/duel_data.h"
 #include "panes/point_asker.h"
 #include "window_fixture.h"
 #include "windows/message_bar.h"
-#include "workspace/pane_states.h"
+#include "windows/pane_list.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 
@@ -63,15 +65,15 @@ void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
     } else if (lesson.name == QStringLiteral("paper_walls")) {
         EXPECT_EQ(advances(steps), 4) << "as the lesson before it says";
         relief::Work work;
-        const auto point = pointOf(snapshot, panesOf(snapshot.scenario).query, work);
+        const auto point = pointOf(snapshot, stateOf<PointState>(snapshot.scenario).point, work);
         ASSERT_NE(point, nullptr);
         EXPECT_NEAR(point->distances.euclidean, 3, kRounding);
         EXPECT_NEAR(point->distances.s, 1, kRounding) << "the left wall";
         EXPECT_NEAR(point->distances.refined, 4, kRounding);
         EXPECT_NEAR(1 - point->distances.hit.lambda, 0.2, kRounding) << "the floor";
         EXPECT_GT(point->distances.blocked, 0);
-        EXPECT_EQ(panesOf(snapshot.scenario).distance.axis, "y") << "both walls stand in the slice across them";
-        EXPECT_EQ(panesOf(snapshot.scenario).distance.slice, 4) << "the slice of the point";
+        EXPECT_EQ(stateOf<DistancePane>(snapshot.scenario).axis, "y") << "both walls stand in the slice across them";
+        EXPECT_EQ(stateOf<DistancePane>(snapshot.scenario).slice, 4) << "the slice of the point";
     } else {
         FAIL() << "what it shows is not tested";
     }

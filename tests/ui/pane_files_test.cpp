@@ -1,9 +1,18 @@
 // What is chosen in the window's panes, in scenario files.
-#include "workspace/pane_states.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "panes/charts/charts_state.h"
+#include "panes/distance/distance_state.h"
+#include "panes/footprint/footprint_state.h"
+#include "panes/point_state.h"
+#include "panes/profile/profile_state.h"
+#include "panes/pyramid/pyramid_state.h"
+#include "panes/rows/rows_state.h"
+#include "panes/trace/trace_state.h"
+#include "windows/pane_list.h"
+#include "workspace/range_json.h"
 
 namespace reliefui {
 namespace {
@@ -11,39 +20,53 @@ namespace {
 using relief::InputError;
 using relief::Scenario;
 
+const StateReaders kReaders = stateReaders();
+
+Scenario parsed(const std::string& text) {
+    return parseWindowScenario(text, "s.json", kReaders);
+}
+
 // Nothing as it is at first.
-PaneStates allOther() {
-    PaneStates panes;
-    panes.pyramid = {"all", true, false, true};
-    panes.profile = {true, false, true};
-    panes.distance = {"refined", "euclidean", "z", 3, 2, false, false};
-    panes.footprint = {8, false};
-    panes.rows = {{"direct", "subspan:error=0.25"}, 3840, true, false};
-    panes.charts = {"histograms", "p9999", false, true};
-    panes.trace = {"level", 2, true};
-    panes.query = {-3.25, 4.5, 0.6};
-    return panes;
+Scenario allOther() {
+    Scenario scenario;
+    setState(scenario, PyramidPane{"all", true, false, true});
+    setState(scenario, ProfilePane{true, false, true});
+    setState(scenario, DistancePane{"refined", "euclidean", "z", 3, 2, false, false});
+    setState(scenario, FootprintPane{8, false});
+    setState(scenario, RowsPane{{"direct", "subspan:error=0.25"}, 3840, true, false});
+    setState(scenario, ChartsPane{"histograms", "p9999", false, true});
+    setState(scenario, TracePane{"level", 2, true});
+    setState(scenario, PointState{QueryPoint{-3.25, 4.5, 0.6}});
+    return scenario;
 }
 
 TEST(PaneFiles, writtenAndReadTheyAreTheSame) {
-    Scenario scenario;
-    setPanesOf(scenario, allOther());
-    const PaneStates standard;
-    ASSERT_NE(panesOf(scenario).pyramid, standard.pyramid);
-    ASSERT_NE(panesOf(scenario).charts, standard.charts);
+    const Scenario scenario = allOther();
+    ASSERT_EQ(stateOf<PyramidPane>(scenario), (PyramidPane{"all", true, false, true}));
+    ASSERT_EQ(stateOf<ChartsPane>(scenario), (ChartsPane{"histograms", "p9999", false, true}));
     const std::string text = relief::scenarioText(scenario);
-    EXPECT_EQ(parseWindowScenario(text, "s.json"), scenario) << text;
-    EXPECT_EQ(relief::scenarioText(parseWindowScenario(text, "s.json")), text);
+    EXPECT_EQ(parsed(text), scenario) << text;
+    EXPECT_EQ(relief::scenarioText(parsed(text)), text);
+}
+
+// Of the eight states and the ranges of colours each has a reader, and none is of a pane that is not there.
+TEST(PaneFiles, everyStateHasAReader) {
+    EXPECT_EQ(kReaders.size(), 9U);
+    for (const char* const name :
+         {PyramidPane::kName, ProfilePane::kName, DistancePane::kName, FootprintPane::kName, RowsPane::kName,
+          ChartsPane::kName, TracePane::kName, PointState::kName, RangesState::kName}) {
+        EXPECT_TRUE(kReaders.contains(name)) << name;
+    }
 }
 
 // Nothing is written of panes that nobody touched.
 TEST(PaneFiles, untouchedPanesAreNotInTheFile) {
     EXPECT_EQ(relief::scenarioText(Scenario{}).find("\"ui\""), std::string::npos);
-    EXPECT_EQ(panesOf(parseWindowScenario("{\"reliefscope\": 1}", "s.json")), PaneStates{});
+    EXPECT_TRUE(parsed("{\"reliefscope\": 1}").ui.empty());
+    EXPECT_TRUE(parsed(R"({"reliefscope": 1, "ui": {"pyramid": {"levels": "max"}}})").ui.empty())
+        << "as it is at first";
     Scenario one;
-    PaneStates panes;
-    panes.footprint.neighbours = 4;
-    setPanesOf(one, panes);
+    setState(one, FootprintPane{4});
     const std::string text = relief::scenarioText(one);
     EXPECT_NE(text.find("footprint"), std::string::npos);
     EXPECT_EQ(text.find("near-ray"), std::string::npos);
@@ -53,7 +76,7 @@ TEST(PaneFiles, whatIsUnknownIsRefusedWithItsLine) {
     const auto refused = [](const std::string& panes, const std::string& line, const std::string& word) {
         const std::string text = "{\"reliefscope\": 1,\n \"ui\": {\n" + panes + "\n}}";
         try {
-            parseWindowScenario(text, "s.json");
+            parsed(text);
             ADD_FAILURE() << panes;
         } catch (const InputError& error) {
             const std::string what = error.text(relief::Language::English);
@@ -77,66 +100,69 @@ TEST(PaneFiles, whatIsUnknownIsRefusedWithItsLine) {
 }
 
 TEST(PaneFiles, valuesOutOfRangeAreRefused) {
-    const auto refused = [](const auto& change) {
-        PaneStates panes;
-        change(panes);
-        EXPECT_THROW(checkPanes(panes, "s.json"), InputError);
+    const auto refused = [](const auto& state) {
+        EXPECT_THROW(state.check("s.json"), InputError);
+        EXPECT_THROW(checkStates(withState(Scenario{}, state), kReaders, "s.json"), InputError);
     };
-    refused([](PaneStates& p) { p.footprint.neighbours = 5; });
-    refused([](PaneStates& p) { p.distance.slice = -1; });
-    refused([](PaneStates& p) { p.trace.heights = 100; });
-    refused([](PaneStates& p) { p.trace.colors = "colour"; });
-    refused([](PaneStates& p) { p.rows.pixels = -3; });
-    refused([](PaneStates& p) { p.query = {1, 2, 1.5}; });
-    refused([](PaneStates& p) { p.query = {1e12, 2, 0.5}; });
-    refused([](PaneStates& p) { p.query = {1, std::nan(""), 0.5}; });
-    refused([](PaneStates& p) { p.rows.variants.assign(kMostRowVariants + 1, "direct"); });
-    EXPECT_NO_THROW(checkPanes({}, "s.json"));
+    refused(FootprintPane{5});
+    refused(DistancePane{"", "", "", -1});
+    refused(TracePane{.heights = 100});
+    refused(TracePane{.colors = "colour"});
+    refused(RowsPane{.pixels = -3});
+    refused(PointState{QueryPoint{1, 2, 1.5}});
+    refused(PointState{QueryPoint{1e12, 2, 0.5}});
+    refused(PointState{QueryPoint{1, std::nan(""), 0.5}});
+    refused(RowsPane{std::vector<std::string>(kMostRowVariants + 1, "direct")});
+    EXPECT_NO_THROW(checkStates({}, kReaders, "s.json"));
+    EXPECT_NO_THROW(checkStates(allOther(), kReaders, "s.json"));
 }
 
 Scenario oldFile(const std::string& name) {
-    return loadWindowScenario(RELIEF_SOURCE "/tests/files/v1/" + name);
+    return loadWindowScenario(RELIEF_SOURCE "/tests/files/v1/" + name, kReaders);
 }
 
 // Files of the first edition call the object `panes`.
 TEST(PaneFiles, notesOfTheFirstEditionMeanWhatTheyMeant) {
-    PaneStates panes;
-    panes.pyramid = {"mean", true, false, true};
-    panes.profile = {true, false, true};
-    panes.distance = {"refined", "euclidean-conservative", "y", 5, 0, false, false};
-    panes.footprint = {8};
-    panes.rows = {{"direct", "streams:streams=4", "subspan:error=0.25"}, 2000, true, false};
-    panes.charts = {"histograms", "p95", false, true};
-    panes.trace = {"level", 2, true};
-    EXPECT_EQ(panesOf(oldFile("window.json")), panes);
+    const Scenario old = oldFile("window.json");
+    EXPECT_EQ(stateOf<PyramidPane>(old), (PyramidPane{"mean", true, false, true}));
+    EXPECT_EQ(stateOf<ProfilePane>(old), (ProfilePane{true, false, true}));
+    EXPECT_EQ(stateOf<DistancePane>(old), (DistancePane{"refined", "euclidean-conservative", "y", 5, 0, false, false}));
+    EXPECT_EQ(stateOf<FootprintPane>(old), FootprintPane{8});
+    EXPECT_EQ(stateOf<RowsPane>(old),
+              (RowsPane{{"direct", "streams:streams=4", "subspan:error=0.25"}, 2000, true, false}));
+    EXPECT_EQ(stateOf<ChartsPane>(old), (ChartsPane{"histograms", "p95", false, true}));
+    EXPECT_EQ(stateOf<TracePane>(old), (TracePane{"level", 2, true}));
+    EXPECT_EQ(stateOf<PointState>(old), PointState{});
 }
 
 TEST(PaneFiles, wordsOfTheFirstEditionMeanWhatTheyMeant) {
-    const auto notes = [](int number) { return panesOf(oldFile("notes-" + std::to_string(number) + ".json")); };
-    EXPECT_EQ(notes(1).pyramid.levels, "min");
-    EXPECT_EQ(notes(2).pyramid.levels, "all");
-    EXPECT_EQ(notes(1).distance.map, "cone");
-    EXPECT_EQ(notes(2).distance.minus, "relaxed-cone");
-    EXPECT_EQ(notes(3).distance.minus, "refined-sampled");
-    EXPECT_EQ(notes(3).distance.sector, 3);
-    EXPECT_EQ(notes(1).charts.shown, "pareto");
-    EXPECT_EQ(notes(1).trace.colors, "phase");
-    for (int number = 1; number <= 3; ++number) EXPECT_GE(notes(number).rows.variants.size(), 3U);
+    const auto notes = [](int number) { return oldFile("notes-" + std::to_string(number) + ".json"); };
+    EXPECT_EQ(stateOf<PyramidPane>(notes(1)).levels, "min");
+    EXPECT_EQ(stateOf<PyramidPane>(notes(2)).levels, "all");
+    EXPECT_EQ(stateOf<DistancePane>(notes(1)).map, "cone");
+    EXPECT_EQ(stateOf<DistancePane>(notes(2)).minus, "relaxed-cone");
+    EXPECT_EQ(stateOf<DistancePane>(notes(3)).minus, "refined-sampled");
+    EXPECT_EQ(stateOf<DistancePane>(notes(3)).sector, 3);
+    EXPECT_EQ(stateOf<ChartsPane>(notes(1)).shown, "pareto");
+    EXPECT_EQ(stateOf<TracePane>(notes(1)).colors, "phase");
+    for (int number = 1; number <= 3; ++number) EXPECT_GE(stateOf<RowsPane>(notes(number)).variants.size(), 3U);
 }
 
 // What only reads the scenario carries it along as it stands, with words of later windows.
 TEST(PaneFiles, aCommandCarriesWhatItDoesNotKnow) {
     const std::string text = R"({"reliefscope": 1, "ui": {"telescope": {"zoom": 3}}})";
     EXPECT_NE(relief::scenarioText(relief::parseScenario(text, "s.json")).find("telescope"), std::string::npos);
-    EXPECT_THROW(parseWindowScenario(text, "s.json"), InputError);
+    EXPECT_THROW(parsed(text), InputError);
     const std::string deep =
         R"({"reliefscope": 1, "ui": {"a": )" + std::string(100000, '[') + std::string(100000, ']') + "}}";
     EXPECT_THROW(relief::parseScenario(deep, "s.json"), InputError);
     const std::string both =
         R"({"reliefscope": 1, "panes": {"charts": {"maps": true}}, "ui": {"charts": {"live": false}}})";
-    const PaneStates panes = panesOf(parseWindowScenario(both, "s.json"));
-    EXPECT_EQ(panes, panesOf(relief::parseScenario(both, "s.json"))) << "commands and the window take the same one";
-    EXPECT_FALSE(panes.charts.maps);
+    const auto charts = stateOf<ChartsPane>(parsed(both));
+    EXPECT_EQ(charts, stateOf<ChartsPane>(relief::parseScenario(both, "s.json")))
+        << "commands and the window take the same one";
+    EXPECT_FALSE(charts.maps);
+    EXPECT_FALSE(charts.live);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "panes/distance/distance_figure.h"
 #include "panes/distance/distance_view.h"
 #include "panes/drawing_canvas.h"
+#include "panes/footprint/footprint_state.h"
 #include "panes/footprint/footprint_view.h"
 #include "panes/profile/profile_view.h"
 #include "panes/pyramid/pyramid_parts.h"
@@ -19,7 +20,7 @@
 #include "panes/trace/trace3d_view.h"
 #include "scenario/step_sentence.h"
 #include "window_fixture.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/snapshot_maker.h"
 
 namespace reliefui {
@@ -52,16 +53,18 @@ class PaneChoices : public WindowTest {
     }
     // What the panes themselves go by.
     void expectPanesAsTheScenarioSays() {
-        const PaneStates& panes = panesOf(workspace_->scenario());
-        EXPECT_EQ(window_->pane<DistanceView>()->options(), distanceOptions(panes.distance));
-        EXPECT_EQ(window_->pane<RowsView>()->options(), rowsOptions(panes.rows));
-        EXPECT_EQ(window_->pane<FootprintView>()->options().neighbours, panes.footprint.neighbours);
-        EXPECT_EQ(window_->pane<FootprintView>()->options().weights, panes.footprint.weights);
-        EXPECT_EQ(window_->pane<ProfileView>()->options().levels == LevelsShown::All, panes.profile.allLevels);
-        EXPECT_EQ(window_->pane<ProfileView>()->options().trueAspect, panes.profile.trueAspect);
+        const relief::Scenario& now = workspace_->scenario();
+        const auto footprint = stateOf<FootprintPane>(now);
+        const auto profile = stateOf<ProfilePane>(now);
+        EXPECT_EQ(window_->pane<DistanceView>()->options(), distanceOptions(stateOf<DistancePane>(now)));
+        EXPECT_EQ(window_->pane<RowsView>()->options(), rowsOptions(stateOf<RowsPane>(now)));
+        EXPECT_EQ(window_->pane<FootprintView>()->options().neighbours, footprint.neighbours);
+        EXPECT_EQ(window_->pane<FootprintView>()->options().weights, footprint.weights);
+        EXPECT_EQ(window_->pane<ProfileView>()->options().levels == LevelsShown::All, profile.allLevels);
+        EXPECT_EQ(window_->pane<ProfileView>()->options().trueAspect, profile.trueAspect);
         const auto* const colors = window_->pane<Trace3dView>()->findChild<QComboBox*>(QStringLiteral("trace-colors"));
-        EXPECT_EQ(colors->currentData().toString().toStdString(), panes.trace.colors);
-        EXPECT_EQ(window_->pane<PyramidView>()->parts().size(), panes.pyramid.levels == "all" ? 3U : 1U);
+        EXPECT_EQ(colors->currentData().toString().toStdString(), stateOf<TracePane>(now).colors);
+        EXPECT_EQ(window_->pane<PyramidView>()->parts().size(), stateOf<PyramidPane>(now).levels == "all" ? 3U : 1U);
     }
 };
 
@@ -71,13 +74,13 @@ TEST_F(PaneChoices, TheyAreUndoneAndRedone) {
     const auto picture = snapshot()->picture;
     turnAll();
     const relief::Scenario after = scenario();
-    EXPECT_NE(panesOf(after).distance, panesOf(before).distance);
-    EXPECT_NE(panesOf(after).rows, panesOf(before).rows);
-    EXPECT_NE(panesOf(after).footprint, panesOf(before).footprint);
-    EXPECT_NE(panesOf(after).profile, panesOf(before).profile);
-    EXPECT_NE(panesOf(after).pyramid, panesOf(before).pyramid);
-    EXPECT_NE(panesOf(after).charts, panesOf(before).charts);
-    EXPECT_NE(panesOf(after).trace, panesOf(before).trace);
+    EXPECT_NE(stateOf<DistancePane>(after), stateOf<DistancePane>(before));
+    EXPECT_NE(stateOf<RowsPane>(after), stateOf<RowsPane>(before));
+    EXPECT_NE(stateOf<FootprintPane>(after), stateOf<FootprintPane>(before));
+    EXPECT_NE(stateOf<ProfilePane>(after), stateOf<ProfilePane>(before));
+    EXPECT_NE(stateOf<PyramidPane>(after), stateOf<PyramidPane>(before));
+    EXPECT_NE(stateOf<ChartsPane>(after), stateOf<ChartsPane>(before));
+    EXPECT_NE(stateOf<TracePane>(after), stateOf<TracePane>(before));
     expectPanesAsTheScenarioSays();
     while (workspace_->canUndo()) workspace_->undo();
     EXPECT_EQ(scenario(), before);
@@ -134,9 +137,9 @@ TEST_F(PaneChoices, ADragIsOneStepOfUndo) {
         slider->setValue(slice);
         QTest::qWait(20);
     }
-    EXPECT_EQ(panesOf(scenario()).distance.slice, start + 1);
+    EXPECT_EQ(stateOf<DistancePane>(scenario()).slice, start + 1);
     workspace_->undo();
-    EXPECT_EQ(panesOf(scenario()).distance, panesOf(before).distance);
+    EXPECT_EQ(stateOf<DistancePane>(scenario()), stateOf<DistancePane>(before));
 }
 
 // The probes of the flat pane, on slabs: texels in the colours of their heights, and the step that is clicked.
@@ -146,10 +149,12 @@ TEST_F(PaneChoices, ThePyramidStandsInSpace) {
     openWindow(columns);
     PyramidView* const view = window_->pane<PyramidView>();
     view->showNearRay(false);
+    view->showMeans(true);  // of which all slabs are there
     view->setStacked(true);
     const QImage shown = grab(view->stack());
     EXPECT_GT(colorsIn(shown), 30);
-    const relief::Pyramid& pyramid = snapshot()->maxima->pyramid;
+    ASSERT_NE(snapshot()->means, nullptr);
+    const relief::Pyramid& pyramid = *snapshot()->means;
     int probes = 0;
     int right = 0;
     // The uppermost slabs hide parts of those below.

@@ -9,7 +9,7 @@
 #include "panes/point_asker.h"
 #include "panes/profile/profile_view.h"
 #include "windows/pane_list.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 
@@ -17,12 +17,14 @@ namespace {
 
 constexpr double kRounding = 1e-5;  // of heights in float
 
+std::optional<QueryPoint> pointIn(const relief::Scenario& scenario) {
+    return stateOf<PointState>(scenario).point;
+}
+
 relief::Scenario walls(bool asked = true) {
     relief::Scenario scenario = lessonScenario(QStringLiteral("paper_walls"));
     if (!asked) {
-        PaneStates panes = panesOf(scenario);
-        panes.query.reset();
-        setPanesOf(scenario, panes);
+        setState(scenario, PointState{});
     }
     return scenario;
 }
@@ -88,24 +90,24 @@ TEST_F(DistanceTest, CtrlClickAsksForAPointAndThereAgainForgetsIt) {
     const QPoint at = canvas()->toWidget(frame.at(Place3{4, 4.5, 6})).toPoint();
     QTest::mouseClick(canvas(), Qt::LeftButton, Qt::ControlModifier, at);
     ASSERT_NO_FATAL_FAILURE(settle());
-    ASSERT_TRUE(panesOf(scenario()).query);
+    ASSERT_TRUE(pointIn(scenario()));
     ASSERT_NE(view()->point(), nullptr);
     const double pixel = 2 / frame.scale;  // texels, generously
-    EXPECT_NEAR(panesOf(scenario()).query->s, 4, pixel);
-    EXPECT_EQ(panesOf(scenario()).query->t, frame.plane);
-    EXPECT_NEAR(panesOf(scenario()).query->z, 0.6, pixel / 10);
+    EXPECT_NEAR(pointIn(scenario())->s, 4, pixel);
+    EXPECT_EQ(pointIn(scenario())->t, frame.plane);
+    EXPECT_NEAR(pointIn(scenario())->z, 0.6, pixel / 10);
     EXPECT_NEAR(view()->point()->distances.euclidean, 3, pixel);
     EXPECT_NEAR(view()->point()->distances.refined, 4, pixel);
     EXPECT_EQ(scenario().step, step) << "it chooses no step";
     EXPECT_NE(view()->image(500), without) << "it is exported, too";
     QTest::mouseClick(canvas(), Qt::LeftButton, Qt::ControlModifier, at + QPoint(2, 1));
     ASSERT_NO_FATAL_FAILURE(settle());
-    EXPECT_FALSE(panesOf(scenario()).query);
+    EXPECT_FALSE(pointIn(scenario()));
     EXPECT_EQ(view()->point(), nullptr);
     EXPECT_EQ(view()->image(500), without);
     workspace_->undo();
     ASSERT_NO_FATAL_FAILURE(settle());
-    EXPECT_TRUE(panesOf(scenario()).query);
+    EXPECT_TRUE(pointIn(scenario()));
 }
 
 TEST_F(DistanceTest, ThereAgainForgetsItInAnotherCopyAndAtThePlotsEdgeToo) {
@@ -118,20 +120,20 @@ TEST_F(DistanceTest, ThereAgainForgetsItInAnotherCopyAndAtThePlotsEdgeToo) {
     };
     const Point middle = frame.plot.center();
     click(middle);
-    ASSERT_TRUE(panesOf(scenario()).query);
-    PaneStates panes = panesOf(scenario());
-    panes.query->s -= 2 * field.width();  // drawn in the copy that is seen
-    panes.query->t += field.height();
-    workspace_->setPanes(panes, {});
+    ASSERT_TRUE(pointIn(scenario()));
+    PointState other{pointIn(scenario())};
+    other.point->s -= 2 * field.width();  // drawn in the copy that is seen
+    other.point->t += field.height();
+    workspace_->change(withState(scenario(), other), {});
     ASSERT_NO_FATAL_FAILURE(settle());
     ASSERT_NE(view()->point(), nullptr);
     click(middle);
-    EXPECT_FALSE(panesOf(scenario()).query);
+    EXPECT_FALSE(pointIn(scenario()));
     const Point corner{frame.plot.x0 + 2, frame.plot.y1 - 2};
     click(corner);
-    ASSERT_TRUE(panesOf(scenario()).query);
+    ASSERT_TRUE(pointIn(scenario()));
     click(corner);
-    EXPECT_FALSE(panesOf(scenario()).query);
+    EXPECT_FALSE(pointIn(scenario()));
 }
 
 TEST_F(DistanceTest, InEveryCopyOfAPictureAPointHasTheSameDistances) {
@@ -153,14 +155,11 @@ TEST_F(DistanceTest, InEveryCopyOfAPictureAPointHasTheSameDistances) {
 TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
     openWindow(walls());
     for (const char* const name : {"distance", "profile"}) {
-        PaneStates panes = panesOf(walls());
-        ASSERT_TRUE(panes.query);
-        const auto picture = [&] {
-            return figureImage(*figureKind(name).make(snapshot(), scenario().step, panes), {}, 500);
+        ASSERT_TRUE(pointIn(scenario()));
+        const auto picture = [&](const relief::Scenario& of) {
+            return figureImage(*figureKind(name).make(snapshot(), of), {}, 500);
         };
-        const QImage with = picture();
-        panes.query.reset();
-        EXPECT_NE(picture(), with) << name;
+        EXPECT_NE(picture(withState(scenario(), PointState{})), picture(scenario())) << name;
     }
 }
 
@@ -174,14 +173,14 @@ TEST_F(WindowTest, TheProfileShowsThePointAndAsksForAnother) {
     const double lambda = snapshot()->trace.hit.lambda / 4;
     const QPoint at = view->canvas()->toWidget(view->frame().onRay(lambda)).toPoint() + QPoint(0, -6);
     QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::ControlModifier, at);
-    ASSERT_TRUE(panesOf(scenario()).query);
-    EXPECT_NE(panesOf(scenario()).query, panesOf(walls()).query);
+    ASSERT_TRUE(pointIn(scenario()));
+    EXPECT_NE(pointIn(scenario()), pointIn(walls()));
     ASSERT_TRUE(QTest::qWaitFor([&] { return view->point() != nullptr; }, kDistancePatienceMs));
-    EXPECT_EQ(view->point()->point, *panesOf(scenario()).query);
+    EXPECT_EQ(view->point()->point, *pointIn(scenario()));
     EXPECT_GT(view->point()->distances.euclidean, 0);
     EXPECT_GE(view->point()->distances.refined, view->point()->distances.euclidean - kRounding);
     QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::ControlModifier, at);
-    EXPECT_FALSE(panesOf(scenario()).query);
+    EXPECT_FALSE(pointIn(scenario()));
     EXPECT_EQ(view->point(), nullptr);
 }
 

@@ -10,7 +10,9 @@
 #include "panes/range_box.h"
 #include "panes/result/result_painting.h"
 #include "window_fixture.h"
-#include "workspace/pane_states.h"
+#include "windows/pane_list.h"
+#include "workspace/pane_store.h"
+#include "workspace/range_json.h"
 
 namespace reliefui {
 namespace {
@@ -26,7 +28,7 @@ class RangeChoice : public WindowTest {
     static RangeButton* buttonOf(const QWidget* pane) {
         return pane->findChild<RangeButton*>(QStringLiteral("color-range"));
     }
-    ColorRange chosen(RangeOf of) const { return panesOf(scenario()).ranges.of(of); }
+    ColorRange chosen(RangeOf of) const { return rangesOf(scenario()).of(of); }
     // Every pixel of a layer of numbers has the colour of its value.
     void expectColoursOfTheScale() {
         const LayerPicture& layer = snapshot()->layer;
@@ -101,18 +103,18 @@ TEST_F(RangeChoice, ScenariosKeepIt) {
     range.low = 0.25;
     range.high = 7;
     range.threshold = 0.5;
-    PaneStates panes;
-    for (std::size_t n = 0; n < kRangesOf; ++n) panes.ranges.set(static_cast<RangeOf>(n), range);
+    RangesState state;
+    for (std::size_t n = 0; n < kRangesOf; ++n) state.ranges.set(static_cast<RangeOf>(n), range);
     relief::Scenario scenario = smallScenario();
-    setPanesOf(scenario, panes);
-    EXPECT_EQ(panesOf(scenario), panes);
+    setState(scenario, state);
+    EXPECT_EQ(rangesOf(scenario), state.ranges);
     // What is as the standard is not written.
-    setPanesOf(scenario, {});
+    setState(scenario, RangesState{});
     EXPECT_TRUE(scenario.ui.empty());
     const auto problemOf = [&](const std::string& ranges) -> std::string {
         scenario.ui = "{\"ranges\": " + ranges + "}";
         try {
-            checkPanes(panesOf(scenario), "file");
+            checkStates(scenario, stateReaders(), "file");
         } catch (const relief::InputError& error) {
             return error.what();
         }

@@ -12,9 +12,10 @@
 
 #include "window_fixture.h"
 #include "windows/message_bar.h"
+#include "windows/pane_list.h"
 #include "windows/restore_offer.h"
 #include "workspace/last_state.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/state_keeper.h"
 #include "x_keys.h"
 
@@ -72,7 +73,8 @@ TEST_F(SessionTest, AChangeIsSavedAndACleanEndLeavesNothing) {
     workspace_->setBookmarks({{"a", {60, 50}, scenario().camera, 0}}, QStringLiteral("bookmark"));
     const auto saved = [&] {
         const QStringList files = unfinished().filter(QStringLiteral(".json"));
-        return files.size() == 1 && loadWindowScenario((settingsFolder() + '/' + files[0]).toStdString()) == scenario();
+        return files.size() == 1 &&
+               loadWindowScenario((settingsFolder() + '/' + files[0]).toStdString(), stateReaders()) == scenario();
     };
     EXPECT_TRUE(QTest::qWaitFor(saved, kPatienceMs));
     EXPECT_EQ(unfinished().filter(QStringLiteral(".ini")).size(), 1) << "the panes are part of it";
@@ -82,7 +84,7 @@ TEST_F(SessionTest, AChangeIsSavedAndACleanEndLeavesNothing) {
     EXPECT_EQ(keeper_->end(), "");
     EXPECT_TRUE(unfinished().isEmpty()) << unfinished().join(' ').toStdString();
     relief::AssetStore store;
-    EXPECT_EQ(lastState(store), scenario());
+    EXPECT_EQ(lastState(store, stateReaders()), scenario());
 }
 
 TEST_F(SessionTest, WhatWasLeftIsOfferedAndRestored) {
@@ -148,9 +150,9 @@ TEST_F(SessionTest, AStateThatEndedTheStartIsNotTriedAgain) {
     auto found = SessionFiles::leftBehind();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_TRUE(found[0].failedToStart());
-    EXPECT_EQ(loadWindowScenario(found[0].scenarioFile().toStdString()), smallScenario());
+    EXPECT_EQ(loadWindowScenario(found[0].scenarioFile().toStdString(), stateReaders()), smallScenario());
     relief::AssetStore store;
-    EXPECT_FALSE(lastState(store));
+    EXPECT_FALSE(lastState(store, stateReaders()));
     found.clear();
     EXPECT_FALSE(SessionFiles::leftBehind().at(0).failedToStart()) << "said once";
 }
@@ -188,7 +190,7 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     const auto saved = [&]() -> std::optional<relief::Scenario> {
         const QStringList files = unfinished().filter(QStringLiteral(".json"));
         if (files.isEmpty()) return std::nullopt;
-        return loadWindowScenario((settingsFolder() + '/' + files[0]).toStdString());
+        return loadWindowScenario((settingsFolder() + '/' + files[0]).toStdString(), stateReaders());
     };
     QProcess process;
     ASSERT_TRUE(start(process, {file}));
@@ -220,7 +222,7 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     process.waitForFinished();
     const auto left = SessionFiles::leftBehind();
     ASSERT_EQ(left.size(), 1U) << "nothing of the second";
-    EXPECT_EQ(loadWindowScenario(left[0].scenarioFile().toStdString()), first);
+    EXPECT_EQ(loadWindowScenario(left[0].scenarioFile().toStdString(), stateReaders()), first);
 }
 
 }  // namespace

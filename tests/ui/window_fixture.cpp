@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QXmlStreamReader>
 
+#include "windows/pane_list.h"
 #include "workspace/start_scenario.h"
 
 namespace reliefui {
@@ -47,7 +48,7 @@ void WindowTest::TearDown() {
 }
 
 void WindowTest::openWindow(const relief::Scenario& scenario) {
-    workspace_ = std::make_unique<Workspace>();
+    workspace_ = std::make_unique<Workspace>(std::make_shared<const StateReaders>(stateReaders()));
     workspace_->start(scenario);
     window_ = std::make_unique<MainWindow>(workspace_.get(), QStringLiteral(RELIEF_DATASETS));
     window_->resize(1500, 900);

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QFile>
 
-#include "workspace/pane_states.h"
+#include "scenario/scenario.h"
 
 // Resources of a static library have to be asked for, outside any namespace.
 static void initLessons() {
@@ -89,7 +89,7 @@ relief::Scenario lessonScenario(const QString& name) {
     if (!file.open(QIODevice::ReadOnly)) {
         throw relief::InputError(path.toStdString(), relief::Message(relief::MessageId::FileMissing));
     }
-    return parseWindowScenario(file.readAll().toStdString(), path.toStdString());
+    return relief::parseScenario(file.readAll().toStdString(), path.toStdString());
 }
 
 }  // namespace reliefui

@@ -11,7 +11,7 @@
 
 #include "panes/gl_release.h"
 #include "workspace/aside.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -99,12 +99,13 @@ void FigureView::addPointToMenu(QMenu& menu, const QPoint& at) {
     QAction* const ask = menu.addAction(tr("Distances at this point"), this, [this, point] { setPoint(point); });
     ask->setEnabled(point.has_value());
     QAction* const forget = menu.addAction(tr("Forget the point"), this, [this] { setPoint(std::nullopt); });
-    forget->setEnabled(panesOf(workspace_->scenario()).query.has_value());
+    forget->setEnabled(stateOf<PointState>(workspace_->scenario()).point.has_value());
     menu.addSeparator();
 }
 
 void FigureView::setPoint(const std::optional<QueryPoint>& point) {
-    keep(&PaneStates::query, point, point ? tr("Distances at a point") : tr("Forget the point"));
+    workspace_->change(withState(workspace_->scenario(), PointState{point}),
+                       point ? tr("Distances at a point") : tr("Forget the point"));
 }
 
 void FigureView::askPoint(const QPointF& widget) {

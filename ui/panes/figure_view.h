@@ -10,8 +10,8 @@
 #include <QWidget>
 
 #include "panes/figure_export.h"
+#include "panes/point_state.h"
 #include "workspace/mailbox.h"
-#include "workspace/pane_states.h"
 #include "workspace/workspace.h"
 
 class QMenu;
@@ -56,13 +56,6 @@ class FigureView : public QWidget {
     virtual void showSnapshot() = 0;
     // Whether it holds something that is not wanted any more, to be let go while it is out of sight.
     virtual bool outdated() const { return false; }
-    // Keeps a pane's choices in the scenario: a step of undo, or a part of one where `drag` says what is dragged.
-    template <class Pane>
-    void keep(Pane PaneStates::*part, const Pane& pane, const QString& what, const QString& drag = {}) {
-        PaneStates panes = panesOf(workspace_->scenario());
-        panes.*part = pane;
-        workspace_->setPanes(panes, what, drag);
-    }
     // For another snapshot, style or choice: at once, or when it comes into sight.
     void refresh();
     // Remembers that something has changed; true where it is not drawn now.

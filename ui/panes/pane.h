@@ -9,7 +9,7 @@
 #include <QString>
 
 #include "panes/figure.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/snapshot.h"
 
 class QWidget;
@@ -25,10 +25,9 @@ enum class DockPlace : std::uint8_t { Center, UpperRight, LowerRight, Bottom, Le
 struct FigureKind {
     std::string name;
     bool vectors = true;
-    // At this step of the ray, as the panes' states say; may take seconds, of what a pane measures. Throws InputError.
-    // Empty: not of a snapshot
-    // ("pareto", of a table of measurements).
-    std::function<std::shared_ptr<const Figure>(std::shared_ptr<const Snapshot>, int step, const PaneStates&)> make;
+    // At the scenario's step of the ray, as its panes' states say; may take seconds, of what a pane measures. Throws
+    // InputError. Empty: not of a snapshot ("pareto", of a table of measurements).
+    std::function<std::shared_ptr<const Figure>(std::shared_ptr<const Snapshot>, const relief::Scenario&)> make;
 };
 
 struct PaneKind {
@@ -41,6 +40,8 @@ struct PaneKind {
     // The part of it that gets the keyboard; empty: its focus proxy, as FigureView::setFace() sets it, or all of it.
     std::function<QWidget*(QWidget* pane)> focus{};
     std::vector<FigureKind> figures{};
+    // Of what it keeps in scenarios.
+    StateReaders states{};
     bool open = true;  // at first
 };
 
@@ -52,7 +53,7 @@ QWidget* makePane(Workspace* workspace, QWidget* parent) {
 
 // As FigureKind::make, of panes without a state that figures show.
 template <std::shared_ptr<const Figure> (*make)(std::shared_ptr<const Snapshot>)>
-std::shared_ptr<const Figure> plainFigure(std::shared_ptr<const Snapshot> snapshot, int, const PaneStates&) {
+std::shared_ptr<const Figure> plainFigure(std::shared_ptr<const Snapshot> snapshot, const relief::Scenario&) {
     return make(std::move(snapshot));
 }
 

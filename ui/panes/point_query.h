@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "painting/legend_rows.h"
+#include "panes/point_state.h"
 #include "panes/ray_geometry.h"
 #include "relief/tracers/point_distances.h"
-#include "workspace/pane_states.h"
 
 namespace reliefui {
 

@@ -13,7 +13,8 @@
 
 #include "painting/chart.h"
 #include "painting/painter.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
+#include "workspace/range_json.h"
 #include "workspace/workspace.h"
 
 namespace reliefui {
@@ -134,9 +135,9 @@ void RangeBox::chooseThreshold(bool on) {
 }
 
 void RangeBox::set(const ColorRange& range, const char* drag) {
-    PaneStates panes = panesOf(workspace_->scenario());
-    panes.ranges.set(values_->of, range);
-    workspace_->setPanes(panes, tr("Range of the colours"), QString::fromLatin1(drag));
+    RangesState state{rangesOf(workspace_->scenario())};
+    state.ranges.set(values_->of, range);
+    workspace_->change(withState(workspace_->scenario(), state), tr("Range of the colours"), QString::fromLatin1(drag));
 }
 
 // As fine as the values on the screen ask for.
@@ -161,7 +162,7 @@ void RangeBox::refresh() {
     if (!now) return;
     values_ = std::move(now);
     // What has been chosen a moment ago may not have been drawn yet.
-    values_->range = panesOf(workspace_->scenario()).ranges.of(values_->of);
+    values_->range = rangesOf(workspace_->scenario()).of(values_->of);
     const ColorRange& range = values_->range;
     const QSignalBlocker quiet[] = {QSignalBlocker(low_), QSignalBlocker(high_), QSignalBlocker(threshold_)};
     const bool own = range.ends == RangeEnds::Own;

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "painting/legend_rows.h"
-#include "workspace/pane_states.h"
 
 namespace reliefui {
 
@@ -66,6 +65,11 @@ void addLevels(LegendRows& rows, const std::vector<relief::Step>& steps, const S
 }
 
 }  // namespace
+
+const std::vector<std::string>& tracePaneColors() {
+    static const std::vector<std::string> names{"decision", "level", "phase"};
+    return names;
+}
 
 StepColors stepColors(const std::string& name) {
     const std::vector<std::string>& names = tracePaneColors();

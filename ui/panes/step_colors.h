@@ -10,7 +10,8 @@
 namespace reliefui {
 
 enum class StepColors : std::uint8_t { Decision, Level, Phase };
-// As of tracePaneColors().
+// Their names.
+const std::vector<std::string>& tracePaneColors();
 StepColors stepColors(const std::string& name);
 
 // levels: of the pyramid over the relief; each has a colour of its own, the same as its plateaus in the profile.

@@ -115,7 +115,7 @@ void MainWindow::saveView(const QString& view, const FigureFile& file) {
     const relief::Scenario& now = workspace_->scenario();
     std::shared_ptr<const Figure> figure;
     try {
-        figure = figureKind(view.toStdString()).make(snapshot, now.step, panesOf(now));
+        figure = figureKind(view.toStdString()).make(snapshot, now);
     } catch (const relief::InputError&) {
         Q_EMIT workspace_->problem(tr("There is nothing to export in this pane: choose a pixel on the relief first."));
         return;

@@ -18,6 +18,7 @@
 #include "relief/errors.h"
 #include "windows/scene_panel.h"
 #include "windows/time_pane.h"
+#include "workspace/range_json.h"
 
 namespace reliefui {
 
@@ -27,6 +28,12 @@ std::vector<PaneKind> paneList() {
         profilePane(), distancePane(), footprintPane(), rowsPane(),    chartsPane(),
         comparePane(), drawnPane(),    duelPane(),      skippedPane(), formulaPane(),
     };
+}
+
+StateReaders stateReaders() {
+    StateReaders readers{readerOf<RangesState>()};
+    for (const PaneKind& pane : paneList()) readers.insert(pane.states.begin(), pane.states.end());
+    return readers;
 }
 
 std::vector<FigureKind> figureList() {

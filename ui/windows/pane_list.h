@@ -8,6 +8,9 @@ namespace reliefui {
 // In the window's language: after dressApplication().
 std::vector<PaneKind> paneList();
 
+// What is kept of them in scenarios, and the ranges of colours, which several show.
+StateReaders stateReaders();
+
 // Of all panes, sorted by name.
 std::vector<FigureKind> figureList();
 // Throws InputError for a name that is not in the list.

@@ -8,7 +8,8 @@
 #include "relief/errors.h"
 #include "windows/main_window.h"
 #include "windows/message_bar.h"
-#include "workspace/pane_states.h"
+#include "windows/pane_list.h"
+#include "workspace/pane_store.h"
 #include "workspace/state_keeper.h"
 #include "workspace/workspace.h"
 
@@ -31,7 +32,7 @@ void RestoreOffer::offer() {
     window_->question()->hide();
     while (!left_.empty() && window_->question()->isHidden()) {
         try {
-            scenario_ = loadWindowScenario(left_.front().scenarioFile().toStdString());
+            scenario_ = loadWindowScenario(left_.front().scenarioFile().toStdString(), stateReaders());
         } catch (const relief::InputError&) {
             // Damaged, or of a newer version, which may still read it.
             left_.erase(left_.begin());

@@ -20,8 +20,8 @@ PaneKind timePane() {
     kind.place = DockPlace::Bottom;
     kind.make = makePane<TimePane>;
     kind.focus = [](QWidget* pane) -> QWidget* { return qobject_cast<TimePane*>(pane)->table()->table(); };
-    kind.figures = {{"steps", true, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates&) {
-                         return stepsFigure(std::move(s), step);
+    kind.figures = {{"steps", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         return stepsFigure(std::move(s), now.step);
                      }}};
     return kind;
 }

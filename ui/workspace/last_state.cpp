@@ -6,7 +6,7 @@
 
 #include "relief/errors.h"
 #include "workspace/language.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 
@@ -21,11 +21,11 @@ QString lastStateFile() {
     return settingsFolder() + QStringLiteral("/last.json");
 }
 
-std::optional<relief::Scenario> lastState(relief::AssetStore& store) {
+std::optional<relief::Scenario> lastState(relief::AssetStore& store, const StateReaders& readers) {
     const QString path = lastStateFile();
     if (!QFileInfo::exists(path)) return std::nullopt;
     try {
-        const relief::Scenario scenario = loadWindowScenario(path.toStdString());
+        const relief::Scenario scenario = loadWindowScenario(path.toStdString(), readers);
         relief::AssetStore pictures;
         relief::Work work;
         pictures.load(scenario.pictures, work);

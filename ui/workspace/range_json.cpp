@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "relief/describe.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 
@@ -42,17 +43,9 @@ ColorRange readRange(JsonReader reader, ColorRange range) {
     return range;
 }
 
-void checkWithin(const std::string& subject, const std::string& what, double value, double low, double high) {
-    if (value >= low && value <= high) return;
-    throw InputError(subject, Message(MessageId::OutOfRange,
-                                      {{"what", what},
-                                       {"value", value},
-                                       {"range", relief::numberText(low) + " to " + relief::numberText(high)}}));
-}
-
 }  // namespace
 
-void readRanges(JsonReader reader, ColorRanges& ranges) {
+void RangesState::read(JsonReader reader) {
     for (std::size_t n = 0; n < kRangesOf; ++n) {
         const RangeOf of = pictureAt(n);
         const char* const name = rangeName(of).c_str();
@@ -61,7 +54,7 @@ void readRanges(JsonReader reader, ColorRanges& ranges) {
     reader.finish();
 }
 
-Json rangesJson(const ColorRanges& ranges) {
+Json RangesState::json() const {
     Json json = Json::object();
     for (std::size_t n = 0; n < kRangesOf; ++n) {
         const RangeOf of = pictureAt(n);
@@ -78,7 +71,7 @@ Json rangesJson(const ColorRanges& ranges) {
     return json;
 }
 
-void checkRanges(const ColorRanges& ranges, const std::string& subject) {
+void RangesState::check(const std::string& subject) const {
     constexpr double kPercent = 100;
     for (std::size_t n = 0; n < kRangesOf; ++n) {
         const ColorRange range = ranges.of(pictureAt(n));
@@ -99,6 +92,10 @@ void checkRanges(const ColorRanges& ranges, const std::string& subject) {
         }
         if (range.threshold) checkWithin(subject, name + ": threshold", *range.threshold, -kMostValue, kMostValue);
     }
+}
+
+ColorRanges rangesOf(const relief::Scenario& scenario) {
+    return stateOf<RangesState>(scenario).ranges;
 }
 
 }  // namespace reliefui

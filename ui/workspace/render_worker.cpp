@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 
 #include "workspace/language.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 
@@ -186,7 +186,8 @@ void RenderWorker::runLoad(const LoadJob& job, relief::Work& work) {
     result.scenario = job.scenario;
     guarded(
         [&] {
-            if (!job.path.isEmpty()) result.scenario = loadWindowScenario(job.path.toStdString());
+            const StateReaders& readers = job.readers ? *job.readers : StateReaders{};
+            if (!job.path.isEmpty()) result.scenario = loadWindowScenario(job.path.toStdString(), readers);
             result.notes = notesOf(maker_.load(result.scenario.pictures, work));
         },
         [&](const QString& problem) {

@@ -22,6 +22,8 @@
 
 namespace reliefui {
 
+struct StateReaders;
+
 struct RenderJob {
     relief::Scenario scenario;
     std::uint64_t version = 0;
@@ -36,6 +38,7 @@ struct LoadJob {
     std::uint64_t id = 0;
     relief::Scenario scenario;
     QString path;
+    std::shared_ptr<const StateReaders> readers;  // may be null
 };
 
 struct LoadResult {

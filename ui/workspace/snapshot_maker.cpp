@@ -8,7 +8,7 @@
 #include "relief/maps/map_memory.h"
 #include "rendering/ellipse_error.h"
 #include "workspace/discard.h"
-#include "workspace/pane_states.h"
+#include "workspace/range_json.h"
 
 namespace reliefui {
 
@@ -130,7 +130,7 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
         shown.layer = makeLayer(order.layer, *picture.frame, *picture.request, *maps_, work);
     }
     if (const auto of = rangeOf(order.layer)) {
-        const ColorRange range = panesOf(scenario).ranges.of(*of);
+        const ColorRange range = rangesOf(scenario).of(*of);
         if (range != shown.layer.range) colorLayer(shown.layer, range);
     }
     snapshot->request = picture.request;

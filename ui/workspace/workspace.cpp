@@ -7,7 +7,8 @@
 #include "scenario/variation.h"
 #include "workspace/discard.h"
 #include "workspace/language.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
+#include "workspace/range_json.h"
 #include "workspace/render_worker.h"
 
 namespace reliefui {
@@ -35,9 +36,9 @@ bool needsLoading(const relief::Pictures& from, const relief::Pictures& to) {
 // Beyond the core's own checks: a picture that would take this machine's memory is a slip of the hand in a window.
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
 
-void checkForWindow(const relief::Scenario& scenario) {
+void checkForWindow(const relief::Scenario& scenario, const StateReaders* readers) {
     relief::checkScenario(scenario, {});
-    checkPanes(panesOf(scenario), {});
+    if (readers != nullptr) checkStates(scenario, *readers, {});
     const std::int64_t pixels = std::int64_t{scenario.width} * scenario.height;
     if (pixels <= kMostPixels) return;
     throw relief::InputError(
@@ -53,7 +54,8 @@ int lastStep(const Snapshot& snapshot) {
 
 }  // namespace
 
-Workspace::Workspace(QObject* parent) : QObject(parent) {
+Workspace::Workspace(std::shared_ptr<const StateReaders> readers, QObject* parent)
+    : QObject(parent), readers_(std::move(readers)) {
     style_.language = uiLanguage();
 }
 
@@ -77,7 +79,7 @@ void Workspace::change(const relief::Scenario& scenario, const QString& what, co
     clampPixel(wanted);
     if (wanted == scenario_ || past_.empty()) return;
     try {
-        checkForWindow(wanted);
+        checkForWindow(wanted, readers_.get());
     } catch (const relief::InputError& error) {
         Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
         Q_EMIT scenarioChanged();  // controls go back to what is
@@ -105,7 +107,7 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
     const bool panes = scenario.ui != scenario_.ui;
     const bool notes =
         panes || scenario.breakpoints != scenario_.breakpoints || scenario.bookmarks != scenario_.bookmarks;
-    const auto range = [&](const relief::Scenario& of) { return panesOf(of).ranges.of(*rangeOf(layer_)); };
+    const auto range = [&](const relief::Scenario& of) { return rangesOf(of).of(*rangeOf(layer_)); };
     const bool recolor = notesOnly && panes && rangeOf(layer_) && range(scenario) != range(scenario_);
     scenario_ = scenario;
     if (panes) Q_EMIT panesChanged();
@@ -168,12 +170,6 @@ void Workspace::setBookmarks(std::vector<relief::Bookmark> bookmarks, const QStr
     relief::Scenario wanted = scenario_;
     wanted.bookmarks = std::move(bookmarks);
     change(wanted, what);
-}
-
-void Workspace::setPanes(const PaneStates& panes, const QString& what, const QString& mergeKey) {
-    relief::Scenario wanted = scenario_;
-    setPanesOf(wanted, panes);
-    change(wanted, what, mergeKey);
 }
 
 void Workspace::goTo(const relief::Bookmark& bookmark) {
@@ -246,7 +242,7 @@ void Workspace::load(Pending pending) {
     const bool json =
         pending.action == Action::Open && pending.path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
     pending_ = std::move(pending);
-    worker_->load({pending_->id, pending_->scenario, json ? pending_->path : QString()});
+    worker_->load({pending_->id, pending_->scenario, json ? pending_->path : QString(), readers_});
     tellBusy();
 }
 
@@ -262,7 +258,7 @@ void Workspace::finishLoad(const LoadResult& result) {
     }
     pending.scenario = result.scenario;
     try {
-        checkForWindow(pending.scenario);
+        checkForWindow(pending.scenario, readers_.get());
     } catch (const relief::InputError& error) {
         Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
         tellBusy();

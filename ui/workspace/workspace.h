@@ -22,7 +22,7 @@
 
 namespace reliefui {
 
-struct PaneStates;
+struct StateReaders;
 
 class RenderWorker;
 struct LoadResult;
@@ -31,7 +31,8 @@ struct RenderFailure;
 class Workspace : public QObject {
     Q_OBJECT
   public:
-    explicit Workspace(QObject* parent = nullptr);
+    // readers: of the panes' states, which scenarios are checked with; null: they are taken as they stand.
+    explicit Workspace(std::shared_ptr<const StateReaders> readers = nullptr, QObject* parent = nullptr);
     ~Workspace() override;
 
     // The first scenario. `store`: pictures that are loaded already.
@@ -58,8 +59,6 @@ class Workspace : public QObject {
     // Where stepping stops, and pixels worth coming back to: entries of the undo history as well, nothing is rendered.
     void setBreakpoints(std::vector<relief::Breakpoint> breakpoints, const QString& what);
     void setBookmarks(std::vector<relief::Bookmark> bookmarks, const QString& what);
-    // What is chosen in the panes; an entry of the undo history as well, nothing is rendered.
-    void setPanes(const PaneStates& panes, const QString& what, const QString& mergeKey = {});
     // Its camera, pixel and step.
     void goTo(const relief::Bookmark& bookmark);
 
@@ -116,6 +115,7 @@ class Workspace : public QObject {
     void busyChanged(bool busy);
 
   private:
+    const std::shared_ptr<const StateReaders> readers_;
     enum class Action : std::uint8_t { Start, Open, Change, Undo, Redo };
     // What happens when the pictures that it needs are loaded.
     struct Pending {

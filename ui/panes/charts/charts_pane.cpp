@@ -1,6 +1,7 @@
 #include "panes/charts/charts_pane.h"
 
 #include "panes/charts/charts_figure.h"
+#include "panes/charts/charts_state.h"
 #include "panes/charts/charts_view.h"
 
 namespace reliefui {
@@ -13,10 +14,11 @@ PaneKind chartsPane() {
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<ChartsView>;
     kind.figures = {{"charts", true,
-                     [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
-                         return measuredCharts(std::move(s), p.charts.error);
+                     [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         return measuredCharts(std::move(s), stateOf<ChartsPane>(now).error);
                      }},
                     {"pareto", true, {}}};
+    kind.states = {readerOf<ChartsPane>()};
     return kind;
 }
 

@@ -8,7 +8,7 @@
 #include "panes/charts/charts_figure.h"
 #include "panes/drawing_canvas.h"
 #include "panes/figure_caption.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -109,12 +109,12 @@ void ChartsView::cancel() {
 }
 
 void ChartsView::change(const ChartsPane& pane) {
-    keep(&PaneStates::charts, pane, tr("Charts: other view"));
+    workspace_->change(withState(workspace_->scenario(), pane), tr("Charts: other view"));
     adopt();
 }
 
 void ChartsView::adopt() {
-    const ChartsPane before = std::exchange(pane_, panesOf(workspace_->scenario()).charts);
+    const ChartsPane before = std::exchange(pane_, stateOf<ChartsPane>(workspace_->scenario()));
     const std::vector<std::string>& names = chartsPaneShown();
     const auto shown = std::find(names.begin(), names.end(), pane_.shown) - names.begin();
     shown_->setCurrentIndex(static_cast<int>(shown));

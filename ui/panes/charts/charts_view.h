@@ -10,6 +10,7 @@
 #include <QPointF>
 
 #include "panes/charts/charts_data.h"
+#include "panes/charts/charts_state.h"
 #include "panes/figure_view.h"
 #include "workspace/latest_job.h"
 

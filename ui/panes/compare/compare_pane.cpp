@@ -13,7 +13,7 @@ PaneKind comparePane() {
     kind.help = CompareView::tr("Methods, filters, coordinates or heights beside each other");
     kind.place = DockPlace::UpperRight;
     kind.make = makePane<CompareView>;
-    kind.figures = {{"compare", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates&) {
+    kind.figures = {{"compare", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario&) {
                          return compareFigure(std::move(s), 0);
                      }}};
     return kind;

@@ -4,8 +4,9 @@
 #include <optional>
 
 #include "panes/distance/distance_drawing.h"
+#include "panes/distance/distance_state.h"
 #include "panes/figure.h"
-#include "workspace/pane_states.h"
+#include "panes/point_state.h"
 #include "workspace/snapshot.h"
 
 namespace reliefui {

@@ -1,7 +1,10 @@
 #include "panes/distance/distance_pane.h"
 
 #include "panes/distance/distance_figure.h"
+#include "panes/distance/distance_state.h"
 #include "panes/distance/distance_view.h"
+#include "panes/point_state.h"
+#include "workspace/range_json.h"
 
 namespace reliefui {
 
@@ -13,9 +16,12 @@ PaneKind distancePane() {
     kind.help = DistanceView::tr("A slice through what the method has stored");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<DistanceView>;
-    kind.figures = {{"distance", true, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
-                         return distanceFigure(std::move(s), step, distanceOptions(p.distance, p.ranges), p.query);
+    kind.figures = {{"distance", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         return distanceFigure(std::move(s), now.step,
+                                               distanceOptions(stateOf<DistancePane>(now), rangesOf(now)),
+                                               stateOf<PointState>(now).point);
                      }}};
+    kind.states = {readerOf<DistancePane>(), readerOf<PointState>()};
     return kind;
 }
 

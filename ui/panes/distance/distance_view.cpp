@@ -16,8 +16,9 @@
 #include "panes/range_button.h"
 #include "relief/tracers/map_choice.h"
 #include "workspace/discard.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
+#include "workspace/range_json.h"
 
 namespace reliefui {
 
@@ -28,15 +29,17 @@ void DistanceView::setOptions(const DistanceOptions& options) {
 // drag: what is dragged, one step of undo.
 void DistanceView::change(const DistanceOptions& options, const char* drag) {
     if (options == options_) return;
-    keep(&PaneStates::distance, paneOf(options), tr("Distance map: other view"), QString::fromLatin1(drag));
+    workspace_->change(withState(workspace_->scenario(), paneOf(options)), tr("Distance map: other view"),
+                       QString::fromLatin1(drag));
     showControls();  // where it was refused
 }
 
 void DistanceView::adopt() {
-    const PaneStates& panes = panesOf(workspace_->scenario());
-    const DistanceOptions options = distanceOptions(panes.distance, panes.ranges);
-    if (options == options_ && panes.query == query_) return;
-    query_ = panes.query;
+    const relief::Scenario& now = workspace_->scenario();
+    const DistanceOptions options = distanceOptions(stateOf<DistancePane>(now), rangesOf(now));
+    const std::optional<QueryPoint> query = stateOf<PointState>(now).point;
+    if (options == options_ && query == query_) return;
+    query_ = query;
     const bool other = options.kind != options_.kind || options.minus != options_.minus ||
                        options.axis != options_.axis || options.nearRay != options_.nearRay;
     if (options != options_) failed_ = {};
@@ -254,7 +257,7 @@ void DistanceView::showWaiting() {
 std::shared_ptr<const Figure> DistanceView::figure() const {
     if (!result_) return nullptr;
     return distanceFigure(result_->snapshot, workspace_->scenario().step, options_,
-                          panesOf(workspace_->scenario()).query);
+                          stateOf<PointState>(workspace_->scenario()).point);
 }
 
 }  // namespace reliefui

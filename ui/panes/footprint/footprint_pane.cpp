@@ -1,6 +1,7 @@
 #include "panes/footprint/footprint_pane.h"
 
 #include "panes/footprint/footprint_figure.h"
+#include "panes/footprint/footprint_state.h"
 #include "panes/footprint/footprint_view.h"
 
 namespace reliefui {
@@ -13,12 +14,14 @@ PaneKind footprintPane() {
     kind.help = FootprintView::tr("The part of the texture that the pixel covers, and the weight of each texel");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<FootprintView>;
-    kind.figures = {{"footprint", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
+    kind.figures = {{"footprint", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         const auto pane = stateOf<FootprintPane>(now);
                          FootprintOptions options;
-                         options.neighbours = p.footprint.neighbours;
-                         options.weights = p.footprint.weights;
+                         options.neighbours = pane.neighbours;
+                         options.weights = pane.weights;
                          return footprintFigure(std::move(s), options);
                      }}};
+    kind.states = {readerOf<FootprintPane>()};
     return kind;
 }
 

@@ -10,10 +10,11 @@
 #include "panes/coefficient_text.h"
 #include "panes/drawing_canvas.h"
 #include "panes/footprint/footprint_figure.h"
+#include "panes/footprint/footprint_state.h"
 #include "panes/footprint/weight_drawing.h"
 #include "panes/pane_controls.h"
 #include "scenario/step_sentence.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -93,12 +94,12 @@ void FootprintView::makeBar(QHBoxLayout* bar) {
 void FootprintView::setOptions(const FootprintOptions& options) {
     if (options == options_) return;
     const bool neighbours = options.neighbours != options_.neighbours;
-    keep(&PaneStates::footprint, FootprintPane{options.neighbours, options.weights},
-         neighbours ? tr("Footprint: neighbours") : tr("Footprint: weights"));
+    workspace_->change(withState(workspace_->scenario(), FootprintPane{options.neighbours, options.weights}),
+                       neighbours ? tr("Footprint: neighbours") : tr("Footprint: weights"));
 }
 
 void FootprintView::adopt() {
-    const FootprintPane state = panesOf(workspace_->scenario()).footprint;
+    const FootprintPane state = stateOf<FootprintPane>(workspace_->scenario());
     FootprintOptions options = options_;
     options.neighbours = state.neighbours;
     options.weights = state.weights;

@@ -14,8 +14,8 @@ PaneKind formulaPane() {
     kind.make = makePane<FormulaView>;
     const auto figure = [&](const char* name, std::optional<FormulaPart> part) {
         kind.figures.push_back(
-            {name, true, [part](std::shared_ptr<const Snapshot> snapshot, int step, const PaneStates&) {
-                 return formulaFigure(std::move(snapshot), step, part);
+            {name, true, [part](std::shared_ptr<const Snapshot> snapshot, const relief::Scenario& now) {
+                 return formulaFigure(std::move(snapshot), now.step, part);
              }});
     };
     figure("formula", std::nullopt);

@@ -4,8 +4,9 @@
 #include <optional>
 
 #include "panes/figure.h"
+#include "panes/point_state.h"
 #include "panes/profile/profile_drawing.h"
-#include "workspace/pane_states.h"
+#include "panes/profile/profile_state.h"
 #include "workspace/snapshot.h"
 
 namespace reliefui {

@@ -1,6 +1,8 @@
 #include "panes/profile/profile_pane.h"
 
+#include "panes/point_state.h"
 #include "panes/profile/profile_figure.h"
+#include "panes/profile/profile_state.h"
 #include "panes/profile/profile_view.h"
 
 namespace reliefui {
@@ -12,11 +14,12 @@ PaneKind profilePane() {
     kind.help = ProfileView::tr("The relief under the ray, cut along it");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<ProfileView>;
-    kind.figures = {{"profile", true, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
+    kind.figures = {{"profile", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
                          ProfileOptions options;
-                         takeProfile(options, p.profile);
-                         return profileFigure(std::move(s), step, options, p.query);
+                         takeProfile(options, stateOf<ProfilePane>(now));
+                         return profileFigure(std::move(s), now.step, options, stateOf<PointState>(now).point);
                      }}};
+    kind.states = {readerOf<ProfilePane>(), readerOf<PointState>()};
     return kind;
 }
 

@@ -9,7 +9,7 @@
 #include "panes/profile/profile_figure.h"
 #include "panes/ray_geometry.h"
 #include "scenario/step_sentence.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -75,16 +75,16 @@ void ProfileView::makeBar() {
 }
 
 void ProfileView::change(const ProfilePane& pane) {
-    keep(&PaneStates::profile, pane, tr("Profile: other view"));
+    workspace_->change(withState(workspace_->scenario(), pane), tr("Profile: other view"));
     adopt();
 }
 
 void ProfileView::adopt() {
-    const ProfilePane& pane = panesOf(workspace_->scenario()).profile;
+    const auto pane = stateOf<ProfilePane>(workspace_->scenario());
     allLevels_->setChecked(pane.allLevels);
     near_->setChecked(pane.nearRay);
     aspect_->setChecked(pane.trueAspect);
-    const std::optional<QueryPoint>& query = panesOf(workspace_->scenario()).query;
+    const std::optional<QueryPoint> query = stateOf<PointState>(workspace_->scenario()).point;
     if (pane == pane_ && query == query_) return;
     pane_ = pane;
     query_ = query;
@@ -252,7 +252,7 @@ std::optional<QPointF> ProfileView::pointPlace() const {
 std::shared_ptr<const Figure> ProfileView::figure() const {
     if (!ready()) return nullptr;
     const relief::Scenario& now = workspace_->scenario();
-    return profileFigure(shown_, now.step, options_, panesOf(now).query);
+    return profileFigure(shown_, now.step, options_, stateOf<PointState>(now).point);
 }
 
 }  // namespace reliefui

@@ -8,6 +8,7 @@
 #include "panes/figure_view.h"
 #include "panes/point_asker.h"
 #include "panes/profile/profile_drawing.h"
+#include "panes/profile/profile_state.h"
 
 class QToolButton;
 

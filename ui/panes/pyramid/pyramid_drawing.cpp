@@ -48,8 +48,10 @@ Window windowOf(const PyramidSource& source, double aspect) {
     const Point to = path.at(rayEnd(source.hit, source.steps));
     double width = std::max(std::abs(to.x - from.x) * (1 + 2 * kAround), kLeast);
     double height = std::max(std::abs(to.y - from.y) * (1 + 2 * kAround), kLeast);
-    width = std::max(width, height * aspect);
-    height = std::max(height, width / aspect);
+    constexpr double kSlenderest = 3;
+    const double shape = source.slender ? std::clamp(width / height, 1 / kSlenderest, kSlenderest) : aspect;
+    width = std::max(width, height * shape);
+    height = std::max(height, width / shape);
     if (!(width < whole.width() && height < whole.height())) return {whole, true};
     const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
     // On the lines between cells, which for means are those between texels.
@@ -78,7 +80,7 @@ Arrangement arrange(const PyramidSource& source, double width, double height) {
             best = std::move(next);
             bestScore = score;
         }
-        if (best.window.whole) break;  // always the same
+        if (best.window.whole || source.slender) break;  // always the same
     }
     return best;
 }
@@ -256,6 +258,13 @@ void addCells(Drawing& drawing, const PyramidSource& source, const LevelBlock& b
 }
 
 }  // namespace
+
+double rayEnd(const PyramidSource& source) {
+    if (source.hit.outcome == relief::Outcome::Hit) return source.hit.lambda;
+    if (source.steps != nullptr && !source.steps->empty())
+        return std::clamp(source.steps->back().lambdaAfter, 0.0, 1.0);
+    return 1;
+}
 
 PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height, Point origin) {
     PyramidPicture picture;

@@ -27,7 +27,11 @@ struct PyramidSource {
     relief::Hit hit;
     const std::vector<relief::Step>* steps = nullptr;
     bool nearRay = false;  // only the surroundings of the ray, on all levels, if it is not longer than the texture
+    bool slender = false;  // of these no more than the ray needs, however long and narrow that is
 };
+
+// Lambda where the ray ends: at its hit, or where it was given up.
+double rayEnd(const PyramidSource& source);
 
 // The levels alone: made anew only with the map or the room (points).
 struct PyramidPicture {

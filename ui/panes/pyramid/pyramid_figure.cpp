@@ -70,11 +70,12 @@ struct SlabsFigure : SpaceFigure {
         const double width = pixels.width() / style.screenPixelsPerPoint;
         const double height = pixels.height() / style.screenPixelsPerPoint;
         const PyramidParts parts = pyramidParts(*snapshot, options, width, height);
-        scene.show(parts, style, pixels.width(), pixels.height());
-        scene.showStep(parts, step);
+        scene.show(parts, style);
+        scene.showStep(step);
+        scene.lookFromHome();
         if (camera) scene.camera = *camera;
         // Seen from there; as near as the picture allows.
-        scene.showAll(static_cast<double>(pixels.width()) / std::max(1, pixels.height()));
+        scene.showAll(pixels.width(), pixels.height());
         scene.place();
         const QImage image = rendered(window, pixels);
         scene.takeFrom(&window);
@@ -102,6 +103,7 @@ std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapsh
     figure->snapshot = std::move(snapshot);
     figure->step = step;
     figure->options = options;
+    figure->options.slender = true;
     figure->camera = camera;
     return figure;
 }

@@ -24,6 +24,11 @@ struct LevelBlock {
         const Point high = toDrawing(Point{texels.x1, texels.y1});
         return {low.x, low.y, high.x, high.y};
     }
+    Box toTexels(const Box& drawn) const {
+        const auto x = [&](double at) { return domain.x0 + (at - box.x0) / unitX(); };
+        const auto y = [&](double at) { return domain.y0 + (at - box.y0) / unitY(); };
+        return {x(drawn.x0), y(drawn.y0), x(drawn.x1), y(drawn.y1)};
+    }
 };
 
 inline constexpr double kTitleHeight = 14;

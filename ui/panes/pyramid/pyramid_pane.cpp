@@ -1,6 +1,7 @@
 #include "panes/pyramid/pyramid_pane.h"
 
 #include "panes/pyramid/pyramid_figure.h"
+#include "panes/pyramid/pyramid_state.h"
 #include "panes/pyramid/pyramid_view.h"
 
 namespace reliefui {
@@ -14,12 +15,13 @@ PaneKind pyramidPane() {
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<PyramidView>;
     kind.figures = {{"pyramid", true,
-                     [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
-                         return pyramidFigure(std::move(s), step, pyramidOptions(p.pyramid, p.ranges));
+                     [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         return pyramidFigure(std::move(s), now.step, pyramidOptions(now));
                      }},
-                    {"slabs", false, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
-                         return slabsFigure(std::move(s), step, pyramidOptions(p.pyramid, p.ranges), {});
+                    {"slabs", false, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         return slabsFigure(std::move(s), now.step, pyramidOptions(now), {});
                      }}};
+    kind.states = {readerOf<PyramidPane>()};
     return kind;
 }
 

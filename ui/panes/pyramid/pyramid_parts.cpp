@@ -2,6 +2,8 @@
 
 #include "painting/view_map.h"
 #include "scenario/step_sentence.h"
+#include "workspace/pane_store.h"
+#include "workspace/range_json.h"
 
 namespace reliefui {
 
@@ -56,13 +58,15 @@ double scaleOf(const PyramidPicture& picture) {
 
 }  // namespace
 
-PyramidOptions pyramidOptions(const PyramidPane& pane, const ColorRanges& ranges) {
+PyramidOptions pyramidOptions(const relief::Scenario& scenario) {
+    const auto pane = stateOf<PyramidPane>(scenario);
     PyramidOptions options;
     if (pane.levels == "mean") options.kind = PyramidKind::Mean;
     if (pane.levels == "min") options.kind = PyramidKind::Min;
     options.all = pane.levels == "all";
     options.nearRay = pane.nearRay;
-    options.heights = ranges.of(RangeOf::Height);
+    options.slender = pane.stacked;
+    options.heights = rangesOf(scenario).of(RangeOf::Height);
     return options;
 }
 
@@ -78,6 +82,7 @@ PyramidSource pyramidSource(const Snapshot& s, const PyramidOptions& options) {
     source.steps = &s.trace.steps;
     source.baseLevel = s.trace.baseLevel;
     source.nearRay = options.nearRay;
+    source.slender = options.slender;
     return source;
 }
 

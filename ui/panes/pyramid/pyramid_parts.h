@@ -6,7 +6,8 @@
 
 #include "painting/range_legend.h"
 #include "panes/pyramid/pyramid_drawing.h"
-#include "workspace/pane_states.h"
+#include "panes/pyramid/pyramid_state.h"
+#include "scenario/scenario.h"
 #include "workspace/snapshot.h"
 
 namespace reliefui {
@@ -14,10 +15,11 @@ namespace reliefui {
 struct PyramidOptions {
     relief::PyramidKind kind = relief::PyramidKind::Max;  // the maxima are over the cells, the others over the texels
     bool nearRay = true;
-    bool all = false;  // maxima, means and minima beside each other
+    bool all = false;      // maxima, means and minima beside each other
+    bool slender = false;  // for slabs in space: PyramidSource::slender
     ColorRange heights = standardRange(RangeOf::Height);
 };
-PyramidOptions pyramidOptions(const PyramidPane& pane, const ColorRanges& ranges = {});
+PyramidOptions pyramidOptions(const relief::Scenario& scenario);
 PyramidSource pyramidSource(const Snapshot& snapshot, const PyramidOptions& options);
 
 struct PyramidPart {

@@ -50,14 +50,18 @@ PyramidStack::~PyramidStack() {
 void PyramidStack::show(const PyramidParts& parts, const Style& style) {
     Style device = style;
     device.screenPixelsPerPoint *= widget_->devicePixelRatioF();
-    const double ratio = widget_->devicePixelRatioF();
-    const bool same = scene_.show(parts, device, ratio * widget_->width(), ratio * widget_->height());
-    if (placedFor_ != widget_->size() || !same) showAll();
+    scene_.show(parts, device);
+    const SlabTower& tower = scene_.tower();
+    const Box ground = parts.parts.empty() ? Box{} : tower.domain(0);
+    const std::pair now(widget_->size(), std::array<double, 3>{ground.width(), ground.height(),
+                                                               static_cast<double>(tower.top() + parts.parts.size())});
+    if (!turned_) scene_.lookFromHome();
+    if (std::exchange(placedFor_, now) != now) showAll();
     renderSoon_.start();
 }
 
-void PyramidStack::showStep(const PyramidParts& parts, int step) {
-    scene_.showStep(parts, step);
+void PyramidStack::showStep(int step) {
+    scene_.showStep(step);
     renderSoon_.start();
 }
 
@@ -79,12 +83,13 @@ bool PyramidStack::drawingAt(QPointF widget, Point& drawing) const {
 }
 
 void PyramidStack::showAll() {
-    scene_.showAll(static_cast<double>(std::max(1, widget_->width())) / std::max(1, widget_->height()));
-    placedFor_ = widget_->size();
+    const double ratio = widget_->devicePixelRatioF();
+    scene_.showAll(ratio * widget_->width(), ratio * widget_->height());
 }
 
 void PyramidStack::fit() {
-    scene_.camera.lookAlong(0, 1);
+    turned_ = false;
+    scene_.lookFromHome();
     showAll();
     renderSoon_.start();
 }
@@ -108,6 +113,7 @@ bool PyramidStack::handleMouse(QMouseEvent* event, bool released) {
     const QPointF by = event->localPos() - last_;
     last_ = event->localPos();
     const bool turns = (event->buttons() & Qt::LeftButton) != 0 && (event->modifiers() & Qt::ShiftModifier) == 0;
+    turned_ = turned_ || turns;
     turns ? scene_.camera.turn(by.x(), by.y(), widget_->height())
           : scene_.camera.move(by.x(), by.y(), widget_->height());
     renderSoon_.start();

@@ -2,6 +2,9 @@
 // a click chooses a step.
 #pragma once
 
+#include <array>
+#include <utility>
+
 #include <vtkSmartPointer.h>
 #include <QWidget>
 
@@ -20,17 +23,17 @@ class PyramidStack : public QWidget {
     explicit PyramidStack(QWidget* parent = nullptr);
     ~PyramidStack() override;
 
-    // The slabs: made anew with the map, the ray's surroundings or the style.
+    // The slabs: made anew with the map, the ray or the style. The parts are referred to.
     void show(const PyramidParts& parts, const Style& style);
-    // The marks up to this step; `parts` are those shown.
-    void showStep(const PyramidParts& parts, int step);
+    // The marks up to this step.
+    void showStep(int step);
     void letGo();
     void fit();
     const Turntable& camera() const { return scene_.camera; }
 
     // Where a place of a level is seen; of the part-th pyramid. Pixels of this widget.
     QPointF toWidget(std::size_t part, int level, Point texel) const;
-    // The uppermost slab under the point, and the place on the flat drawing; false: none.
+    // The foremost slab under the point, and the place on the flat drawing; false: none.
     bool drawingAt(QPointF widget, Point& drawing) const;
 
   signals:
@@ -51,8 +54,10 @@ class PyramidStack : public QWidget {
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     SlabScene scene_;
     QPointF pressed_;
+    bool turned_ = false;  // by hand: another ray leaves it so
     QPointF last_;
-    QSize placedFor_;
+    // What the camera was put for: a view of this size, of so much ground and so many levels.
+    std::pair<QSize, std::array<double, 3>> placedFor_;
     Soon renderSoon_{this, [this] { render(); }};
 };
 

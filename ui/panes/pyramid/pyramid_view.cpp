@@ -12,7 +12,7 @@
 #include "panes/pyramid/pyramid_stack.h"
 #include "panes/range_button.h"
 #include "scenario/step_sentence.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -52,8 +52,9 @@ QHBoxLayout* PyramidView::makeBar() {
     means_ = addToolButton(bar, tr("mean"), tr("The mean under each texel: what colours are filtered with"), true);
     minima_ = addToolButton(bar, tr("min"), tr("The lowest point under each texel"), true);
     all_ = addToolButton(bar, tr("all"), tr("Maxima, means and minima beside each other"), true);
-    stacked_ =
-        addToolButton(bar, tr("3-D"), tr("The levels as slabs one above the other, and the way of the ray"), true);
+    stacked_ = addToolButton(
+        bar, tr("3-D"), tr("The levels above each other, each texel a slab of its own size, and the way of the ray"),
+        true);
     near_ = addToolButton(bar, tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), true);
     follow_ = addToolButton(bar, tr("follow"), tr("Zoom to the level of the current step"), true);
     range_ = new RangeButton(
@@ -74,15 +75,14 @@ QHBoxLayout* PyramidView::makeBar() {
 }
 
 void PyramidView::change(const PyramidPane& pane) {
-    keep(&PaneStates::pyramid, pane, tr("Pyramid: other view"));
+    workspace_->change(withState(workspace_->scenario(), pane), tr("Pyramid: other view"));
     adopt();
 }
 
 void PyramidView::adopt() {
-    const PaneStates panes = panesOf(workspace_->scenario());
-    const PyramidPane before = std::exchange(pane_, panes.pyramid);
-    const bool recolored = panes.ranges.of(RangeOf::Height) != ranges_.of(RangeOf::Height);
-    ranges_ = panes.ranges;
+    const relief::Scenario& now = workspace_->scenario();
+    const PyramidPane before = std::exchange(pane_, stateOf<PyramidPane>(now));
+    const ColorRange heights = std::exchange(options_, pyramidOptions(now)).heights;
     maxima_->setChecked(pane_.levels == "max");
     means_->setChecked(pane_.levels == "mean");
     minima_->setChecked(pane_.levels == "min");
@@ -90,9 +90,9 @@ void PyramidView::adopt() {
     stacked_->setChecked(pane_.stacked);
     near_->setChecked(pane_.nearRay);
     follow_->setChecked(pane_.follow);
-    if (pane_ == before && !recolored) return;
+    if (pane_ == before && options_.heights == heights) return;
     faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
-    if (pane_.levels != before.levels) workspace_->setLevels(pyramidOptions(pane_, ranges_).kind);
+    if (pane_.levels != before.levels) workspace_->setLevels(options_.kind);
     if (pane_.nearRay != before.nearRay || pane_.levels != before.levels) canvas_->resetZoom();
     if (before.follow && !pane_.follow) canvas_->resetZoom();
     refresh();
@@ -134,8 +134,7 @@ void PyramidView::showSnapshot() {
     const PauseLog::Part part("pyramid");
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
-    const PyramidOptions options = pyramidOptions(pane_, ranges_);
-    const bool ready = shown_ && shown_->request && (options.all || shown_->has(options.kind));
+    const bool ready = shown_ && shown_->request && (options_.all || shown_->has(options_.kind));
     if (!ready) {
         showEmpty(workspace_->whyEmpty());
         return;
@@ -145,7 +144,7 @@ void PyramidView::showSnapshot() {
     const relief::Language language = workspace_->style().language;
     const auto showLegend = [&] {
         constexpr double kMostLegend = 0.25;
-        const PyramidSource source = pyramidSource(*shown_, options);
+        const PyramidSource source = pyramidSource(*shown_, options_);
         legend_ =
             canvas_->showLegend(pyramidLegend(source, parts_.heights, canvas_->legendWidth(), language), kMostLegend);
         if (!legend_->bounds.empty()) return;
@@ -153,21 +152,22 @@ void PyramidView::showSnapshot() {
                                       kMostLegend);
     };
     const QSizeF all = canvas_->room();
-    parts_ = pyramidParts(*shown_, options, all.width(), all.height(), language);
+    parts_ = pyramidParts(*shown_, options_, all.width(), all.height(), language);
     if (parts_.parts.empty()) return showEmpty(workspace_->whyEmpty());
     showLegend();
     const QSizeF room = canvas_->room();
-    parts_ = pyramidParts(*shown_, options, room.width(), room.height(), language);
+    parts_ = pyramidParts(*shown_, options_, room.width(), room.height(), language);
     // Where there is no room for all levels, the one of the current step is shown.
     constexpr double kSmallest = 20;  // points
     const std::vector<LevelBlock>& blocks = parts_.parts.front().picture.blocks;
     cramped_ = parts_.parts.size() == 1 && blocks.size() > 1 && blocks.back().box.height() < kSmallest;
-    if (cramped_) parts_ = pyramidParts(*shown_, options, 3 * room.width() + 300, 3 * room.height() + 200, language);
+    if (cramped_) parts_ = pyramidParts(*shown_, options_, 3 * room.width() + 300, 3 * room.height() + 200, language);
     showLegend();  // of what is seen in this room
     levels_ = std::make_shared<const Drawing>(parts_.levels);
     range_->refresh();
     faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
-    if (pane_.stacked) stack_->show(parts_, workspace_->style());
+    // The slabs refer to the parts.
+    pane_.stacked ? stack_->show(parts_, workspace_->style()) : stack_->letGo();
     refreshStep();
 }
 
@@ -185,7 +185,7 @@ void PyramidView::refreshStep() {
     const PauseLog::Part part("pyramid: marks");
     if (outOfSight()) return;
     if (!shown_ || !levels_) return;
-    if (pane_.stacked) return stack_->showStep(parts_, workspace_->scenario().step);
+    if (pane_.stacked) return stack_->showStep(workspace_->scenario().step);
     // A step of a newer ray than the one shown: its snapshot is on the way.
     auto marks = std::make_shared<const Drawing>(partsMarks(parts_, workspace_->scenario().step));
     canvas_->setLayers({levels_, std::move(marks)}, legend_);
@@ -199,6 +199,7 @@ void PyramidView::refreshStep() {
 
 void PyramidView::showEmpty(relief::MessageId why) {
     levels_.reset();
+    stack_->letGo();
     parts_ = {};
     range_->refresh();
     canvas_->showText(why);
@@ -306,9 +307,8 @@ QString PyramidView::textOf(const PyramidPart& part, const ItemId& id) const {
 
 std::shared_ptr<const Figure> PyramidView::figure() const {
     if (!levels_) return nullptr;
-    const PyramidOptions options = pyramidOptions(pane_, ranges_);
-    return pane_.stacked ? slabsFigure(shown_, workspace_->scenario().step, options, stack_->camera())
-                         : pyramidFigure(shown_, workspace_->scenario().step, options);
+    return pane_.stacked ? slabsFigure(shown_, workspace_->scenario().step, options_, stack_->camera())
+                         : pyramidFigure(shown_, workspace_->scenario().step, options_);
 }
 
 }  // namespace reliefui

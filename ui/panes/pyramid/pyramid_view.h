@@ -83,7 +83,7 @@ class PyramidView : public FigureView {
     PyramidStack* stack_;
     QStackedLayout* faces_;
     PyramidPane pane_;
-    ColorRanges ranges_;
+    PyramidOptions options_;
     std::shared_ptr<const Snapshot> shown_;
     PyramidParts parts_;
     bool cramped_ = false;     // no room for all levels

@@ -6,65 +6,97 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCoordinate.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include "painting/text_width.h"
+#include "painting/view_map.h"
 #include "painting/vtk_text.h"
-#include "panes/pyramid/slab_actors.h"
-#include "panes/pyramid/slab_piles.h"
-#include "panes/ray_geometry.h"
+#include "scenario/step_sentence.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
 
 namespace {
 
-constexpr double kThick = 0.02;        // of a slab that is 1 wide
-constexpr double kTitleSize = 0.85;    // of the text's
-constexpr double kLine = 1.4;          // of the titles, of their size
-constexpr double kAbove = 0.004;       // marks over their slab
-constexpr std::size_t kMostWay = 400;  // steps around the chosen one
+constexpr double kTitleSize = 0.85;  // of the text's
+constexpr double kLine = 1.4;        // of the titles, of their size
+// The sides of a slab are darker than its top, those that look to the left and right more so.
+constexpr double kFront = 0.72;
+constexpr double kSide = 0.5;
+constexpr double kHidden = 0.4;      // opacity of the ray behind slabs
+constexpr double kBeforeAll = -2e5;  // depth by which marks are drawn before everything
+constexpr double kMostLines = 40;    // of a level's grid along a side
 
 using Place = Turntable::Place;
 
-Point middleOf(const Primitive& primitive) {
-    if (const auto* const box = std::get_if<Rectangle>(&primitive)) return box->box.center();
-    if (const auto* const line = std::get_if<Polyline>(&primitive)) {
-        if (line->points.empty()) return {NAN, NAN};
-        const Point& a = line->points.front();
-        const Point& b = line->points.back();
-        return {(a.x + b.x) / 2, (a.y + b.y) / 2};
-    }
-    if (const auto* const ring = std::get_if<Ring>(&primitive)) return ring->center;
-    return {NAN, NAN};
-}
+// Four-cornered faces, each in its colour.
+class Faces {
+  public:
+    Faces() { colors_->SetNumberOfComponents(3); }
 
-// All as wide as deep at most.
-double unitOf(const LevelBlock& block) {
-    return 1 / std::max(block.box.width(), block.box.height());
-}
-
-std::string titleOf(const LevelBlock& block, const Drawing& levels, relief::Language language) {
-    for (const Item& item : levels.items) {
-        const auto* const label = std::get_if<Label>(&item.primitive);
-        if (label == nullptr || item.role != Role::Title || !(label->at == block.title)) continue;
-        return relief::sentence(label->text, language);
+    void add(const std::array<Place, 4>& corners, Rgba color, double shade) {
+        vtkIdType ids[4];
+        for (std::size_t k = 0; k < 4; ++k) ids[k] = points_->InsertNextPoint(corners[k].data());
+        cells_->InsertNextCell(4, ids);
+        colors_->InsertNextTuple3(color.r * shade, color.g * shade, color.b * shade);
     }
-    return {};
-}
+    // The top of a box and its sides; the foot is not seen.
+    void box(const Place& low, const Place& high, Rgba color) {
+        const auto [x0, y0, z0] = low;
+        const auto [x1, y1, z1] = high;
+        add({Place{x0, y0, z1}, {x1, y0, z1}, {x1, y1, z1}, {x0, y1, z1}}, color, 1);
+        if (!(z1 > z0)) return;
+        add({Place{x0, y0, z0}, {x1, y0, z0}, {x1, y0, z1}, {x0, y0, z1}}, color, kFront);
+        add({Place{x0, y1, z0}, {x1, y1, z0}, {x1, y1, z1}, {x0, y1, z1}}, color, kFront);
+        add({Place{x0, y0, z0}, {x0, y1, z0}, {x0, y1, z1}, {x0, y0, z1}}, color, kSide);
+        add({Place{x1, y0, z0}, {x1, y1, z0}, {x1, y1, z1}, {x1, y0, z1}}, color, kSide);
+    }
+    void disk(const Place& middle, double radius, Rgba color) {
+        constexpr int kQuarters = 16;
+        const auto at = [&](int k) {
+            const double turn = std::numbers::pi * k / kQuarters;
+            return Place{middle[0] + radius * std::cos(turn), middle[1] + radius * std::sin(turn), middle[2]};
+        };
+        for (int k = 0; k < 2 * kQuarters; k += 2) add({middle, at(k), at(k + 1), at(k + 2)}, color, 1);
+    }
+    vtkSmartPointer<vtkActor> actor() const {
+        auto data = vtkSmartPointer<vtkPolyData>::New();
+        data->SetPoints(points_);
+        data->SetPolys(cells_);
+        data->GetCellData()->SetScalars(colors_);
+        return flat(data);
+    }
+    // Without light: colours mean something.
+    static vtkSmartPointer<vtkActor> flat(const vtkSmartPointer<vtkPolyData>& data) {
+        auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+        mapper->SetInputData(data);
+        auto actor = vtkSmartPointer<vtkActor>::New();
+        actor->SetMapper(mapper);
+        actor->GetProperty()->SetLighting(false);
+        return actor;
+    }
+
+  private:
+    vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
+    vtkSmartPointer<vtkCellArray> cells_ = vtkSmartPointer<vtkCellArray>::New();
+    vtkSmartPointer<vtkUnsignedCharArray> colors_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
+};
 
 }  // namespace
 
 SlabScene::SlabScene() : renderer_(vtkSmartPointer<vtkRenderer>::New()) {
     renderer_->UseFXAAOn();
-    camera.lookAlong(0, 1);
+    lookFromHome();
 }
 
 SlabScene::~SlabScene() = default;
@@ -81,102 +113,171 @@ void SlabScene::takeFrom(vtkRenderWindow* window) const {
     window->RemoveRenderer(renderer_);
 }
 
-void SlabScene::layOut(const PyramidParts& parts, double width, double height) {
-    slabs_.clear();
-    firsts_.clear();
-    const double text = style_.textPixels(kTitleSize);
-    std::vector<std::vector<SlabSize>> sizes;
-    for (const PyramidPart& part : parts.parts) {
-        sizes.emplace_back();
-        for (const LevelBlock& block : part.picture.blocks) {
-            const double unit = unitOf(block);
-            const double wide =
-                style_.pixelsPerPoint() * textWidth(titleOf(block, part.picture.levels, style_.language), kTitleSize);
-            sizes.back().push_back(
-                {block.box.width() * unit, block.box.height() * unit, wide + text / 2, kLine * text});
-        }
-    }
-    const SlabPiles piles = slabPiles(sizes, width, height);
-    for (std::size_t n = 0; n < parts.parts.size(); ++n) {
-        firsts_.push_back(slabs_.size());
-        const std::vector<LevelBlock>& blocks = parts.parts[n].picture.blocks;
-        for (std::size_t k = 0; k < blocks.size(); ++k) {
-            const SlabPlace& place = piles.places[n][k];
-            const SlabSize& size = sizes[n][k];
-            slabs_.push_back({blocks[k], place.x, 0, place.z, unitOf(blocks[k]), place.pile,
-                              size.titleWidth / piles.scale, size.titleHeight / piles.scale});
-        }
-    }
+void SlabScene::lookFromHome() {
+    camera.lookAlong(tower_.seenAlong().x, tower_.seenAlong().y);
 }
 
-const SlabScene::Slab* SlabScene::slabOf(Point drawing) const {
-    for (const Slab& slab : slabs_) {
-        if (slab.block.box.grown(1e-6).contains(drawing)) return &slab;
-    }
-    return nullptr;
-}
-
-bool SlabScene::show(const PyramidParts& parts, const Style& style, double width, double height) {
-    const PauseLog::Part part("pyramid: slabs");
+void SlabScene::show(const PyramidParts& parts, const Style& style) {
+    const PauseLog::Part timed("pyramid: slabs");
     style_ = style;
+    parts_ = &parts;
     const Rgba ground = style.background();
     renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
     renderer_->RemoveAllViewProps();
     marks_.clear();
-    const std::vector<Slab> before = slabs_;
-    layOut(parts, width, height);
+    tower_ = SlabTower(parts);
     for (std::size_t n = 0; n < parts.parts.size(); ++n) {
-        const std::size_t end = n + 1 < firsts_.size() ? firsts_[n + 1] : slabs_.size();
-        for (std::size_t k = firsts_[n]; k < end; ++k) addSlab(slabs_[k], parts.parts[n]);
+        addBodies(n);
+        addGround(n);
     }
-    return std::ranges::equal(before, slabs_, {}, &Slab::pile, &Slab::pile);
+    addTitles();
 }
 
 void SlabScene::letGo() {
     renderer_->RemoveAllViewProps();
     marks_.clear();
+    tower_ = {};
+    parts_ = nullptr;
 }
 
-void SlabScene::addSlab(const Slab& slab, const PyramidPart& part) {
-    for (const Item& item : part.picture.levels.items) {
-        const auto* const cells = std::get_if<Cells>(&item.primitive);
-        if (cells == nullptr || item.id.level != slab.block.level || cells->clip.empty()) continue;
-        const Box& c = cells->clip;
-        renderer_->AddActor(
-            slabPicture(*cells, style_,
-                        {slab.at({c.x0, c.y0}), slab.at({c.x1, c.y0}), slab.at({c.x1, c.y1}), slab.at({c.x0, c.y1})}));
+void SlabScene::addBodies(std::size_t part) {
+    Faces faces;
+    std::vector<std::vector<Line>> edges(static_cast<std::size_t>(tower_.top()) + 1);
+    for (const Slab& slab : tower_.slabs()) {
+        if (slab.part != part) continue;
+        const Box& g = slab.ground;
+        const Rgba color = style_.cell(ColorMap::Height, static_cast<double>(slab.value), parts_->heights.scale);
+        faces.box(tower_.at(part, {g.x0, g.y1}, slab.foot), tower_.at(part, {g.x1, g.y0}, slab.top), color);
+        const double across = tower_.domain(part).width() / g.width();
+        if (across > kMostLines) continue;
+        for (const Line& line : rim(part, g, slab.top)) edges[static_cast<std::size_t>(slab.level)].push_back(line);
     }
-    // A little thickness, so that it is one body.
-    const Box& b = slab.block.box;
-    const std::array<Point, 4> corners{Point{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const Point& from = corners[k];
-        const Point& to = corners[(k + 1) % 4];
-        auto side = flatActor(quadOf({slab.at(from), slab.at(to), slab.at(to, -kThick), slab.at(from, -kThick)}));
-        const Rgba grey = style_.color(Role::Frame);
-        side->GetProperty()->SetColor(grey.r / 255.0, grey.g / 255.0, grey.b / 255.0);
-        renderer_->AddActor(side);
+    renderer_->AddActor(faces.actor());
+    for (const std::vector<Line>& level : edges) {
+        if (!level.empty()) addLines(level, style_.color(Role::Frame), 0.5);
     }
-    addTitle(slab, part.picture.levels);
 }
 
-// Below its front edge.
-void SlabScene::addTitle(const Slab& slab, const Drawing& levels) {
+std::vector<SlabScene::Line> SlabScene::rim(std::size_t part, const Box& b, double z) const {
+    const std::array<Point, 5> corners{Point{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}, {b.x0, b.y0}};
+    std::vector<Line> lines;
+    for (std::size_t k = 1; k < corners.size(); ++k)
+        lines.emplace_back(tower_.at(part, corners[k - 1], z), tower_.at(part, corners[k], z));
+    return lines;
+}
+
+// The frame of each level, and the lines between its slabs, also where none are drawn.
+void SlabScene::addGround(std::size_t part) {
+    const Box& domain = tower_.domain(part);
+    const PyramidPart& of = parts_->parts[part];
+    std::vector<Line> frames;
+    std::vector<Line> grid;
+    for (int level = 0; level <= std::min(tower_.top() + 1, tower_.levels() - 1); ++level) {
+        const double z = tower_.foot(level);
+        for (const Line& line : rim(part, domain, z)) frames.push_back(line);
+        const double side = std::ldexp(1.0, level);
+        if (level == 0 || level > tower_.top() || domain.width() > kMostLines * side) continue;
+        for (const Item& item : of.picture.levels.items) {
+            const auto* const cells = std::get_if<Cells>(&item.primitive);
+            if (cells == nullptr || item.id.level != level) continue;
+            const LevelBlock& block = of.picture.blocks[static_cast<std::size_t>(level)];
+            const CellRange seen = visibleCells(*cells, cells->clip);
+            for (int j = seen.j0; j < seen.j1; ++j) {
+                for (int i = seen.i0; i < seen.i1; ++i) {
+                    const Box cell = block.toTexels(cellBox(*cells, i, j));
+                    const auto covers = [&](const Slab& slab) {
+                        return slab.part == part && slab.level == level && slab.ground.contains(cell.center());
+                    };
+                    if (std::any_of(tower_.slabs().begin(), tower_.slabs().end(), covers)) continue;
+                    grid.emplace_back(tower_.at(part, {cell.x0, cell.y0}, z), tower_.at(part, {cell.x1, cell.y0}, z));
+                    grid.emplace_back(tower_.at(part, {cell.x0, cell.y0}, z), tower_.at(part, {cell.x0, cell.y1}, z));
+                }
+            }
+        }
+    }
+    const Rgba grey = style_.color(Role::Frame);
+    addLines(frames, grey, 1);
+    addLines(grid, {grey.r, grey.g, grey.b, 110}, 0.5);
+}
+
+namespace {
+
+// The corner that lies first in this direction, X to the right and Y upwards; texels count downwards.
+Point firstCorner(const Box& d, Point direction) {
+    const std::array<Point, 4> corners{Point{d.x0, d.y0}, {d.x1, d.y0}, {d.x1, d.y1}, {d.x0, d.y1}};
+    return *std::min_element(corners.begin(), corners.end(), [&](Point a, Point b) {
+        return a.x * direction.x - a.y * direction.y < b.x * direction.x - b.y * direction.y;
+    });
+}
+
+}  // namespace
+
+// To the right, seen along (x, y), is (y, -x).
+Point SlabScene::leftCorner(std::size_t part) const {
+    return firstCorner(tower_.domain(part), {tower_.seenAlong().y, -tower_.seenAlong().x});
+}
+
+Point SlabScene::nearCorner(std::size_t part) const {
+    return firstCorner(tower_.domain(part), tower_.seenAlong());
+}
+
+vtkSmartPointer<vtkTextActor> SlabScene::words(const std::string& said) const {
     auto text = vtkSmartPointer<vtkTextActor>::New();
-    text->SetInput(titleOf(slab.block, levels, style_.language).c_str());
-    text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-    const Place at = slab.at({slab.block.box.x0, slab.block.box.y1}, -kThick);
-    text->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
+    text->SetInput(said.c_str());
     setText(text->GetTextProperty(), style_.text(), style_.textPixels(kTitleSize));
-    text->GetTextProperty()->SetVerticalJustificationToTop();
-    const Rgba ground = style_.background();
-    text->GetTextProperty()->SetBackgroundColor(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
-    text->GetTextProperty()->SetBackgroundOpacity(0.7);
+    return text;
+}
+
+void SlabScene::addWords(const std::string& said, const Place& at, bool beside) {
+    const std::string spaced = beside ? said + "  " : said;
+    auto text = words(spaced);
+    text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    text->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
+    if (beside) {
+        text->GetTextProperty()->SetJustificationToRight();
+        text->GetTextProperty()->SetVerticalJustificationToCentered();
+        titleWidth_ = std::max(titleWidth_, style_.pixelsPerPoint() * textWidth(spaced, kTitleSize));
+    } else {
+        text->GetTextProperty()->SetVerticalJustificationToTop();
+    }
     renderer_->AddActor2D(text);
 }
 
-void SlabScene::addLines(const std::vector<std::pair<Place, Place>>& lines, Rgba color, double width) {
-    if (lines.empty()) return;
+// Left of each level, below each of several pyramids, and in the corner what the scales are.
+void SlabScene::addTitles() {
+    titleWidth_ = 0;
+    const int last = tower_.levels() - 1;
+    for (int level = 0; level <= std::min(tower_.top() + 1, last) && !parts_->parts.empty(); ++level) {
+        const int drawn = tower_.drawnAs(0, level);
+        QString title = tr("level %1 · %2 × %2 texels").arg(level).arg(qint64{1} << level);
+        if (drawn > level) title = tr("level %1, drawn as level %2").arg(level).arg(drawn);
+        if (level > tower_.top()) {
+            title = level == last ? tr("level %1, not drawn").arg(last)
+                                  : tr("levels %1 to %2, not drawn").arg(level).arg(last);
+        }
+        addWords(title.toStdString(), tower_.at(0, leftCorner(0), tower_.foot(level)), true);
+    }
+    if (parts_->parts.empty()) return;
+    const int halved = static_cast<int>(std::lround(1 / tower_.factor()));
+    const QString apart = QString::fromStdString(relief::numberText(tower_.apart(), 3));
+    QString note = tr("levels %1 texels apart").arg(apart) + QLatin1Char('\n') +
+                   (halved > 1 ? tr("heights × 1/%1").arg(halved) : tr("heights to scale"));
+    for (std::size_t n = 0; n < parts_->parts.size(); ++n) {
+        const relief::PyramidKind kind = parts_->parts[n].source.pyramid->kind();
+        const QString name = kind == relief::PyramidKind::Max    ? tr("maxima")
+                             : kind == relief::PyramidKind::Mean ? tr("means")
+                                                                 : tr("minima");
+        if (parts_->parts.size() == 1) note = name + QStringLiteral(" · ") + note;
+        if (parts_->parts.size() > 1) addWords(name.toStdString(), tower_.at(n, nearCorner(n), 0), false);
+    }
+    auto corner = words(note.toStdString());
+    const double margin = style_.textPixels(kTitleSize) / 2;
+    corner->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
+    corner->GetPositionCoordinate()->SetValue(margin, margin, 0);
+    renderer_->AddActor2D(corner);
+}
+
+vtkSmartPointer<vtkActor> SlabScene::addLines(const std::vector<Line>& lines, Rgba color, double width, bool before) {
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     for (const auto& [from, to] : lines) {
@@ -186,111 +287,92 @@ void SlabScene::addLines(const std::vector<std::pair<Place, Place>>& lines, Rgba
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(points);
     data->SetLines(cells);
-    auto actor = flatActor(data);
+    auto actor = Faces::flat(data);
+    // In front of the face that they lie on, or of all.
+    constexpr double kOnFace = -8;
+    auto* const mapper = actor->GetMapper();
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, before ? kBeforeAll : kOnFace);
     actor->GetProperty()->SetColor(color.r / 255.0, color.g / 255.0, color.b / 255.0);
     actor->GetProperty()->SetOpacity(color.a / 255.0);
     actor->GetProperty()->SetLineWidth(static_cast<float>(width * style_.screenPixelsPerPoint));
     renderer_->AddActor(actor);
-    marks_.emplace_back(actor);
+    return actor;
 }
 
-// From step to step: on a slab, and up and down between slabs; thin from pile to pile.
-void SlabScene::addWay(const PyramidPart& part, const std::vector<const Slab*>& slabs, std::size_t chosen) {
-    const std::vector<relief::Step>& steps = *part.source.steps;
-    const RayPath path(*part.source.field, part.source.ray);
-    std::vector<std::pair<Place, Place>> before;
-    std::vector<std::pair<Place, Place>> across;
-    std::vector<std::pair<Place, Place>> after;
-    std::optional<Place> last;
-    int lastPile = 0;
-    const std::size_t first = chosen > kMostWay ? chosen - kMostWay : 0;
-    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostWay); ++k) {
-        const relief::Step& step = steps[k];
-        const double lambda = std::clamp((step.lambdaIn + step.lambdaOut) / 2, 0.0, 1.0);
-        std::optional<Place> here;
-        if (step.level >= 0 && step.level < static_cast<int>(slabs.size()) && std::isfinite(lambda)) {
-            const Slab& slab = *slabs[static_cast<std::size_t>(step.level)];
-            const auto pieces =
-                wrapped(Segment{path.at(lambda), path.at(lambda)}, slab.block.domain, part.picture.wraps);
-            if (!pieces.empty()) here = slab.at(slab.block.toDrawing(pieces.front().first), 3 * kAbove);
-        }
-        const int pile = here ? slabs[static_cast<std::size_t>(step.level)]->pile : lastPile;
-        if (last && here) (k > chosen ? after : pile != lastPile ? across : before).emplace_back(*last, *here);
-        last = here;
-        lastPile = pile;
-    }
-    addLines(after, style_.color({{}, Role::Ray, Emphasis::Faint, Polyline{}, {}}), 1);
-    addLines(across, style_.color(Role::Ray), 1);
-    addLines(before, style_.color(Role::Ray), 2.5);
+void SlabScene::keep(const vtkSmartPointer<vtkActor>& mark) {
+    marks_.emplace_back(mark);
 }
 
-void SlabScene::addMark(const Item& item, const Slab& slab) {
-    const Stroke stroke = style_.stroke(item);
-    std::vector<std::pair<Place, Place>> lines;
-    if (const auto* const box = std::get_if<Rectangle>(&item.primitive)) {
-        const Box b = box->box.cut(slab.block.box);
-        const std::array<Place, 4> c{slab.at({b.x0, b.y0}, 2 * kAbove), slab.at({b.x1, b.y0}, 2 * kAbove),
-                                     slab.at({b.x1, b.y1}, 2 * kAbove), slab.at({b.x0, b.y1}, 2 * kAbove)};
-        for (std::size_t k = 0; k < 4; ++k) lines.emplace_back(c[k], c[(k + 1) % 4]);
-        if (box->fill) {
-            auto actor = flatActor(quadOf(c));
-            const Rgba fill = style_.fill(item);
-            actor->GetProperty()->SetColor(fill.r / 255.0, fill.g / 255.0, fill.b / 255.0);
-            actor->GetProperty()->SetOpacity(fill.a / 255.0);
-            renderer_->AddActor(actor);
-            marks_.emplace_back(actor);
-        }
-    } else if (const auto* const line = std::get_if<Polyline>(&item.primitive)) {
-        for (std::size_t k = 1; k < line->points.size(); ++k) {
-            lines.emplace_back(slab.at(line->points[k - 1], 2 * kAbove), slab.at(line->points[k], 2 * kAbove));
-        }
+void SlabScene::addMarks(std::size_t part, std::size_t chosen) {
+    const std::vector<relief::Step>& steps = *parts_->parts[part].source.steps;
+    for (const SlabMark& mark : tower_.marks(part, chosen)) {
+        const Item item{
+            {}, roleOf(steps[mark.step].decision), mark.later ? Emphasis::Faint : Emphasis::Normal, Rectangle{}, {}};
+        const std::vector<Line> lines = rim(part, mark.ground, mark.top);
+        keep(addLines(lines, style_.color(item), mark.chosen ? 4 : 2));
+        if (mark.chosen) keep(addLines(lines, style_.color(Role::Highlight), 1.5));
     }
-    if (const auto* const ring = std::get_if<Ring>(&item.primitive)) {
-        constexpr int kSides = 24;
-        constexpr double kRadius = 0.02;
-        const auto at = [&](int k) {
-            const double turn = 2 * std::numbers::pi * k / kSides;
-            const double radius = kRadius / slab.unit;
-            const Point& c = ring->center;
-            return slab.at({c.x + radius * std::cos(turn), c.y + radius * std::sin(turn)}, 4 * kAbove);
+}
+
+void SlabScene::addWay(std::size_t part, std::size_t chosen) {
+    std::vector<std::pair<SlabStretch, std::vector<Line>>> kinds;
+    for (const SlabStretch& stretch : tower_.way(part, chosen)) {
+        const auto same = [&](const auto& kind) {
+            return kind.first.role == stretch.role && kind.first.later == stretch.later;
         };
-        for (int k = 0; k < kSides; ++k) lines.emplace_back(at(k), at(k + 1));
+        auto at = std::find_if(kinds.begin(), kinds.end(), same);
+        if (at == kinds.end()) at = kinds.insert(at, {stretch, {}});
+        at->second.emplace_back(stretch.from, stretch.to);
     }
-    addLines(lines, stroke.color, stroke.width / style_.screenPixelsPerPoint);
+    for (const auto& [kind, lines] : kinds) {
+        const double width = kind.later ? 1 : kind.role == Role::Ray ? 2.5 : 3;
+        Rgba color = style_.color({{}, kind.role, kind.later ? Emphasis::Faint : Emphasis::Normal, Polyline{}, {}});
+        keep(addLines(lines, color, width));
+        if (kind.later) continue;
+        color.a = static_cast<std::uint8_t>(kHidden * color.a);
+        keep(addLines(lines, color, width, true));
+    }
+    const auto end = tower_.end(part);
+    if (!end) return;
+    // A ring that lies flat: disks over each other.
+    constexpr double kRadius = 0.018;
+    const double radius = kRadius * std::max(tower_.domain(part).width(), tower_.domain(part).height());
+    const Rgba ground = style_.background();
+    double nearer = kBeforeAll;
+    for (const auto& [size, color] : {std::pair(1.4, ground), {1.0, style_.color(Role::Hit)}, {0.55, ground}}) {
+        Faces disk;
+        disk.disk(*end, radius * size, color);
+        auto actor = disk.actor();
+        auto* const mapper = actor->GetMapper();
+        mapper->SetResolveCoincidentTopologyToPolygonOffset();
+        mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, nearer);
+        nearer *= 1.5;
+        renderer_->AddActor(actor);
+        keep(actor);
+    }
 }
 
-void SlabScene::showStep(const PyramidParts& parts, int step) {
+void SlabScene::showStep(int step) {
     const PauseLog::Part timed("pyramid: marks on slabs");
     for (const auto& prop : marks_) renderer_->RemoveViewProp(prop);
     marks_.clear();
-    for (const Slab& slab : slabs_) {
-        const Box& b = slab.block.box;
-        const std::array<Point, 5> rim{Point{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}, {b.x0, b.y0}};
-        std::vector<std::pair<Place, Place>> edges;
-        for (std::size_t k = 1; k < rim.size(); ++k)
-            edges.emplace_back(slab.at(rim[k - 1], kAbove), slab.at(rim[k], kAbove));
-        addLines(edges, style_.color(Role::Frame), 1);
-    }
-    const Drawing marks = partsMarks(parts, step);
-    for (const Item& item : marks.items) {
-        const Slab* const slab = slabOf(middleOf(item.primitive));
-        if (slab == nullptr) continue;
-        addMark(item, *slab);
-    }
-    for (std::size_t n = 0; n < parts.parts.size() && n < firsts_.size(); ++n) {
-        const PyramidPart& part = parts.parts[n];
-        if (!part.source.hasRay || part.source.steps == nullptr || part.source.steps->empty()) continue;
-        std::vector<const Slab*> slabs;
-        for (std::size_t k = 0; k < part.picture.blocks.size(); ++k) slabs.push_back(&slabs_[firsts_[n] + k]);
-        const auto chosen =
-            static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(part.source.steps->size()) - 1));
-        addWay(part, slabs, chosen);
+    if (parts_ == nullptr) return;
+    for (std::size_t n = 0; n < parts_->parts.size(); ++n) {
+        const PyramidSource& source = parts_->parts[n].source;
+        if (!source.hasRay || source.steps == nullptr || source.steps->empty()) continue;
+        const auto chosen = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(source.steps->size()) - 1));
+        addMarks(n, chosen);
+        addWay(n, chosen);
     }
 }
 
 std::array<double, 2> SlabScene::toPixel(std::size_t part, int level, Point texel) const {
-    const Slab& slab = slabs_.at(firsts_.at(part) + static_cast<std::size_t>(level));
-    const Place at = slab.at(slab.block.toDrawing(texel), 2 * kAbove);
+    double z = tower_.foot(level);
+    for (const Slab& slab : tower_.slabs()) {
+        if (slab.part == part && slab.level == level && slab.ground.contains(texel)) z = slab.top;
+    }
+    const Place at = tower_.at(part, texel, z);
     auto coordinate = vtkSmartPointer<vtkCoordinate>::New();
     coordinate->SetCoordinateSystemToWorld();
     coordinate->SetValue(at[0], at[1], at[2]);
@@ -299,41 +381,37 @@ std::array<double, 2> SlabScene::toPixel(std::size_t part, int level, Point texe
 }
 
 std::optional<Point> SlabScene::drawingAt(double x, double y) const {
-    double ends[2][4];
+    Place ends[2];
     for (int k = 0; k < 2; ++k) {
+        double world[4];
         renderer_->SetDisplayPoint(x, y, k);
         renderer_->DisplayToWorld();
-        renderer_->GetWorldPoint(ends[k]);
-        for (int c = 0; c < 3; ++c) ends[k][c] /= ends[k][3];
+        renderer_->GetWorldPoint(world);
+        ends[k] = {world[0] / world[3], world[1] / world[3], world[2] / world[3]};
     }
-    const double down = ends[1][2] - ends[0][2];
-    if (down == 0) return std::nullopt;
-    std::optional<Point> found;
-    double nearest = 2;
-    for (const Slab& slab : slabs_) {
-        const double f = (slab.z - ends[0][2]) / down;
-        const Point at{slab.block.box.x0 + (ends[0][0] + f * (ends[1][0] - ends[0][0]) - slab.x) / slab.unit,
-                       slab.block.box.y0 - (ends[0][1] + f * (ends[1][1] - ends[0][1]) - slab.y) / slab.unit};
-        if (f < 0 || f >= nearest || !slab.block.box.contains(at)) continue;
-        nearest = f;
-        found = at;
-    }
-    return found;
+    const SlabTower::Meeting met = tower_.meeting(ends[0], ends[1]);
+    if (met.slab == nullptr) return std::nullopt;
+    const std::vector<LevelBlock>& blocks = parts_->parts[met.slab->part].picture.blocks;
+    return blocks[static_cast<std::size_t>(met.slab->level)].toDrawing(met.texel);
 }
 
-void SlabScene::showAll(double aspect) {
-    if (slabs_.empty()) return;
+void SlabScene::showAll(double width, double height) {
+    if (tower_.slabs().empty()) return;
     std::vector<Place> places;
-    for (const Slab& slab : slabs_) {
-        const Box& b = slab.block.box;
-        for (const Point& p : {Point{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}})
-            places.push_back(slab.at(p));
-        Place title = slab.at({b.x0, b.y1}, -kThick - slab.titleHeight / std::cos(Turntable::kElevation));
-        places.push_back(title);
-        title[0] += slab.titleWidth;
-        places.push_back(title);
+    for (std::size_t n = 0; n < parts_->parts.size(); ++n) {
+        const Box& d = tower_.domain(n);
+        const double high = std::max(tower_.heightOver(tower_.top(), 1), tower_.foot(tower_.levels() - 1));
+        for (const double z : {0.0, high}) {
+            for (const Point& p : {Point{d.x0, d.y0}, {d.x1, d.y0}, {d.x1, d.y1}, {d.x0, d.y1}})
+                places.push_back(tower_.at(n, p, z));
+        }
     }
-    camera.fit(places, aspect);
+    // Beside the titles, and above the lines in the corner.
+    const double line = kLine * style_.textPixels(kTitleSize);
+    camera.fit(places, std::max(width - titleWidth_, width / 4) / std::max(height, 1.0));
+    const double beside = std::min(titleWidth_, width * 3 / 4);
+    camera.zoom(std::max(height - 3 * line, height / 2) / height, 0, 0);
+    camera.move(beside / 2, -1.2 * line, height);
 }
 
 void SlabScene::place() {

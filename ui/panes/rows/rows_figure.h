@@ -5,7 +5,7 @@
 
 #include "panes/figure.h"
 #include "panes/rows/rows_drawing.h"
-#include "workspace/pane_states.h"
+#include "panes/rows/rows_state.h"
 #include "workspace/snapshot.h"
 
 namespace reliefui {

@@ -1,6 +1,7 @@
 #include "panes/rows/rows_pane.h"
 
 #include "panes/rows/rows_figure.h"
+#include "panes/rows/rows_state.h"
 #include "panes/rows/rows_view.h"
 
 namespace reliefui {
@@ -12,9 +13,10 @@ PaneKind rowsPane() {
     kind.help = RowsView::tr("Texture coordinates along the pixel's row, computed in several ways");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<RowsView>;
-    kind.figures = {{"rows", true, [](std::shared_ptr<const Snapshot> s, int, const PaneStates& p) {
-                         return rowsFigure(std::move(s), rowsOptions(p.rows), {});
+    kind.figures = {{"rows", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         return rowsFigure(std::move(s), rowsOptions(stateOf<RowsPane>(now)), {});
                      }}};
+    kind.states = {readerOf<RowsPane>()};
     return kind;
 }
 

@@ -10,7 +10,7 @@
 #include "panes/drawing_canvas.h"
 #include "panes/rows/rows_figure.h"
 #include "scenario/step_sentence.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -32,12 +32,12 @@ void RowsView::setOptions(const RowsOptions& options) {
 
 void RowsView::change(const RowsOptions& options) {
     if (options == options_) return;
-    keep(&PaneStates::rows, paneOf(options), tr("Rows: other variants"));
+    workspace_->change(withState(workspace_->scenario(), paneOf(options)), tr("Rows: other variants"));
     showControls();  // where it was refused
 }
 
 void RowsView::adopt() {
-    const RowsOptions options = rowsOptions(panesOf(workspace_->scenario()).rows);
+    const RowsOptions options = rowsOptions(stateOf<RowsPane>(workspace_->scenario()));
     if (options == options_) return;
     const bool otherRow = options.pixels != options_.pixels;
     const bool sameData = options.methods == options_.methods && !otherRow && options.inDouble == options_.inDouble;

@@ -17,7 +17,7 @@
 
 #include "panes/pane_controls.h"
 #include "panes/trace/trace_figure.h"
-#include "workspace/pane_states.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -148,12 +148,12 @@ void Trace3dView::fit() {
 }
 
 void Trace3dView::change(const TracePane& pane) {
-    keep(&PaneStates::trace, pane, tr("Trace 3-D: other view"));
+    workspace_->change(withState(workspace_->scenario(), pane), tr("Trace 3-D: other view"));
     adopt();
 }
 
 void Trace3dView::adopt() {
-    const TracePane before = std::exchange(pane_, panesOf(workspace_->scenario()).trace);
+    const TracePane before = std::exchange(pane_, stateOf<TracePane>(workspace_->scenario()));
     follow_->setChecked(pane_.follow);
     heights_->setCurrentIndex(heights_->findData(pane_.heights));
     colors_->setCurrentIndex(colors_->findData(QString::fromStdString(pane_.colors)));

@@ -11,6 +11,7 @@
 #include "panes/figure_view.h"
 #include "panes/soon.h"
 #include "panes/trace/trace3d_picture.h"
+#include "panes/trace/trace_state.h"
 
 class QComboBox;
 class QHBoxLayout;

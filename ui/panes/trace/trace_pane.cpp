@@ -2,6 +2,7 @@
 
 #include "panes/trace/trace3d_view.h"
 #include "panes/trace/trace_figure.h"
+#include "panes/trace/trace_state.h"
 
 namespace reliefui {
 
@@ -13,9 +14,11 @@ PaneKind tracePane() {
     kind.help = Trace3dView::tr("The ray through the relief, in space");
     kind.place = DockPlace::UpperRight;
     kind.make = makePane<Trace3dView>;
-    kind.figures = {{"trace", false, [](std::shared_ptr<const Snapshot> s, int step, const PaneStates& p) {
-                         return traceFigure(std::move(s), step, {p.trace.heights, stepColors(p.trace.colors), {}});
+    kind.figures = {{"trace", false, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         const auto pane = stateOf<TracePane>(now);
+                         return traceFigure(std::move(s), now.step, {pane.heights, stepColors(pane.colors), {}});
                      }}};
+    kind.states = {readerOf<TracePane>()};
     return kind;
 }
 

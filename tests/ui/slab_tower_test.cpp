@@ -1,0 +1,189 @@
+// The levels of a pyramid in space: slabs of their own size over the same ground, and the ray's way through them.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "panes/pyramid/slab_tower.h"
+#include "panes/ray_geometry.h"
+#include "window_fixture.h"
+#include "workspace/snapshot_maker.h"
+
+namespace reliefui {
+namespace {
+
+std::shared_ptr<const Snapshot> snapshotOf(const relief::Scenario& scenario) {
+    SnapshotMaker maker;
+    relief::Work work;
+    SnapshotOrder order;
+    order.scenario = scenario;
+    return maker.make(order, work);
+}
+
+relief::Scenario walked() {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"max-pyramid", {}};
+    scenario.camera.elevation = 25;
+    scenario.pixel = relief::PixelChoice{scenario.width / 2, scenario.height / 2};
+    return scenario;
+}
+
+PyramidParts partsOf(const Snapshot& snapshot, relief::PyramidKind kind, bool nearRay) {
+    PyramidOptions options;
+    options.kind = kind;
+    options.nearRay = nearRay;
+    return pyramidParts(snapshot, options, 800, 500);
+}
+
+double area(const Box& box) {
+    return box.width() * box.height();
+}
+
+// Slabs are as large as the texels that they are, cut off at the edge of what is shown, stand on the foot of their
+// level and stay below the next one.
+void expectSlabs(const SlabTower& tower, const PyramidParts& parts) {
+    ASSERT_FALSE(tower.slabs().empty());
+    for (const Slab& slab : tower.slabs()) {
+        const Box& domain = tower.domain(slab.part);
+        const double side = std::ldexp(1.0, tower.drawnAs(slab.part, slab.level));
+        const bool inside = slab.ground.x0 > domain.x0 && slab.ground.x1 < domain.x1;
+        EXPECT_LE(slab.ground.width(), side + 1e-6);
+        if (inside) EXPECT_NEAR(slab.ground.width(), side, 1e-6) << slab.level;
+        EXPECT_EQ(slab.foot, slab.level * tower.apart());
+        EXPECT_GE(slab.top, slab.foot);
+        EXPECT_LE(slab.top, slab.foot + tower.apart());
+        const PyramidSource& source = parts.parts[slab.part].source;
+        if (source.overCells) continue;  // what the ray read, see below
+        const relief::FloatImage& level = source.pyramid->level(tower.drawnAs(slab.part, slab.level));
+        const auto index = [&](double at, int period) {
+            return static_cast<int>((at - std::floor(at / period) * period) / side);
+        };
+        const Point middle = slab.ground.center();
+        EXPECT_EQ(slab.value, level(index(middle.x, source.field->width()), index(middle.y, source.field->height())));
+    }
+    EXPECT_EQ(std::exp2(std::round(std::log2(tower.factor()))), tower.factor());
+    EXPECT_LE(tower.factor(), 1);
+}
+
+TEST(SlabTower, withoutAWalkAllSlabsOfEachLevelCoverTheGround) {
+    const auto snapshot = snapshotOf(walked());
+    for (const relief::PyramidKind kind : {relief::PyramidKind::Mean, relief::PyramidKind::Min}) {
+        for (const bool nearRay : {false, true}) {
+            const PyramidParts parts = partsOf(*snapshot, kind, nearRay);
+            const SlabTower tower(parts);
+            expectSlabs(tower, parts);
+            std::vector<double> covered(static_cast<std::size_t>(tower.top()) + 1);
+            for (const Slab& slab : tower.slabs()) covered[static_cast<std::size_t>(slab.level)] += area(slab.ground);
+            for (const double of : covered) EXPECT_NEAR(of, area(tower.domain(0)), 1e-6 * of);
+        }
+    }
+}
+
+// Of a walk through the maxima: level 0 is all there, above it what the ray looked at and what has the same parent.
+TEST(SlabTower, aWalkShowsWhatItLookedAtAndTheNeighboursUnderTheSameParent) {
+    const auto snapshot = snapshotOf(walked());
+    const auto& steps = snapshot->trace.steps;
+    for (const bool nearRay : {false, true}) {
+        const PyramidParts parts = partsOf(*snapshot, relief::PyramidKind::Max, nearRay);
+        const SlabTower tower(parts);
+        expectSlabs(tower, parts);
+        double ground = 0;
+        std::size_t above = 0;
+        for (const Slab& slab : tower.slabs()) {
+            if (slab.level == 0) ground += area(slab.ground);
+            if (slab.level == 0) continue;
+            ++above;
+            const bool known = std::any_of(steps.begin(), steps.end(), [&](const relief::Step& step) {
+                if (step.level != slab.level && step.level != slab.level + 1) return false;
+                for (const Box& box :
+                     wrapped(stepBox(snapshot->request->field, step), tower.domain(0), parts.parts[0].picture.wraps)) {
+                    if (box.contains(slab.ground.center())) return true;
+                }
+                return false;
+            });
+            EXPECT_TRUE(known) << slab.level;
+        }
+        EXPECT_NEAR(ground, area(tower.domain(0)), 1e-6 * ground);
+        EXPECT_GT(above, 3U);
+        // Each texel of the ray is there, with its maximum.
+        int found = 0;
+        for (const relief::Step& step : steps) {
+            const auto* const texel = step.as<relief::subject::Texel>();
+            if (texel == nullptr || step.level < 1 || step.level > tower.top()) continue;
+            for (const Box& box :
+                 wrapped(stepBox(snapshot->request->field, step), tower.domain(0), parts.parts[0].picture.wraps)) {
+                const auto at = std::find_if(tower.slabs().begin(), tower.slabs().end(), [&](const Slab& slab) {
+                    return slab.level == step.level && slab.ground.contains(box.center());
+                });
+                ASSERT_NE(at, tower.slabs().end());
+                const relief::FloatImage& maxima = snapshot->maxima->pyramid.level(step.level);
+                EXPECT_EQ(at->value, maxima(static_cast<int>(texel->i), static_cast<int>(texel->j)));
+                ++found;
+            }
+        }
+        EXPECT_GT(found, 3);
+    }
+}
+
+// The way is one line from the entry to the hit: over a level it goes on along the ray, between levels straight up or
+// down; what it skips it passes above, and a slab that it goes down into it does not.
+TEST(SlabTower, theWayIsConnectedAndPassesAboveWhatIsSkipped) {
+    const auto snapshot = snapshotOf(walked());
+    const auto& steps = snapshot->trace.steps;
+    ASSERT_EQ(snapshot->trace.hit.outcome, relief::Outcome::Hit);
+    const PyramidParts parts = partsOf(*snapshot, relief::PyramidKind::Max, true);
+    ASSERT_FALSE(parts.parts[0].picture.wraps);
+    const SlabTower tower(parts);
+    const auto way = tower.way(0, steps.size() - 1);
+    ASSERT_GT(way.size(), 5U);
+    int upright = 0;
+    for (std::size_t k = 0; k < way.size(); ++k) {
+        if (k > 0) {
+            for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(way[k].from[c], way[k - 1].to[c], 1e-9) << k;
+        }
+        const double along = std::hypot(way[k].to[0] - way[k].from[0], way[k].to[1] - way[k].from[1]);
+        if (std::abs(way[k].to[2] - way[k].from[2]) > tower.apart() / 2) {
+            ++upright;
+            EXPECT_NEAR(along, 0, 1e-9);
+        } else {
+            EXPECT_LE(way[k].to[2], way[k].from[2] + 1e-9) << "the ray goes down";
+        }
+    }
+    EXPECT_GT(upright, 2);
+    ASSERT_TRUE(tower.end(0));
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR((*tower.end(0))[c], way.back().to[c], 1e-6);
+    int skipped = 0;
+    for (const relief::Step& step : steps) {
+        const auto* const texel = step.as<relief::subject::Texel>();
+        if (texel == nullptr || step.level > tower.top()) continue;
+        const double top = tower.heightOver(step.level, texel->maximum);
+        const double ray = tower.heightOver(step.level, 1 - step.lambdaOut);
+        if (step.decision == relief::Decision::Skip) EXPECT_GE(ray, top);
+        if (step.decision == relief::Decision::Descend) EXPECT_LE(ray, top + 1e-6);
+        skipped += step.decision == relief::Decision::Skip ? 1 : 0;
+    }
+    EXPECT_GT(skipped, 0);
+    // Later steps are told apart.
+    const auto half = tower.way(0, steps.size() / 2);
+    EXPECT_FALSE(half.front().later);
+    EXPECT_TRUE(half.back().later);
+}
+
+// What is seen from above is the slab there.
+TEST(SlabTower, aLineFromAboveMeetsTheUppermostSlab) {
+    const auto snapshot = snapshotOf(walked());
+    const PyramidParts parts = partsOf(*snapshot, relief::PyramidKind::Max, true);
+    const SlabTower tower(parts);
+    for (const Slab& slab : tower.slabs()) {
+        const Point middle = slab.ground.center();
+        const auto met = tower.meeting(tower.at(0, middle, 1e4), tower.at(0, middle, -1e4));
+        ASSERT_NE(met.slab, nullptr);
+        EXPECT_GE(met.slab->level, slab.level);
+        EXPECT_TRUE(met.slab->ground.contains(middle));
+        EXPECT_NEAR(met.texel.x, middle.x, 1e-6);
+        EXPECT_NEAR(met.texel.y, middle.y, 1e-6);
+    }
+    EXPECT_EQ(tower.meeting(tower.at(0, {-1e3, -1e3}, 1e4), tower.at(0, {-1e3, -1e3}, -1e4)).slab, nullptr);
+}
+
+}  // namespace
+}  // namespace reliefui
