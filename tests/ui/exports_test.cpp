@@ -1,14 +1,12 @@
 // Every view goes into a file without a display: lines and words into SVG and PDF, everything into PNG.
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
-#include "measuring/compare/flip.h"
+#include "golden_picture.h"
 #include "panes/pyramid/pyramid_view.h"
 #include "panes/steps/step_table.h"
 #include "panes/trace/trace3d_view.h"
@@ -66,40 +64,6 @@ QString writeScenario(const QTemporaryDir& folder, bool drawn) {
     const QString path = folder.filePath(drawn ? QStringLiteral("drawn.json") : QStringLiteral("scenario.json"));
     relief::saveScenario(path.toStdString(), scenario);
     return path;
-}
-
-// Compares an exported figure with tests/files/figures/NAME.png, which somebody has looked at and found right, by the
-// mean FLIP of each block of 16 x 16 pixels, so that one number or mark that is elsewhere counts. The bound leaves room
-// for how processors round the smoothing of lines; a letter that moves by a pixel is 0.1 and more.
-void expectGolden(const QString& exported, const std::string& name) {
-    constexpr int kBlock = 16;
-    constexpr double kBound = 0.05, kPixelsPerDegree = 67;
-    const std::string golden = RELIEF_SOURCE "/tests/files/figures/" + name + ".png";
-    if (const char* wish = std::getenv("RELIEF_GOLDEN"); wish != nullptr && std::string(wish) == "write") {
-        std::filesystem::copy_file(exported.toStdString(), golden, std::filesystem::copy_options::overwrite_existing);
-        return;
-    }
-    relief::Work work(1);
-    const relief::ColorImage wanted = relief::readColor(golden, work);
-    const relief::ColorImage seen = relief::readColor(exported.toStdString(), work);
-    ASSERT_EQ(wanted.width(), seen.width()) << golden;
-    ASSERT_EQ(wanted.height(), seen.height()) << golden;
-    const relief::FloatImage errors = relief::flipErrors(wanted, seen, kPixelsPerDegree, work);
-    for (int y0 = 0; y0 < errors.height(); y0 += kBlock) {
-        for (int x0 = 0; x0 < errors.width(); x0 += kBlock) {
-            const int x1 = std::min(x0 + kBlock, errors.width()), y1 = std::min(y0 + kBlock, errors.height());
-            double sum = 0;
-            for (int y = y0; y < y1; ++y) {
-                for (int x = x0; x < x1; ++x) sum += static_cast<double>(errors(x, y));
-            }
-            const double mean = sum / ((x1 - x0) * (y1 - y0));
-            if (mean <= kBound) continue;
-            const auto kept = std::filesystem::temp_directory_path() / ("relief-" + name + ".png");
-            std::filesystem::copy_file(exported.toStdString(), kept, std::filesystem::copy_options::overwrite_existing);
-            FAIL() << name << " is not as stored: FLIP " << mean << " at " << x0 << ", " << y0 << "; it is in " << kept
-                   << " (with RELIEF_GOLDEN=write it is stored)";
-        }
-    }
 }
 
 // So many pixels as are asked for: 127 mm of 80 an inch are 400. Captions name folders of this machine.

@@ -31,7 +31,7 @@ Point LegendRows::place(double width) {
         y_ += kRow;
     }
     const Point at{x_, y_ + kRow / 2};
-    right_ = std::max(right_, x_ + width);
+    right_ = std::max(right_, std::min(x_ + width, std::max(width_, x_)));
     x_ += width;
     return at;
 }
@@ -44,12 +44,26 @@ void LegendRows::add(Role role, Primitive primitive, LevelTint tint, Emphasis em
     drawing_.items.push_back({{ItemKind::Legend, 0, 0, 0}, role, emphasis, std::move(primitive), tint});
 }
 
+// What is wider than a row goes on in the next ones, and nothing stands beside its end.
 void LegendRows::text(Point at, Message message) {
-    Label label;
-    label.at = at;
-    label.text = std::move(message);
-    label.size = kTextSize;
-    add(Role::Legend, std::move(label));
+    const auto put = [this](Point place, Message words) {
+        Label label;
+        label.at = place;
+        label.text = std::move(words);
+        label.size = kTextSize;
+        add(Role::Legend, std::move(label));
+    };
+    const double room = width_ - at.x;
+    if (textRoom(message) <= room) return put(at, std::move(message));
+    const auto lines = wrappedText(relief::sentence(message, language_), room,
+                                   [](const std::string& line) { return textWidth(line, kTextSize); });
+    for (const std::string& line : lines) {
+        put(at, plainText(line));
+        right_ = std::max(right_, at.x + textWidth(line, kTextSize));
+        at.y += kRow;
+    }
+    y_ += kRow * static_cast<double>(lines.size() - 1);
+    x_ = std::max(x_, width_);
 }
 
 void LegendRows::line(Role role, const Message& what, LevelTint tint, double length) {

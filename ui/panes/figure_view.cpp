@@ -11,6 +11,7 @@
 
 #include "panes/gl_release.h"
 #include "workspace/aside.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
@@ -104,7 +105,9 @@ void FigureView::addPointToMenu(QMenu& menu, const QPoint& at) {
 }
 
 void FigureView::setPoint(const std::optional<QueryPoint>& point) {
-    keep(&PaneStates::query, point, point ? tr("Distances at a point") : tr("Forget the point"));
+    keep(&PaneStates::query, point, changeName([asked = point.has_value()] {
+        return asked ? tr("Distances at a point") : tr("Forget the point");
+    }));
 }
 
 void FigureView::askPoint(const QPointF& widget) {

@@ -13,6 +13,7 @@
 
 #include "painting/axis_ticks.h"
 #include "painting/painter.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_states.h"
 #include "workspace/workspace.h"
 
@@ -136,7 +137,7 @@ void RangeBox::chooseThreshold(bool on) {
 void RangeBox::set(const ColorRange& range, const char* drag) {
     PaneStates panes = panesOf(workspace_->scenario());
     panes.ranges.set(values_->of, range);
-    workspace_->setPanes(panes, tr("Range of the colours"), QString::fromLatin1(drag));
+    workspace_->setPanes(panes, changeName([] { return tr("Range of the colours"); }), QString::fromLatin1(drag));
 }
 
 // As fine as the values on the screen ask for.

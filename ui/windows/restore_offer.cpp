@@ -8,6 +8,7 @@
 #include "relief/errors.h"
 #include "windows/main_window.h"
 #include "windows/message_bar.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_states.h"
 #include "workspace/state_keeper.h"
 #include "workspace/workspace.h"
@@ -25,6 +26,11 @@ RestoreOffer::RestoreOffer(MainWindow* window, Workspace* workspace, StateKeeper
     connect(yes, &QPushButton::clicked, this, &RestoreOffer::restore);
     connect(no, &QPushButton::clicked, this, &RestoreOffer::discard);
     offer();
+}
+
+std::vector<SessionFiles> RestoreOffer::unanswered() {
+    if (window_->question()->isHidden()) left_.clear();
+    return std::exchange(left_, {});
 }
 
 void RestoreOffer::offer() {
@@ -53,7 +59,7 @@ void RestoreOffer::restore() {
     const QSettings kept(left_.front().layoutFile(), QSettings::IniFormat);
     for (const QString& key : kept.allKeys()) layout[key] = kept.value(key);
     if (!layout.isEmpty()) window_->takeLayout(layout);
-    workspace_->show(scenario_, tr("Restore"));
+    workspace_->show(scenario_, changeName([] { return tr("Restore"); }));
     keeper_->adopt(std::move(left_.front()), scenario_);
     left_.erase(left_.begin());
     window_->question()->hide();

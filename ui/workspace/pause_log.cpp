@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QCoreApplication>
 #include <QMetaEnum>
 #include <QObject>
 #include <QOpenGLWidget>
@@ -21,6 +22,17 @@ double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady
 
 QString number(double ms) {
     return QString::fromStdString(relief::fixedText(ms, 1));
+}
+
+QString between() {
+    return QStringLiteral(" › ");
+}
+
+// Parts of the window have names in the user's language; classes and events are Qt's words.
+QString said(const QString& what) {
+    QStringList parts = what.split(between());
+    for (QString& part : parts) part = QCoreApplication::translate("parts", part.toUtf8().constData());
+    return parts.join(between());
 }
 
 }  // namespace
@@ -57,7 +69,8 @@ std::vector<PauseLog::Pause> PauseLog::worst(std::size_t most) const {
 
 QString PauseLog::text(std::size_t most) const {
     const auto line = [](const Pause& pause) {
-        return tr("%1 ms, of them %2 ms of painting: %3").arg(number(pause.ms), number(pause.drawing), pause.what);
+        return tr("%1 ms, of them %2 ms of painting: %3")
+            .arg(number(pause.ms), number(pause.drawing), said(pause.what));
     };
     QString text = tr("longest pause of the window: ") + line(longestGap());
     for (const Pause& pause : worst(most)) {
@@ -78,7 +91,7 @@ QString PauseLog::nameOf(const Frame& frame) {
 QString PauseLog::told(const Frame& frame, double ms) {
     const QString name = nameOf(frame);
     const bool more = frame.longest > kMostOfIt * ms && !frame.longestName.isEmpty();
-    return more ? name + QStringLiteral(" › ") + frame.longestName : name;
+    return more ? name + between() + frame.longestName : name;
 }
 
 void PauseLog::open() {

@@ -7,6 +7,7 @@
 #include "painting/axis_ticks.h"
 #include "painting/chart_parts.h"
 #include "painting/legend_rows.h"
+#include "painting/paragraph.h"
 #include "scenario/step_sentence.h"
 
 namespace reliefui {
@@ -214,7 +215,7 @@ void append(Drawing& to, const Drawing& from) {
 
 }  // namespace
 
-ChartsPicture chartsPicture(const ChartsSource& source, double width, double height) {
+ChartsPicture chartsPicture(const ChartsSource& source, double width, double height, relief::Language language) {
     ChartsPicture picture;
     picture.drawing.bounds = {0, 0, width, height};
     const Rooms where = rooms(source.shown, width, height);
@@ -223,7 +224,8 @@ ChartsPicture chartsPicture(const ChartsSource& source, double width, double hei
             picture.pareto = paretoPicture(*source.pareto, where.pareto);
             append(picture.drawing, picture.pareto->drawing);
         } else {
-            chart::text(picture.drawing, where.pareto.center(), Message(source.missing), Anchor::Center, {});
+            addParagraph(picture.drawing, where.pareto.center(), Message(source.missing), where.pareto.width(),
+                         language, chart::kTextSize);
         }
     }
     if (!where.steps.empty() && source.histograms) {

@@ -12,7 +12,8 @@ std::shared_ptr<const Figure> chartsFigure(std::shared_ptr<const ChartsSource> s
             const double unit = style.pixelsPerPoint();
             const Drawing legend = chartsLegend(*source, page.width() / unit - kFigureMargins, style.language);
             const Box room = figureRoom(legend, page, style);
-            const ChartsPicture picture = chartsPicture(*source, room.width() / unit, room.height() / unit);
+            const ChartsPicture picture =
+                chartsPicture(*source, room.width() / unit, room.height() / unit, style.language);
             paintFigure(painter, {&picture.drawing}, legend, page, style);
         },
         std::move(caption),

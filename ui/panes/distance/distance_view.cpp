@@ -15,6 +15,7 @@
 #include "panes/drawing_canvas.h"
 #include "panes/range_button.h"
 #include "relief/tracers/map_choice.h"
+#include "workspace/change_name.h"
 #include "workspace/discard.h"
 #include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
@@ -28,7 +29,8 @@ void DistanceView::setOptions(const DistanceOptions& options) {
 // drag: what is dragged, one step of undo.
 void DistanceView::change(const DistanceOptions& options, const char* drag) {
     if (options == options_) return;
-    keep(&PaneStates::distance, paneOf(options), tr("Distance map: other view"), QString::fromLatin1(drag));
+    keep(&PaneStates::distance, paneOf(options), changeName([] { return tr("Distance map: other view"); }),
+         QString::fromLatin1(drag));
     showControls();  // where it was refused
 }
 

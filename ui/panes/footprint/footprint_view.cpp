@@ -13,6 +13,7 @@
 #include "panes/footprint/weight_drawing.h"
 #include "panes/pane_controls.h"
 #include "scenario/step_sentence.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
@@ -94,7 +95,7 @@ void FootprintView::setOptions(const FootprintOptions& options) {
     if (options == options_) return;
     const bool neighbours = options.neighbours != options_.neighbours;
     keep(&PaneStates::footprint, FootprintPane{options.neighbours, options.weights},
-         neighbours ? tr("Footprint: neighbours") : tr("Footprint: weights"));
+         changeName([neighbours] { return neighbours ? tr("Footprint: neighbours") : tr("Footprint: weights"); }));
 }
 
 void FootprintView::adopt() {

@@ -12,6 +12,7 @@
 #include "panes/pyramid/pyramid_stack.h"
 #include "panes/range_button.h"
 #include "scenario/step_sentence.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_states.h"
 #include "workspace/pause_log.h"
 
@@ -74,7 +75,7 @@ QHBoxLayout* PyramidView::makeBar() {
 }
 
 void PyramidView::change(const PyramidPane& pane) {
-    keep(&PaneStates::pyramid, pane, tr("Pyramid: other view"));
+    keep(&PaneStates::pyramid, pane, changeName([] { return tr("Pyramid: other view"); }));
     adopt();
 }
 
