@@ -156,6 +156,7 @@ void DistanceView::draw() {
             result->legend = distanceLegend(source, result->picture, room.width(), language);
             const auto high = [&] { return result->legend.bounds.height() > kMostLegend * room.height(); };
             if (high()) result->legend = distanceLegend(source, result->picture, room.width(), language, true);
+            if (high()) result->legend = rangeLegend(result->picture.values, room.width(), true);
             if (high()) result->legend = {};
             const bool none = result->legend.bounds.empty();
             const double needed = none ? 0 : result->legend.bounds.height() + kMargin / 2;

@@ -136,6 +136,9 @@ class DuelMarks {
         const bool first = source_.first == r;
         drawing_.add({}, Role::Overshoot, Rectangle{box, true, 0, 3}, Emphasis::Faint);
         drawing_.add({}, Role::Overshoot, Rectangle{box, false, 0, 3}, first ? Emphasis::Strong : Emphasis::Normal);
+        // Between tracks that are close together there is no room; what went wrong is said below as well.
+        constexpr double kLeastForTitle = 20;
+        if (spacing() < kLeastForTitle) return;
         // Not over the tracks' names, nor beyond the plot.
         constexpr double kHalfTitle = 45;
         const double low = frame_.plot.x0 + kHalfTitle * unit_;
