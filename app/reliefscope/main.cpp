@@ -344,9 +344,10 @@ int run(int count, char** values, const Arguments& arguments) {
         reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
         shown = &window;
         QObject::connect(&window, &reliefui::MainWindow::languageChosen, &workspace, &changeLanguage);
+        reliefui::RestoreOffer* offer = nullptr;
+        if (keeper) offer = new reliefui::RestoreOffer(&window, &workspace, &*keeper, std::move(left));
         if (first) {
             openFirst(window, workspace, arguments);
-            if (keeper) new reliefui::RestoreOffer(&window, &workspace, &*keeper, std::move(left));
         } else {
             window.takeLayout(layout);
             window.show();
@@ -354,6 +355,7 @@ int run(int count, char** values, const Arguments& arguments) {
         }
         status = QApplication::exec();
         layout = window.layoutNow();
+        if (offer != nullptr) left = offer->unanswered();
         if (status != kOtherLanguage && keeper) {
             const std::string fault = keeper->end();
             if (!fault.empty()) std::fprintf(stderr, "relief: %s\n", fault.c_str());

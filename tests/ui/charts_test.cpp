@@ -240,12 +240,12 @@ TEST(Charts, AreAsStored) {
         const double unit = style.pixelsPerPoint();
         const Drawing legend = chartsLegend(source, page.width() / unit - 2 * kFigureMargin, style.language);
         const Box room = figureRoom(legend, page, style);
-        const ChartsPicture charts = chartsPicture(source, room.width() / unit, room.height() / unit);
+        const ChartsPicture charts = chartsPicture(source, room.width() / unit, room.height() / unit, style.language);
         paintFigure(painter, {&charts.drawing}, legend, page, style);
     };
     expectGoldens(paint, 420, 460, "charts");
     for (const auto& [width, height] : {std::pair(320.0, 300.0), {400.0, 420.0}, {900.0, 300.0}}) {
-        const ChartsPicture charts = chartsPicture(source, width, height);
+        const ChartsPicture charts = chartsPicture(source, width, height, relief::Language::English);
         for (const HistogramPicture* picture : {&*charts.steps, &*charts.errors}) expectWordsInside(picture->drawing);
         expectWordsInside(charts.pareto->drawing);
     }

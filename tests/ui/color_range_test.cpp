@@ -138,6 +138,25 @@ TEST(ColorRange, ImagesOfCellsHaveTheColoursOfTheScale) {
     }
 }
 
+// In the singular where it is one, in English as well.
+TEST(ColorRange, OnePixelIsNotOnePixels) {
+    if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no translations";
+    RangedValues values;
+    values.name = "steps";
+    values.range = standardRange(RangeOf::Steps);
+    const auto said = [&](int above) {
+        std::vector<float> steps(100, 1);
+        std::fill_n(steps.begin(), above, 50.0F);
+        values.range.threshold = 20;
+        values.spread = std::make_shared<const ValueSpread>(spreadOf(steps));
+        values.scale = colorScale(values.range, *values.spread, {0, values.spread->largest()});
+        return rangeTexts(values).back();
+    };
+    EXPECT_NE(said(1).find("1 pixel)"), std::string::npos) << said(1);
+    EXPECT_NE(said(2).find("2 pixels)"), std::string::npos) << said(2);
+    EXPECT_NE(said(21).find("21 pixels)"), std::string::npos) << said(21);
+}
+
 TEST(ColorRange, LegendsSayWhatIsCutOffAndHowMuchIsAboveTheThreshold) {
     RangedValues values;
     values.name = "steps";

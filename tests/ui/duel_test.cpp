@@ -6,6 +6,7 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "painting/text_width.h"
 #include "panes/drawing_canvas.h"
 #include "panes/duel/duel_view.h"
 #include "window_fixture.h"
@@ -121,6 +122,34 @@ TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
     waitForDuel();
     EXPECT_NE(view->duel(), before);
     EXPECT_EQ(view->duel()->runs[0].steps, snapshot()->trace.steps);
+}
+
+// On a projector as well: the longest name is whole, and half of the pane is left to the relief.
+TEST_F(DuelTest, NamesOfMethodsAreWhole) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"distance-conservative", {}};
+    scenario.comparison.others = {{"distance-refined-sampled", {}}, {"max-pyramid-paper", {}}, {"cone", {}}};
+    openWindow(scenario);
+    window_->findChild<QDockWidget*>(QStringLiteral("duel-pane"))->raise();
+    waitForDuel();
+    const Duel& duel = *window_->pane<DuelView>()->duel();
+    for (const QSizeF& room : {QSizeF(340, 190), QSizeF(400, 230), QSizeF(800, 400)}) {
+        const DuelSource source = duel.source();
+        const ProfileFrame frame = duelFrame(source, {}, room.width(), room.height());
+        EXPECT_GT(frame.plot.height(), room.height() / 4) << room.height();
+        EXPECT_GT(frame.plot.width(), room.width() / 2) << room.width();
+        const Drawing marks = duelMarks(source, frame, duel.steps.moments.front());
+        for (const relief::DuelRun& run : duel.runs) {
+            bool found = false;
+            for (const Item& item : marks.items) {
+                const auto* const label = std::get_if<Label>(&item.primitive);
+                if (label == nullptr || labelText(*label, relief::Language::English) != run.name) continue;
+                found = true;
+                EXPECT_GE(label->at.x + label->offset.x - textWidth(run.name, label->size), 0) << run.name;
+            }
+            EXPECT_TRUE(found) << run.name;
+        }
+    }
 }
 
 TEST_F(DuelTest, WhatIsSeenFromNearHoldsTheDivergenceAndNothingBeyond) {

@@ -1,5 +1,7 @@
 #include "golden.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -12,20 +14,27 @@
 
 namespace reliefui {
 
-void expectGolden(const QString& exported, const std::string& name) {
+namespace {
+
+std::string storedFile(const std::string& name) {
+    return RELIEF_SOURCE "/tests/files/figures/" + name + ".png";
+}
+
+void copyOver(const QString& from, const std::filesystem::path& to) {
+    std::filesystem::copy_file(from.toStdString(), to, std::filesystem::copy_options::overwrite_existing);
+}
+
+}  // namespace
+
+GoldenDifference goldenDifference(const QString& picture, const std::string& name) {
     constexpr int kBlock = 16;
-    constexpr double kBound = 0.05, kPixelsPerDegree = 67;
-    const std::string golden = RELIEF_SOURCE "/tests/files/figures/" + name + ".png";
-    if (const char* wish = std::getenv("RELIEF_GOLDEN"); wish != nullptr && std::string(wish) == "write") {
-        std::filesystem::copy_file(exported.toStdString(), golden, std::filesystem::copy_options::overwrite_existing);
-        return;
-    }
+    constexpr double kPixelsPerDegree = 67;
     relief::Work work(1);
-    const relief::ColorImage wanted = relief::readColor(golden, work);
-    const relief::ColorImage seen = relief::readColor(exported.toStdString(), work);
-    ASSERT_EQ(wanted.width(), seen.width()) << golden;
-    ASSERT_EQ(wanted.height(), seen.height()) << golden;
+    const relief::ColorImage wanted = relief::readColor(storedFile(name), work);
+    const relief::ColorImage seen = relief::readColor(picture.toStdString(), work);
+    if (wanted.width() != seen.width() || wanted.height() != seen.height()) return {HUGE_VAL, 0, 0};
     const relief::FloatImage errors = relief::flipErrors(wanted, seen, kPixelsPerDegree, work);
+    GoldenDifference most;
     for (int y0 = 0; y0 < errors.height(); y0 += kBlock) {
         for (int x0 = 0; x0 < errors.width(); x0 += kBlock) {
             const int x1 = std::min(x0 + kBlock, errors.width()), y1 = std::min(y0 + kBlock, errors.height());
@@ -34,13 +43,22 @@ void expectGolden(const QString& exported, const std::string& name) {
                 for (int x = x0; x < x1; ++x) sum += static_cast<double>(errors(x, y));
             }
             const double mean = sum / ((x1 - x0) * (y1 - y0));
-            if (mean <= kBound) continue;
-            const auto kept = std::filesystem::temp_directory_path() / ("relief-" + name + ".png");
-            std::filesystem::copy_file(exported.toStdString(), kept, std::filesystem::copy_options::overwrite_existing);
-            FAIL() << name << " is not as stored: FLIP " << mean << " at " << x0 << ", " << y0 << "; it is in " << kept
-                   << " (with RELIEF_GOLDEN=write it is stored)";
+            if (mean > most.flip) most = {mean, x0, y0};
         }
     }
+    return most;
+}
+
+void expectGolden(const QString& picture, const std::string& name) {
+    if (const char* wish = std::getenv("RELIEF_GOLDEN"); wish != nullptr && std::string(wish) == "write") {
+        return copyOver(picture, storedFile(name));
+    }
+    const GoldenDifference most = goldenDifference(picture, name);
+    if (most.flip <= kGoldenBound) return;
+    const auto kept = std::filesystem::temp_directory_path() / ("relief-" + name + ".png");
+    copyOver(picture, kept);
+    ADD_FAILURE() << name << " is not as stored: FLIP " << most.flip << " at " << most.x << ", " << most.y
+                  << "; it is in " << kept << " (with RELIEF_GOLDEN=write it is stored)";
 }
 
 void expectGoldens(const PaintsPage& paint, int width, int height, const std::string& name) {

@@ -1,4 +1,5 @@
-// Figures that somebody has looked at and found right.
+// Pictures that somebody has looked at and found right: tests/files/figures/NAME.png. With RELIEF_GOLDEN=write in the
+// environment they are stored instead of compared.
 #pragma once
 
 #include <functional>
@@ -12,10 +13,20 @@ class QPainter;
 
 namespace reliefui {
 
-// Compares an exported figure with tests/files/figures/NAME.png, which somebody has looked at and found right, by the
-// mean FLIP of each block of 16 x 16 pixels, so that one number or mark that is elsewhere counts. The bound leaves room
-// for how processors round the smoothing of lines; a letter that moves by a pixel is 0.1 and more.
-void expectGolden(const QString& exported, const std::string& name);
+// The bound leaves room for how processors round the smoothing of lines; a letter that moves by a pixel is 0.1 and
+// more.
+inline constexpr double kGoldenBound = 0.05;
+
+// The mean FLIP of the block of 16 x 16 pixels that differs most, so that one number or mark that is elsewhere counts.
+struct GoldenDifference {
+    double flip = 0;
+    int x = 0, y = 0;  // of the block
+};
+
+// Infinite where the sizes differ.
+GoldenDifference goldenDifference(const QString& picture, const std::string& name);
+// Fails the test where the picture differs by more than the bound, and keeps it in the folder for temporary files.
+void expectGolden(const QString& picture, const std::string& name);
 
 // What the function paints on a page of this size, pixels: in Ukrainian and light with the name, in English and dark
 // with the name and "-english".

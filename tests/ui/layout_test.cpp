@@ -1,13 +1,23 @@
 // Layouts that fit: on the usual projector, on a desk, large; in both languages; filled, taught with, projected.
+#include <algorithm>
+#include <set>
+
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableView>
+#include <QToolButton>
 
 #include "layout_laws.h"
 #include "lessons/lessons.h"
+#include "panes/compare/compare_view.h"
+#include "panes/distance/distance_view.h"
+#include "panes/drawing_canvas.h"
+#include "panes/narrow_bar.h"
 #include "panes/profile/profile_view.h"
 #include "panes/pyramid/pyramid_view.h"
 #include "panes/steps/step_sentence.h"
@@ -131,6 +141,8 @@ TEST_F(LayoutTest, TheWindowIsAsItWasAfterTheProjector) {
     openWindow(smallScenario());
     window_->resize(1400, 880);
     dock("charts-pane")->raise();
+    // The display server answers when it has time; then the room is shared anew.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dock("trace-pane")->width() < 1400 * 2 / 5; }, kSettledMs));
     QTest::qWait(kLayoutMs);
     const auto before = places();
     const QSize size = window_->size();
@@ -229,6 +241,68 @@ TEST_F(LayoutTest, LayoutsOfOnesOwnAreKept) {
     EXPECT_EQ(places(), mine);
     for (const QString& name : LayoutMenu::names()) layouts->remove(name);
     EXPECT_TRUE(LayoutMenu::names().isEmpty());
+}
+
+// Controls that have no room are gone along to; what lies below them stays where it is.
+TEST_F(LayoutTest, ControlsDoNotMoveWhatLiesBelow) {
+    openWindow(smallScenario());
+    auto* const view = window_->pane<DistanceView>();
+    dock("distance-pane")->setFloating(true);
+    dock("distance-pane")->show();
+    std::set<int> tops;
+    bool ends = false;
+    bool all = false;
+    for (int width = 300; width <= 800; width += 20) {
+        dock("distance-pane")->resize(width, 400);
+        QTest::qWait(20);
+        tops.insert(view->canvas()->y());
+        const auto arrows =
+            view->findChild<NarrowBar*>()->findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly);
+        const bool some = std::any_of(arrows.begin(), arrows.end(), [](const auto* one) { return one->isVisible(); });
+        (some ? ends : all) = true;
+    }
+    EXPECT_EQ(tops.size(), 1U);
+    EXPECT_TRUE(ends && all) << "of both kinds";
+    dock("distance-pane")->resize(300, 400);
+    QTest::qWait(kLayoutMs);
+    auto* const bar = view->findChild<NarrowBar*>();
+    auto* const fit = bar->row()->itemAt(bar->row()->count() - 1)->widget();
+    EXPECT_TRUE(fit->visibleRegion().isEmpty());
+    for (auto* const arrow : bar->findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+        while (arrow->isVisible() && arrow->arrowType() == Qt::RightArrow) arrow->click();
+    }
+    EXPECT_EQ(fit->visibleRegion().boundingRect(), fit->rect());
+}
+
+// Four pictures in the smallest pane: large enough to be told apart, scrolled where there is no room; the buttons of
+// the pane in sight.
+TEST_F(LayoutTest, ComparedPicturesAreNotTooSmall) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"distance-conservative", {}};
+    scenario.comparison.others = {{"max-pyramid", {}}, {"layers", {}}, {"cone", {}}};
+    openWindow(scenario);
+    auto* const view = window_->pane<CompareView>();
+    for (const QSize& size : {QSize(1280, 720), QSize(1600, 1000)}) {
+        for (const bool projector : {false, true}) {
+            SCOPED_TRACE(std::to_string(size.width()) + (projector ? ", projector" : ""));
+            window_->setProjector(projector);
+            setSize(size);
+            dock("compare-pane")->raise();
+            ASSERT_TRUE(QTest::qWaitFor([&] { return view->settled() && view->view() && view->view()->rated; }, 60000));
+            QTest::qWait(kLayoutMs);
+            const CompareLayout& layout = view->pictures()->layoutNow();
+            ASSERT_EQ(layout.rooms.size(), 4U);
+            const double unit = workspace_->style().pixelsPerPoint();
+            for (const Box& room : layout.rooms) EXPECT_GE(room.height() * unit, 75);
+            const auto* const area = view->findChild<QScrollArea*>(QStringLiteral("compare-area"));
+            EXPECT_EQ(area->verticalScrollBar()->isVisible(), view->pictures()->height() > area->viewport()->height());
+            for (const char* const name : {"compare-add", "compare-remove", "compare-options"}) {
+                const auto* const button = view->findChild<QToolButton*>(QLatin1String(name));
+                EXPECT_EQ(button->visibleRegion().boundingRect(), button->rect()) << name;
+            }
+        }
+    }
+    window_->setProjector(false);
 }
 
 TEST_F(LayoutTest, TheHelpFitsTheScreen) {

@@ -404,6 +404,31 @@ TEST(ProfileDrawing, brokenPromisesAreDrawnAsSuch) {
     }
 }
 
+// Where there is little room: all levels in one entry, in words of either language, and half the rows.
+TEST(ProfileDrawing, theBriefLegendNamesWhatIsDrawnInFewRows) {
+    Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
+    t.trace({12, 40, 19, -4}, {"max-pyramid-paper", {}});
+    const auto text = [&](const Drawing& legend, relief::Language language) {
+        std::string all;
+        for (const Item& item : legend.items) {
+            if (const auto* const label = std::get_if<Label>(&item.primitive))
+                all += labelText(*label, language) + "\n";
+        }
+        return all;
+    };
+    constexpr double kNarrow = 330;
+    for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
+        const Drawing whole = profileLegend(t.source, {}, kNarrow, language);
+        const Drawing brief = profileLegend(t.source, {}, kNarrow, language, true);
+        EXPECT_GT(whole.bounds.height(), 1.4 * brief.bounds.height());
+        EXPECT_LE(brief.bounds.width(), kNarrow);
+        const std::vector<int> levels = profileLevels(t.source, {});
+        ASSERT_GT(levels.size(), 2U);
+        const std::string range = std::to_string(levels.front()) + " – " + std::to_string(levels.back());
+        EXPECT_NE(text(brief, language).find(range), std::string::npos) << text(brief, language);
+    }
+}
+
 TEST(ProfileDrawing, theReadingIsTheSurfaceUnderThePointer) {
     Traced t("bricks", 64, 64, Surface::Columns, Address::Repeat);
     t.trace({12, 40, 19, -4}, {"max-pyramid", {}});

@@ -1,6 +1,7 @@
 // What a window saves while somebody works in it: there after a crash, gone after a clean end, never another's.
 #include <fstream>
 
+#include <QAction>
 #include <QDir>
 #include <QFileInfo>
 #include <QLockFile>
@@ -11,9 +12,12 @@
 #include <QTemporaryDir>
 
 #include "window_fixture.h"
+#include "windows/bookmarks.h"
 #include "windows/message_bar.h"
 #include "windows/pane_list.h"
+#include "windows/program.h"
 #include "windows/restore_offer.h"
+#include "workspace/change_name.h"
 #include "workspace/last_state.h"
 #include "workspace/pane_store.h"
 #include "workspace/state_keeper.h"
@@ -135,6 +139,37 @@ TEST_F(SessionTest, WhoDoesNotAnswerIsAskedAgain) {
     for (QPushButton* const button : question()->findChildren<QPushButton*>(QStringLiteral("discard"))) button->click();
     EXPECT_FALSE(question()->isVisible());
     EXPECT_FALSE(QFileInfo::exists(lost));
+}
+
+// The window is made anew in the other language, and asks in it; so does what can be undone.
+TEST_F(SessionTest, AnotherLanguageAsksAnew) {
+    leave(smallScenario());
+    open(smallScenario());
+    workspace_->setBookmarks({{"a", {60, 50}, scenario().camera, 0}},
+                             changeName([] { return BookmarkMenu::tr("Add bookmark"); }));
+    auto* offer = new RestoreOffer(window_.get(), workspace_.get(), keeper_.get(), SessionFiles::leftBehind());
+    ASSERT_TRUE(question()->isVisible());
+    EXPECT_TRUE(question()->text().contains(QStringLiteral("Reliefscope ended"))) << question()->text().toStdString();
+    speak(QStringLiteral("uk"));
+    auto left = offer->unanswered();
+    ASSERT_EQ(left.size(), 1U);
+    window_ = std::make_unique<MainWindow>(workspace_.get(), QString());
+    window_->show();
+    offer = new RestoreOffer(window_.get(), workspace_.get(), keeper_.get(), std::move(left));
+    EXPECT_TRUE(question()->isVisible());
+    EXPECT_FALSE(question()->text().contains(QStringLiteral("ended"))) << question()->text().toStdString();
+    const auto undo = [&] {
+        for (const QAction* const action : window_->findChildren<QAction*>()) {
+            if (action->shortcut() == QKeySequence::Undo) return action->text();
+        }
+        return QString();
+    };
+    EXPECT_EQ(undo(), MainWindow::tr("&Undo") + QStringLiteral(": ") + BookmarkMenu::tr("Add bookmark"));
+    EXPECT_FALSE(undo().contains(QStringLiteral("bookmark")));
+    // Whoever closed it is not asked again by this run.
+    question()->close();
+    EXPECT_TRUE(offer->unanswered().empty());
+    speak({});
 }
 
 TEST_F(SessionTest, ADamagedFileIsNotOffered) {

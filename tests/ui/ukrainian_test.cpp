@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDirIterator>
 #include <QFile>
 #include <QLabel>
 #include <QRegularExpression>
@@ -125,6 +126,37 @@ bool isUkrainian(const QString& text) {
 }
 
 }  // namespace
+
+// History outlives a change of language (workspace/change_name.h), and so do the names of parts that told of pauses.
+TEST(Ukrainian, NamesOfChangesAndPartsAreSaidAgain) {
+    const QRegularExpression changes(QStringLiteral(
+        "\\b(?:workspace_?(?:\\(\\))?(?:->|\\.)(?:change|show|setBreakpoints|setBookmarks|setPanes)|keep)"
+        "\\(([^;]*);"));
+    const QRegularExpression parts(QStringLiteral("(?:PauseLog::Part|DrawingTime) \\w+\\(\"([^\"]+)\""));
+    const auto text = [](const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    };
+    const QString named = text(QStringLiteral(RELIEF_SOURCE "/ui/workspace/pause_log.cpp"));
+    int found = 0;
+    for (QDirIterator files(QStringLiteral(RELIEF_SOURCE "/ui"), {QStringLiteral("*.cpp")}, QDir::Files,
+                            QDirIterator::Subdirectories);
+         files.hasNext();) {
+        const QString path = files.next();
+        const QString source = text(path);
+        for (auto all = changes.globalMatch(source); all.hasNext();) {
+            const QString call = all.next().captured(1);
+            EXPECT_FALSE(call.contains(QStringLiteral("tr(\"")) && !call.contains(QStringLiteral("changeName(")))
+                << path.toStdString() << ": " << call.toStdString();
+            found += call.contains(QStringLiteral("changeName(")) ? 1 : 0;
+        }
+        for (auto all = parts.globalMatch(source); all.hasNext();) {
+            const QString part = all.next().captured(1);
+            EXPECT_TRUE(named.contains(QStringLiteral("\"parts\", \"%1\"").arg(part))) << part.toStdString();
+        }
+    }
+    EXPECT_GT(found, 30);
+}
 
 TEST(Ukrainian, NoEnglishIsLeftInTheTexts) {
     EXPECT_EQ(foreignWords(QStringLiteral("{method}, step &open: λ %1 S0 u_x layers")), QStringList({"step", "open"}));

@@ -28,7 +28,7 @@ MessageId nameOf(Decision decision) {
 Point LegendRows::place(double width) {
     if (x_ + width > width_) newRow();
     const Point at{x_, y_ + kRow / 2};
-    right_ = std::max(right_, x_ + width);
+    right_ = std::max(right_, std::min(x_ + width, std::max(width_, x_)));
     x_ += width;
     return at;
 }
@@ -47,8 +47,26 @@ void LegendRows::add(Role role, Primitive primitive, LevelTint tint, Emphasis em
     drawing_.add({ItemKind::Legend, 0, 0, 0}, role, std::move(primitive), emphasis, tint);
 }
 
+// What is wider than a row goes on in the next ones, and nothing stands beside its end.
 void LegendRows::text(Point at, Message message) {
-    add(Role::Legend, Label{.at = at, .text = std::move(message), .size = kTextSize});
+    const auto put = [this](Point place, Message words) {
+        Label label;
+        label.at = place;
+        label.text = std::move(words);
+        label.size = kTextSize;
+        add(Role::Legend, std::move(label));
+    };
+    const double room = width_ - at.x;
+    if (textRoom(message) <= room) return put(at, std::move(message));
+    const auto lines = wrappedText(relief::sentence(message, language_), room,
+                                   [](const std::string& line) { return textWidth(line, kTextSize); });
+    for (const std::string& line : lines) {
+        put(at, plainText(line));
+        right_ = std::max(right_, at.x + textWidth(line, kTextSize));
+        at.y += kRow;
+    }
+    y_ += kRow * static_cast<double>(lines.size() - 1);
+    x_ = std::max(x_, width_);
 }
 
 Point LegendRows::sign(Role role, Primitive sign, const Message& what, LevelTint tint, Emphasis emphasis, double room) {

@@ -40,16 +40,21 @@ QString number(double value) {
 
 QString counted(const RangedValues& values, std::int64_t count) {
     const QString about = values.spread->exact() ? QString() : QStringLiteral("≈ ");
-    const QString n = about + QString::number(count);
-    switch (values.counted) {
-        case Counted::Texels:
-            return RangeText::tr("%1 texels").arg(n);
-        case Counted::Voxels:
-            return RangeText::tr("%1 voxels").arg(n);
-        case Counted::Pixels:
-            break;
-    }
-    return RangeText::tr("%1 pixels").arg(n);
+    // A number with the same plural form that fits an int; the text has the number itself.
+    constexpr std::int64_t kSmall = 1000000;
+    const auto form = static_cast<int>(count < kSmall ? count : kSmall + count % kSmall);
+    const auto words = [&] {
+        switch (values.counted) {
+            case Counted::Texels:
+                return RangeText::tr("%1 texels", nullptr, form);
+            case Counted::Voxels:
+                return RangeText::tr("%1 voxels", nullptr, form);
+            case Counted::Pixels:
+                break;
+        }
+        return RangeText::tr("%1 pixels", nullptr, form);
+    };
+    return about + words().arg(count);
 }
 
 QString withUnit(const RangedValues& values, double value) {

@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 
 #include "painting/painter.h"
+#include "painting/paragraph.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -52,7 +53,10 @@ double DrawingCanvas::legendWidth() const {
 }
 
 void DrawingCanvas::showText(relief::MessageId why) {
-    setLayers({std::make_shared<const Drawing>(messageDrawing(why))}, nullptr);
+    auto words = std::make_shared<Drawing>();
+    words->bounds = {0, 0, std::max(1.0, legendWidth()), 1};
+    addParagraph(*words, words->bounds.center(), relief::Message(why), words->bounds.width(), style_.language);
+    setLayers({std::move(words)}, nullptr);
 }
 
 void DrawingCanvas::letGo() {

@@ -11,6 +11,7 @@
 
 #include "panes/gl_release.h"
 #include "workspace/aside.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
@@ -104,8 +105,9 @@ void FigureView::addPointToMenu(QMenu& menu, const QPoint& at) {
 }
 
 void FigureView::setPoint(const std::optional<QueryPoint>& point) {
-    workspace_->change(withState(workspace_->scenario(), PointState{point}),
-                       point ? tr("Distances at a point") : tr("Forget the point"));
+    workspace_->change(withState(workspace_->scenario(), PointState{point}), changeName([asked = point.has_value()] {
+                           return asked ? tr("Distances at a point") : tr("Forget the point");
+                       }));
 }
 
 void FigureView::askPoint(const QPointF& widget) {

@@ -3,12 +3,15 @@
 #include <QEvent>
 #include <QScrollBar>
 #include <QTimer>
+#include <QToolButton>
+#include <QWheelEvent>
 
 namespace reliefui {
 
 namespace {
 
 constexpr int kLeastWidth = 120;
+constexpr int kEndWidth = 18;
 
 }  // namespace
 
@@ -23,16 +26,35 @@ NarrowBar::NarrowBar(QWidget* parent) : QScrollArea(parent) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    // Its controls are reached by themselves.
+    // Its controls are reached by themselves, and come into sight.
     setFocusPolicy(Qt::NoFocus);
+    back_ = addEnd(Qt::LeftArrow, tr("The controls further left"));
+    on_ = addEnd(Qt::RightArrow, tr("The controls further right"));
     inner->installEventFilter(this);
+    connect(horizontalScrollBar(), &QScrollBar::valueChanged, this, &NarrowBar::placeEnds);
+    connect(horizontalScrollBar(), &QScrollBar::rangeChanged, this, &NarrowBar::placeEnds);
+}
+
+QToolButton* NarrowBar::addEnd(Qt::ArrowType arrow, const QString& help) {
+    auto* const end = new QToolButton(this);
+    end->setArrowType(arrow);
+    end->setToolTip(help);
+    end->setAccessibleName(help);
+    end->setFocusPolicy(Qt::NoFocus);
+    end->hide();
+    connect(end, &QToolButton::clicked, this,
+            [this, arrow] { go((arrow == Qt::LeftArrow ? -1 : 1) * viewport()->width() / 2); });
+    return end;
+}
+
+void NarrowBar::go(int pixels) {
+    horizontalScrollBar()->setValue(horizontalScrollBar()->value() + pixels);
 }
 
 QSize NarrowBar::minimumSizeHint() const {
-    const QSize inner = widget()->minimumSizeHint();
-    const bool scrolls = inner.width() > width();
-    return {kLeastWidth, inner.height() + (scrolls ? horizontalScrollBar()->sizeHint().height() : 0)};
+    return {kLeastWidth, widget()->minimumSizeHint().height()};
 }
 
 bool NarrowBar::event(QEvent* event) {
@@ -45,6 +67,13 @@ bool NarrowBar::event(QEvent* event) {
 void NarrowBar::resizeEvent(QResizeEvent* event) {
     QScrollArea::resizeEvent(event);
     fitHeight();
+    placeEnds();
+}
+
+void NarrowBar::wheelEvent(QWheelEvent* event) {
+    const QPoint by = event->angleDelta();
+    go(-(by.x() != 0 ? by.x() : by.y()) / 2);
+    event->accept();
 }
 
 bool NarrowBar::eventFilter(QObject* watched, QEvent* event) {
@@ -55,6 +84,15 @@ bool NarrowBar::eventFilter(QObject* watched, QEvent* event) {
 void NarrowBar::fitHeight() {
     const int wanted = minimumSizeHint().height();
     if (minimumHeight() != wanted || maximumHeight() != wanted) setFixedHeight(wanted);
+}
+
+// Over the controls at the ends, where there are more beyond them.
+void NarrowBar::placeEnds() {
+    const QScrollBar* const along = horizontalScrollBar();
+    back_->setGeometry(0, 0, kEndWidth, height());
+    on_->setGeometry(width() - kEndWidth, 0, kEndWidth, height());
+    back_->setVisible(along->value() > along->minimum());
+    on_->setVisible(along->value() < along->maximum());
 }
 
 }  // namespace reliefui

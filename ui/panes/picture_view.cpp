@@ -9,6 +9,7 @@
 #include <QWheelEvent>
 
 #include "panes/orbit.h"
+#include "workspace/change_name.h"
 
 namespace reliefui {
 
@@ -135,7 +136,7 @@ void PictureView::turn(QPointF delta) {
     relief::Scenario scenario = workspace_->scenario();
     scenario.camera =
         turned(scenario.camera, -delta.x() * kDegreesPerPixel, delta.y() * kDegreesPerPixel, scenario.scene);
-    workspace_->change(scenario, tr("Turn the camera"), QStringLiteral("orbit"), true);
+    workspace_->change(scenario, changeName([] { return tr("Turn the camera"); }), QStringLiteral("orbit"), true);
 }
 
 void PictureView::wheelEvent(QWheelEvent* event) {
@@ -148,7 +149,7 @@ void PictureView::wheelEvent(QWheelEvent* event) {
     }
     relief::Scenario scenario = workspace_->scenario();
     scenario.camera = moved(scenario.camera, std::pow(kWheelFactor, -notches));
-    workspace_->change(scenario, tr("Move the camera"), QStringLiteral("distance"), true);
+    workspace_->change(scenario, changeName([] { return tr("Move the camera"); }), QStringLiteral("distance"), true);
     wheelRest_.start();
 }
 

@@ -13,6 +13,7 @@
 
 #include "painting/chart.h"
 #include "painting/painter.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/range_json.h"
 #include "workspace/workspace.h"
@@ -137,7 +138,8 @@ void RangeBox::chooseThreshold(bool on) {
 void RangeBox::set(const ColorRange& range, const char* drag) {
     RangesState state{rangesOf(workspace_->scenario())};
     state.ranges.set(values_->of, range);
-    workspace_->change(withState(workspace_->scenario(), state), tr("Range of the colours"), QString::fromLatin1(drag));
+    workspace_->change(withState(workspace_->scenario(), state), changeName([] { return tr("Range of the colours"); }),
+                       QString::fromLatin1(drag));
 }
 
 // As fine as the values on the screen ask for.

@@ -1,4 +1,5 @@
 #include "windows/bookmarks.h"
+#include "workspace/change_name.h"
 
 #include <algorithm>
 
@@ -61,7 +62,7 @@ void BookmarkMenu::addHere() {
         if (!taken) bookmark.name = name;
     }
     all.push_back(std::move(bookmark));
-    workspace_->setBookmarks(std::move(all), tr("Add bookmark"));
+    workspace_->setBookmarks(std::move(all), changeName([] { return tr("Add bookmark"); }));
 }
 
 void BookmarkMenu::next() {
@@ -123,7 +124,7 @@ void BookmarkDialog::remove() {
     if (row < 0) return;
     std::vector<relief::Bookmark> all = workspace_->scenario().bookmarks;
     all.erase(all.begin() + row);
-    workspace_->setBookmarks(std::move(all), tr("Remove bookmark"));
+    workspace_->setBookmarks(std::move(all), changeName([] { return tr("Remove bookmark"); }));
 }
 
 void BookmarkDialog::rename() {
@@ -132,7 +133,7 @@ void BookmarkDialog::rename() {
     std::vector<relief::Bookmark> all = workspace_->scenario().bookmarks;
     const QString name = list_->item(row)->text().trimmed();
     if (!name.isEmpty()) all[static_cast<std::size_t>(row)].name = name.toStdString();
-    workspace_->setBookmarks(std::move(all), tr("Rename bookmark"));
+    workspace_->setBookmarks(std::move(all), changeName([] { return tr("Rename bookmark"); }));
     // An empty name, or one that was refused, is taken back; not within the list's own signal.
     QMetaObject::invokeMethod(this, &BookmarkDialog::refresh, Qt::QueuedConnection);
 }

@@ -1,4 +1,5 @@
 #include "windows/breakpoint_bar.h"
+#include "workspace/change_name.h"
 #include "workspace/pause_log.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ void BreakpointBar::add() {
     const relief::Breakpoint wanted = edited();
     if (std::find(all.begin(), all.end(), wanted) != all.end()) return;
     all.push_back(wanted);
-    workspace_->setBreakpoints(std::move(all), tr("Add breakpoint"));
+    workspace_->setBreakpoints(std::move(all), changeName([] { return tr("Add breakpoint"); }));
 }
 
 void BreakpointBar::toggleHere() {
@@ -132,13 +133,13 @@ void BreakpointBar::toggleHere() {
 void BreakpointBar::remove(std::size_t number) {
     std::vector<relief::Breakpoint> all = workspace_->scenario().breakpoints;
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(number));
-    workspace_->setBreakpoints(std::move(all), tr("Remove breakpoint"));
+    workspace_->setBreakpoints(std::move(all), changeName([] { return tr("Remove breakpoint"); }));
 }
 
 void BreakpointBar::setOn(std::size_t number, bool on) {
     std::vector<relief::Breakpoint> all = workspace_->scenario().breakpoints;
     all[number].on = on;
-    workspace_->setBreakpoints(std::move(all), tr("Set breakpoint on or off"));
+    workspace_->setBreakpoints(std::move(all), changeName([] { return tr("Set breakpoint on or off"); }));
 }
 
 void BreakpointBar::refresh() {

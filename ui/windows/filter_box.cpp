@@ -6,6 +6,7 @@
 #include "panes/core_texts.h"
 #include "panes/options_form.h"
 #include "scenario/variation.h"
+#include "workspace/change_name.h"
 
 namespace reliefui {
 
@@ -28,7 +29,8 @@ void FilterBox::change(const QString& name, const QString& text, bool live) {
     relief::MethodChoice choice = relief::ownVariation(scenario, relief::CompareSubject::Filters);
     choice.options[name.toStdString()] = text.toStdString();
     workspace_->change(relief::varied(scenario, relief::CompareSubject::Filters, choice),
-                       optionTitle(name.toStdString()), QStringLiteral("filter-") + name, live);
+                       changeName([name] { return optionTitle(name.toStdString()); }), QStringLiteral("filter-") + name,
+                       live);
 }
 
 void FilterBox::refresh() {

@@ -1,6 +1,7 @@
 #include "windows/home_view.h"
 
 #include "windows/scene_panel.h"
+#include "workspace/change_name.h"
 
 namespace reliefui {
 
@@ -30,7 +31,7 @@ void HomeView::watch() {
 void HomeView::go() {
     relief::Scenario scenario = workspace_->scenario();
     scenario.camera = camera_;
-    workspace_->change(scenario, tr("First view"));
+    workspace_->change(scenario, changeName([] { return tr("First view"); }));
 }
 
 }  // namespace reliefui

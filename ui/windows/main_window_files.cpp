@@ -24,6 +24,7 @@
 #include "windows/pane_list.h"
 #include "windows/pictures_box.h"
 #include "workspace/aside.h"
+#include "workspace/change_name.h"
 #include "workspace/start_scenario.h"
 
 namespace reliefui {
@@ -62,7 +63,7 @@ void MainWindow::askColor() {
     if (path.isEmpty()) return;
     relief::Scenario scenario = workspace_->scenario();
     scenario.pictures.color = path.toStdString();
-    workspace_->change(scenario, tr("Colour"));
+    workspace_->change(scenario, changeName([] { return tr("Colour"); }));
 }
 
 void MainWindow::askSaveScenario() {
@@ -167,7 +168,7 @@ void MainWindow::remember(const QString& path) {
 }
 
 void MainWindow::startAnew() {
-    workspace_->show(startScenario(datasets_.toStdString()), tr("Start anew"));
+    workspace_->show(startScenario(datasets_.toStdString()), changeName([] { return tr("Start anew"); }));
 }
 
 void MainWindow::fillRecent() {
@@ -193,7 +194,7 @@ void MainWindow::fillExamples(QMenu* menu) {
         connect(action, &QAction::triggered, this, [this, name, pictures] {
             relief::Scenario scenario = workspace_->scenario();
             scenario.pictures = pictures;
-            workspace_->change(scenario, tr("Open %1").arg(name));
+            workspace_->change(scenario, changeName([name] { return tr("Open %1").arg(name); }));
         });
     }
     menu->setEnabled(!menu->isEmpty());

@@ -28,6 +28,7 @@
 #include "windows/main_window.h"
 #include "windows/step_bar.h"
 #include "windows/time_pane.h"
+#include "workspace/change_name.h"
 #include "workspace/language.h"
 #include "workspace/pause_log.h"
 
@@ -250,8 +251,8 @@ void MainWindow::refreshTitles() {
     // The sign in the bar stays; only menu and tool tip say what.
     const QString undoSign = undo_->iconText();
     const QString redoSign = redo_->iconText();
-    rename(undo_, tr("&Undo"), workspace_->undoText());
-    rename(redo_, tr("&Redo"), workspace_->redoText());
+    rename(undo_, tr("&Undo"), saidAgain(workspace_->undoText()));
+    rename(redo_, tr("&Redo"), saidAgain(workspace_->redoText()));
     undo_->setIconText(undoSign);
     redo_->setIconText(redoSign);
 }

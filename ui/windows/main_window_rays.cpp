@@ -11,6 +11,7 @@
 #include "windows/main_window.h"
 #include "windows/other_bar.h"
 #include "windows/time_pane.h"
+#include "workspace/change_name.h"
 #include "workspace/pixel_finder.h"
 
 namespace reliefui {
@@ -63,11 +64,22 @@ void MainWindow::makeLessonMenu() {
     }
 }
 
+namespace {
+
+QString lessonChange(const QString& name) {
+    for (const Lesson& lesson : lessons()) {
+        if (lesson.name == name) return MainWindow::tr("Lesson: %1").arg(lesson.title);
+    }
+    return name;
+}
+
+}  // namespace
+
 void MainWindow::openLesson(const QString& name) {
     for (const Lesson& lesson : lessons()) {
         if (lesson.name != name) continue;
         try {
-            workspace_->show(lessonScenario(name), tr("Lesson: %1").arg(lesson.title));
+            workspace_->show(lessonScenario(name), changeName([name] { return lessonChange(name); }));
         } catch (const relief::InputError& error) {
             Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
             return;

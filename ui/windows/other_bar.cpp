@@ -1,4 +1,5 @@
 #include "windows/other_bar.h"
+#include "workspace/change_name.h"
 
 #include <algorithm>
 
@@ -44,12 +45,12 @@ OtherBar::OtherBar(Workspace* workspace, QWidget* parent)
     connect(ray_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int ray) {
         relief::OtherTracer other = workspace_->scenario().other;
         other.ray = ray;
-        change(other, tr("Choose ray"));
+        change(other, changeName([] { return tr("Choose ray"); }));
     });
     connect(whose_, qOverload<int>(&QComboBox::activated), this, [this](int item) {
         relief::OtherTracer other = workspace_->scenario().other;
         other.shown = item == 0;
-        change(other, tr("Whose steps are shown"));
+        change(other, changeName([] { return tr("Whose steps are shown"); }));
     });
     connect(workspace_, &Workspace::scenarioChanged, this, &OtherBar::refresh);
     connect(workspace_, &Workspace::snapshotChanged, this, &OtherBar::refresh);
@@ -69,7 +70,7 @@ void OtherBar::open(const QString& rays, const QString& steps) {
 }
 
 void OtherBar::close() {
-    change({}, tr("Close another tracer's steps"));
+    change({}, changeName([] { return tr("Close another tracer's steps"); }));
 }
 
 void OtherBar::refresh() {

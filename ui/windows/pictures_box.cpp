@@ -12,6 +12,7 @@
 #include "panes/core_texts.h"
 #include "panes/file_dialogs.h"
 #include "relief/reliefs.h"
+#include "workspace/change_name.h"
 
 namespace reliefui {
 
@@ -40,16 +41,17 @@ PicturesBox::PicturesBox(Workspace* workspace, QWidget* parent) : QWidget(parent
     folder_ = new QLabel(this);
     folder_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     column->addWidget(folder_);
-    addRow(column, tr("Heights"), &relief::Pictures::height, QStringLiteral("height"));
-    addRow(column, tr("Colour"), &relief::Pictures::color, QStringLiteral("color"));
-    addRow(column, tr("Normals"), &relief::Pictures::normal, QStringLiteral("normal"));
+    addRow(column, QT_TR_NOOP("Heights"), &relief::Pictures::height, QStringLiteral("height"));
+    addRow(column, QT_TR_NOOP("Colour"), &relief::Pictures::color, QStringLiteral("color"));
+    addRow(column, QT_TR_NOOP("Normals"), &relief::Pictures::normal, QStringLiteral("normal"));
     addRecipe(column);
     connect(workspace_, &Workspace::scenarioChanged, this, &PicturesBox::refresh);
     refresh();
 }
 
-void PicturesBox::addRow(QVBoxLayout* column, const QString& title, std::string relief::Pictures::*member,
+void PicturesBox::addRow(QVBoxLayout* column, const char* source, std::string relief::Pictures::*member,
                          const QString& objectName) {
+    const QString title = tr(source);
     auto* const line = new QHBoxLayout;
     auto* const label = new QLabel(title, this);
     label->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Normals")) + 8);
@@ -76,10 +78,10 @@ void PicturesBox::addRow(QVBoxLayout* column, const QString& title, std::string 
         line->addWidget(row.clear);
     }
     column->addLayout(line);
-    const auto replace = [this, member, title](const std::string& path) {
+    const auto replace = [this, member, source](const std::string& path) {
         relief::Scenario scenario = workspace_->scenario();
         scenario.pictures.*member = path;
-        workspace_->change(scenario, title);
+        workspace_->change(scenario, changeName([source] { return tr(source); }));
     };
     connect(open, &QToolButton::clicked, this, [this, member, title, isHeight, replace] {
         const QString path =
@@ -141,7 +143,7 @@ void PicturesBox::makeRecipe() {
     }
     scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = side;
     scenario.pictures.seed = static_cast<std::uint64_t>(seed_->value());
-    workspace_->change(scenario, tr("Procedural relief"));
+    workspace_->change(scenario, changeName([] { return tr("Procedural relief"); }));
 }
 
 void PicturesBox::refresh() {

@@ -31,7 +31,8 @@ class PicturesBox : public QWidget {
         std::string relief::Pictures::*member = nullptr;
     };
 
-    void addRow(QVBoxLayout* column, const QString& title, std::string relief::Pictures::*member,
+    // source: of its title.
+    void addRow(QVBoxLayout* column, const char* source, std::string relief::Pictures::*member,
                 const QString& objectName);
     void addRecipe(QVBoxLayout* column);
     void makeRecipe();

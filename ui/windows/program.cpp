@@ -98,6 +98,12 @@ void speak(const QString& language) {
     };
     if (add(QStringLiteral("reliefscope"), QStringLiteral(":/translations"))) {
         add(QStringLiteral("qtbase"), QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+    } else {
+        // English, the language of what has no translation, has plural forms as well.
+        auto* const plurals = new QTranslator(QCoreApplication::instance());
+        if (plurals->load(QStringLiteral(":/translations/reliefscope_en.qm"))) {
+            QCoreApplication::installTranslator(plurals);
+        }
     }
 }
 

@@ -9,6 +9,7 @@
 #include "windows/main_window.h"
 #include "windows/message_bar.h"
 #include "windows/pane_list.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/state_keeper.h"
 #include "workspace/workspace.h"
@@ -26,6 +27,11 @@ RestoreOffer::RestoreOffer(MainWindow* window, Workspace* workspace, StateKeeper
     connect(yes, &QPushButton::clicked, this, &RestoreOffer::restore);
     connect(no, &QPushButton::clicked, this, &RestoreOffer::discard);
     offer();
+}
+
+std::vector<SessionFiles> RestoreOffer::unanswered() {
+    if (window_->question()->isHidden()) left_.clear();
+    return std::exchange(left_, {});
 }
 
 void RestoreOffer::offer() {
@@ -54,7 +60,7 @@ void RestoreOffer::restore() {
     const QSettings kept(left_.front().layoutFile(), QSettings::IniFormat);
     for (const QString& key : kept.allKeys()) layout[key] = kept.value(key);
     if (!layout.isEmpty()) window_->takeLayout(layout);
-    workspace_->show(scenario_, tr("Restore"));
+    workspace_->show(scenario_, changeName([] { return tr("Restore"); }));
     keeper_->adopt(std::move(left_.front()), scenario_);
     left_.erase(left_.begin());
     window_->question()->hide();

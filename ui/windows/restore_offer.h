@@ -20,6 +20,9 @@ class RestoreOffer : public QObject {
   public:
     RestoreOffer(MainWindow* window, Workspace* workspace, StateKeeper* keeper, std::vector<SessionFiles> left);
 
+    // Nobody has answered, nor closed the line: what another window is to offer, one in another language.
+    std::vector<SessionFiles> unanswered();
+
   private:
     void offer();
     void restore();

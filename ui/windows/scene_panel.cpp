@@ -18,6 +18,7 @@
 #include "scenario/row_methods.h"
 #include "windows/filter_box.h"
 #include "windows/pictures_box.h"
+#include "workspace/change_name.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -78,7 +79,7 @@ void changeNumber(Workspace& workspace, const std::string& name, double value, b
     relief::Scenario scenario = workspace.scenario();
     if (name == "elevation" || name == "azimuth" || name == "distance") scenario.camera = asOrbit(scenario.camera);
     relief::scenarioNumber(name).set(scenario, value);
-    workspace.change(scenario, controlTitle(name), QString::fromStdString(name), live);
+    workspace.change(scenario, changeName([name] { return controlTitle(name); }), QString::fromStdString(name), live);
 }
 
 NumberControl* makeNumberControl(Workspace* workspace, const std::string& name, QWidget* parent) {
@@ -160,17 +161,17 @@ void ScenePanel::addSurface(QFormLayout* form) {
     connect(surface_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
         scenario.surface = relief::parseSurface(surface_->currentData().toString().toStdString());
-        workspace_->change(scenario, tr("Surface"));
+        workspace_->change(scenario, changeName([] { return tr("Surface"); }));
     });
     connect(address_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
         scenario.address = relief::parseAddress(address_->currentData().toString().toStdString());
-        workspace_->change(scenario, tr("Outside"));
+        workspace_->change(scenario, changeName([] { return tr("Outside"); }));
     });
     connect(scene_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
         scenario.scene = relief::parseScene(scene_->currentData().toString().toStdString());
-        workspace_->change(scenario, tr("Scene"));
+        workspace_->change(scenario, changeName([] { return tr("Scene"); }));
     });
 }
 
@@ -186,7 +187,7 @@ void ScenePanel::addViews(QFormLayout* form) {
         const double fov = scenario.camera.fov;
         scenario.camera = presetCamera(viewPresets()[static_cast<std::size_t>(item - 1)], scenario.scene);
         scenario.camera.fov = fov;
-        workspace_->change(scenario, tr("View"));
+        workspace_->change(scenario, changeName([] { return tr("View"); }));
     });
 }
 
@@ -201,7 +202,7 @@ void ScenePanel::addDefaults(QFormLayout* form) {
     connect(defaults_, &QToolButton::clicked, this, [this] {
         relief::Scenario scenario = workspace_->scenario();
         scenario.method.options.clear();
-        workspace_->change(scenario, tr("Defaults of the method"));
+        workspace_->change(scenario, changeName([] { return tr("Defaults of the method"); }));
     });
 }
 
@@ -213,7 +214,7 @@ void ScenePanel::addShadows(QFormLayout* form) {
     connect(shadows_, &QCheckBox::clicked, this, [this](bool on) {
         relief::Scenario scenario = workspace_->scenario();
         scenario.shadows = on;
-        workspace_->change(scenario, tr("Shadows"));
+        workspace_->change(scenario, changeName([] { return tr("Shadows"); }));
     });
 }
 
@@ -228,7 +229,7 @@ void ScenePanel::addMapping(QFormLayout* form) {
     connect(mapping_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
         scenario.mapping = mapping_->currentData().toString().toStdString();
-        workspace_->change(scenario, tr("Coordinates"));
+        workspace_->change(scenario, changeName([] { return tr("Coordinates"); }));
     });
 }
 
@@ -249,7 +250,8 @@ void ScenePanel::addMethod(QFormLayout* form) {
         const std::string inside = name.toStdString() + ".";
         std::erase_if(scenario.method.options, [&](const auto& option) { return option.first.starts_with(inside); });
         scenario.method.options[name.toStdString()] = text.toStdString();
-        workspace_->change(scenario, optionTitle(name.toStdString()), QStringLiteral("option-") + name, live);
+        workspace_->change(scenario, changeName([name] { return optionTitle(name.toStdString()); }),
+                           QStringLiteral("option-") + name, live);
     });
 }
 

@@ -11,6 +11,7 @@
 #include "panes/result/result_painting.h"
 #include "relief/messages.h"
 #include "scenario/step_sentence.h"
+#include "workspace/change_name.h"
 #include "workspace/language.h"
 #include "workspace/pause_log.h"
 
@@ -167,7 +168,7 @@ void StatusLine::takeWalk() {
     if (!snapshot) return;
     relief::Scenario scenario = workspace_->scenario();
     scenario.method = {snapshot->frame->tracedBy, {}};
-    workspace_->change(scenario, tr("Method"));
+    workspace_->change(scenario, changeName([] { return tr("Method"); }));
 }
 
 void StatusLine::showLedger() {

@@ -8,6 +8,7 @@
 #include "panes/number_control.h"
 #include "windows/method_list.h"
 #include "windows/scene_panel.h"
+#include "workspace/change_name.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -52,7 +53,7 @@ void TopBar::makeMethod() {
         relief::Scenario scenario = workspace_->scenario();
         scenario.method = {};
         scenario.method.name = method_->currentData().toString().toStdString();
-        workspace_->change(scenario, tr("Method"));
+        workspace_->change(scenario, changeName([] { return tr("Method"); }));
     });
 }
 
@@ -71,7 +72,7 @@ void TopBar::makeFilter() {
         relief::Scenario scenario = workspace_->scenario();
         scenario.filter.name = filter_->currentData().toString().toStdString();
         scenario.filter.options.clear();  // another filter takes none of them
-        workspace_->change(scenario, tr("Filter"));
+        workspace_->change(scenario, changeName([] { return tr("Filter"); }));
     });
 }
 

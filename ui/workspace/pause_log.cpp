@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QCoreApplication>
 #include <QMetaEnum>
 #include <QObject>
 #include <QOpenGLWidget>
@@ -21,6 +22,61 @@ double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady
 
 QString number(double ms) {
     return QString::fromStdString(relief::fixedText(ms, 1));
+}
+
+QString between() {
+    return QStringLiteral(" › ");
+}
+
+// What parts are called where they tell of themselves (PauseLog::Part).
+constexpr const char* kParts[] = {
+    QT_TRANSLATE_NOOP("parts", "bottom line"),
+    QT_TRANSLATE_NOOP("parts", "breakpoints"),
+    QT_TRANSLATE_NOOP("parts", "by hand"),
+    QT_TRANSLATE_NOOP("parts", "by hand: grid"),
+    QT_TRANSLATE_NOOP("parts", "charts"),
+    QT_TRANSLATE_NOOP("parts", "charts: drawing"),
+    QT_TRANSLATE_NOOP("parts", "compare"),
+    QT_TRANSLATE_NOOP("parts", "compare: pictures"),
+    QT_TRANSLATE_NOOP("parts", "distance"),
+    QT_TRANSLATE_NOOP("parts", "distance: marks"),
+    QT_TRANSLATE_NOOP("parts", "duel"),
+    QT_TRANSLATE_NOOP("parts", "duel: drawing"),
+    QT_TRANSLATE_NOOP("parts", "figure"),
+    QT_TRANSLATE_NOOP("parts", "footprint"),
+    QT_TRANSLATE_NOOP("parts", "footprint: marks"),
+    QT_TRANSLATE_NOOP("parts", "formulas"),
+    QT_TRANSLATE_NOOP("parts", "pane"),
+    QT_TRANSLATE_NOOP("parts", "profile"),
+    QT_TRANSLATE_NOOP("parts", "profile: marks"),
+    QT_TRANSLATE_NOOP("parts", "profile: relief"),
+    QT_TRANSLATE_NOOP("parts", "pyramid"),
+    QT_TRANSLATE_NOOP("parts", "pyramid in 3-D"),
+    QT_TRANSLATE_NOOP("parts", "pyramid: marks"),
+    QT_TRANSLATE_NOOP("parts", "pyramid: marks on slabs"),
+    QT_TRANSLATE_NOOP("parts", "pyramid: slabs"),
+    QT_TRANSLATE_NOOP("parts", "result"),
+    QT_TRANSLATE_NOOP("parts", "rows"),
+    QT_TRANSLATE_NOOP("parts", "rows: drawing"),
+    QT_TRANSLATE_NOOP("parts", "scene"),
+    QT_TRANSLATE_NOOP("parts", "skipped"),
+    QT_TRANSLATE_NOOP("parts", "step bar"),
+    QT_TRANSLATE_NOOP("parts", "steps"),
+    QT_TRANSLATE_NOOP("parts", "top bar"),
+    QT_TRANSLATE_NOOP("parts", "trace 3-D"),
+    QT_TRANSLATE_NOOP("parts", "trace 3-D: scene"),
+    QT_TRANSLATE_NOOP("parts", "trace 3-D: step"),
+};
+
+// Parts in the user's language; classes and events are Qt's words.
+QString said(const QString& what) {
+    QStringList parts = what.split(between());
+    for (QString& part : parts) {
+        for (const char* const known : kParts) {
+            if (part == QLatin1String(known)) part = QCoreApplication::translate("parts", known);
+        }
+    }
+    return parts.join(between());
 }
 
 }  // namespace
@@ -57,7 +113,8 @@ std::vector<PauseLog::Pause> PauseLog::worst(std::size_t most) const {
 
 QString PauseLog::text(std::size_t most) const {
     const auto line = [](const Pause& pause) {
-        return tr("%1 ms, of them %2 ms of painting: %3").arg(number(pause.ms), number(pause.drawing), pause.what);
+        return tr("%1 ms, of them %2 ms of painting: %3")
+            .arg(number(pause.ms), number(pause.drawing), said(pause.what));
     };
     QString text = tr("longest pause of the window: ") + line(longestGap());
     for (const Pause& pause : worst(most)) {
@@ -78,7 +135,7 @@ QString PauseLog::nameOf(const Frame& frame) {
 QString PauseLog::told(const Frame& frame, double ms) {
     const QString name = nameOf(frame);
     const bool more = frame.longest > kMostOfIt * ms && !frame.longestName.isEmpty();
-    return more ? name + QStringLiteral(" › ") + frame.longestName : name;
+    return more ? name + between() + frame.longestName : name;
 }
 
 void PauseLog::open() {

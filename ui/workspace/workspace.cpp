@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "scenario/variation.h"
+#include "workspace/change_name.h"
 #include "workspace/discard.h"
 #include "workspace/language.h"
 #include "workspace/pane_store.h"
@@ -146,7 +147,7 @@ void Workspace::choosePixel(int x, int y) {
     if (!raysFromEnd_) wanted.step = 0;
     // One entry a click; arrows in a row are one as well, as they follow each other without a settle().
     keepStep_ = true;
-    change(wanted, tr("Choose pixel"), QStringLiteral("pixel"));
+    change(wanted, changeName([] { return tr("Choose pixel"); }), QStringLiteral("pixel"));
     keepStep_ = false;
 }
 
@@ -179,7 +180,7 @@ void Workspace::goTo(const relief::Bookmark& bookmark) {
     wanted.step = bookmark.step;
     toLastStep_ = false;
     keepStep_ = true;
-    change(wanted, tr("Go to %1").arg(QString::fromStdString(bookmark.name)));
+    change(wanted, changeName([to = QString::fromStdString(bookmark.name)] { return tr("Go to %1").arg(to); }));
     keepStep_ = false;
 }
 
@@ -225,7 +226,9 @@ void Workspace::setStyle(const Style& style) {
 
 void Workspace::open(const QString& path) {
     const QFileInfo file(path);
-    Pending pending{0, Action::Open, scenario_, tr("Open %1").arg(file.fileName()), {}, file.absoluteFilePath()};
+    Pending pending{0,         Action::Open,
+                    scenario_, changeName([name = file.fileName()] { return tr("Open %1").arg(name); }),
+                    {},        file.absoluteFilePath()};
     if (file.suffix().compare(QLatin1String("json"), Qt::CaseInsensitive) != 0) {
         pending.scenario.pictures = {};
         pending.scenario.pictures.height = file.absoluteFilePath().toStdString();

@@ -6,6 +6,7 @@
 #include "measuring/text_table.h"
 #include "painting/chart.h"
 #include "painting/legend_rows.h"
+#include "painting/paragraph.h"
 #include "scenario/step_sentence.h"
 
 namespace reliefui {
@@ -190,7 +191,7 @@ Rooms rooms(ChartsShown shown, double width, double height) {
 
 }  // namespace
 
-ChartsPicture chartsPicture(const ChartsSource& source, double width, double height) {
+ChartsPicture chartsPicture(const ChartsSource& source, double width, double height, relief::Language language) {
     ChartsPicture picture;
     picture.drawing.bounds = {0, 0, width, height};
     const Rooms where = rooms(source.shown, width, height);
@@ -199,7 +200,8 @@ ChartsPicture chartsPicture(const ChartsSource& source, double width, double hei
             picture.pareto = paretoPicture(*source.pareto, where.pareto);
             picture.drawing.append(picture.pareto->drawing);
         } else {
-            chart::text(picture.drawing, where.pareto.center(), Message(source.missing), Anchor::Center);
+            addParagraph(picture.drawing, where.pareto.center(), Message(source.missing), where.pareto.width(),
+                         language, chart::kTextSize);
         }
     }
     if (!where.steps.empty() && source.histograms) {

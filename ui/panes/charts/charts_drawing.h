@@ -52,7 +52,7 @@ struct ChartsPicture {
     Drawing drawing;
 };
 // width, height: points.
-ChartsPicture chartsPicture(const ChartsSource& source, double width, double height);
+ChartsPicture chartsPicture(const ChartsSource& source, double width, double height, relief::Language language);
 Drawing chartsLegend(const ChartsSource& source, double width, relief::Language language);
 
 // What is under a point of the drawing.

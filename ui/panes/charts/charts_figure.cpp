@@ -10,8 +10,8 @@ std::shared_ptr<const Figure> chartsFigure(std::shared_ptr<const ChartsSource> s
     const auto legend = [source](double width, relief::Language language) {
         return chartsLegend(*source, width, language);
     };
-    const auto layers = [source](double width, double height, const Style&) {
-        return std::vector{chartsPicture(*source, width, height).drawing};
+    const auto layers = [source](double width, double height, const Style& style) {
+        return std::vector{chartsPicture(*source, width, height, style.language).drawing};
     };
     constexpr double kPareto = 0.68;  // names beside their marks
     constexpr double kAll = 0.95;     // and histograms below

@@ -8,6 +8,7 @@
 #include "panes/charts/charts_figure.h"
 #include "panes/drawing_canvas.h"
 #include "panes/figure_caption.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
@@ -109,7 +110,7 @@ void ChartsView::cancel() {
 }
 
 void ChartsView::change(const ChartsPane& pane) {
-    workspace_->change(withState(workspace_->scenario(), pane), tr("Charts: other view"));
+    workspace_->change(withState(workspace_->scenario(), pane), changeName([] { return tr("Charts: other view"); }));
     adopt();
 }
 
@@ -166,7 +167,7 @@ void ChartsView::draw() {
     constexpr double kMostLegend = 0.3;
     const auto legend = canvas_->showLegend(chartsLegend(now, canvas_->legendWidth(), style.language), kMostLegend);
     const QSizeF room = canvas_->room();
-    picture_ = chartsPicture(now, room.width(), room.height());
+    picture_ = chartsPicture(now, room.width(), room.height(), style.language);
     canvas_->setLayers({std::make_shared<const Drawing>(picture_.drawing)}, legend);
 }
 
@@ -197,7 +198,7 @@ void ChartsView::choose(std::size_t point) {
         relief::Scenario wanted = workspace_->scenario();
         wanted.method = method;
         if (*worst) wanted.pixel = relief::PixelChoice{(*worst)->x, (*worst)->y};
-        workspace_->change(wanted, tr("Choose method and its worst pixel"));
+        workspace_->change(wanted, changeName([] { return tr("Choose method and its worst pixel"); }));
         refresh();  // what was stopped for this
     };
     measuring_ = false;
@@ -253,7 +254,9 @@ QString ChartsView::rangeOf(const HistogramBar& bar) {
         case BarKind::Wrong:
             return tr("wrong outcome: %n rays", nullptr, rays);
         case BarKind::Steps:
-            if (bar.high - bar.low <= 1) return tr("%1 steps: %n rays", nullptr, rays).arg(number(bar.low));
+            if (bar.high - bar.low <= 1) {
+                return tr("%1: %n rays", nullptr, rays).arg(tr("%n steps", nullptr, static_cast<int>(bar.low)));
+            }
             return tr("%1 to %2 steps: %n rays", nullptr, rays).arg(number(bar.low), number(bar.high - 1));
         case BarKind::Before:
             return tr("%1 to %2 texels before the surface: %n rays", nullptr, rays)

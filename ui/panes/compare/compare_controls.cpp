@@ -4,12 +4,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "panes/compare/compare_view.h"
 #include "panes/narrow_bar.h"
 #include "panes/pane_controls.h"
+#include "workspace/change_name.h"
 
 namespace reliefui {
 
@@ -44,15 +46,23 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    for (const bool first : {true, false}) {
-        auto* const bar = new NarrowBar(this);
-        bar_ = bar->row();
-        column->addWidget(bar);
-        first ? makeMethodBar() : makeModeBar();
-    }
+    column->addWidget(makeMethodBar());
+    auto* const modes = new NarrowBar(this);
+    bar_ = modes->row();
+    column->addWidget(modes);
+    makeModeBar();
     column->addWidget(makeOptions());
-    column->addWidget(pictures_, 1);
-    pictures_->setMinimumHeight(kLeastPicture);
+    // Pictures that would be too small are scrolled.
+    auto* const area = new QScrollArea(this);
+    area->setObjectName(QStringLiteral("compare-area"));
+    area->setAccessibleName(accessibleName());
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidgetResizable(true);
+    area->setMinimumHeight(kLeastPicture);
+    area->setWidget(pictures_);
+    column->addWidget(area, 1);
     connect(pictures_, &ComparePictures::hovered, this, &CompareView::setReadout);
     connect(pictures_, &ComparePictures::flickerStopped, this, [this] { play_->setChecked(false); });
     connect(&flicker_, &QTimer::timeout, this, &CompareView::tick);
@@ -67,7 +77,15 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
 
 CompareView::~CompareView() = default;
 
-void CompareView::makeMethodBar() {
+// The names may be longer than the pane is wide; the buttons stay in sight.
+QWidget* CompareView::makeMethodBar() {
+    auto* const whole = new QWidget(this);
+    auto* const row = new QHBoxLayout(whole);
+    row->setContentsMargins(0, 0, 6, 0);
+    row->setSpacing(2);
+    auto* const names = new NarrowBar(whole);
+    row->addWidget(names, 1);
+    bar_ = names->row();
     for (std::size_t n = 0; n < relief::kMostCompared; ++n) {
         const QString letter(QChar(static_cast<char>('A' + n)));
         QComboBox* const box =
@@ -76,18 +94,18 @@ void CompareView::makeMethodBar() {
                 [this, n, box](int at) { setChoice(n, box->itemData(at).toString()); });
         choosers_.push_back(box);
     }
-    add_ = addToolButton(bar_, QStringLiteral("+"), tr("Set another one beside these"));
+    bar_->addStretch(1);
+    add_ = addToolButton(row, QStringLiteral("+"), tr("Set another one beside these"));
     add_->setObjectName(QStringLiteral("compare-add"));
-    remove_ = addToolButton(bar_, QStringLiteral("−"), tr("Leave out the last one"));
+    remove_ = addToolButton(row, QStringLiteral("−"), tr("Leave out the last one"));
     remove_->setObjectName(QStringLiteral("compare-remove"));
-    showOptions_ = addToolButton(bar_, tr("options"), tr("The options of each"));
+    showOptions_ = addToolButton(row, tr("options"), tr("The options of each"));
     showOptions_->setObjectName(QStringLiteral("compare-options"));
     showOptions_->setCheckable(true);
     connect(showOptions_, &QToolButton::clicked, this, &CompareView::showOptions);
-    bar_->addStretch(1);
-    bar_->setStretch(bar_->count() - 1, 0);
     connect(add_, &QToolButton::clicked, this, &CompareView::addOther);
     connect(remove_, &QToolButton::clicked, this, &CompareView::removeOther);
+    return whole;
 }
 
 void CompareView::makeModeBar() {
@@ -142,7 +160,7 @@ void CompareView::makeModeBar() {
     connect(rate_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double rate) {
         relief::Comparison comparison = workspace_->scenario().comparison;
         comparison.rate = rate;
-        change(comparison, tr("Speed of flicker"));
+        change(comparison, changeName([] { return tr("Speed of flicker"); }));
     });
 }
 

@@ -17,6 +17,7 @@ using relief::MessageId;
 constexpr double kGap = 6;     // points, between tiles
 constexpr double kTitle = 15;  // a line of text
 constexpr double kLine = 12;
+constexpr double kAnyWidth = 1e4;
 constexpr const char* kBetween = "   ";  // numbers in a line
 
 std::string figures(double value) {
@@ -38,6 +39,10 @@ std::vector<std::string> lines(const std::vector<std::string>& numbers, double w
     return out;
 }
 
+bool beside(const CompareSource& source) {
+    return source.mode == CompareMode::Tiles || source.mode == CompareMode::Difference;
+}
+
 struct Grid {
     int columns = 1;
     int rows = 1;
@@ -52,6 +57,10 @@ std::size_t mostLines(const CompareSource& source, double width, relief::Languag
     return most;
 }
 
+double tileText(const CompareSource& source, double width, relief::Language language) {
+    return kTitle + kLine * static_cast<double>(mostLines(source, width, language));
+}
+
 // The one whose pictures are largest.
 Grid gridOf(const CompareSource& source, double width, double height, relief::Language language) {
     Grid best;
@@ -59,8 +68,7 @@ Grid gridOf(const CompareSource& source, double width, double height, relief::La
     for (int columns = 1; columns <= count; ++columns) {
         const int rows = (count + columns - 1) / columns;
         const double w = (width - kGap * (columns - 1)) / columns;
-        const double text = kTitle + kLine * static_cast<double>(mostLines(source, w, language));
-        const double h = (height - kGap * (rows - 1)) / rows - text;
+        const double h = (height - kGap * (rows - 1)) / rows - tileText(source, w, language);
         const double scale = std::min(w, h / source.aspect);
         if (scale > best.scale) best = {columns, rows, scale};
     }
@@ -130,15 +138,17 @@ CompareLayout tiled(const CompareSource& source, double width, double height, re
     return layout;
 }
 
+std::vector<std::string> stackedNumbers(const CompareTile& tile, double width, relief::Language language) {
+    std::vector<std::string> all{tile.name};
+    for (std::string& number : compareNumbers(tile, language)) all.push_back(std::move(number));
+    return lines(all, width);
+}
+
 // All in one place; the numbers of each in a line below.
 CompareLayout stacked(const CompareSource& source, double width, double height, relief::Language language) {
     CompareLayout layout;
     const std::size_t count = source.tiles.size();
-    const auto numbers = [&](const CompareTile& tile) {
-        std::vector<std::string> all{tile.name};
-        for (std::string& number : compareNumbers(tile, language)) all.push_back(std::move(number));
-        return lines(all, width);
-    };
+    const auto numbers = [&](const CompareTile& tile) { return stackedNumbers(tile, width, language); };
     std::size_t below = 0;
     for (const CompareTile& tile : source.tiles) below += numbers(tile).size();
     layout.lines = below = std::max(below, source.lines);
@@ -236,9 +246,28 @@ std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Languag
     return numbers;
 }
 
+double compareLeastHeight(const CompareSource& source, double width, relief::Language language) {
+    constexpr double kLeastPicture = 80;  // points, its width
+    const double picture = kLeastPicture * source.aspect;
+    if (!beside(source)) {
+        std::size_t below = 0;
+        for (const CompareTile& tile : source.tiles) below += stackedNumbers(tile, width, language).size();
+        return picture + kLine * static_cast<double>(std::max(below, source.lines)) + 3;
+    }
+    double least = HUGE_VAL;
+    const int count = static_cast<int>(source.tiles.size());
+    for (int columns = 1; columns <= count; ++columns) {
+        const int rows = (count + columns - 1) / columns;
+        const double w = (width - kGap * (columns - 1)) / columns;
+        if (columns > 1 && w < kLeastPicture) break;
+        least = std::min(least, rows * (picture + tileText(source, w, language)) + kGap * (rows - 1));
+    }
+    return least;
+}
+
 CompareLayout compareLayout(const CompareSource& source, double width, double height, relief::Language language) {
-    const bool beside = source.mode == CompareMode::Tiles || source.mode == CompareMode::Difference;
-    CompareLayout layout = beside ? tiled(source, width, height, language) : stacked(source, width, height, language);
+    CompareLayout layout =
+        beside(source) ? tiled(source, width, height, language) : stacked(source, width, height, language);
     for (const CompareTile& tile : source.tiles) layout.veiled.push_back(tile.veiled);
     layout.bounds = {0, 0, width, height};
     layout.drawing.bounds = layout.bounds;
@@ -246,7 +275,7 @@ CompareLayout compareLayout(const CompareSource& source, double width, double he
 }
 
 Drawing compareScale(const CompareSource& source, relief::Language language) {
-    LegendRows rows(1, language);
+    LegendRows rows(kAnyWidth, language);
     addScale(rows, source);
     return rows.take();
 }

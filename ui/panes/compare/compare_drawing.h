@@ -57,6 +57,8 @@ struct CompareLayout {
 };
 // width, height: points.
 CompareLayout compareLayout(const CompareSource& source, double width, double height, relief::Language language);
+// The least height at which the pictures are large enough to be told apart, with all their numbers.
+double compareLeastHeight(const CompareSource& source, double width, relief::Language language);
 // The scale of differences alone.
 Drawing compareScale(const CompareSource& source, relief::Language language);
 Drawing compareLegend(const CompareSource& source, double width, relief::Language language);

@@ -8,6 +8,7 @@
 #include "panes/compare/compare_view.h"
 #include "panes/core_texts.h"
 #include "panes/options_form.h"
+#include "workspace/change_name.h"
 
 namespace reliefui {
 
@@ -93,7 +94,7 @@ void CompareView::setOption(std::size_t number, const QString& name, const QStri
         others[number - 1] = choice;
     }
     const QChar letter(static_cast<char>('A' + number));
-    workspace_->change(scenario, tr("%1: %2").arg(letter).arg(optionTitle(key)),
+    workspace_->change(scenario, changeName([letter, key] { return tr("%1: %2").arg(letter).arg(optionTitle(key)); }),
                        QStringLiteral("compare-%1-%2").arg(letter).arg(name), live);
 }
 

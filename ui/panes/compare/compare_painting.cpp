@@ -12,7 +12,8 @@ namespace {
 
 // Of the page's height: what explains must leave room for what is explained.
 constexpr double kMostLegend = 0.14;
-constexpr int kVeil = 150;  // of 255
+constexpr int kVeil = 150;         // of 255
+constexpr double kLeastSide = 10;  // points
 
 QRectF fitted(const QRectF& room, const QSize& size) {
     const double scale = std::min(room.width() / size.width(), room.height() / size.height());
@@ -47,8 +48,9 @@ ComparePage comparePage(const CompareSource& source, const Box& page, const Styl
             source.mode == relief::CompareMode::Difference ? compareScale(source, style.language) : Drawing();
     }
     parts.room = figureRoom(parts.legend, page, style);
-    parts.layout = compareLayout(source, std::max(10.0, parts.room.width() / unit),
-                                 std::max(10.0, parts.room.height() / unit), style.language);
+    const double width = std::max(kLeastSide, parts.room.width() / unit);
+    parts.leastHeight = page.height() - parts.room.height() + unit * compareLeastHeight(source, width, style.language);
+    parts.layout = compareLayout(source, width, std::max(kLeastSide, parts.room.height() / unit), style.language);
     return parts;
 }
 

@@ -16,7 +16,8 @@ namespace reliefui {
 struct ComparePage {
     CompareLayout layout;
     Drawing legend;
-    Box room;  // of the layout, in the painter's units
+    Box room;                // of the layout, in the painter's units
+    double leastHeight = 0;  // of the page, below which pictures are too small; in the painter's units
 };
 ComparePage comparePage(const CompareSource& source, const Box& page, const Style& style);
 void paintCompare(QPainter& painter, const ComparedView& view, const relief::Comparison& how, const ComparePage& parts,

@@ -14,6 +14,7 @@
 #include "panes/compare/compare_view.h"
 #include "panes/result/result_painting.h"
 #include "scenario/step_sentence.h"
+#include "workspace/change_name.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -99,11 +100,13 @@ void ComparePictures::relayout() {
         ComparePage parts = comparePage(source, page, workspace()->style());
         mode_ = source.mode;
         lines_ = parts.layout.lines;
+        setMinimumHeight(static_cast<int>(std::ceil(parts.leastHeight)));
         layout_ = std::move(parts.layout);
         legend_ = std::move(parts.legend);
         room_ = parts.room;
     } else {
         layout_ = {};
+        setMinimumHeight(0);
     }
     update();
 }
@@ -207,7 +210,7 @@ void ComparePictures::mouseReleaseEvent(QMouseEvent* event) {
     if (!fits) return;
     scenario.comparison.dividers = dividers_;
     workspace()->settle();
-    workspace()->change(scenario, tr("Move the divider"));
+    workspace()->change(scenario, changeName([] { return tr("Move the divider"); }));
     relayout();
 }
 
@@ -234,7 +237,7 @@ bool ComparePictures::moveDivider(QKeyEvent* event) {
     dividers[held_] = std::clamp(dividers[held_] + by, low, high);
     relief::Scenario scenario = workspace()->scenario();
     scenario.comparison.dividers = dividers;
-    workspace()->change(scenario, tr("Move the divider"), QStringLiteral("divider"));
+    workspace()->change(scenario, changeName([] { return tr("Move the divider"); }), QStringLiteral("divider"));
     relayout();
     return true;
 }

@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "panes/compare/compare_figure.h"
+#include "workspace/change_name.h"
 #include "workspace/discard.h"
 #include "workspace/pause_log.h"
 
@@ -132,7 +133,7 @@ void CompareView::setSubject(relief::CompareSubject subject) {
     if (const auto next = relief::nextVariation(scenario); next && relief::othersOf(scenario.comparison).empty()) {
         relief::othersOf(scenario.comparison).push_back(*next);
     }
-    change(scenario.comparison, tr("What is compared"));
+    change(scenario.comparison, changeName([] { return tr("What is compared"); }));
 }
 
 void CompareView::addOther() {
@@ -142,7 +143,7 @@ void CompareView::addOther() {
     if (!next || others.size() + 1 >= relief::kMostCompared) return;
     others.push_back(*next);
     scenario.comparison.dividers.clear();
-    change(scenario.comparison, tr("Compare with another one"));
+    change(scenario.comparison, changeName([] { return tr("Compare with another one"); }));
 }
 
 void CompareView::removeOther() {
@@ -151,7 +152,7 @@ void CompareView::removeOther() {
     if (others.empty()) return;
     others.pop_back();
     comparison.dividers.clear();
-    change(comparison, tr("Compare with one less"));
+    change(comparison, changeName([] { return tr("Compare with one less"); }));
 }
 
 void CompareView::setChoice(std::size_t number, const QString& name) {
@@ -179,7 +180,9 @@ void CompareView::setChoice(std::size_t number, const QString& name) {
         return showControls();
     }
     workspace_->settle();
-    workspace_->change(scenario, tr("Compare: %1").arg(QChar(static_cast<char>('A' + number))));
+    workspace_->change(scenario, changeName([letter = QChar(static_cast<char>('A' + number))] {
+                           return tr("Compare: %1").arg(letter);
+                       }));
 }
 
 void CompareView::swapWithA(std::size_t number) {
@@ -189,25 +192,25 @@ void CompareView::swapWithA(std::size_t number) {
     if (number == 0 || number > others.size() || subject == relief::CompareSubject::Heights) return;
     const relief::MethodChoice own = std::exchange(others[number - 1], relief::ownVariation(scenario, subject));
     workspace_->settle();
-    workspace_->change(relief::varied(scenario, subject, own), tr("Swap with A"));
+    workspace_->change(relief::varied(scenario, subject, own), changeName([] { return tr("Swap with A"); }));
 }
 
 void CompareView::setMode(relief::CompareMode mode) {
     relief::Comparison comparison = workspace_->scenario().comparison;
     comparison.mode = mode;
-    change(comparison, tr("Way of comparing"));
+    change(comparison, changeName([] { return tr("Way of comparing"); }));
 }
 
 void CompareView::setMeasure(relief::CompareMeasure measure) {
     relief::Comparison comparison = workspace_->scenario().comparison;
     comparison.measure = measure;
-    change(comparison, tr("Difference"));
+    change(comparison, changeName([] { return tr("Difference"); }));
 }
 
 void CompareView::setReference(relief::CompareReference reference) {
     relief::Comparison comparison = workspace_->scenario().comparison;
     comparison.reference = reference;
-    change(comparison, tr("Reference"));
+    change(comparison, changeName([] { return tr("Reference"); }));
 }
 
 void CompareView::tick() {

@@ -128,7 +128,7 @@ class CompareView : public FigureView {
     void letGo() override;
 
   private:
-    void makeMethodBar();
+    QWidget* makeMethodBar();
     void makeModeBar();
     QWidget* makeOptions();
     void refreshOptions();

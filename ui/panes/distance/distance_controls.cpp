@@ -76,6 +76,7 @@ void DistanceView::makeMapBar(QHBoxLayout* bar) {
     kind_ = addChooser(bar, "distance-kind", tr("The map that is shown"));
     minus_ = addChooser(bar, "distance-minus", tr("Another map that is taken away: what is left is where they differ"));
     sector_ = addChooser(bar, "distance-sector", tr("Azimuth sector of the rays that the values are for"));
+    sector_->hide();
     kind_->addItem(tr("the method's map"), QString());
     minus_->addItem(tr("no difference"), QString());
     for (const std::string& kind : relief::mapKinds()) {

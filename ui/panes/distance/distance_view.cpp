@@ -15,6 +15,7 @@
 #include "panes/drawing_canvas.h"
 #include "panes/range_button.h"
 #include "relief/tracers/map_choice.h"
+#include "workspace/change_name.h"
 #include "workspace/discard.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
@@ -29,8 +30,8 @@ void DistanceView::setOptions(const DistanceOptions& options) {
 // drag: what is dragged, one step of undo.
 void DistanceView::change(const DistanceOptions& options, const char* drag) {
     if (options == options_) return;
-    workspace_->change(withState(workspace_->scenario(), paneOf(options)), tr("Distance map: other view"),
-                       QString::fromLatin1(drag));
+    workspace_->change(withState(workspace_->scenario(), paneOf(options)),
+                       changeName([] { return tr("Distance map: other view"); }), QString::fromLatin1(drag));
     showControls();  // where it was refused
 }
 
@@ -157,6 +158,7 @@ void DistanceView::draw() {
             result->legend = distanceLegend(source, result->picture, room.width(), language);
             const auto high = [&] { return result->legend.bounds.height() > kMostLegend * room.height(); };
             if (high()) result->legend = distanceLegend(source, result->picture, room.width(), language, true);
+            if (high()) result->legend = rangeLegend(result->picture.values, room.width(), true);
             if (high()) result->legend = {};
             const bool none = result->legend.bounds.empty();
             const double needed = none ? 0 : result->legend.bounds.height() + kMargin / 2;

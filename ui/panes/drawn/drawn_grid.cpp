@@ -9,6 +9,7 @@
 #include "painting/painter.h"
 #include "panes/drawn/drawn_view.h"
 #include "scenario/step_sentence.h"
+#include "workspace/change_name.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -145,7 +146,7 @@ void DrawnGrid::setHeights(int first, int last, int row, double height) {
     for (int i = std::min(first, last); i <= std::max(first, last); ++i) {
         drawn.heights[static_cast<std::size_t>(drawn.profile() ? i : row * drawn.width + i)] = rounded(height);
     }
-    workspace_->change(scenario, tr("Drag a height"), QStringLiteral("drawn"), true);
+    workspace_->change(scenario, changeName([] { return tr("Drag a height"); }), QStringLiteral("drawn"), true);
 }
 
 void DrawnGrid::mousePressEvent(QMouseEvent* event) {

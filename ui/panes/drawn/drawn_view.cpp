@@ -17,6 +17,7 @@
 #include "panes/drawn/drawn_figure.h"
 #include "relief/addressing.h"
 #include "relief/reliefs.h"
+#include "workspace/change_name.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -163,17 +164,17 @@ void DrawnView::startFromPicture() {
     const double s = hit ? snapshot->trace.hit.s : image.width() / 2.0;
     const double t = hit ? snapshot->trace.hit.t : image.height() / 2.0;
     const auto corner = [&](double at) { return static_cast<int>(std::floor(at)) - side() / 2; };
-    set(drawnOf(image, corner(s), corner(t), side()), tr("Start from the picture"));
+    set(drawnOf(image, corner(s), corner(t), side()), changeName([] { return tr("Start from the picture"); }));
 }
 
 void DrawnView::startFlat(double height) {
     const auto count = static_cast<std::size_t>(side()) * static_cast<std::size_t>(side());
-    set({side(), side(), std::vector<double>(count, height)}, tr("Start from a plain"));
+    set({side(), side(), std::vector<double>(count, height)}, changeName([] { return tr("Start from a plain"); }));
 }
 
 void DrawnView::startFromRecipe(const QString& recipe) {
     const relief::FloatImage image = relief::makeRelief(recipe.toStdString(), side(), side(), 1);
-    set(drawnOf(image, 0, 0, side()), tr("Start from %1").arg(recipe));
+    set(drawnOf(image, 0, 0, side()), changeName([recipe] { return tr("Start from %1").arg(recipe); }));
 }
 
 void DrawnView::setSide(int side) {
@@ -185,7 +186,7 @@ void DrawnView::setSide(int side) {
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < side; ++i) next.heights.push_back(old.at(i * old.width / side, j * old.height / side));
     }
-    set(std::move(next), tr("Texels a side"));
+    set(std::move(next), changeName([] { return tr("Texels a side"); }));
 }
 
 void DrawnView::setProfile(bool on) {
@@ -197,7 +198,7 @@ void DrawnView::setProfile(bool on) {
     const std::vector<double> line(begin, begin + width);
     next.heights.clear();
     for (int j = 0; j < (on ? 1 : next.height); ++j) next.heights.insert(next.heights.end(), line.begin(), line.end());
-    set(std::move(next), on ? tr("Profile") : tr("Grid"));
+    set(std::move(next), changeName([on] { return on ? tr("Profile") : tr("Grid"); }));
 }
 
 void DrawnView::setHeight(double height) {
@@ -208,7 +209,7 @@ void DrawnView::setHeight(double height) {
     const auto place = static_cast<std::size_t>(row * next.width + chosen->first);
     if (place >= next.heights.size()) return;
     next.heights[place] = std::round(height * kThousand) / kThousand;
-    set(std::move(next), tr("Height of a texel"));
+    set(std::move(next), changeName([] { return tr("Height of a texel"); }));
 }
 
 std::shared_ptr<const Figure> DrawnView::figure() const {

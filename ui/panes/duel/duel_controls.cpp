@@ -16,6 +16,7 @@
 #include "panes/name_box.h"
 #include "panes/pane_controls.h"
 #include "scenario/variation.h"
+#include "workspace/change_name.h"
 
 namespace reliefui {
 
@@ -62,7 +63,7 @@ void DuelView::makeButtons(QHBoxLayout* bar) {
     button(QStringLiteral("◀"), tr("Back in lock step"), &DuelView::back);
     button(QStringLiteral("▶"), tr("On in lock step: those furthest behind take their next step"), &DuelView::forward);
     button(QStringLiteral("▶|"), tr("All at their answers"), &DuelView::last);
-    divergence_ = button(tr("first divergence"), tr("To the first step that the exact answer contradicts (Ctrl+D)"),
+    divergence_ = button(tr("divergence"), tr("To the first step that the exact answer contradicts (Ctrl+D)"),
                          &DuelView::toDivergence);
     divergence_->setObjectName(QStringLiteral("duel-divergence"));
     near_ = addToolButton(bar, tr("near the ray"), tr("Only the heights that the ray comes through"), true);
@@ -93,7 +94,7 @@ void DuelView::setRival(int place, const QString& method) {
     if (there != others.end() && there->name == method.toStdString()) return;
     if (method.isEmpty()) {
         if (there != others.end()) others.erase(there);
-        workspace_->change(wanted, tr("Methods of the duel"));
+        workspace_->change(wanted, changeName([] { return tr("Methods of the duel"); }));
         return showChoosers();
     }
     relief::Scenario methods = wanted;
@@ -105,7 +106,7 @@ void DuelView::setRival(int place, const QString& method) {
     } else {
         others.push_back(*choice);
     }
-    workspace_->change(wanted, tr("Methods of the duel"));
+    workspace_->change(wanted, changeName([] { return tr("Methods of the duel"); }));
 }
 
 void DuelView::showNearRay(bool on) {

@@ -6,6 +6,7 @@
 
 #include "painting/chart.h"
 #include "painting/legend_rows.h"
+#include "painting/text_width.h"
 
 namespace reliefui {
 
@@ -24,19 +25,32 @@ constexpr double kRing = 6;
 constexpr double kLeastGap = 4;  // between marks
 constexpr double kNameSize = 0.9;
 constexpr double kNumberSize = 0.8;
-constexpr double kMostNames = 0.26;  // of the width
+constexpr double kLeastNameSize = 0.65;
+constexpr double kNameGap = 8;       // between a name and its track
+constexpr double kMostNames = 0.3;   // of the width
 constexpr double kLeastWidth = 260;  // with names beside the tracks
+constexpr double kMostTracks = 0.5;  // of the height, where they are still told apart
+constexpr double kLeastTrack = 13;
+
+// Of all tracks, smaller letters where the longest has no room.
+double nameSize(const DuelSource& source, double width) {
+    double longest = 1;
+    for (const relief::DuelRun& run : *source.runs) longest = std::max(longest, textWidth(run.name, 1));
+    return std::clamp((kMostNames * width - kNameGap) / longest, kLeastNameSize, kNameSize);
+}
 
 // Room for the names of the tracks, left of them.
 double namesWidth(const DuelSource& source, double width) {
     if (width < kLeastWidth) return 0;
-    double widest = 0;
-    for (const relief::DuelRun& run : *source.runs) widest = std::max(widest, textWidth(run.name, kNameSize));
-    return std::min(widest + 12, kMostNames * width);
+    double longest = 0;
+    const double size = nameSize(source, width);
+    for (const relief::DuelRun& run : *source.runs) longest = std::max(longest, textWidth(run.name, size));
+    return longest + kNameGap + 2;
 }
 
-double tracksHeight(const DuelSource& source) {
-    return kAboveTracks + kTrack * static_cast<double>(source.count());
+double tracksHeight(const DuelSource& source, double height) {
+    const auto count = static_cast<double>(std::max<std::size_t>(source.count(), 1));
+    return kAboveTracks + count * std::clamp((kMostTracks * height - kAboveTracks) / count, kLeastTrack, kTrack);
 }
 
 LevelTint tintOf(std::size_t run) {
@@ -108,8 +122,8 @@ class DuelMarks {
     void name(std::size_t r, double y) {
         const bool beside = frame_.plot.x0 > chart::kLeft;
         const double x = beside ? frame_.plot.x0 : frame_.plot.x1;
-        text({x, y}, plainText(run(r).name), Anchor::Right, {beside ? -8.0 : -2.0, beside ? 0 : -spacing() / 4},
-             kNameSize);
+        text({x, y}, plainText(run(r).name), Anchor::Right, {beside ? -kNameGap : -2.0, beside ? 0 : -spacing() / 4},
+             beside ? nameSize(source_, frame_.whole.width()) : kNameSize);
     }
 
     // The stretch that its first fault is about.
@@ -121,6 +135,9 @@ class DuelMarks {
         const bool first = source_.first == r;
         drawing_.add({}, Role::Overshoot, Rectangle{box, true, 0, 3}, Emphasis::Faint);
         drawing_.add({}, Role::Overshoot, Rectangle{box, false, 0, 3}, first ? Emphasis::Strong : Emphasis::Normal);
+        // Between tracks that are close together there is no room; what went wrong is said below as well.
+        constexpr double kLeastForTitle = 20;
+        if (spacing() < kLeastForTitle) return;
         // Not over the tracks' names, nor beyond the plot.
         constexpr double kHalfTitle = 45;
         const double low = frame_.plot.x0 + kHalfTitle * unit_;
@@ -183,7 +200,7 @@ Shape runShape(std::size_t run) {
 
 ProfileFrame duelFrame(const DuelSource& source, const ProfileOptions& options, double width, double height) {
     constexpr double kLeastPlot = 58;
-    const double room = std::min(tracksHeight(source), std::max(0.0, height - kLeastPlot));
+    const double room = std::min(tracksHeight(source, height), std::max(0.0, height - kLeastPlot));
     ProfileSource profile = source.profile;
     if (source.upTo > 0) {
         profile.hit.outcome = relief::Outcome::Hit;

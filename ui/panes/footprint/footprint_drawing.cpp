@@ -222,6 +222,7 @@ class Marks {
     void numbers() {
         constexpr double kAcross = 60;  // points between numbers
         constexpr double kDown = 30;
+        constexpr double kHalf = 6;  // of a number's height, and what is around it: none is cut at the lower side
         const double unit = 1 / scale_;
         const auto along = [&](double low, double high, double apart, const LevelAxis& axis, const auto& place) {
             if (!(high > low)) return;
@@ -243,7 +244,7 @@ class Marks {
             label.anchor = Anchor::Top;
             label.offset = {0, 3};
         });
-        along(seen_.y0 + 2 * kDown / 3 * unit, seen_.y1, kDown, f_.down, [&](Label& label, double at) {
+        along(seen_.y0 + 2 * kDown / 3 * unit, seen_.y1 - kHalf * unit, kDown, f_.down, [&](Label& label, double at) {
             label.at = {seen_.x0, at};
             label.anchor = Anchor::Left;
             label.offset = {4, 0};

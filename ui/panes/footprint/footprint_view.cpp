@@ -14,6 +14,7 @@
 #include "panes/footprint/weight_drawing.h"
 #include "panes/pane_controls.h"
 #include "scenario/step_sentence.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
@@ -94,8 +95,9 @@ void FootprintView::makeBar(QHBoxLayout* bar) {
 void FootprintView::setOptions(const FootprintOptions& options) {
     if (options == options_) return;
     const bool neighbours = options.neighbours != options_.neighbours;
-    workspace_->change(withState(workspace_->scenario(), FootprintPane{options.neighbours, options.weights}),
-                       neighbours ? tr("Footprint: neighbours") : tr("Footprint: weights"));
+    workspace_->change(
+        withState(workspace_->scenario(), FootprintPane{options.neighbours, options.weights}),
+        changeName([neighbours] { return neighbours ? tr("Footprint: neighbours") : tr("Footprint: weights"); }));
 }
 
 void FootprintView::adopt() {

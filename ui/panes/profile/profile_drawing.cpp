@@ -201,22 +201,48 @@ Drawing profileRelief(const ProfileSource& source, const ProfileOptions& options
     return drawing;
 }
 
+namespace {
+
+// An entry for each level.
+void addLevels(LegendRows& rows, const std::vector<int>& levels, int all) {
+    constexpr double kShort = 10;
+    bool first = true;
+    for (const int level : levels) {
+        const Message what =
+            first ? Message(MessageId::DrawMaxima, {{"level", level}}) : plainText(std::to_string(level));
+        rows.line(Role::Plateau, what, {level, all}, kShort);
+        first = false;
+    }
+}
+
+// All of them in one: their colours in a row, "level 0 – 10".
+void addLevelRange(LegendRows& rows, const std::vector<int>& levels, int all) {
+    if (levels.size() < 2) return addLevels(rows, levels, all);
+    constexpr double kPiece = 6;
+    const std::string range = std::to_string(levels.front()) + " – " + std::to_string(levels.back());
+    const Message what(MessageId::DrawMaxima, {{"level", range}});
+    const double length = kPiece * static_cast<double>(levels.size());
+    const Point at = rows.place(length + 4 + rows.textRoom(what) + LegendRows::kBetween);
+    double x = at.x;
+    for (const int level : levels) {
+        rows.add(Role::Plateau, Polyline{{{x, at.y}, {x + kPiece, at.y}}, false}, {level, all});
+        x += kPiece;
+    }
+    rows.text({x + 4, at.y}, what);
+}
+
+}  // namespace
+
 Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options, double width,
-                      relief::Language language) {
+                      relief::Language language, bool brief) {
     LegendRows rows(width, language);
     rows.line(Role::Surface, Message(MessageId::DrawSurface));
     if (!source.hasRay) return rows.take();
     if (source.point != nullptr) addPointLegend(rows, *source.point);
     rows.line(Role::Ray, Message(MessageId::DrawRay));
     const int levels = source.maxima->pyramid.levels();
-    bool first = true;
-    for (const int level : profileLevels(source, options)) {
-        const Message what =
-            first ? Message(MessageId::DrawMaxima, {{"level", level}}) : plainText(std::to_string(level));
-        constexpr double kShort = 10;
-        rows.line(Role::Plateau, what, {level, levels}, kShort);
-        first = false;
-    }
+    brief ? addLevelRange(rows, profileLevels(source, options), levels)
+          : addLevels(rows, profileLevels(source, options), levels);
     if (source.steps != nullptr && runOf(source.ray) >= kVerticalRun) {
         rows.bodies(*source.steps, source.ray, source.exact);
     }
@@ -227,7 +253,7 @@ Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options
     if (!options.guessing && source.exact.outcome == relief::Outcome::Hit) {
         rows.sign(Role::Hit, Ring{{}, 5.5}, Message(MessageId::DrawExact));
     }
-    rows.decisions(decisionsSeen(source.steps, source.hit.outcome == relief::Outcome::Hit));
+    if (!brief) rows.decisions(decisionsSeen(source.steps, source.hit.outcome == relief::Outcome::Hit));
     return rows.take();
 }
 

@@ -92,9 +92,10 @@ void addGuess(Drawing& drawing, const ProfileSource& source, const ProfileOption
 double guessError(const ProfileSource& source, double guess);
 // Numbers and units, at the edges of what is seen.
 Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame);
-// In at most `width` points; only what occurs.
+// In at most `width` points; only what occurs. brief: all levels in one entry, and without the decisions, whose marks
+// have their names in the table of steps.
 Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options, double width,
-                      relief::Language language);
+                      relief::Language language, bool brief = false);
 
 // What is under a point of the drawing.
 struct ProfileReading {

@@ -9,6 +9,7 @@
 #include "panes/profile/profile_figure.h"
 #include "panes/ray_geometry.h"
 #include "scenario/step_sentence.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
@@ -75,7 +76,7 @@ void ProfileView::makeBar() {
 }
 
 void ProfileView::change(const ProfilePane& pane) {
-    workspace_->change(withState(workspace_->scenario(), pane), tr("Profile: other view"));
+    workspace_->change(withState(workspace_->scenario(), pane), changeName([] { return tr("Profile: other view"); }));
     adopt();
 }
 
@@ -131,10 +132,14 @@ void ProfileView::showSnapshot() {
     }
     point_.ask(shown_, query_);
     const ProfileSource from = source();
-    // The legend first: what it needs is not left to the plot. Where it would take too much it is left out.
+    // The legend first: what it needs is not left to the plot. Where it would take too much it says less.
     constexpr double kMostLegend = 0.25;
-    legend_ = canvas_->showLegend(profileLegend(from, options_, canvas_->legendWidth(), workspace_->style().language),
-                                  kMostLegend);
+    const relief::Language language = workspace_->style().language;
+    for (const bool brief : {false, true}) {
+        legend_ =
+            canvas_->showLegend(profileLegend(from, options_, canvas_->legendWidth(), language, brief), kMostLegend);
+        if (!legend_->bounds.empty()) break;
+    }
     const QSizeF room = canvas_->room();
     frame_ = profileFrame(from, options_, room.width(), room.height());
     // Where it lies, so that the canvas knows what it shows.

@@ -12,6 +12,7 @@
 #include "panes/pyramid/pyramid_stack.h"
 #include "panes/range_button.h"
 #include "scenario/step_sentence.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
@@ -75,7 +76,7 @@ QHBoxLayout* PyramidView::makeBar() {
 }
 
 void PyramidView::change(const PyramidPane& pane) {
-    workspace_->change(withState(workspace_->scenario(), pane), tr("Pyramid: other view"));
+    workspace_->change(withState(workspace_->scenario(), pane), changeName([] { return tr("Pyramid: other view"); }));
     adopt();
 }
 

@@ -10,6 +10,7 @@
 #include "panes/drawing_canvas.h"
 #include "panes/rows/rows_figure.h"
 #include "scenario/step_sentence.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
@@ -32,7 +33,8 @@ void RowsView::setOptions(const RowsOptions& options) {
 
 void RowsView::change(const RowsOptions& options) {
     if (options == options_) return;
-    workspace_->change(withState(workspace_->scenario(), paneOf(options)), tr("Rows: other variants"));
+    workspace_->change(withState(workspace_->scenario(), paneOf(options)),
+                       changeName([] { return tr("Rows: other variants"); }));
     showControls();  // where it was refused
 }
 

@@ -17,6 +17,7 @@
 
 #include "panes/pane_controls.h"
 #include "panes/trace/trace_figure.h"
+#include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
@@ -97,7 +98,14 @@ Style Trace3dView::deviceStyle() const {
     return style;
 }
 
+// Whole or not at all: a number that is cut is another one. The tool tip has it always.
+void Trace3dView::fitNote() {
+    const QString text = note_->toolTip();
+    note_->setText(note_->fontMetrics().horizontalAdvance(text) <= note_->width() ? text : QString());
+}
+
 void Trace3dView::takeSize() {
+    fitNote();
     picture_.setSize(widget_->size() * widget_->devicePixelRatioF());
 }
 
@@ -113,7 +121,8 @@ void Trace3dView::showSnapshot() {
                       shown->trace.hidden == snapshot->trace.hidden;
     if (same && cameIntoSight()) showStep(workspace_->scenario().step);
     if (same) return;
-    note_->clear();
+    note_->setToolTip({});
+    fitNote();
     takeSize();
     picture_.setColors(stepColors(pane_.colors));
     picture_.show(snapshot, deviceStyle(), pane_.heights, workspace_->whyEmpty());
@@ -125,7 +134,8 @@ void Trace3dView::showSnapshot() {
 
 void Trace3dView::letGo() {
     picture_.show(nullptr, deviceStyle(), pane_.heights);
-    note_->clear();
+    note_->setToolTip({});
+    fitNote();
 }
 
 void Trace3dView::showStep(int step) {
@@ -134,9 +144,10 @@ void Trace3dView::showStep(int step) {
     picture_.showStep(step);
     if (const TraceScene* const scene = picture_.scene()) {
         const auto number = [](double v) { return QString::fromStdString(relief::numberText(v, 3)); };
-        note_->setText(tr("%1 × %2 × %3 texels")
-                           .arg(number(scene->patch.width()), number(scene->patch.height()),
-                                number(picture_.shown()->request->field.slabTexels())));
+        note_->setToolTip(tr("%1 × %2 × %3 texels")
+                              .arg(number(scene->patch.width()), number(scene->patch.height()),
+                                   number(picture_.shown()->request->field.slabTexels())));
+        fitNote();
         if (pane_.follow) picture_.follow(step);
     }
     render();
@@ -148,7 +159,7 @@ void Trace3dView::fit() {
 }
 
 void Trace3dView::change(const TracePane& pane) {
-    workspace_->change(withState(workspace_->scenario(), pane), tr("Trace 3-D: other view"));
+    workspace_->change(withState(workspace_->scenario(), pane), changeName([] { return tr("Trace 3-D: other view"); }));
     adopt();
 }
 

@@ -62,6 +62,7 @@ class Trace3dView : public FigureView {
     void render();
     void renderNow();
     void takeSize();
+    void fitNote();
     Style deviceStyle() const;
 
     QVTKOpenGLNativeWidget* widget_;

@@ -1,0 +1,153 @@
+// The layouts of 1280 x 720, the usual projector, as golden pictures of the whole window: all panes, one that fills it,
+// one that is taught with, on a desk and projected; in English dark and in Ukrainian light. 3-D is in them.
+#include <QDockWidget>
+#include <QLabel>
+#include <QPainter>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QWindow>
+
+#include "golden.h"
+#include "window_fixture.h"
+#include "windows/pane_title.h"
+#include "windows/program.h"
+#include "windows/step_bar.h"
+#include "windows/time_pane.h"
+
+namespace reliefui {
+
+namespace {
+
+constexpr QSize kWindow(1280, 720);
+constexpr int kSettledMs = 6000;
+
+// Half as large, in 16 steps a channel: so a picture takes 60 kB, and a cut letter is still seen.
+QImage reduced(const QImage& picture) {
+    constexpr int kStep = 17;
+    QImage small = picture.scaled(kWindow / 2, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                       .convertToFormat(QImage::Format_RGB32);
+    const auto coarse = [](int value) { return (value + kStep / 2) / kStep * kStep; };
+    for (int y = 0; y < small.height(); ++y) {
+        auto* const line = reinterpret_cast<QRgb*>(small.scanLine(y));
+        for (int x = 0; x < small.width(); ++x) {
+            line[x] = qRgb(coarse(qRed(line[x])), coarse(qGreen(line[x])), coarse(qBlue(line[x])));
+        }
+    }
+    return small;
+}
+
+class LayoutPictures : public WindowTest {
+  protected:
+    void TearDown() override {
+        WindowTest::TearDown();
+        if (haveDisplay()) speak({});
+    }
+    QDockWidget* dock(const char* name) const { return window_->findChild<QDockWidget*>(QLatin1String(name)); }
+    void fill(const char* name) { Q_EMIT qobject_cast<PaneTitle*>(dock(name)->titleBarWidget())->fillRequested(); }
+
+    // When nothing in it changes any more. The right half of the last line says how long the frame took: that is
+    // another time on every machine.
+    QImage settledWindow() const {
+        const auto shot = [this] {
+            QImage picture = window_->grab().toImage();
+            QRect line = window_->statusBar()->geometry();
+            line.setLeft(line.center().x());
+            QPainter(&picture).fillRect(line, Qt::gray);
+            return picture;
+        };
+        constexpr int kApart = 250;
+        QImage now = shot();
+        for (int waited = 0; waited < kSettledMs; waited += kApart) {
+            QTest::qWait(kApart);
+            QImage next = shot();
+            if (next == now) return now;
+            now = next;
+        }
+        ADD_FAILURE() << "the window does not come to rest";
+        return now;
+    }
+    QString saved() const {
+        const QString path = folder_.filePath(QStringLiteral("window.png"));
+        EXPECT_TRUE(reduced(settledWindow()).save(path));
+        return path;
+    }
+
+    void openAt720(const QString& language, bool light) {
+        speak(language);
+        openWindow(deepRay());
+        // Where tests before this one left the pointer something would be lit.
+        QTest::mouseMove(window_->windowHandle(), QPoint(900, 10));
+        window_->setLightTheme(light);
+        workspace_->chooseStep(5);
+        resize();
+    }
+    void resize() {
+        ASSERT_TRUE(QTest::qWaitFor(
+            [this] {
+                window_->resize(kWindow);
+                return window_->size() == kWindow;
+            },
+            kSettledMs));
+        window_->resetLayout();
+    }
+
+    // The panes that are looked at are one of each kind: numbers beside pictures, a drawing, 3-D.
+    void expectAll(const std::string& ending) {
+        for (const bool projector : {false, true}) {
+            const std::string name = std::string(projector ? "projector" : "desk") + "-" + ending;
+            window_->setProjector(projector);
+            resize();
+            dock("pyramid-pane")->raise();
+            expectGolden(saved(), "window-" + name);
+            fill("profile-pane");
+            expectGolden(saved(), "window-filled-" + name);
+            fill("profile-pane");
+            dock("trace-pane")->raise();
+            window_->setTeaching(true);
+            expectGolden(saved(), "window-teach-" + name);
+            window_->setTeaching(false);
+        }
+        window_->setProjector(false);
+    }
+
+    QTemporaryDir folder_;
+};
+
+TEST_F(LayoutPictures, EnglishDark) {
+    openAt720(QStringLiteral("en"), false);
+    expectAll("english");
+}
+
+TEST_F(LayoutPictures, UkrainianLight) {
+    openAt720(QStringLiteral("uk"), true);
+    expectAll("ukrainian");
+    window_->setLightTheme(false);
+}
+
+// What is to be found is found: another place of a dock, a word that is cut, a button that is gone.
+TEST_F(LayoutPictures, WhatIsElsewhereIsSeen) {
+    openAt720(QStringLiteral("en"), false);
+    dock("pyramid-pane")->raise();
+    const std::string name = "window-desk-english";
+    EXPECT_LT(goldenDifference(saved(), name).flip, kGoldenBound);
+    const auto differs = [&] { return goldenDifference(saved(), name).flip > 1.5 * kGoldenBound; };
+    QLabel* count = nullptr;
+    for (auto* const label : window_->time()->bar()->findChildren<QLabel*>()) {
+        if (label->text().startsWith(QStringLiteral("step "))) count = label;
+    }
+    ASSERT_NE(count, nullptr);
+    const QString said = count->text();
+    count->setText(said.left(said.size() - 2));
+    EXPECT_TRUE(differs()) << "a label is cut";
+    count->setText(said);
+    window_->resizeDocks({dock("scene-pane")}, {dock("scene-pane")->width() + 24}, Qt::Horizontal);
+    EXPECT_TRUE(differs()) << "a dock is wider";
+    window_->resetLayout();
+    EXPECT_FALSE(differs());
+    window_->addDockWidget(Qt::RightDockWidgetArea, dock("scene-pane"));
+    EXPECT_TRUE(differs()) << "a dock is elsewhere";
+}
+
+}  // namespace
+
+}  // namespace reliefui
