@@ -156,7 +156,8 @@ TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
         PaneStates panes = panesOf(walls());
         ASSERT_TRUE(panes.query);
         const auto picture = [&] {
-            return figureImage(*figureKind(name).make(snapshot(), scenario().step, panes), {}, 500);
+            relief::Work work;
+            return figureImage(*figureKind(name).make(snapshot(), scenario().step, panes), {}, 500, work);
         };
         const QImage with = picture();
         panes.query.reset();

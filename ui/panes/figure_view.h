@@ -10,7 +10,6 @@
 #include <QWidget>
 
 #include "panes/figure_export.h"
-#include "workspace/mailbox.h"
 #include "workspace/pane_states.h"
 #include "workspace/workspace.h"
 
@@ -38,7 +37,7 @@ class FigureView : public QWidget {
     // Asks where to first.
     void askFigure();
 
-    // What it computes.
+    // What it computes; its figures: Workspace::cancel().
     virtual void cancel() {}
 
   signals:
@@ -98,7 +97,7 @@ class FigureView : public QWidget {
     FigurePage page() const;
     void setPoint(const std::optional<QueryPoint>& point);
     void addPointToMenu(QMenu& menu, const QPoint& at);
-    void drawAside(const Figure& figure, std::function<std::function<void()>()> draw);
+    void drawAside(const Figure& figure, BackgroundTasks::Task draw);
 
     QString name_;
     QString dialog_;
@@ -107,7 +106,6 @@ class FigureView : public QWidget {
     int saving_ = 0;
     bool stale_ = true;  // changed while it was out of sight
     bool cameIntoSight_ = false;
-    Mailbox mailbox_{this};
 };
 
 }  // namespace reliefui

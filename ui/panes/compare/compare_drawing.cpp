@@ -17,6 +17,7 @@ using relief::MessageId;
 constexpr double kGap = 6;     // points, between tiles
 constexpr double kTitle = 15;  // a line of text
 constexpr double kLine = 12;
+constexpr double kAbove = 3;             // numbers below pictures that share a place
 constexpr const char* kBetween = "   ";  // numbers in a line
 
 std::string figures(double value) {
@@ -85,7 +86,8 @@ std::size_t mostLines(const CompareSource& source, double width, relief::Languag
 Grid gridOf(const CompareSource& source, double width, double height, relief::Language language) {
     Grid best;
     const int count = static_cast<int>(source.tiles.size());
-    for (int columns = 1; columns <= count; ++columns) {
+    const int most = source.columns > 0 ? source.columns : count;
+    for (int columns = std::max(source.columns, 1); columns <= most; ++columns) {
         const int rows = (count + columns - 1) / columns;
         const double w = (width - kGap * (columns - 1)) / columns;
         const double text = kTitle + kLine * static_cast<double>(mostLines(source, w, language));
@@ -139,6 +141,23 @@ void addMissing(Drawing& drawing, const CompareTile& tile, const Box& room) {
     drawing.add({}, tile.veiled ? Role::Background : Role::Label, std::move(label));
 }
 
+bool beside(const CompareSource& source) {
+    return source.mode == CompareMode::Tiles || source.mode == CompareMode::Difference;
+}
+
+// Below pictures that share a place: name and numbers of one.
+std::vector<std::string> numberLines(const CompareTile& tile, double width, relief::Language language) {
+    std::vector<std::string> all{tile.name};
+    for (std::string& number : compareNumbers(tile, language)) all.push_back(std::move(number));
+    return lines(all, width);
+}
+
+std::size_t linesBelow(const CompareSource& source, double width, relief::Language language) {
+    std::size_t below = 0;
+    for (const CompareTile& tile : source.tiles) below += numberLines(tile, width, language).size();
+    return std::max(below, source.lines);
+}
+
 CompareLayout tiled(const CompareSource& source, double width, double height, relief::Language language) {
     CompareLayout layout;
     const Grid grid = gridOf(source, width, height, language);
@@ -168,16 +187,9 @@ CompareLayout tiled(const CompareSource& source, double width, double height, re
 CompareLayout stacked(const CompareSource& source, double width, double height, relief::Language language) {
     CompareLayout layout;
     const std::size_t count = source.tiles.size();
-    const auto numbers = [&](const CompareTile& tile) {
-        std::vector<std::string> all{tile.name};
-        for (std::string& number : compareNumbers(tile, language)) all.push_back(std::move(number));
-        return lines(all, width);
-    };
-    std::size_t below = 0;
-    for (const CompareTile& tile : source.tiles) below += numbers(tile).size();
-    layout.lines = below = std::max(below, source.lines);
+    layout.lines = linesBelow(source, width, language);
     // As large as the picture: dividers divide it, not what lies beside it.
-    const double most = std::max(1.0, height - kLine * static_cast<double>(below) - 3);
+    const double most = std::max(1.0, height - kLine * static_cast<double>(layout.lines) - kAbove);
     const double side = std::min(width, most / source.aspect);
     const Box room{(width - side) / 2, 0, (width + side) / 2, side * source.aspect};
     layout.dividers = source.dividers;
@@ -212,10 +224,10 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
         layout.drawing.add(id, Role::Highlight, Marker{{clip.x0, room.center().y}, Shape::Diamond, 11},
                            Emphasis::Strong);
     }
-    double y = room.y1 + 3 + kLine / 2;
+    double y = room.y1 + kAbove + kLine / 2;
     for (const CompareTile& tile : source.tiles) {
         const bool strong = source.mode == CompareMode::Flicker && &tile == &source.tiles[source.shown];
-        for (const std::string& line : numbers(tile)) {
+        for (const std::string& line : numberLines(tile, width, language)) {
             add(layout.drawing, {2, y}, line, chart::kTextSize, Anchor::Left, Role::Legend,
                 strong ? Emphasis::Strong : Emphasis::Normal);
             y += kLine;
@@ -224,10 +236,12 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
     return layout;
 }
 
-void addScale(LegendRows& rows, const CompareSource& source) {
-    const bool flip = source.measure == relief::CompareMeasure::Flip;
-    rows.ramp(ColorMap::Count, Message(flip ? MessageId::DrawCompareFlip : MessageId::DrawCompareL1,
-                                       {{"high", (flip ? "" : "≥ ") + figures(source.high)}}));
+// None where differences are not shown.
+std::optional<RangedValues> scaleOf(const CompareSource& source, relief::Language language) {
+    if (source.mode != CompareMode::Difference || !source.errors) return std::nullopt;
+    RangedValues values = *source.errors;
+    values.name = relief::sentence(compareErrorName(source.measure), language);
+    return values;
 }
 
 }  // namespace
@@ -272,23 +286,36 @@ std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Languag
 }
 
 CompareLayout compareLayout(const CompareSource& source, double width, double height, relief::Language language) {
-    const bool beside = source.mode == CompareMode::Tiles || source.mode == CompareMode::Difference;
-    CompareLayout layout = beside ? tiled(source, width, height, language) : stacked(source, width, height, language);
+    CompareLayout layout =
+        beside(source) ? tiled(source, width, height, language) : stacked(source, width, height, language);
     for (const CompareTile& tile : source.tiles) layout.veiled.push_back(tile.veiled);
     layout.bounds = {0, 0, width, height};
     layout.drawing.bounds = layout.bounds;
     return layout;
 }
 
-Drawing compareScale(const CompareSource& source, relief::Language language) {
-    LegendRows rows(1, language);
-    addScale(rows, source);
-    return rows.take();
+Message compareErrorName(relief::CompareMeasure measure) {
+    return Message(measure == relief::CompareMeasure::Flip ? MessageId::DrawCompareFlip : MessageId::DrawCompareL1);
+}
+
+double compareHeight(const CompareSource& source, double width, relief::Language language) {
+    if (!beside(source)) {
+        return width * source.aspect + kAbove + kLine * static_cast<double>(linesBelow(source, width, language));
+    }
+    const int rows = (static_cast<int>(source.tiles.size()) + source.columns - 1) / source.columns;
+    const double w = (width - kGap * (source.columns - 1)) / source.columns;
+    const double one = kTitle + w * source.aspect + kLine * static_cast<double>(mostLines(source, w, language));
+    return one * rows + kGap * (rows - 1);
+}
+
+Drawing compareScale(const CompareSource& source, double width, relief::Language language) {
+    const auto values = scaleOf(source, language);
+    return values ? rangeLegend(*values, width, true) : Drawing();
 }
 
 Drawing compareLegend(const CompareSource& source, double width, relief::Language language) {
     LegendRows rows(width, language);
-    if (source.mode == CompareMode::Difference) addScale(rows, source);
+    if (const auto values = scaleOf(source, language)) rows.block(rangeLegend(*values, width));
     const bool filters = source.subject == relief::CompareSubject::Filters;
     const Message note =
         source.rays > 0 ? Message(filters ? MessageId::DrawCompareFiltersAgainst : MessageId::DrawCompareAgainst,

@@ -34,12 +34,12 @@ DistancePane paneOf(const DistanceOptions& options) {
 
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                              const DistanceOptions& options, const std::optional<QueryPoint>& point) {
-    return paintedFigure(
-        [snapshot, step, options, point](QPainter& painter, const Box& page, const Style& style) {
-            relief::Work work;
-            const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
-            DistanceSource source = distanceSource(*snapshot, maps);
-            source.point = pointOf(*snapshot, point, work);
+    return computedFigure([snapshot, step, options, point](const FigurePage&, relief::Work& work) {
+        const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
+        DistanceSource source = distanceSource(*snapshot, maps);
+        source.point = pointOf(*snapshot, point, work);
+        const auto paint = [snapshot, maps, source, step, options](QPainter& painter, const Box& page,
+                                                                   const Style& style) {
             const double unit = style.pixelsPerPoint();
             const auto pictureIn = [&](const Box& room) {
                 return distancePicture(source, options, step, room.width() / unit, room.height() / unit,
@@ -51,8 +51,9 @@ std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> sna
             const DistancePicture picture = pictureIn(figureRoom(legend, page, style));
             const Drawing marks = distanceMarks(source, picture.frame, step);
             paintFigure(painter, {&picture.drawing, &marks}, legend, page, style);
-        },
-        figureCaption(snapshot, step));
+        };
+        return paintedFigure(paint, figureCaption(snapshot, step));
+    });
 }
 
 }  // namespace reliefui

@@ -27,11 +27,10 @@ void takeProfile(ProfileOptions& options, const ProfilePane& pane) {
 std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                             const ProfileOptions& options, const std::optional<QueryPoint>& point) {
     requireRay("profile", *snapshot);
-    return paintedFigure(
-        [snapshot, step, options, point](QPainter& painter, const Box& page, const Style& style) {
-            ProfileSource source = profileSource(*snapshot);
-            relief::Work work;
-            source.point = pointOf(*snapshot, point, work);
+    return computedFigure([snapshot, step, options, point](const FigurePage&, relief::Work& work) {
+        ProfileSource source = profileSource(*snapshot);
+        source.point = pointOf(*snapshot, point, work);
+        const auto paint = [snapshot, source, step, options](QPainter& painter, const Box& page, const Style& style) {
             const double unit = style.pixelsPerPoint();
             const Drawing legend = profileLegend(source, options, page.width() / unit - kFigureMargins, style.language);
             const Box room = figureRoom(legend, page, style);
@@ -40,8 +39,9 @@ std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snap
             const Drawing marks = profileMarks(source, options, frame, step);
             const Drawing axes = profileAxes(source, frame);
             paintFigure(painter, {&relief, &axes, &marks}, legend, page, style);
-        },
-        figureCaption(snapshot, step));
+        };
+        return paintedFigure(paint, figureCaption(snapshot, step));
+    });
 }
 
 }  // namespace reliefui
