@@ -315,7 +315,14 @@ Drawing compareScale(const CompareSource& source, double width, relief::Language
 
 Drawing compareLegend(const CompareSource& source, double width, relief::Language language) {
     LegendRows rows(width, language);
-    if (const auto values = scaleOf(source, language)) rows.block(rangeLegend(*values, width));
+    if (source.mode == CompareMode::Difference) {
+        RangedValues none;
+        none.spread = std::make_shared<const ValueSpread>();
+        Drawing scale = rangeLegend(scaleOf(source, language).value_or(none), width);
+        // Not measured yet: its room alone, so that pictures stay where they are.
+        if (!source.errors) scale.items.clear();
+        rows.block(std::move(scale));
+    }
     const bool filters = source.subject == relief::CompareSubject::Filters;
     const Message note =
         source.rays > 0 ? Message(filters ? MessageId::DrawCompareFiltersAgainst : MessageId::DrawCompareAgainst,
