@@ -3,6 +3,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "panes/figure.h"
 #include "relief/describe.h"
 
 namespace relief::app {
@@ -10,7 +11,6 @@ namespace relief::app {
 namespace {
 
 constexpr const char* kHelp = "reliefscope --help";
-constexpr int kLargestSide = 16384;
 
 // "WxH", or "N" for NxN
 bool parseSize(std::string_view text, int& width, int& height) {
@@ -18,7 +18,7 @@ bool parseSize(std::string_view text, int& width, int& height) {
     const auto whole = [](std::string_view part, int& value) {
         const auto result = std::from_chars(part.data(), part.data() + part.size(), value);
         return result.ec == std::errc() && result.ptr == part.data() + part.size() && value > 0 &&
-               value <= kLargestSide;
+               value <= reliefui::kMostRenderedPixels;
     };
     return whole(text.substr(0, x), width) && whole(x == std::string_view::npos ? text : text.substr(x + 1), height);
 }
@@ -180,7 +180,8 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
   --elevation DEG       of pareto: this elevation only
   --error MEASURE       of pareto and charts: mean, p95, p9999 or max (mean)
   --width MM            of the figure (160)
-  --dpi N               pixels an inch of a PNG, and of the pictures in an SVG or PDF, up to 16384 in all (300)
+  --dpi N               pixels an inch of a PNG, and of the pictures in an SVG or PDF, up to )" +
+           std::to_string(reliefui::kMostRenderedPixels) + R"( in all (300)
   --no-caption          without the line that names height map, method, filter, pixel and step
   --dark                light on dark, as in the window
   --check-display       only say whether a window can be opened: exit status 0, or 2

@@ -34,6 +34,7 @@
 #include "workspace/last_state.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
+#include "workspace/resized_snapshot.h"
 #include "workspace/snapshot_maker.h"
 #include "workspace/start_scenario.h"
 #include "workspace/state_keeper.h"
@@ -189,13 +190,7 @@ void takeCompared(Scenario& scenario, CompareSubject subject, const std::string&
 // What stands in the command goes before what the scenario says. Throws InputError.
 void takeView(Scenario& scenario, const Arguments& arguments) {
     if (arguments.pixelWidth > 0) {
-        // The chosen pixel is another one in a picture of another size.
-        if (scenario.pixel && arguments.pixel.empty()) {
-            scenario.pixel->x = scenario.pixel->x * arguments.pixelWidth / scenario.width;
-            scenario.pixel->y = scenario.pixel->y * arguments.pixelHeight / scenario.height;
-        }
-        scenario.width = arguments.pixelWidth;
-        scenario.height = arguments.pixelHeight;
+        scenario = reliefui::inSize(std::move(scenario), arguments.pixelWidth, arguments.pixelHeight);
     }
     if (!arguments.pixel.empty()) {
         scenario.pixel = chosenPixel(arguments.pixel, scenario);
@@ -253,7 +248,8 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
         reliefui::prepareFigures();
         QApplication application(count, values);
         reliefui::dressApplication(application);
-        reliefui::writeFigure(*chart, page, arguments.output);
+        Work work;
+        reliefui::writeFigure(*chart, page, arguments.output, work);
         return 0;
     }
     Start start = chosenStart(arguments.file, shippedPictures());
@@ -270,7 +266,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     Work work;
     const auto snapshot = maker.make(order, work);
     const auto figure = kind.make(snapshot, snapshot->scenario);
-    reliefui::writeFigure(*figure, page, arguments.output);
+    reliefui::writeFigure(*figure, page, arguments.output, work);
     return 0;
 }
 

@@ -16,6 +16,9 @@
 #include "panes/compare/compare_view.h"
 #include "scenario/scenario.h"
 #include "window_fixture.h"
+#include "workspace/pane_store.h"
+#include "workspace/range_json.h"
+#include "workspace/snapshot_maker.h"
 
 namespace reliefui {
 
@@ -314,8 +317,8 @@ TEST_F(ComparePane, DifferencesAreShownInTheColoursOfTheirScale) {
         const bool l1 = measure == relief::CompareMeasure::L1;
         const relief::PixelChoice pixel = whereTheyDiffer(method(0).picture, method(1).picture);
         const relief::FloatImage& errors = l1 ? *method(1).l1 : *method(1).flip;
-        const double high = l1 ? pane()->view()->l1High : pane()->view()->flipHigh;
-        const Rgba expected = Style().mapped(ColorMap::Count, double(errors(pixel.x, pixel.y)) / high);
+        const ColorScale& scale = pane()->view()->scaleOf(measure).scale;
+        const Rgba expected = Style().cell(ColorMap::Count, double(errors(pixel.x, pixel.y)), scale);
         QTest::keyClick(pictures(), Qt::Key_R);
         zoomAt(*pictures()->pixelIn(1, pixel), 20);
         EXPECT_EQ(colorAt(1, pixel).rgb(), qRgb(expected.r, expected.g, expected.b));
@@ -329,6 +332,34 @@ TEST_F(ComparePane, DifferencesAreShownInTheColoursOfTheirScale) {
     EXPECT_EQ(pane()->view()->reference, "A max-pyramid");
     EXPECT_EQ(method(1).error->flip, before);
     EXPECT_TRUE(method(0).equal);
+}
+
+// The scale says how it ends, and a person chooses it as of every other picture.
+TEST_F(ComparePane, DifferencesHaveTheirRange) {
+    openPane();
+    pane()->setMode(relief::CompareMode::Difference);
+    pane()->setMeasure(relief::CompareMeasure::L1);
+    settle();
+    const auto says = [&](const char* part) {
+        const std::vector<std::string> texts = rangeTexts(*pictures()->errors());
+        return std::any_of(texts.begin(), texts.end(),
+                           [&](const std::string& text) { return text.find(part) != std::string::npos; });
+    };
+    ASSERT_TRUE(pictures()->errors());
+    EXPECT_TRUE(says("up to percentile 99") && says("beyond:"));
+    const QImage before = method(1).l1Picture;
+    RangesState state{rangesOf(scenario())};
+    const ColorRange all;
+    state.ranges.set(RangeOf::CompareL1, all);
+    workspace_->change(withState(scenario(), state), QStringLiteral("test"));
+    settle();
+    EXPECT_EQ(pane()->view()->scaleOf(relief::CompareMeasure::L1).range, all);
+    EXPECT_NE(method(1).l1Picture, before);
+    EXPECT_FALSE(says("beyond:") || says("percentile")) << "nothing is clipped";
+    ASSERT_TRUE(method(1).rate) << "what was measured stays";
+    workspace_->undo();
+    settle();
+    EXPECT_EQ(method(1).l1Picture, before);
 }
 
 TEST_F(ComparePane, FlickerShowsOneAtATimeAndLettersChoose) {
@@ -418,6 +449,38 @@ TEST_F(ComparePane, ItIsExportedAsItIsShown) {
         EXPECT_GT(QFileInfo(file).size(), 5000);
     }
     EXPECT_EQ(pane()->image(600).width(), 600);
+}
+
+// Each tile of a PNG is the picture rendered in that size, pixel by pixel; the numbers are the pane's.
+TEST_F(ComparePane, ExportedTilesHaveThePixelsThatWereRendered) {
+    openPane({{"layers", {{"layers", "8"}}}});
+    relief::Scenario wanted = scenario();
+    wanted.pixel.reset();
+    workspace_->change(wanted, QStringLiteral("test"));
+    settle();
+    constexpr int kWidth = 811;
+    const QImage page = pane()->image(kWidth);
+    // Two columns between margins of 6 points, 6 points apart, on a page of 160 mm.
+    const double points = 160 / 25.4 * 72;
+    const int side = static_cast<int>((points - 18) / 2 * kWidth / points);
+    relief::Scenario large = scenario();
+    large.comparison = {};
+    large.height = static_cast<int>(std::lround(large.height * (static_cast<double>(side) / large.width)));
+    large.width = side;
+    relief::Work work;
+    const QImage rendered = SnapshotMaker().make({large}, work)->picture;
+    int found = 0;
+    for (int y = 0; y < 60 && found == 0; ++y) {
+        for (int x = 0; x < 20; ++x) {
+            // Without the frame at its rim.
+            const QRect inner(4, 4, side - 8, rendered.height() - 8);
+            found += page.copy(inner.translated(x, y)).convertToFormat(QImage::Format_RGB32) ==
+                             rendered.copy(inner).convertToFormat(QImage::Format_RGB32)
+                         ? 1
+                         : 0;
+        }
+    }
+    EXPECT_EQ(found, 1);
 }
 
 // By the program, without a display.

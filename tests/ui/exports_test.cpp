@@ -1,9 +1,11 @@
 // Every view goes into a file without a display: lines and words into SVG and PDF, everything into PNG.
 #include <algorithm>
 
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include "golden.h"
@@ -427,6 +429,40 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(third); }, 10000));
     EXPECT_NE(contents(first), contents(third));
     EXPECT_TRUE(contents(third).contains(window_->time()->table()->sentence().left(12).toUtf8()));
+}
+
+// A figure that takes long is cancelled with everything else that runs; the file that was there stays.
+TEST_F(WindowTest, AnExportIsCancelled) {
+    relief::Scenario scenario = smallScenario();
+    scenario.filter = {"supersample", {{"samples", "16"}}};
+    openWindow(scenario);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("large.png"));
+    relief::writeTextFile(path.toStdString(), "of before");
+    QSignalSpy notices(workspace_.get(), &Workspace::notice);
+    QSignalSpy progress(&workspace_->tasks(), &BackgroundTasks::progress);
+    window_->saveView(QStringLiteral("result"), {path, 8000});
+    EXPECT_TRUE(workspace_->tasks().busy());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return progress.size() > 1; }, kPatienceMs));
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace_->tasks().busy(); }, 10000));
+    ASSERT_EQ(notices.size(), 1);
+    EXPECT_TRUE(notices[0][0].toString().contains(path));
+    EXPECT_EQ(contents(path), "of before");
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1) << "nothing is left beside it";
+}
+
+// The window names its own controls, not options of the command.
+TEST_F(WindowTest, NothingToExportIsSaidInTheWindowsWords) {
+    relief::Scenario scenario = smallScenario();
+    scenario.pixel.reset();
+    openWindow(scenario);
+    QSignalSpy problems(workspace_.get(), &Workspace::problem);
+    const QTemporaryDir folder;
+    window_->saveView(QStringLiteral("steps"), {folder.filePath(QStringLiteral("steps.svg"))});
+    ASSERT_EQ(problems.size(), 1);
+    EXPECT_TRUE(problems[0][0].toString().contains(QStringLiteral("no pixel is chosen")));
+    EXPECT_FALSE(problems[0][0].toString().contains(QStringLiteral("--")));
 }
 
 }  // namespace

@@ -229,6 +229,27 @@ TEST(Formula, EveryFilterHasItsHeaviestTexelAndTheFiltersSum) {
     EXPECT_GE(formulasOfWeights, 4) << "Gaussian, uniform and by distance, from the formula and from level 0";
 }
 
+// Whatever texel is pointed at: its place, its r^2, its weight; of a hidden one no part of the sum.
+TEST(Formula, TheTexelThatIsPointedAtHasItsNumbers) {
+    Maker make;
+    relief::Scenario scenario = tiny();
+    scenario.filter = relief::parseFilter("elliptical-visible", "test");
+    const auto snapshot = make(scenario);
+    ASSERT_NE(snapshot->footprint, nullptr);
+    const PixelFootprint& f = *snapshot->footprint;
+    ASSERT_EQ(f.log.footprint.kind, relief::FootprintKind::Ellipse);
+    for (std::size_t n = 0; n < f.log.texels.size(); ++n) {
+        const relief::FootprintTexel& texel = f.log.texels[n];
+        const auto groups = formulas(*snapshot, snapshot->scenario.step, Language::English, n);
+        auto v = valuesOf(groups, groups.size() - 1, 1);
+        EXPECT_NEAR(v["U"], texel.u - f.log.footprint.centre.x, 1e-12);
+        EXPECT_NEAR(v["r²"], relief::squaredRadius(f.log.footprint.ellipse, v["U"], v["V"]), 1e-12);
+        EXPECT_EQ(v.contains("w / Σw"), !texel.hidden);
+        if (!texel.hidden) EXPECT_NEAR(v["w / Σw"], PixelFootprint::weightOf(texel) / f.weightSum, 1e-9);
+        EXPECT_NE(groups.back().note.find("under the pointer"), std::string::npos);
+    }
+}
+
 // Of a step: the record's numbers, in formulas of the kind that it is of.
 void expectTheRecord(const FormulaGroup& group, const Snapshot& snapshot, const relief::Step& step,
                      std::map<std::string, int>& seen) {

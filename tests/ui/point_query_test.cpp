@@ -157,7 +157,8 @@ TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
     for (const char* const name : {"distance", "profile"}) {
         ASSERT_TRUE(pointIn(scenario()));
         const auto picture = [&](const relief::Scenario& of) {
-            return figureImage(*figureKind(name).make(snapshot(), of), {}, 500);
+            relief::Work work;
+            return figureImage(*figureKind(name).make(snapshot(), of), {}, 500, work);
         };
         EXPECT_NE(picture(withState(scenario(), PointState{})), picture(scenario())) << name;
     }

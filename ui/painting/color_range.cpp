@@ -15,9 +15,10 @@ constexpr double kLeastShare = 2e-3;
 }  // namespace
 
 const std::string& rangeName(RangeOf of) {
-    static const std::array<std::string, kRangesOf> names{
-        "steps",    "error", "depth",      "anisotropy",       "hidden",
-        "distance", "slope", "difference", "slope-difference", "height"};
+    static const std::array<std::string, kRangesOf> names{"steps",      "error",      "depth",
+                                                          "anisotropy", "hidden",     "distance",
+                                                          "slope",      "difference", "slope-difference",
+                                                          "height",     "compare-l1", "compare-flip"};
     return names[static_cast<std::size_t>(of)];
 }
 
@@ -28,6 +29,11 @@ ColorRange standardRange(RangeOf of) {
         // One ray that goes astray takes many times as many steps as all others.
         range.ends = RangeEnds::Percentile;
         range.high = 99.9;
+    }
+    if (of == RangeOf::CompareL1) {
+        // A few pixels at edges differ by far more than all others.
+        range.ends = RangeEnds::Percentile;
+        range.high = 99;
     }
     if (of == RangeOf::Slope) {
         // A few cones at the deepest points are many times as narrow as all others.

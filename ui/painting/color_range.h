@@ -14,7 +14,8 @@
 
 namespace reliefui {
 
-// What has a range of its own: layers of the result, distance maps, cone maps, differences of either, pyramids.
+// What has a range of its own: layers of the result, distance maps, cone maps, differences of either, pyramids, errors
+// of compared pictures.
 enum class RangeOf : std::uint8_t {
     Steps,
     Error,
@@ -25,9 +26,11 @@ enum class RangeOf : std::uint8_t {
     Slope,
     Difference,
     SlopeDifference,
-    Height
+    Height,
+    CompareL1,
+    CompareFlip
 };
-inline constexpr std::size_t kRangesOf = 10;
+inline constexpr std::size_t kRangesOf = 12;
 // In scenarios: "steps", "slope-difference".
 const std::string& rangeName(RangeOf of);
 

@@ -366,6 +366,14 @@ double legendHeight(const Drawing& legend, const Box& page, const Style& style) 
 
 }  // namespace
 
+ViewMap legendMap(const Drawing& legend, const Box& page, const Style& style) {
+    ViewMap map;
+    map.scale = legendScale(legend, page, style);
+    map.dx = page.x0 + kFigureMargin * style.pixelsPerPoint() - legend.bounds.x0 * map.scale;
+    map.dy = page.y1 - legendHeight(legend, page, style) - legend.bounds.y0 * map.scale;
+    return map;
+}
+
 Box figureRoom(const Drawing& legend, const Box& page, const Style& style) {
     const double margin = kFigureMargin * style.pixelsPerPoint();
     return {page.x0 + margin, page.y0 + margin, page.x1 - margin, page.y1 - margin - legendHeight(legend, page, style)};
@@ -374,17 +382,14 @@ Box figureRoom(const Drawing& legend, const Box& page, const Style& style) {
 void paintFigure(QPainter& painter, const std::vector<const Drawing*>& layers, const Drawing& legend, const Box& page,
                  const Style& style) {
     painter.fillRect(qrect(page), toColor(style.background()));
-    ViewMap legendMap;
-    legendMap.scale = legendScale(legend, page, style);
-    legendMap.dx = page.x0 + kFigureMargin * style.pixelsPerPoint() - legend.bounds.x0 * legendMap.scale;
-    legendMap.dy = page.y1 - legendHeight(legend, page, style) - legend.bounds.y0 * legendMap.scale;
     Box bounds;
     for (const Drawing* layer : layers) bounds = bounds.joined(layer->bounds);
     const ViewMap map = ViewMap::fitting(bounds, figureRoom(legend, page, style));
     for (const Drawing* layer : layers) paint(painter, *layer, map, style, page);
+    const ViewMap below = legendMap(legend, page, style);
     Style legendStyle = style;
-    legendStyle.screenPixelsPerPoint *= legendMap.scale / style.pixelsPerPoint();
-    paint(painter, legend, legendMap, legendStyle, page);
+    legendStyle.screenPixelsPerPoint *= below.scale / style.pixelsPerPoint();
+    paint(painter, legend, below, legendStyle, page);
 }
 
 }  // namespace reliefui

@@ -21,6 +21,8 @@ inline constexpr double kFigureMargin = 6;
 void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen,
            CellPictures* kept = nullptr);
 
+// Where the legend of a page lies.
+ViewMap legendMap(const Drawing& legend, const Box& page, const Style& style);
 // What of the page a figure's drawing gets beside this legend.
 Box figureRoom(const Drawing& legend, const Box& page, const Style& style);
 

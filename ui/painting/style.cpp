@@ -63,13 +63,6 @@ Rgba between(std::span<const Rgba> anchors, double t) {
 
 }  // namespace
 
-int Style::picturePixels(double width) const {
-    constexpr double kPointsPerInch = 72;
-    constexpr double kMost = 16384;
-    const double pixels = pictureDpi > 0 ? width / pixelsPerPoint() / kPointsPerInch * pictureDpi : width;
-    return static_cast<int>(std::lround(std::clamp(pixels, 1.0, kMost)));
-}
-
 Rgba Style::background() const {
     return theme == Theme::Dark ? Rgba{0x1E, 0x20, 0x24, 255} : kWhite;
 }

@@ -30,23 +30,21 @@ struct Stroke {
     std::vector<double> dash;  // on, off, ... in pixels; empty: solid
 };
 
+inline constexpr double kPointsPerInch = 72;
+
 struct Style {
     Theme theme = Theme::Dark;
     bool projector = false;
     double projectorScale = 1.8;  // of everything that is measured in points, on a projector
     relief::Language language = relief::Language::English;
     HeightColors heights = HeightColors::Grey;
-    double screenPixelsPerPoint = 96.0 / 72.0;
-    double pictureDpi = 0;  // of pictures on a page of vectors; 0: the page is of pixels
+    double screenPixelsPerPoint = 96.0 / kPointsPerInch;
 
     bool operator==(const Style&) const = default;
 
     // A point on this screen; a projector enlarges everything that is measured in points.
     double pixelsPerPoint() const { return screenPixelsPerPoint * scale(); }
     double scale() const { return projector ? projectorScale : 1.0; }
-    // Pixels for a picture that is so many units of the page wide: on a page of pixels each, of vectors as many an inch
-    // as pictureDpi says.
-    int picturePixels(double width) const;
     double textPixels(double size = 1) const { return kTextPoints * size * pixelsPerPoint(); }
 
     Rgba background() const;

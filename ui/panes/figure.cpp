@@ -1,9 +1,11 @@
 #include "panes/figure.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <filesystem>
 
+#include <QFile>
 #include <QPdfWriter>
 #include <QSvgGenerator>
 
@@ -19,12 +21,8 @@ using relief::InputError;
 using relief::Message;
 using relief::MessageId;
 
-constexpr double kMmPerInch = 25.4;
-constexpr double kPointsPerInch = 72;
 // Units of a page of vectors: fine enough for text, whose sizes are whole numbers of them.
 constexpr double kVectorDpi = 576;
-constexpr double kLeastMm = 20;
-constexpr double kMostMm = 2000;
 constexpr double kLeastDpi = 20;
 constexpr double kMostDpi = 2400;
 constexpr double kMostPixels = 30000;  // a side
@@ -36,12 +34,10 @@ std::string endingOf(const std::string& path) {
     return ending;
 }
 
-// pictureDpi: as Style::pictureDpi.
-Style pageStyle(const FigurePage& page, double unitsPerPoint, double pictureDpi = 0) {
+Style pageStyle(const FigurePage& page, double unitsPerPoint) {
     Style style = page.style;
     style.projector = false;
     style.screenPixelsPerPoint = unitsPerPoint;
-    style.pictureDpi = pictureDpi;
     return style;
 }
 
@@ -79,7 +75,7 @@ struct Caption {
 void paintPage(QPainter& painter, const Figure& figure, const FigurePage& page, const QSize& size,
                double unitsPerPoint) {
     painter.setRenderHint(QPainter::LosslessImageRendering);
-    const Style style = pageStyle(page, unitsPerPoint, page.pixels() / page.widthMm * kMmPerInch);
+    const Style style = pageStyle(page, unitsPerPoint);
     const Caption caption(figure, page, size.width(), unitsPerPoint);
     const double below = size.height() - caption.height;
     painter.save();
@@ -97,9 +93,23 @@ QSizeF pageSize(const Figure& figure, const FigurePage& page) {
     return {page.widthMm, page.widthMm * figure.aspect(page) + caption.height / kUnits * kMmPerPoint};
 }
 
-void writeSvg(const Figure& figure, const FigurePage& page, const std::string& file, const QSize& size) {
+// A file that takes nothing any more when it is not wanted: packing a large picture ends there.
+class StoppedFile : public QFile {
+  public:
+    StoppedFile(const std::string& path, const relief::Work& work) : QFile(QString::fromStdString(path)), work_(work) {}
+
+  protected:
+    qint64 writeData(const char* data, qint64 size) override {
+        return work_.stopped() ? -1 : QFile::writeData(data, size);
+    }
+
+  private:
+    const relief::Work& work_;
+};
+
+void writeSvg(const Figure& figure, const FigurePage& page, QIODevice& file, const QSize& size) {
     QSvgGenerator svg;
-    svg.setFileName(QString::fromStdString(file));
+    svg.setOutputDevice(&file);
     svg.setResolution(static_cast<int>(kVectorDpi));
     svg.setSize(size);
     svg.setViewBox(QRect({0, 0}, size));
@@ -108,8 +118,8 @@ void writeSvg(const Figure& figure, const FigurePage& page, const std::string& f
     paintPage(painter, figure, page, size, kVectorDpi / kPointsPerInch);
 }
 
-void writePdf(const Figure& figure, const FigurePage& page, const std::string& file, const QSizeF& mm) {
-    QPdfWriter pdf(QString::fromStdString(file));
+void writePdf(const Figure& figure, const FigurePage& page, QIODevice& file, const QSizeF& mm) {
+    QPdfWriter pdf(&file);
     pdf.setResolution(static_cast<int>(kVectorDpi));
     pdf.setPageSize(QPageSize(mm, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
     pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
@@ -125,10 +135,6 @@ void requireRange(const std::string& what, double value, double low, double high
     if (value >= low && value <= high) return;
     throw InputError(what,
                      Message(MessageId::NumberOutOfRange, {{"value", value}, {"range", relief::rangeOf(low, high)}}));
-}
-
-void emptyFigure(const char* name, MessageId why) {
-    throw InputError(std::string("--export ") + name, Message(why));
 }
 
 namespace {
@@ -148,6 +154,18 @@ class PaintedFigure : public Figure {
     PagePainter paint_;
     FigureCaption caption_;
     PageAspect aspect_;
+};
+
+class ComputedFigure : public Figure {
+  public:
+    explicit ComputedFigure(FigureMaker make) : make_(std::move(make)) {}
+    std::shared_ptr<const Figure> prepared(const FigurePage& page, relief::Work& work) const override {
+        return make_(page, work);
+    }
+    void paint(QPainter&, const Box&, const Style&) const override { assert(!"it is prepared first"); }
+
+  private:
+    FigureMaker make_;
 };
 
 }  // namespace
@@ -174,6 +192,10 @@ std::shared_ptr<const Figure> chartFigure(ChartMaker maker, FigureCaption captio
     return paintedFigure(paint, std::move(caption), aspect);
 }
 
+std::shared_ptr<const Figure> computedFigure(FigureMaker make) {
+    return std::make_shared<ComputedFigure>(std::move(make));
+}
+
 QImage Figure::image(const FigurePage& page, const QSize& size) const {
     QImage image(size, QImage::Format_RGB32);
     image.fill(toColor(page.style.background()));
@@ -192,22 +214,30 @@ int FigurePage::pixels() const {
     return std::max(1, static_cast<int>(std::lround(widthMm / kMmPerInch * dpi)));
 }
 
+int FigurePage::picturePixels(double points) const {
+    constexpr double kRounding = 1e-6;  // of a width that is a whole number of pixels
+    const double own = points * pixels() / (widthMm / kMmPerPoint);
+    return std::clamp(static_cast<int>(std::floor(own + kRounding)), 1, kMostRenderedPixels);
+}
+
 void checkPage(const FigurePage& page, const std::string& path, bool vectors) {
     const std::string ending = endingOf(path);
     if (ending != ".png" && (!vectors || (ending != ".svg" && ending != ".pdf"))) {
         const char* const known = vectors ? "svg, pdf, png" : "png";
         throw InputError(path, Message(MessageId::FormatUnknown, {{"extension", ending}, {"known", known}}));
     }
-    requireRange("--width", page.widthMm, kLeastMm, kMostMm);
+    requireRange("--width", page.widthMm, kLeastFigureMm, kMostFigureMm);
     if (page.widthPixels == 0) requireRange("--dpi", page.dpi, kLeastDpi, kMostDpi);
     if (page.widthPixels == 0 && ending == ".png") {
-        requireRange("--width", page.widthMm, kLeastMm, std::floor(kMostPixels / page.dpi * kMmPerInch));
+        requireRange("--width", page.widthMm, kLeastFigureMm, std::floor(kMostPixels / page.dpi * kMmPerInch));
     }
 }
 
-QImage figureImage(const Figure& figure, const FigurePage& wanted, int width) {
-    FigurePage page = wanted;
-    page.widthPixels = width;
+namespace {
+
+// Of a figure that is prepared for the page.
+QImage preparedImage(const Figure& figure, const FigurePage& page) {
+    const int width = page.pixels();
     const int height = std::max(1, static_cast<int>(std::lround(width * figure.aspect(page))));
     constexpr std::uint64_t kTwo = 8;  // bytes a pixel: the figure, and the page with its caption
     relief::requireMemory(
@@ -226,28 +256,42 @@ QImage figureImage(const Figure& figure, const FigurePage& wanted, int width) {
     return whole;
 }
 
-void writeFigure(const Figure& figure, const FigurePage& page, const std::string& path) {
-    checkPage(page, path, figure.vectors());
-    relief::AtomicFile file(path);
-    const std::string& target = file.temporaryPath();
+}  // namespace
+
+QImage figureImage(const Figure& figure, const FigurePage& wanted, int width, relief::Work& work) {
+    FigurePage page = wanted;
+    page.widthPixels = width;
+    const auto prepared = figure.prepared(page, work);
+    work.throwIfStopped();
+    return preparedImage(prepared ? *prepared : figure, page);
+}
+
+void writeFigure(const Figure& wanted, const FigurePage& page, const std::string& path, relief::Work& work) {
+    checkPage(page, path, wanted.vectors());
+    const auto prepared = wanted.prepared(page, work);
+    const Figure& figure = prepared ? *prepared : wanted;
+    work.throwIfStopped();
+    relief::AtomicFile target(path);
+    StoppedFile file(target.temporaryPath(), work);
     const std::string ending = endingOf(path);
-    bool done = true;
+    bool done = file.open(QIODevice::WriteOnly);
     if (ending == ".png") {
-        done = figureImage(figure, page, page.pixels()).save(QString::fromStdString(target), "PNG");
+        done = done && preparedImage(figure, page).save(&file, "PNG");
     } else {
         const QSizeF mm = pageSize(figure, page);
         if (ending == ".svg") {
-            writeSvg(figure, page, target, (mm / kMmPerInch * kVectorDpi).toSize());
+            writeSvg(figure, page, file, (mm / kMmPerInch * kVectorDpi).toSize());
         } else {
-            writePdf(figure, page, target, mm);
+            writePdf(figure, page, file, mm);
         }
     }
+    file.close();
+    work.throwIfStopped();
     // Qt says nothing about a full disk; an empty file is no figure.
-    std::error_code error;
-    if (!done || std::filesystem::file_size(target, error) == 0 || error) {
+    if (!done || file.error() != QFileDevice::NoError || file.size() == 0) {
         throw relief::WorkError(path, Message(MessageId::DiskFull));
     }
-    file.commit();
+    target.commit();
 }
 
 }  // namespace reliefui

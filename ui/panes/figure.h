@@ -9,8 +9,16 @@
 #include <QImage>
 
 #include "painting/painter.h"
+#include "relief/work.h"
 
 namespace reliefui {
+
+inline constexpr double kMmPerInch = 25.4;
+inline constexpr double kMmPerPoint = kMmPerInch / kPointsPerInch;
+inline constexpr double kLeastFigureMm = 20;
+inline constexpr double kMostFigureMm = 2000;
+// Pixels along a side of a picture that is rendered anew for a figure: what fits into the memory of a large desktop.
+inline constexpr int kMostRenderedPixels = 16384;
 
 struct FigurePage {
     std::string title;     // of the file: the view's name
@@ -21,6 +29,8 @@ struct FigurePage {
     int widthPixels = 0;   // of a PNG, and of pictures among lines and words; 0: as dpi says
 
     int pixels() const;
+    // Of a picture that is so many points of the page wide, to have each pixel once; within kMostRenderedPixels.
+    int picturePixels(double points) const;
 };
 
 inline constexpr double kFigureAspect = 0.56;
@@ -29,6 +39,9 @@ inline constexpr double kFigureAspect = 0.56;
 class Figure {
   public:
     virtual ~Figure() = default;
+    // The same with all that has to be computed for this page, which may take long; null: nothing has. Its aspect,
+    // caption and paint are what goes onto the page. Any thread. Throws Cancelled, InputError.
+    virtual std::shared_ptr<const Figure> prepared(const FigurePage&, relief::Work&) const { return nullptr; }
     // Whether it is made of lines and words, and so can be an SVG or a PDF.
     virtual bool vectors() const { return true; }
     // Height over width.
@@ -45,6 +58,9 @@ using PageAspect = std::function<double(const FigurePage&)>;
 using FigureCaption = std::function<std::string(relief::Language)>;
 // Of lines and words. aspect: empty: as Figure::aspect().
 std::shared_ptr<const Figure> paintedFigure(PagePainter paint, FigureCaption caption, PageAspect aspect = {});
+// Of what takes long to compute: `make` does it for a page, see Figure::prepared().
+using FigureMaker = std::function<std::shared_ptr<const Figure>(const FigurePage&, relief::Work&)>;
+std::shared_ptr<const Figure> computedFigure(FigureMaker make);
 
 // Charts with a legend below them. legend: in so many points of width; layers: in the room that it leaves, points.
 struct ChartMaker {
@@ -55,11 +71,14 @@ struct ChartMaker {
 };
 std::shared_ptr<const Figure> chartFigure(ChartMaker maker, FigureCaption caption);
 
-inline constexpr double kMmPerPoint = 25.4 / 72;
 inline constexpr double kFigureMargins = 2 * kFigureMargin;  // both sides
 
-// There is nothing to draw: throws InputError.
-[[noreturn]] void emptyFigure(const char* name, relief::MessageId why);
+// There is nothing to draw. The line says what to give in a command; a window says it in its own words.
+class EmptyFigure : public relief::InputError {
+  public:
+    EmptyFigure(const char* name, relief::MessageId why)
+        : InputError(std::string("--export ") + name, relief::Message(why)) {}
+};
 
 // InputError naming `what` if the value lies outside.
 void requireRange(const std::string& what, double value, double low, double high);
@@ -67,9 +86,10 @@ void requireRange(const std::string& what, double value, double low, double high
 // SVG, PDF or PNG, by the ending of the path. Throws InputError for an unknown ending, width or resolution, and where a
 // figure without vectors would be an SVG or a PDF.
 void checkPage(const FigurePage& page, const std::string& path, bool vectors);
-// Checks as well; WorkError if it cannot be drawn or written.
-void writeFigure(const Figure& figure, const FigurePage& page, const std::string& path);
+// Checks as well, and prepares; WorkError if it cannot be drawn or written. Throws Cancelled: then the file is as it
+// was.
+void writeFigure(const Figure& figure, const FigurePage& page, const std::string& path, relief::Work& work);
 // The same as pixels, `width` of them wide, with the caption below.
-QImage figureImage(const Figure& figure, const FigurePage& page, int width);
+QImage figureImage(const Figure& figure, const FigurePage& page, int width, relief::Work& work);
 
 }  // namespace reliefui

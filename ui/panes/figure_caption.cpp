@@ -24,7 +24,7 @@ std::string heightsOf(const relief::Pictures& pictures) {
 
 void requireRay(const char* figure, const Snapshot& snapshot) {
     if (snapshot.trace.onRelief) return;
-    emptyFigure(figure, snapshot.scenario.pixel ? MessageId::ExportNoRelief : MessageId::ExportNoPixel);
+    throw EmptyFigure(figure, snapshot.scenario.pixel ? MessageId::ExportNoRelief : MessageId::ExportNoPixel);
 }
 
 FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optional<int> step,

@@ -18,9 +18,6 @@ namespace {
 
 constexpr int kStandardWidth = 1600;  // pixels
 constexpr int kLeastWidth = 160;
-constexpr int kMostWidth = 16384;
-constexpr double kLeastMm = 20;
-constexpr double kMostMm = 500;
 
 QString settingOf(const char* option) {
     return QStringLiteral("figures/") + QString::fromLatin1(option);
@@ -36,13 +33,13 @@ bool askFigureOptions(QWidget* parent, const QString& title, bool png, FigureFil
     width->setObjectName(QStringLiteral("figure-width"));
     width->setLocale(QLocale::c());
     width->setDecimals(0);
-    width->setRange(kLeastMm, kMostMm);
+    width->setRange(kLeastFigureMm, kMostFigureMm);
     width->setValue(settings.value(settingOf("mm"), file.widthMm).toDouble());
     width->setToolTip(FigureView::tr("On paper; letters and lines are as large on any width"));
     form->addRow(FigureView::tr("Width, mm:"), width);
     auto* const pixels = new QSpinBox(&dialog);
     pixels->setObjectName(QStringLiteral("figure-pixels"));
-    pixels->setRange(kLeastWidth, kMostWidth);
+    pixels->setRange(kLeastWidth, kMostRenderedPixels);
     pixels->setSingleStep(100);
     pixels->setValue(settings.value(settingOf("pixels"), kStandardWidth).toInt());
     if (png) form->addRow(FigureView::tr("Width, pixels:"), pixels);
@@ -84,20 +81,27 @@ std::optional<FigureFile> askFigureFile(QWidget* parent, const QString& title, c
     return askFigureOptions(parent, title, png, file) ? std::optional(file) : std::nullopt;
 }
 
-QString saveFigureFile(const Figure& figure, FigurePage page, const FigureFile& file) {
+std::function<void()> saveFigureFile(const Figure& figure, FigurePage page, const FigureFile& file,
+                                     Workspace* workspace, std::function<void()> saved, relief::Work& work) {
     if (!file.dark) page.style.theme = Theme::Light;
     page.widthMm = file.widthMm;
     page.caption = file.caption;
     // So many pixels of the same page: text grows with the picture.
     page.widthPixels = file.pixels;
+    QString problem;
     try {
-        writeFigure(figure, page, file.path.toStdString());
-        return {};
+        writeFigure(figure, page, file.path.toStdString(), work);
+        return saved;
+    } catch (const relief::Cancelled&) {
+        return [workspace, path = file.path] {
+            Q_EMIT workspace->notice(FigureView::tr("Cancelled: %1 is not written.").arg(path));
+        };
     } catch (const relief::InputError& error) {
-        return QString::fromStdString(error.text(page.style.language));
+        problem = QString::fromStdString(error.text(page.style.language));
     } catch (const std::exception& error) {
-        return QString::fromUtf8(error.what());
+        problem = QString::fromUtf8(error.what());
     }
+    return [workspace, problem] { Q_EMIT workspace->problem(problem); };
 }
 
 }  // namespace reliefui

@@ -1,6 +1,7 @@
 // How a figure gets from a pane into a file: the question where to, the writing, and what is said if it fails.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include <QString>
@@ -10,6 +11,8 @@
 class QWidget;
 
 namespace reliefui {
+
+class Workspace;
 
 struct FigureFile {
     QString path;
@@ -23,7 +26,9 @@ struct FigureFile {
 // and PDF, too. Nothing: it was called off.
 std::optional<FigureFile> askFigureFile(QWidget* parent, const QString& title, const QString& name, bool vectors);
 
-// Empty: done; else why not, in a line.
-QString saveFigureFile(const Figure& figure, FigurePage page, const FigureFile& file);
+// Writes it, on any thread. What is returned says what came of it, on the window's thread: calls `saved`, or says on
+// the workspace why not, or that it was cancelled and nothing is written.
+std::function<void()> saveFigureFile(const Figure& figure, FigurePage page, const FigureFile& file,
+                                     Workspace* workspace, std::function<void()> saved, relief::Work& work);
 
 }  // namespace reliefui

@@ -10,7 +10,6 @@
 #include <QTimer>
 
 #include "panes/gl_release.h"
-#include "workspace/aside.h"
 #include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
@@ -75,7 +74,8 @@ FigurePage FigureView::page() const {
 
 QImage FigureView::image(int width) const {
     const auto shown = figure();
-    return shown ? figureImage(*shown, page(), width) : QImage();
+    relief::Work work;
+    return shown ? figureImage(*shown, page(), width, work) : QImage();
 }
 
 void FigureView::openMenu(const QPoint& at) {
@@ -120,27 +120,28 @@ void FigureView::askPoint(const QPointF& widget) {
 
 void FigureView::askFigure() {
     const auto shown = figure();
-    const bool vectors = !shown || shown->vectors();
-    if (const auto file = askFigureFile(this, dialog_, name_, vectors)) saveFigure(*file);
+    if (!shown) return Q_EMIT workspace_->problem(tr("This pane shows nothing yet that can be exported."));
+    if (const auto file = askFigureFile(this, dialog_, name_, shown->vectors())) saveFigure(*file);
 }
 
 void FigureView::saveFigure(const FigureFile& file) {
     const auto shown = figure();
     if (!shown) return;
-    drawAside(*shown, [this, shown, page = page(), file]() -> std::function<void()> {
-        const QString problem = saveFigureFile(*shown, page, file);
-        if (problem.isEmpty()) return [this, path = file.path] { Q_EMIT saved(path); };
-        return [this, problem] { Q_EMIT workspace_->problem(problem); };
+    drawAside(*shown, [this, shown, page = page(), file, workspace = workspace_](relief::Work& work) {
+        return saveFigureFile(
+            *shown, page, file, workspace, [this, path = file.path] { Q_EMIT saved(path); }, work);
     });
 }
 
 void FigureView::copyPicture() {
     const auto shown = figure();
     if (!shown) return;
-    drawAside(*shown, [this, shown, page = page()]() -> std::function<void()> {
+    drawAside(*shown, [this, shown, page = page()](relief::Work& work) -> std::function<void()> {
         QImage picture;
         try {
-            picture = figureImage(*shown, page, kCopiedWidth);
+            picture = figureImage(*shown, page, kCopiedWidth, work);
+        } catch (const relief::Cancelled&) {
+            return [] {};
         } catch (const std::exception& error) {
             return [this, problem = QString::fromUtf8(error.what())] { Q_EMIT workspace_->problem(problem); };
         }
@@ -150,17 +151,18 @@ void FigureView::copyPicture() {
 
 // draw: on another thread; what it returns is called on the window's, if the pane is still there. VTK draws on the
 // window's alone.
-void FigureView::drawAside(const Figure& figure, std::function<std::function<void()>()> draw) {
+void FigureView::drawAside(const Figure& figure, BackgroundTasks::Task draw) {
     if (!figure.vectors()) {
         const DrawingTime drawing("figure");
-        return draw()();
+        relief::Work work;
+        return draw(work)();
     }
     ++saving_;
-    runAside([this, draw = std::move(draw), back = mailbox_.address()] {
-        back.post([this, told = draw()] {
+    workspace_->tasks().start(this, [this, draw = std::move(draw)](relief::Work& work) {
+        return [this, told = draw(work)] {
             --saving_;
             told();
-        });
+        };
     });
 }
 

@@ -11,7 +11,6 @@
 
 #include "panes/figure_export.h"
 #include "panes/point_state.h"
-#include "workspace/mailbox.h"
 #include "workspace/workspace.h"
 
 class QMenu;
@@ -38,7 +37,7 @@ class FigureView : public QWidget {
     // Asks where to first.
     void askFigure();
 
-    // What it computes.
+    // What it computes; its figures: Workspace::cancel().
     virtual void cancel() {}
 
   signals:
@@ -91,7 +90,7 @@ class FigureView : public QWidget {
     FigurePage page() const;
     void setPoint(const std::optional<QueryPoint>& point);
     void addPointToMenu(QMenu& menu, const QPoint& at);
-    void drawAside(const Figure& figure, std::function<std::function<void()>()> draw);
+    void drawAside(const Figure& figure, BackgroundTasks::Task draw);
 
     QString name_;
     QString dialog_;
@@ -100,7 +99,6 @@ class FigureView : public QWidget {
     int saving_ = 0;
     bool stale_ = true;  // changed while it was out of sight
     bool cameIntoSight_ = false;
-    Mailbox mailbox_{this};
 };
 
 }  // namespace reliefui

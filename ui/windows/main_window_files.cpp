@@ -25,6 +25,7 @@
 #include "windows/pictures_box.h"
 #include "workspace/aside.h"
 #include "workspace/change_name.h"
+#include "workspace/language.h"
 #include "workspace/start_scenario.h"
 
 namespace reliefui {
@@ -44,6 +45,28 @@ QStringList droppedFiles(const QMimeData* data) {
         if (url.isLocalFile()) files << url.toLocalFile();
     }
     return files;
+}
+
+// In the words of the window where the error's own name options of the command.
+QString whyNoFigure(const relief::InputError& error) {
+    using relief::MessageId;
+    if (dynamic_cast<const EmptyFigure*>(&error) != nullptr) {
+        switch (error.message().id) {
+            case MessageId::ExportNoPixel:
+                return MainWindow::tr("Nothing to export: no pixel is chosen. Click one in the result.");
+            case MessageId::ExportNoRelief:
+                return MainWindow::tr("Nothing to export: the chosen pixel shows no relief. Click on the relief.");
+            case MessageId::ExportNoHit:
+                return MainWindow::tr(
+                    "Nothing to export: the ray of the chosen pixel meets no relief. Click another pixel.");
+            case MessageId::ExportNoMethods:
+            case MessageId::ExportNoOthers:
+                return MainWindow::tr("Nothing to export: one picture alone. Press + in the compare pane.");
+            default:
+                return QString::fromStdString(relief::sentence(error.message(), uiLanguage()));
+        }
+    }
+    return QString::fromStdString(error.text(uiLanguage()));
 }
 
 }  // namespace
@@ -117,23 +140,15 @@ void MainWindow::saveView(const QString& view, const FigureFile& file) {
     std::shared_ptr<const Figure> figure;
     try {
         figure = figureKind(view.toStdString()).make(snapshot, now);
-    } catch (const relief::InputError&) {
-        Q_EMIT workspace_->problem(tr("There is nothing to export in this pane: choose a pixel on the relief first."));
-        return;
+    } catch (const relief::InputError& error) {
+        return Q_EMIT workspace_->problem(whyNoFigure(error));
     }
     FigurePage page;
     page.title = view.toStdString();
     page.style = workspace_->style();
-    // Drawn aside, as the panes' are.
-    runAside([this, figure, page, file, back = mailbox_.address()] {
-        const QString problem = saveFigureFile(*figure, page, file);
-        back.post([this, file, problem] {
-            if (!problem.isEmpty()) {
-                Q_EMIT workspace_->problem(problem);
-            } else {
-                statusBar()->showMessage(tr("Saved: %1").arg(file.path), kMessageMs);
-            }
-        });
+    const auto saved = [this, path = file.path] { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); };
+    workspace_->tasks().start(this, [figure, page, file, saved, workspace = workspace_](relief::Work& work) {
+        return saveFigureFile(*figure, page, file, workspace, saved, work);
     });
 }
 

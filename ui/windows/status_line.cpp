@@ -100,20 +100,20 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     showBusy(false);
     patience_.setSingleShot(true);
     patience_.setInterval(kPatienceMs);
-    connect(&patience_, &QTimer::timeout, this, [this] { showBusy(workspace_->busy()); });
-    connect(workspace_, &Workspace::busyChanged, this, [this](bool busy) {
-        if (busy) {
-            patience_.start();
-        } else {
-            patience_.stop();
-            showBusy(false);
-        }
-    });
+    connect(&patience_, &QTimer::timeout, this, [this] { showBusy(busy()); });
+    connect(workspace_, &Workspace::busyChanged, this, &StatusLine::takeBusy);
+    connect(&workspace_->tasks(), &BackgroundTasks::busyChanged, this, &StatusLine::takeBusy);
     connect(workspace_, &Workspace::progress, this, &StatusLine::showProgress);
+    connect(&workspace_->tasks(), &BackgroundTasks::progress, this, [this](const QString& what, double fraction) {
+        // The picture's own goes before.
+        if (workspace_->busy()) return;
+        showProgress(what, fraction);
+        what_->setText(tr("figure: %1").arg(what_->text()));
+    });
     connect(workspace_, &Workspace::snapshotChanged, this, [this] {
         refresh();
-        // While pictures keep coming, nobody waits.
-        showBusy(false);
+        // While pictures keep coming, nobody waits for them.
+        showBusy(workspace_->tasks().busy());
         if (workspace_->busy()) patience_.start();
     });
     connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
@@ -126,6 +126,19 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     // As it is when it is asked for.
     if (watched == frame_ && event->type() == QEvent::ToolTip) showLedger();
     return QStatusBar::eventFilter(watched, event);
+}
+
+bool StatusLine::busy() const {
+    return workspace_->busy() || workspace_->tasks().busy();
+}
+
+void StatusLine::takeBusy() {
+    if (!busy()) {
+        patience_.stop();
+        showBusy(false);
+    } else if (!bar_->isVisible()) {
+        patience_.start();
+    }
 }
 
 void StatusLine::showBusy(bool busy) {

@@ -32,6 +32,8 @@ class StatusLine : public QStatusBar {
     void takeWalk();
     void showLedger();
     void showProgress(const QString& what, double fraction);
+    bool busy() const;
+    void takeBusy();
     void showBusy(bool busy);
 
     Workspace* workspace_;

@@ -7,18 +7,25 @@
 
 namespace reliefui {
 
+relief::Scenario inSize(relief::Scenario scenario, int width, int height) {
+    const auto scaled = [](int at, int from, int to) {
+        return std::clamp(static_cast<int>(std::floor((at + 0.5) * to / from)), 0, to - 1);
+    };
+    if (scenario.pixel) {
+        scenario.pixel->x = scaled(scenario.pixel->x, scenario.width, width);
+        scenario.pixel->y = scaled(scenario.pixel->y, scenario.height, height);
+    }
+    scenario.width = width;
+    scenario.height = height;
+    return scenario;
+}
+
 std::shared_ptr<const Snapshot> resized(const std::shared_ptr<const Snapshot>& snapshot, int width,
                                         relief::Work& work) {
-    relief::Scenario scenario = snapshot->scenario;
-    if (width == scenario.width && !snapshot->coarse) return snapshot;
-    const double scale = static_cast<double>(width) / scenario.width;
-    const auto scaled = [&](int at) { return static_cast<int>(std::floor((at + 0.5) * scale)); };
-    scenario.width = width;
-    scenario.height = std::max(1, static_cast<int>(std::lround(scenario.height * scale)));
-    if (scenario.pixel) {
-        scenario.pixel->x = std::min(scaled(scenario.pixel->x), scenario.width - 1);
-        scenario.pixel->y = std::min(scaled(scenario.pixel->y), scenario.height - 1);
-    }
+    const relief::Scenario& own = snapshot->scenario;
+    if (width == own.width && !snapshot->coarse) return snapshot;
+    const double scale = static_cast<double>(width) / own.width;
+    relief::Scenario scenario = inSize(own, width, std::max(1, static_cast<int>(std::lround(own.height * scale))));
     relief::FrameRequest request = relief::frameRequest(scenario, snapshot->assets);
     request.counts = snapshot->layer.layer == Layer::Steps;
     // Of a frame with all its stages, as `relief render` of large pictures was measured to take.

@@ -313,7 +313,14 @@ void Workspace::redo() {
     travel(Action::Redo);
 }
 
+void Workspace::pointAtTexel(std::optional<std::size_t> texel) {
+    if (texel == texel_) return;
+    texel_ = texel;
+    Q_EMIT texelChanged();
+}
+
 void Workspace::cancel() {
+    tasks_.cancel();
     if (!worker_) return;
     worker_->cancel();
     if (snapshot_ && snapshot_->version == version_) waiting_ = false;  // a coarse picture stays
@@ -322,6 +329,8 @@ void Workspace::cancel() {
 
 void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     if (snapshot_ && snapshot->version < snapshot_->version) return;
+    // The numbers are another list's.
+    if (!snapshot_ || snapshot_->footprint != snapshot->footprint) texel_.reset();
     snapshot_ = std::move(snapshot);
     hideAnswer();
     if (snapshot_->version == version_) {

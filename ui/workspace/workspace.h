@@ -17,6 +17,7 @@
 #include <QString>
 
 #include "painting/style.h"
+#include "workspace/background_tasks.h"
 #include "workspace/history.h"
 #include "workspace/snapshot.h"
 
@@ -62,6 +63,11 @@ class Workspace : public QObject {
     // Its camera, pixel and step.
     void goTo(const relief::Bookmark& bookmark);
 
+    // The texel of the footprint's list that is pointed at, so that all panes that name one name it; none: the pointer
+    // is elsewhere. Not part of the scenario; nothing is computed anew.
+    std::optional<std::size_t> texel() const { return texel_; }
+    void pointAtTexel(std::optional<std::size_t> texel);
+
     // While somebody guesses where the ray hits, snapshots come without its hit and its steps; not part of the
     // scenario.
     bool guessing() const { return guessing_; }
@@ -86,6 +92,8 @@ class Workspace : public QObject {
     // A whole scenario, its step included, as if it were opened from a file; `what` names it in the history.
     void show(const relief::Scenario& scenario, const QString& what);
     void save(const QString& path);
+    // What takes long beside the pictures, such as figures; cancel() cancels it, too.
+    BackgroundTasks& tasks() { return tasks_; }
     QString traceCommand() const;  // the `relief trace` line of the chosen pixel
     bool busy() const;
     // What a pane says while there is no picture: it is being computed, or none is open.
@@ -106,6 +114,7 @@ class Workspace : public QObject {
     void stepChanged(int step);  // only the chosen step changed
     void notesChanged();         // only breakpoints or bookmarks changed
     void panesChanged();         // what is chosen in the panes; by undo, too, or with another scenario
+    void texelChanged();         // another one is pointed at
     void guessingChanged(bool on);
     void styleChanged();                                  // repaint
     void progress(const QString& what, double fraction);  // fraction < 0: done
@@ -150,6 +159,7 @@ class Workspace : public QObject {
     std::shared_ptr<const Snapshot> hidden_;  // the same while somebody guesses
     Layer layer_ = Layer::Color;
     relief::PyramidKind levels_ = relief::PyramidKind::Max;
+    std::optional<std::size_t> texel_;
     bool guessing_ = false;
     Style style_;
     History past_;
@@ -163,6 +173,7 @@ class Workspace : public QObject {
     bool waiting_ = false;  // for a full picture of the current version
     bool toldBusy_ = false;
     std::unique_ptr<RenderWorker> worker_;
+    BackgroundTasks tasks_{this};
 };
 
 }  // namespace reliefui

@@ -11,6 +11,7 @@
 #include "panes/compare/compare_view.h"
 #include "panes/narrow_bar.h"
 #include "panes/pane_controls.h"
+#include "panes/range_button.h"
 #include "workspace/change_name.h"
 
 namespace reliefui {
@@ -70,6 +71,9 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
         showControls();
         pictures_->relayout();
     });
+    connect(workspace, &Workspace::panesChanged, this, [this] {
+        if (!outOfSight()) proceed();
+    });
     connect(workspace, &Workspace::styleChanged, pictures_, &ComparePictures::relayout);
     showControls();
     refresh();
@@ -121,6 +125,10 @@ void CompareView::makeModeBar() {
     measure_ = addChooser(bar_, "compare-measure", tr("Which difference of the colours is shown"));
     measure_->addItem(QStringLiteral("L1"));
     measure_->addItem(QStringLiteral("FLIP"));
+    range_ = new RangeButton(
+        workspace_, [this] { return pictures_->errors(); }, this);
+    bar_->addWidget(range_);
+    connect(pictures_, &ComparePictures::rangeWanted, range_, &RangeButton::open);
     rate_ = new QDoubleSpinBox(this);
     rate_->setObjectName(QStringLiteral("compare-rate"));
     rate_->setLocale(QLocale::c());
@@ -199,6 +207,8 @@ void CompareView::showControls() {
     mode_->setCurrentIndex(static_cast<int>(how.mode));
     measure_->setCurrentIndex(static_cast<int>(how.measure));
     measure_->setVisible(how.mode == relief::CompareMode::Difference);
+    range_->setVisible(how.mode == relief::CompareMode::Difference);
+    range_->refresh();
     reference_->setCurrentIndex(static_cast<int>(how.reference));
     const bool flicker = how.mode == relief::CompareMode::Flicker;
     rate_->setVisible(flicker);

@@ -33,54 +33,6 @@ relief::Scenario shownBy(const relief::Scenario& whole, const relief::MethodChoi
     return scenario;
 }
 
-double niceCeil(double value) {
-    if (!(value > 0)) return 1;
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (value <= factor * power) return factor * power;
-    }
-    return 10 * power;
-}
-
-// Few pixels, as at edges, differ by far more than all others: those have the end of the scale.
-double mostOf(const relief::FloatImage& image) {
-    constexpr double kMost = 0.99;
-    std::vector<float> values(image.pixels().begin(), image.pixels().end());
-    if (values.empty()) return 0;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(kMost * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return static_cast<double>(*at > 0 ? *at : *std::max_element(at, values.end()));
-}
-
-float largest(const relief::FloatImage& image) {
-    const auto& pixels = image.pixels();
-    return pixels.empty() ? 0 : *std::max_element(pixels.begin(), pixels.end());
-}
-
-std::shared_ptr<const relief::FloatImage> l1Errors(const relief::ColorImage& a, const relief::ColorImage& b) {
-    const auto encoded = [](float v) { return relief::srgbFromLinear(std::clamp(v, 0.0F, 1.0F)); };
-    auto errors = std::make_shared<relief::FloatImage>(a.width(), a.height());
-    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-        float sum = 0;
-        for (int c = 0; c < 3; ++c) sum += std::abs(encoded(a.pixels()[i][c]) - encoded(b.pixels()[i][c]));
-        errors->pixels()[i] = sum / 3;
-    }
-    return errors;
-}
-
-QImage colored(const relief::FloatImage& errors, double high) {
-    const Style style;  // the map of counts is the same in both themes
-    QImage image(errors.width(), errors.height(), QImage::Format_RGB32);
-    for (int y = 0; y < errors.height(); ++y) {
-        auto* const line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        for (int x = 0; x < errors.width(); ++x) {
-            const Rgba c = style.mapped(ColorMap::Count, static_cast<double>(errors(x, y)) / high);
-            line[x] = qRgb(c.r, c.g, c.b);
-        }
-    }
-    return image;
-}
-
 bool rates(CompareSubject subject, const relief::MethodChoice& choice) {
     if (subject == CompareSubject::Filters) return choice.name != relief::kSupersample;
     return subject == CompareSubject::Methods && relief::findTracer(choice.name).kind == relief::MethodKind::Tracer;
@@ -224,31 +176,6 @@ std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, con
     constexpr int kKept = 4;
     std::erase_if(rendered_, [&](const auto& entry) { return entry.second.used + kKept < calls_; });
     return view;
-}
-
-void Comparer::measure(ComparedView& view, const relief::Frame& reference, relief::Work& work) const {
-    const relief::ColorImage& right = reference.light->color;
-    double l1 = 0;
-    double flip = 0;
-    for (ComparedPicture& picture : view.pictures) {
-        if (!picture.frame) continue;
-        work.throwIfStopped();
-        const relief::ColorImage& test = picture.frame->light->color;
-        relief::FloatImage map;
-        picture.error = relief::pictureError(right, test, relief::kPixelsPerDegree, map, work);
-        picture.equal = picture.frame.get() == &reference || std::ranges::equal(right.pixels(), test.pixels());
-        picture.flip = std::make_shared<const relief::FloatImage>(std::move(map));
-        picture.l1 = l1Errors(right, test);
-        l1 = std::max(l1, mostOf(*picture.l1));
-        flip = std::max(flip, static_cast<double>(largest(*picture.flip)));
-    }
-    view.l1High = niceCeil(l1);
-    view.flipHigh = niceCeil(flip);
-    for (ComparedPicture& picture : view.pictures) {
-        if (!picture.error) continue;
-        picture.l1Picture = colored(*picture.l1, view.l1High);
-        picture.flipPicture = colored(*picture.flip, view.flipHigh);
-    }
 }
 
 }  // namespace reliefui

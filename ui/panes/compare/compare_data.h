@@ -2,6 +2,7 @@
 // they are made.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -43,20 +44,32 @@ struct ComparedPicture {
     const QImage& shown(const relief::Comparison& how, bool reference) const;
 };
 
+// How errors become colours: those of all pictures but the reference together.
+struct ErrorScale {
+    ColorRange range;
+    ColorScale scale;
+    std::shared_ptr<const ValueSpread> spread;  // null: nothing is measured
+};
+RangeOf rangeOf(relief::CompareMeasure measure);
+
 struct ComparedView {
     relief::Scenario scenario;  // pixel and step are those of the time when it was made
     bool coarse = false;
     std::shared_ptr<const relief::Frame> frame;  // the snapshot's
     std::vector<ComparedPicture> pictures;
-    std::string reference;     // its name
-    relief::Scenario against;  // what the reference depends on
-    bool complete = false;     // all pictures are this scenario's, and measured unless they are coarse
-    double l1High = 1;         // of the scales
-    double flipHigh = 1;
-    std::size_t rays = 0;  // that rates were measured on, or pixels
+    std::string reference;             // its name
+    relief::Scenario against;          // what the reference depends on
+    bool complete = false;             // all pictures are this scenario's, and measured unless they are coarse
+    std::array<ErrorScale, 2> scales;  // by the measure
+    std::size_t rays = 0;              // that rates were measured on, or pixels
     int rounds = 0;
     bool rated = false;  // or there are no rates
 
+    const ErrorScale& scaleOf(relief::CompareMeasure measure) const {
+        return scales[static_cast<std::size_t>(measure)];
+    }
+    // Whether errors are shown in these ranges.
+    bool inRanges(const ColorRanges& ranges) const;
     bool isReference(const ComparedPicture& picture) const;
     // Whether it shows what this snapshot wants compared.
     bool of(const Snapshot& snapshot) const;
@@ -96,6 +109,13 @@ class Comparer {
     std::map<std::string, Rendered> rendered_;
     int calls_ = 0;
 };
+
+// The same with the errors in the colours of these ranges; of a view that was measured.
+std::shared_ptr<const ComparedView> recolored(const ComparedView& view, const ColorRanges& ranges);
+
+// The pictures that the view shows as the snapshot's scenario compares them, rendered anew `width` pixels wide; errors
+// in the colours of the view's scale. Null images where a picture has a problem. Throws Cancelled, MemoryError.
+std::vector<QImage> redrawnPictures(const ComparedView& view, const Snapshot& snapshot, int width, relief::Work& work);
 
 // The same with rates: rays of the view traced by all methods in turn, with their steps; pixels of it by all filters.
 // Throws Cancelled.

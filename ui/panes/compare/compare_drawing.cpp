@@ -17,7 +17,7 @@ using relief::MessageId;
 constexpr double kGap = 6;     // points, between tiles
 constexpr double kTitle = 15;  // a line of text
 constexpr double kLine = 12;
-constexpr double kAnyWidth = 1e4;
+constexpr double kAbove = 3;             // numbers below pictures that share a place
 constexpr const char* kBetween = "   ";  // numbers in a line
 
 std::string figures(double value) {
@@ -65,7 +65,8 @@ double tileText(const CompareSource& source, double width, relief::Language lang
 Grid gridOf(const CompareSource& source, double width, double height, relief::Language language) {
     Grid best;
     const int count = static_cast<int>(source.tiles.size());
-    for (int columns = 1; columns <= count; ++columns) {
+    const int most = source.columns > 0 ? source.columns : count;
+    for (int columns = std::max(source.columns, 1); columns <= most; ++columns) {
         const int rows = (count + columns - 1) / columns;
         const double w = (width - kGap * (columns - 1)) / columns;
         const double h = (height - kGap * (rows - 1)) / rows - tileText(source, w, language);
@@ -113,6 +114,23 @@ void addMissing(Drawing& drawing, const CompareTile& tile, const Box& room) {
                       .plate = tile.veiled});
 }
 
+bool beside(const CompareSource& source) {
+    return source.mode == CompareMode::Tiles || source.mode == CompareMode::Difference;
+}
+
+// Below pictures that share a place: name and numbers of one.
+std::vector<std::string> numberLines(const CompareTile& tile, double width, relief::Language language) {
+    std::vector<std::string> all{tile.name};
+    for (std::string& number : compareNumbers(tile, language)) all.push_back(std::move(number));
+    return lines(all, width);
+}
+
+std::size_t linesBelow(const CompareSource& source, double width, relief::Language language) {
+    std::size_t below = 0;
+    for (const CompareTile& tile : source.tiles) below += numberLines(tile, width, language).size();
+    return std::max(below, source.lines);
+}
+
 CompareLayout tiled(const CompareSource& source, double width, double height, relief::Language language) {
     CompareLayout layout;
     const Grid grid = gridOf(source, width, height, language);
@@ -148,12 +166,9 @@ std::vector<std::string> stackedNumbers(const CompareTile& tile, double width, r
 CompareLayout stacked(const CompareSource& source, double width, double height, relief::Language language) {
     CompareLayout layout;
     const std::size_t count = source.tiles.size();
-    const auto numbers = [&](const CompareTile& tile) { return stackedNumbers(tile, width, language); };
-    std::size_t below = 0;
-    for (const CompareTile& tile : source.tiles) below += numbers(tile).size();
-    layout.lines = below = std::max(below, source.lines);
+    layout.lines = linesBelow(source, width, language);
     // As large as the picture: dividers divide it, not what lies beside it.
-    const double most = std::max(1.0, height - kLine * static_cast<double>(below) - 3);
+    const double most = std::max(1.0, height - kLine * static_cast<double>(layout.lines) - kAbove);
     const double side = std::min(width, most / source.aspect);
     const Box room{(width - side) / 2, 0, (width + side) / 2, side * source.aspect};
     layout.dividers = source.dividers;
@@ -187,10 +202,10 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
         layout.drawing.add(id, Role::Highlight, Marker{{clip.x0, room.center().y}, Shape::Diamond, 11},
                            Emphasis::Strong);
     }
-    double y = room.y1 + 3 + kLine / 2;
+    double y = room.y1 + kAbove + kLine / 2;
     for (const CompareTile& tile : source.tiles) {
         const bool strong = source.mode == CompareMode::Flicker && &tile == &source.tiles[source.shown];
-        for (const std::string& line : numbers(tile)) {
+        for (const std::string& line : numberLines(tile, width, language)) {
             add(layout.drawing, {2, y}, line, chart::kTextSize, Anchor::Left, Role::Legend,
                 strong ? Emphasis::Strong : Emphasis::Normal);
             y += kLine;
@@ -199,10 +214,12 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
     return layout;
 }
 
-void addScale(LegendRows& rows, const CompareSource& source) {
-    const bool flip = source.measure == relief::CompareMeasure::Flip;
-    rows.ramp(ColorMap::Count, Message(flip ? MessageId::DrawCompareFlip : MessageId::DrawCompareL1,
-                                       {{"high", (flip ? "" : "≥ ") + figures(source.high)}}));
+// None where differences are not shown.
+std::optional<RangedValues> scaleOf(const CompareSource& source, relief::Language language) {
+    if (source.mode != CompareMode::Difference || !source.errors) return std::nullopt;
+    RangedValues values = *source.errors;
+    values.name = relief::sentence(compareErrorName(source.measure), language);
+    return values;
 }
 
 }  // namespace
@@ -274,15 +291,35 @@ CompareLayout compareLayout(const CompareSource& source, double width, double he
     return layout;
 }
 
-Drawing compareScale(const CompareSource& source, relief::Language language) {
-    LegendRows rows(kAnyWidth, language);
-    addScale(rows, source);
-    return rows.take();
+Message compareErrorName(relief::CompareMeasure measure) {
+    return Message(measure == relief::CompareMeasure::Flip ? MessageId::DrawCompareFlip : MessageId::DrawCompareL1);
+}
+
+double compareHeight(const CompareSource& source, double width, relief::Language language) {
+    if (!beside(source)) {
+        return width * source.aspect + kAbove + kLine * static_cast<double>(linesBelow(source, width, language));
+    }
+    const int rows = (static_cast<int>(source.tiles.size()) + source.columns - 1) / source.columns;
+    const double w = (width - kGap * (source.columns - 1)) / source.columns;
+    const double one = kTitle + w * source.aspect + kLine * static_cast<double>(mostLines(source, w, language));
+    return one * rows + kGap * (rows - 1);
+}
+
+Drawing compareScale(const CompareSource& source, double width, relief::Language language) {
+    const auto values = scaleOf(source, language);
+    return values ? rangeLegend(*values, width, true) : Drawing();
 }
 
 Drawing compareLegend(const CompareSource& source, double width, relief::Language language) {
     LegendRows rows(width, language);
-    if (source.mode == CompareMode::Difference) addScale(rows, source);
+    if (source.mode == CompareMode::Difference) {
+        RangedValues none;
+        none.spread = std::make_shared<const ValueSpread>();
+        Drawing scale = rangeLegend(scaleOf(source, language).value_or(none), width);
+        // Not measured yet: its room alone, so that pictures stay where they are.
+        if (!source.errors) scale.items.clear();
+        rows.block(std::move(scale));
+    }
     const bool filters = source.subject == relief::CompareSubject::Filters;
     const Message note =
         source.rays > 0 ? Message(filters ? MessageId::DrawCompareFiltersAgainst : MessageId::DrawCompareAgainst,

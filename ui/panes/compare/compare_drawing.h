@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "painting/drawing.h"
+#include "painting/range_legend.h"
 #include "scenario/comparison.h"
 
 namespace reliefui {
@@ -39,9 +39,11 @@ struct CompareSource {
     std::vector<double> dividers;  // of swipe: one fewer than tiles
     std::size_t shown = 0;         // of flicker
     double aspect = 0.75;          // height over width of the pictures
-    double high = 1;               // of the scale of differences
-    std::string reference;         // its name
-    std::size_t rays = 0;          // or pixels, that the rates were measured on; 0: not yet
+    // The scale of differences; its name is the measure's. None: they are not measured yet.
+    std::optional<RangedValues> errors;
+    int columns = 0;        // of tiles; 0: as many as make them largest
+    std::string reference;  // its name
+    std::size_t rays = 0;   // or pixels, that the rates were measured on; 0: not yet
     int rounds = 0;
     std::size_t lines = 0;  // of numbers for which there is room at least, so that pictures stay where they were
 };
@@ -59,8 +61,12 @@ struct CompareLayout {
 CompareLayout compareLayout(const CompareSource& source, double width, double height, relief::Language language);
 // The least height at which the pictures are large enough to be told apart, with all their numbers.
 double compareLeastHeight(const CompareSource& source, double width, relief::Language language);
-// The scale of differences alone.
-Drawing compareScale(const CompareSource& source, relief::Language language);
+// What a measure is called on its scale.
+relief::Message compareErrorName(relief::CompareMeasure measure);
+// The height, points, in which the pictures fill this width, in so many columns.
+double compareHeight(const CompareSource& source, double width, relief::Language language);
+// The scale of differences alone, in few rows.
+Drawing compareScale(const CompareSource& source, double width, relief::Language language);
 Drawing compareLegend(const CompareSource& source, double width, relief::Language language);
 
 // Its numbers as they stand below a tile, each by itself: "RMSE 0.0123", "PSNR 38.2 dB", ...

@@ -1,76 +1,73 @@
 #include "panes/compare/compare_figure.h"
 
-#include <cmath>
-#include <mutex>
-
+#include "painting/painter.h"
 #include "panes/compare/compare_painting.h"
 #include "panes/figure_caption.h"
-#include "workspace/resized_snapshot.h"
 
 namespace reliefui {
 
 namespace {
 
 // Pictures in two columns where there are four.
-std::size_t columnsOf(const relief::Comparison& how) {
-    const std::size_t count = relief::othersOf(how).size() + 1;
-    const bool beside = how.mode == relief::CompareMode::Tiles || how.mode == relief::CompareMode::Difference;
+int columnsOf(const CompareSource& source) {
+    const bool beside = source.mode == relief::CompareMode::Tiles || source.mode == relief::CompareMode::Difference;
+    const auto count = static_cast<int>(source.tiles.size());
     return !beside ? 1 : count == 4 ? 2 : count;
 }
 
-double aspectOf(const Snapshot& snapshot) {
-    const relief::Comparison& how = snapshot.scenario.comparison;
-    const double picture = static_cast<double>(snapshot.scenario.height) / snapshot.scenario.width;
-    constexpr double kText = 0.12;
-    const auto columns = static_cast<double>(columnsOf(how));
-    return picture * (columns == 2 && relief::othersOf(how).size() == 3 ? 2 : 1) / columns + kText;
+// Points: what the pictures and their words get of a page so wide, and how high both are with the legend.
+double roomOf(const FigurePage& page) {
+    return page.widthMm / kMmPerPoint - kFigureMargins;
+}
+double heightOf(const CompareSource& source, const FigurePage& page) {
+    const double width = roomOf(page);
+    const relief::Language language = page.style.language;
+    const double legend = compareLegend(source, width, language).bounds.height();
+    // A page of pixels is rounded to whole ones, which must not narrow the pictures.
+    const double pixel = page.widthMm / kMmPerPoint / page.pixels();
+    return compareHeight(source, width, language) + legend + kFigureMargins + kFigureMargin + pixel;
 }
 
-// The comparison in the size that was painted last.
-struct Redrawn {
-    std::mutex mutex;
-    int width = 0;
-    std::shared_ptr<const Snapshot> snapshot;
-    std::shared_ptr<const ComparedView> view;
-
-    void make(const std::shared_ptr<const Snapshot>& of, int pixels) {
-        if (pixels == width && view) return;
-        relief::Work work;
-        Comparer comparer;
-        snapshot = resized(of, pixels, work);
-        view = withRates(*comparer.view(*snapshot, nullptr, {}, work), *snapshot, work);
-        width = pixels;
+FigureCaption captionOf(std::shared_ptr<const Snapshot> snapshot) {
+    const relief::Scenario& scenario = snapshot->scenario;
+    const relief::CompareSubject subject = scenario.comparison.subject;
+    std::string names;
+    for (const relief::MethodChoice& choice : relief::comparedOf(scenario)) {
+        names += (names.empty() ? "" : ", ") + relief::variationText(subject, choice);
     }
-};
+    const bool methods = subject == relief::CompareSubject::Methods;
+    const bool filters = subject == relief::CompareSubject::Filters;
+    FigureCaption all = figureCaption(snapshot, {}, methods ? names : std::string(), filters ? names : std::string());
+    return [all = std::move(all), width = scenario.width, height = scenario.height](relief::Language language) {
+        const relief::Message redrawn(relief::MessageId::CaptionCompared, {{"width", width}, {"height", height}});
+        return all(language) + " · " + relief::sentence(redrawn, language);
+    };
+}
 
 }  // namespace
 
-std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot, std::size_t shown) {
-    const relief::CompareSubject subject = snapshot->scenario.comparison.subject;
-    const std::vector<relief::MethodChoice> all = relief::comparedOf(snapshot->scenario);
-    const bool methods = subject == relief::CompareSubject::Methods;
-    const bool filters = subject == relief::CompareSubject::Filters;
-    if (all.size() == 1) {
-        emptyFigure("compare", methods ? relief::MessageId::ExportNoMethods : relief::MessageId::ExportNoOthers);
+std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot,
+                                            std::shared_ptr<const ComparedView> view, std::size_t shown) {
+    if (relief::comparedOf(snapshot->scenario).size() == 1) {
+        const bool methods = snapshot->scenario.comparison.subject == relief::CompareSubject::Methods;
+        throw EmptyFigure("compare", methods ? relief::MessageId::ExportNoMethods : relief::MessageId::ExportNoOthers);
     }
-    std::string names;
-    for (const relief::MethodChoice& choice : all) {
-        names += (names.empty() ? "" : ", ") + relief::variationText(subject, choice);
-    }
-    const auto paint = [snapshot, shown, redrawn = std::make_shared<Redrawn>()](QPainter& painter, const Box& page,
-                                                                                const Style& style) {
-        const std::scoped_lock lock(redrawn->mutex);
-        const auto columns = static_cast<double>(columnsOf(snapshot->scenario.comparison));
-        redrawn->make(snapshot, style.picturePixels(page.width() / columns));
-        const Snapshot& drawn = *redrawn->snapshot;
-        const relief::Comparison& how = drawn.scenario.comparison;
-        const ComparePage parts = comparePage(compareSource(*redrawn->view, drawn.scenario, shown), page, style);
-        paintCompare(painter, *redrawn->view, how, parts, page, style, drawn.scenario.pixel, {});
-    };
-    return paintedFigure(
-        paint,
-        redrawnCaption(figureCaption(snapshot, {}, methods ? names : std::string(), filters ? names : std::string())),
-        [snapshot](const FigurePage&) { return aspectOf(*snapshot); });
+    return computedFigure([snapshot, view, shown](const FigurePage& wanted, relief::Work& work) {
+        auto measured = view;
+        if (!measured) measured = withRates(*Comparer().view(*snapshot, nullptr, {}, work), *snapshot, work);
+        CompareSource source = compareSource(*measured, snapshot->scenario, shown);
+        source.columns = columnsOf(source);
+        const double height = heightOf(source, wanted);
+        // The room of a picture, as it will be laid.
+        const double width = compareLayout(source, roomOf(wanted), height, wanted.style.language).rooms[0].width();
+        const std::vector<QImage> pictures = redrawnPictures(*measured, *snapshot, wanted.picturePixels(width), work);
+        const auto paint = [snapshot, source, pictures](QPainter& painter, const Box& page, const Style& style) {
+            paintRedrawn(painter, pictures, comparePage(source, page, style, true), page, style, snapshot->scenario);
+        };
+        return paintedFigure(paint, captionOf(snapshot), [source](const FigurePage& page) {
+            return heightOf(source, page) / (page.widthMm / kMmPerPoint);
+        });
+    });
 }
 
 }  // namespace reliefui

@@ -6,8 +6,9 @@
 
 namespace reliefui {
 
-// shown: of flicker. The pictures are rendered anew in the size they have on the page, and compared and timed in it;
-// one that differs from the last page's takes seconds.
-std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot, std::size_t shown);
+// The pictures are rendered anew in the size they have on the page. Numbers and scale are the view's, as the pane shows
+// them; without a view they are measured in the size of the scenario. shown: of flicker.
+std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot,
+                                            std::shared_ptr<const ComparedView> view, std::size_t shown);
 
 }  // namespace reliefui

@@ -15,12 +15,6 @@ constexpr double kMostLegend = 0.14;
 constexpr int kVeil = 150;         // of 255
 constexpr double kLeastSide = 10;  // points
 
-QRectF fitted(const QRectF& room, const QSize& size) {
-    const double scale = std::min(room.width() / size.width(), room.height() / size.height());
-    const QSizeF side = QSizeF(size) * scale;
-    return {room.center() - QPointF(side.width() / 2, side.height() / 2), side};
-}
-
 // Qt's own reduction looks at four pixels only; detail that a method lost must not come from that.
 void drawReduced(QPainter& painter, const QImage& image, const QRectF& target, bool smooth) {
     const double scale = target.width() / std::max(1, image.width());
@@ -38,14 +32,14 @@ void drawReduced(QPainter& painter, const QImage& image, const QRectF& target, b
 
 }  // namespace
 
-ComparePage comparePage(const CompareSource& source, const Box& page, const Style& style) {
+ComparePage comparePage(const CompareSource& source, const Box& page, const Style& style, bool whole) {
     ComparePage parts;
     const double unit = style.pixelsPerPoint();
-    parts.legend = compareLegend(source, page.width() / unit - 12, style.language);
-    if (parts.legend.bounds.height() * unit > kMostLegend * page.height()) {
+    const double width = page.width() / unit - 2 * kFigureMargin;
+    parts.legend = compareLegend(source, width, style.language);
+    if (!whole && parts.legend.bounds.height() * unit > kMostLegend * page.height()) {
         // What the numbers are they say themselves; what the colours are only the scale.
-        parts.legend =
-            source.mode == relief::CompareMode::Difference ? compareScale(source, style.language) : Drawing();
+        parts.legend = compareScale(source, width, style.language);
     }
     parts.room = figureRoom(parts.legend, page, style);
     const double width = std::max(kLeastSide, parts.room.width() / unit);
@@ -54,39 +48,66 @@ ComparePage comparePage(const CompareSource& source, const Box& page, const Styl
     return parts;
 }
 
-void paintCompare(QPainter& painter, const ComparedView& view, const relief::Comparison& how, const ComparePage& parts,
-                  const Box& page, const Style& style, std::optional<relief::PixelChoice> pixel,
-                  const std::function<QRectF(const QRectF& room)>& place) {
-    const double unit = style.pixelsPerPoint();
-    const ViewMap map{unit, parts.room.x0, parts.room.y0};
+namespace {
+
+// The rooms of pictures that are seen, in the painter's units, between ground and legend below and words above them.
+// draw: puts picture n into its room, clipped to what of it is seen.
+void paintAround(QPainter& painter, const ComparePage& parts, const Box& page, const Style& style,
+                 const std::function<void(std::size_t n, const QRectF& room)>& draw) {
+    const ViewMap map{style.pixelsPerPoint(), parts.room.x0, parts.room.y0};
     const auto rectangle = [&](const Box& points) {
         const Box b = map.toScreen(points);
         return QRectF(b.x0, b.y0, b.width(), b.height());
     };
-    // The ground, and the legend.
     paintFigure(painter, {}, parts.legend, page, style);
-    const QSize size(view.scenario.width, view.scenario.height);
-    for (std::size_t n = 0; n < view.pictures.size() && n < parts.layout.rooms.size(); ++n) {
-        const ComparedPicture& picture = view.pictures[n];
-        const Box& clip = parts.layout.clips[n];
-        if (clip.empty() || picture.picture.isNull()) continue;
-        const QRectF room = rectangle(parts.layout.rooms[n]);
-        const QRectF target = place ? place(room) : fitted(room, size);
+    for (std::size_t n = 0; n < parts.layout.rooms.size(); ++n) {
+        if (parts.layout.clips[n].empty()) continue;
         painter.save();
-        painter.setClipRect(rectangle(clip), Qt::IntersectClip);
+        painter.setClipRect(rectangle(parts.layout.clips[n]), Qt::IntersectClip);
+        draw(n, rectangle(parts.layout.rooms[n]));
+        painter.restore();
+    }
+    paint(painter, parts.layout.drawing, map, style, page);
+}
+
+void markPixel(QPainter& painter, const relief::PixelChoice& pixel, int width, const QRectF& picture,
+               const Style& style) {
+    const double side = picture.width() / width;
+    paintChosenPixel(painter, {picture.x() + (pixel.x + 0.5) * side, picture.y() + (pixel.y + 0.5) * side}, side,
+                     style);
+}
+
+}  // namespace
+
+void paintCompare(QPainter& painter, const ComparedView& view, const relief::Comparison& how, const ComparePage& parts,
+                  const Box& page, const Style& style, std::optional<relief::PixelChoice> pixel,
+                  const std::function<QRectF(const QRectF& room)>& place) {
+    paintAround(painter, parts, page, style, [&](std::size_t n, const QRectF& room) {
+        if (n >= view.pictures.size() || view.pictures[n].picture.isNull()) return;
+        const ComparedPicture& picture = view.pictures[n];
+        const QRectF target = place(room);
         drawReduced(painter, picture.shown(how, view.isReference(picture)), target, view.coarse);
         if (parts.layout.veiled[n]) {
             QColor veil = toColor(style.background());
             veil.setAlpha(kVeil);
-            painter.fillRect(rectangle(clip), veil);
+            painter.fillRect(room, veil);
         } else if (pixel) {
-            const double scale = target.width() / size.width();
-            const QPointF at(target.x() + (pixel->x + 0.5) * scale, target.y() + (pixel->y + 0.5) * scale);
-            paintChosenPixel(painter, at, scale, style);
+            markPixel(painter, *pixel, view.scenario.width, target, style);
         }
-        painter.restore();
-    }
-    paint(painter, parts.layout.drawing, map, style, page);
+    });
+}
+
+void paintRedrawn(QPainter& painter, const std::vector<QImage>& pictures, const ComparePage& parts, const Box& page,
+                  const Style& style, const relief::Scenario& scenario) {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+    paintAround(painter, parts, page, style, [&](std::size_t n, const QRectF& room) {
+        if (n >= pictures.size() || pictures[n].isNull()) return;
+        QRectF target(room.topLeft(), QSizeF(room.width(), room.width() * pictures[n].height() / pictures[n].width()));
+        const bool pixels = room.width() - pictures[n].width() < 1 && room.width() >= pictures[n].width() - 1e-6;
+        if (pixels) target = {QPointF(room.topLeft().toPoint()), QSizeF(pictures[n].size())};
+        painter.drawImage(target, pictures[n]);
+        if (scenario.pixel) markPixel(painter, *scenario.pixel, scenario.width, target, style);
+    });
 }
 
 }  // namespace reliefui

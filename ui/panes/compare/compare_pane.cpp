@@ -14,7 +14,7 @@ PaneKind comparePane() {
     kind.place = DockPlace::UpperRight;
     kind.make = makePane<CompareView>;
     kind.figures = {{"compare", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario&) {
-                         return compareFigure(std::move(s), 0);
+                         return compareFigure(std::move(s), nullptr, 0);
                      }}};
     return kind;
 }

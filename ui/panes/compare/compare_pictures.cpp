@@ -97,7 +97,8 @@ void ComparePictures::relayout() {
         CompareSource source = compareSource(*view_, wanted(), shown_, pending_);
         // Numbers that are not there yet come back to where they were.
         if ((late || view_->coarse) && mode_ == source.mode) source.lines = lines_;
-        ComparePage parts = comparePage(source, page, workspace()->style());
+        ComparePage parts = comparePage(source, page, workspace()->style(), false);
+        errors_ = std::move(source.errors);
         mode_ = source.mode;
         lines_ = parts.layout.lines;
         setMinimumHeight(static_cast<int>(std::ceil(parts.leastHeight)));
@@ -107,6 +108,8 @@ void ComparePictures::relayout() {
     } else {
         layout_ = {};
         setMinimumHeight(0);
+        legend_ = {};
+        errors_.reset();
     }
     update();
 }
@@ -176,8 +179,28 @@ void ComparePictures::resizeEvent(QResizeEvent* event) {
     relayout();
 }
 
+std::optional<RangedValues> ComparePictures::errors() const {
+    if (!errors_ || wanted().comparison.mode != relief::CompareMode::Difference) return std::nullopt;
+    RangedValues values = *errors_;
+    values.name = relief::sentence(compareErrorName(wanted().comparison.measure), workspace()->style().language);
+    return values;
+}
+
+QRectF ComparePictures::legendBar() const {
+    const Box page{0, 0, double(width()), double(height())};
+    const ViewMap map = legendMap(legend_, page, workspace()->style());
+    for (const Item& item : legend_.items) {
+        const auto* const bar = std::get_if<Rectangle>(&item.primitive);
+        if (bar == nullptr || item.id.kind != ItemKind::ColorBar) continue;
+        const Box b = map.toScreen(bar->box);
+        return {b.x0, b.y0, b.width(), b.height()};
+    }
+    return {};
+}
+
 void ComparePictures::mousePressEvent(QMouseEvent* event) {
     const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+    if (plain && legendBar().contains(event->localPos())) return Q_EMIT rangeWanted();
     const auto divider = plain ? dividerAt(event->localPos()) : std::nullopt;
     if (!divider) return PictureView::mousePressEvent(event);
     dividers_ = layout_.dividers;

@@ -31,7 +31,15 @@ CompareSource compareSource(const ComparedView& view, const relief::Scenario& sc
     source.dividers = relief::dividersOf(how);
     source.shown = shown % all.size();
     source.aspect = static_cast<double>(scenario.height) / scenario.width;
-    source.high = how.measure == relief::CompareMeasure::L1 ? view.l1High : view.flipHigh;
+    if (const ErrorScale& scale = view.scaleOf(how.measure); scale.spread && view.measured(scenario, 0)) {
+        RangedValues values;
+        values.of = rangeOf(how.measure);
+        values.map = ColorMap::Count;
+        values.range = scale.range;
+        values.scale = scale.scale;
+        values.spread = scale.spread;
+        source.errors = std::move(values);
+    }
     source.reference = comparedReferenceName(scenario);
     source.rays = view.measured(scenario, 0) ? view.rays : 0;
     source.rounds = view.rounds;

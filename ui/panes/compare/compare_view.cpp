@@ -7,9 +7,11 @@
 #include <QToolButton>
 
 #include "panes/compare/compare_figure.h"
+#include "panes/range_button.h"
 #include "workspace/change_name.h"
 #include "workspace/discard.h"
 #include "workspace/pause_log.h"
+#include "workspace/range_json.h"
 
 namespace reliefui {
 
@@ -46,8 +48,7 @@ void CompareView::showSnapshot() {
     if (view_ && view_->of(*snapshot)) {
         snapshot_ = snapshot;  // another pixel, perhaps
         pictures_->relayout();
-        if (!view_->coarse && !view_->rated && !job_->busy()) startRates();
-        return;
+        return proceed();
     }
     // A coarse picture has another filter: it says nothing of the filters.
     if (snapshot->coarse && snapshot->scenario.comparison.subject == relief::CompareSubject::Filters) {
@@ -94,24 +95,32 @@ void CompareView::startView() {
         coarseRunning_ = false;
         show(*made);
         if (workspace_->snapshot() != snapshot) return refresh();
-        if (!view_->coarse) startRates();
+        proceed();
     };
     coarseRunning_ = snapshot->coarse;
     view_ ? pictures_->setProgress(0) : pictures_->show(nullptr, relief::MessageId::DrawCompareDrawing);
     job_->start({work, done});
 }
 
-void CompareView::startRates() {
-    if (!view_ || !view_->complete || view_->coarse || view_->rated) return;
+void CompareView::proceed() {
+    if (!view_ || !view_->complete || view_->coarse || outdated()) return;
+    const ColorRanges ranges = rangesOf(workspace_->scenario());
+    if (!view_->inRanges(ranges)) {
+        make([view = view_, ranges](relief::Work&) { return recolored(*view, ranges); });
+    } else if (!view_->rated && !job_->busy()) {
+        make([view = view_, snapshot = snapshot_](relief::Work& w) { return withRates(*view, *snapshot, w); });
+    }
+}
+
+void CompareView::make(std::function<std::shared_ptr<const ComparedView>(relief::Work&)> work) {
     auto made = std::make_shared<std::shared_ptr<const ComparedView>>();
-    const auto work = [made, view = view_, snapshot = snapshot_](relief::Work& w) {
-        *made = withRates(*view, *snapshot, w);
-    };
     const auto done = [this, made] {
         view_ = *made;
         pictures_->show(view_, {});
+        range_->refresh();
+        proceed();
     };
-    job_->start({work, done});
+    job_->start({[made, work = std::move(work)](relief::Work& w) { *made = work(w); }, done});
 }
 
 void CompareView::cancel() {
@@ -232,8 +241,10 @@ void CompareView::addToMenu(QMenu& menu) {
                    [this, n = *number] { swapWithA(n); });
 }
 
+// With the numbers of the pane: there are none while they are being measured.
 std::shared_ptr<const Figure> CompareView::figure() const {
-    return view_ ? compareFigure(snapshot_, pictures_->shown()) : nullptr;
+    const bool ready = view_ && view_->complete && !view_->coarse && view_->rated && !outdated();
+    return ready ? compareFigure(snapshot_, view_, pictures_->shown()) : nullptr;
 }
 
 }  // namespace reliefui

@@ -21,6 +21,7 @@ class QToolButton;
 namespace reliefui {
 
 class OptionsForm;
+class RangeButton;
 
 // The pictures, with the grammar of the result. Dividers are dragged.
 class ComparePictures : public PictureView {
@@ -46,8 +47,11 @@ class ComparePictures : public PictureView {
     // Which picture is under the point.
     std::optional<std::size_t> pictureAt(QPointF widget) const;
     void relayout();
+    // The scale of differences that is on the screen; none: there is none.
+    std::optional<RangedValues> errors() const;
 
   signals:
+    void rangeWanted();  // the bar of colours was clicked
     void hovered(const QString& readout);
     void flickerStopped();
 
@@ -71,6 +75,7 @@ class ComparePictures : public PictureView {
     QRectF onScreen(const Box& points) const;
     std::optional<std::size_t> dividerAt(QPointF widget) const;
     bool moveDivider(QKeyEvent* event);
+    QRectF legendBar() const;  // of its colours, on the widget; empty: there is none
     bool dragsFit() const { return layout_.dividers.size() == dividers_.size(); }
     QStringList readouts(relief::PixelChoice pixel) const;
 
@@ -78,6 +83,7 @@ class ComparePictures : public PictureView {
     relief::MessageId why_ = relief::MessageId::DrawNoPicture;
     CompareLayout layout_;
     Drawing legend_;
+    std::optional<RangedValues> errors_;
     Box room_;               // of the layout on this widget
     std::size_t lines_ = 0;  // of numbers, when it was drawn last, this way
     relief::CompareMode mode_{};
@@ -135,7 +141,10 @@ class CompareView : public FigureView {
     void showControls();
     void change(const relief::Comparison& comparison, const QString& what);
     void startView();
-    void startRates();
+    // What is left to do for the pictures that are shown: colours in the ranges that are chosen, then rates.
+    void proceed();
+    // Makes another view of the one that is shown.
+    void make(std::function<std::shared_ptr<const ComparedView>(relief::Work&)> work);
     void fillChoosers();
     void tick();
 
@@ -160,6 +169,7 @@ class CompareView : public FigureView {
     QComboBox* reference_ = nullptr;
     QDoubleSpinBox* rate_ = nullptr;
     QToolButton* play_ = nullptr;
+    RangeButton* range_ = nullptr;
     QPoint menuAt_;
 
     std::shared_ptr<const Snapshot> snapshot_;

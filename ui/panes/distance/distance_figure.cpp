@@ -36,31 +36,22 @@ DistancePane paneOf(const DistanceOptions& options) {
 
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                              const DistanceOptions& options, const std::optional<QueryPoint>& point) {
-    // Made when it is first drawn.
-    struct Kept {
-        std::once_flag once;
-        DistanceMaps maps;
-        DistanceSource source;
-    };
-    const auto sourceOf = [snapshot, options, point, kept = std::make_shared<Kept>()]() -> const DistanceSource& {
-        std::call_once(kept->once, [&] {
-            relief::Work work;
-            kept->maps = distanceMaps(*snapshot, options, {}, work);
-            kept->source = distanceSource(*snapshot, kept->maps);
-            kept->source.point = pointOf(*snapshot, point, work);
-        });
-        return kept->source;
-    };
-    const auto legend = [sourceOf, options, step](double width, relief::Language language) {
-        // What it names does not depend on the room.
-        return distanceLegend(sourceOf(), distancePicture(sourceOf(), options, step, width, width / 2, language), width,
-                              language);
-    };
-    const auto layers = [sourceOf, options, step](double width, double height, const Style& style) {
-        const DistancePicture picture = distancePicture(sourceOf(), options, step, width, height, style.language);
-        return std::vector{picture.drawing, distanceMarks(sourceOf(), picture.frame, step)};
-    };
-    return chartFigure({legend, layers}, figureCaption(snapshot, step));
+    return computedFigure([snapshot, step, options, point](const FigurePage&, relief::Work& work) {
+        const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
+        DistanceSource source = distanceSource(*snapshot, maps);
+        source.point = pointOf(*snapshot, point, work);
+        const auto legend = [source, options, step](double width, relief::Language language) {
+            // What it names does not depend on the room.
+            return distanceLegend(source, distancePicture(source, options, step, width, width / 2, language), width,
+                                  language);
+        };
+        // The maps hold what the source refers to.
+        const auto layers = [source, maps, options, step](double width, double height, const Style& style) {
+            const DistancePicture picture = distancePicture(source, options, step, width, height, style.language);
+            return std::vector{picture.drawing, distanceMarks(source, picture.frame, step)};
+        };
+        return chartFigure({legend, layers}, figureCaption(snapshot, step));
+    });
 }
 
 }  // namespace reliefui

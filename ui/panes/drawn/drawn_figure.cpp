@@ -6,7 +6,7 @@
 namespace reliefui {
 
 std::shared_ptr<const Figure> drawnFigure(std::shared_ptr<const Snapshot> snapshot) {
-    if (snapshot->scenario.pictures.drawn.empty()) emptyFigure("drawn", relief::MessageId::ExportNoDrawn);
+    if (snapshot->scenario.pictures.drawn.empty()) throw EmptyFigure("drawn", relief::MessageId::ExportNoDrawn);
     return paintedFigure(
         [snapshot](QPainter& painter, const Box& page, const Style& style) {
             const DrawnSource source = drawnSource(*snapshot);

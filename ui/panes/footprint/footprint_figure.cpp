@@ -45,7 +45,7 @@ void paintFootprint(QPainter& painter, const PixelFootprint& footprint, const Fo
 std::shared_ptr<const Figure> footprintFigure(std::shared_ptr<const Snapshot> snapshot,
                                               const FootprintOptions& options) {
     requireRay("footprint", *snapshot);
-    if (!snapshot->footprint) emptyFigure("footprint", relief::MessageId::ExportNoHit);
+    if (!snapshot->footprint) throw EmptyFigure("footprint", relief::MessageId::ExportNoHit);
     const auto paint = [snapshot, options](QPainter& painter, const Box& page, const Style& style) {
         const PixelFootprint& footprint = *snapshot->footprint;
         const double unit = style.pixelsPerPoint();

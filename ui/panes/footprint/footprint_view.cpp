@@ -53,12 +53,17 @@ FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
     column->addLayout(both_, 1);
     connect(weights_, &DrawingCanvas::resized, this, &FootprintView::drawWeights);
     connect(canvas_, &DrawingCanvas::pointed, this, &FootprintView::tell);
-    connect(canvas_, &DrawingCanvas::left, this, [this] {
-        setReadout({});
-        if (!chosen_) return;
-        chosen_.reset();
-        redraw();
+    connect(weights_, &DrawingCanvas::hovered, this, [this](const ItemId& id) {
+        const bool texel = footprint_ && id.kind == ItemKind::Texel;
+        point(texel ? std::optional(static_cast<std::size_t>(id.i)) : std::nullopt);
+        setReadout(texel ? describe(footprint_->log.texels[*chosen_]) : QString());
     });
+    for (DrawingCanvas* const canvas : {canvas_, weights_}) {
+        connect(canvas, &DrawingCanvas::left, this, [this] {
+            setReadout({});
+            point({});
+        });
+    }
     connect(canvas_, &DrawingCanvas::resized, this, &FootprintView::refresh);
     connect(canvas_, &DrawingCanvas::moved, this, &FootprintView::redraw);
     connect(workspace_, &Workspace::panesChanged, this, &FootprintView::adopt);
@@ -122,7 +127,10 @@ void FootprintView::showSnapshot() {
     shown_ = workspace_->snapshot();
     const std::shared_ptr<const PixelFootprint> before = footprint_;
     footprint_ = shown_ ? shown_->footprint : nullptr;
-    if (footprint_ != before) chosen_.reset();
+    if (footprint_ != before) {
+        chosen_.reset();
+        workspace_->pointAtTexel({});
+    }
     makeRoom();
     if (!footprint_) {
         using relief::MessageId;
@@ -165,24 +173,47 @@ void FootprintView::makeRoom() {
 }
 
 void FootprintView::drawWeights() {
-    if (!footprint_ || !hasWeights(*footprint_) || weights_->isHidden()) return weights_->letGo();
+    if (!footprint_ || !hasWeights(*footprint_) || weights_->isHidden()) {
+        plots_.reset();
+        return weights_->letGo();
+    }
     const double unit = workspace_->style().pixelsPerPoint();
     const Drawing legend =
         weightLegend(*footprint_, weights_->width() / unit - kFigureMargins, workspace_->style().language);
     weights_->setLayers({}, std::make_shared<const Drawing>(legend));
+    plotsLegend_ = std::make_shared<const Drawing>(legend);
     const QSizeF room = weights_->room();
-    auto plots = std::make_shared<const Drawing>(weightDrawing(*footprint_, {0, 0, room.width(), room.height()}));
-    weights_->setLayers({std::move(plots)}, std::make_shared<const Drawing>(legend));
+    plots_ = std::make_shared<const Drawing>(weightDrawing(*footprint_, {0, 0, room.width(), room.height()}));
+    showWeights();
+}
+
+void FootprintView::showWeights() {
+    if (!plots_ || weights_->isHidden()) return;
+    std::vector<std::shared_ptr<const Drawing>> layers{plots_};
+    if (chosen_) {
+        layers.push_back(std::make_shared<const Drawing>(weightHighlight(*footprint_, plots_->bounds, *chosen_)));
+    }
+    weights_->setLayers(std::move(layers), plotsLegend_);
+}
+
+void FootprintView::point(std::optional<std::size_t> texel) {
+    if (texel == chosen_) return;
+    chosen_ = texel;
+    redraw();
+    showWeights();
+    workspace_->pointAtTexel(texel);
 }
 
 void FootprintView::letGo() {
+    point({});
     weights_->letGo();
+    plots_.reset();
+    plotsLegend_.reset();
     shown_.reset();
     footprint_.reset();
     texture_.reset();
     marks_.reset();
     legend_.reset();
-    chosen_.reset();
     canvas_->letGo();
     setReadout({});
 }
@@ -215,19 +246,23 @@ void FootprintView::tell(const QPointF& widget) {
     const QStringList behind = coefficientLines(f.behind);
     canvas_->setToolTip(behind.join('\n'));
     const QString more = QStringLiteral(" · ") + behind.join(QStringLiteral(" · "));
-    const auto chosen = footprintTexelAt(f, canvas_->toDrawing(widget));
-    if (chosen != chosen_) {
-        chosen_ = chosen;
-        redraw();
-    }
+    point(footprintTexelAt(f, canvas_->toDrawing(widget)));
     const ItemId id = canvas_->itemAt(widget);
-    if (!chosen) {
+    if (!chosen_) {
         setReadout(id.kind == ItemKind::Texel
                        ? tr("level %1, texel (%2, %3): does not count").arg(id.level).arg(id.i).arg(id.j) + more
                        : QString());
         return;
     }
-    const relief::FootprintTexel& texel = f.log.texels[*chosen];
+    QString text = describe(f.log.texels[*chosen_]);
+    constexpr double kNear = 4;  // points
+    const RayHit* const ray = footprintRayAt(f, canvas_->toDrawing(widget), kNear / canvas_->zoom());
+    if (ray != nullptr) text += tr(" · ray: %1% of the pixel").arg(number(100 * ray->share, 2));
+    setReadout(text + more);
+}
+
+QString FootprintView::describe(const relief::FootprintTexel& texel) const {
+    const PixelFootprint& f = *footprint_;
     QString text = tr("level %1, texel (%2, %3)").arg(texel.level).arg(texel.i).arg(texel.j);
     const double weight = PixelFootprint::weightOf(texel);
     const auto share = [&](double w) { return f.weightSum > 0 ? number(100 * w / f.weightSum, 2) : number(0, 2); };
@@ -251,16 +286,13 @@ void FootprintView::tell(const QPointF& widget) {
             text += tr(", partly hidden: weight %1 left out").arg(number(PixelFootprint::weightOf(*part), 3));
         }
     }
-    constexpr double kNear = 4;  // points
-    const RayHit* const ray = footprintRayAt(f, canvas_->toDrawing(widget), kNear / canvas_->zoom());
-    if (ray != nullptr) text += tr(" · ray: %1% of the pixel").arg(number(100 * ray->share, 2));
     const relief::LevelFootprint& footprint = f.log.footprint;
     if (footprint.kind == relief::FootprintKind::Ellipse) {
         const double square =
             relief::squaredRadius(footprint.ellipse, texel.u - footprint.centre.x, texel.v - footprint.centre.y);
         text += tr(" · r² %1").arg(number(square, 3));
     }
-    setReadout(text + more);
+    return text;
 }
 
 std::shared_ptr<const Figure> FootprintView::figure() const {

@@ -44,8 +44,13 @@ class FootprintView : public FigureView {
     void makeBar(QHBoxLayout* bar);
     void makeRoom();     // for the weights, beside or below, where there is some
     void drawWeights();  // another footprint or room
-    void adopt();        // what the scenario says
-    void redraw();       // another part is seen, or another texel is under the pointer
+    void showWeights();  // with the texel under the pointer
+    // The texel under the pointer, for all panes.
+    void point(std::optional<std::size_t> texel);
+    // What it counts for.
+    QString describe(const relief::FootprintTexel& texel) const;
+    void adopt();   // what the scenario says
+    void redraw();  // another part is seen, or another texel is under the pointer
     void showEmpty(relief::MessageId why);
 
     DrawingCanvas* canvas_;
@@ -59,7 +64,8 @@ class FootprintView : public FigureView {
     std::shared_ptr<const Drawing> texture_;
     std::shared_ptr<const Drawing> marks_;
     std::shared_ptr<const Drawing> legend_;
-    std::optional<std::size_t> chosen_;  // the texel under the pointer
+    std::shared_ptr<const Drawing> plots_, plotsLegend_;  // of the weights
+    std::optional<std::size_t> chosen_;                   // the texel under the pointer
 };
 
 }  // namespace reliefui

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "filtering/weight_map.h"
 #include "painting/chart.h"
@@ -46,18 +47,22 @@ class WeightPictures {
   public:
     explicit WeightPictures(const PixelFootprint& footprint) : f_(footprint), settings_(*footprint.weighing) {}
 
-    void graph(Drawing& drawing, const Box& room) const {
-        const double cut = settings_.radius * settings_.radius;
-        double far = cut;
+    // Of the graph: a little more than all that lies in it.
+    Plot graphPlot(const Box& room) const {
+        constexpr double kMore = 1.04;
         double high = 1;
-        eachTexel([&](const FootprintTexel& texel, double du, double dv) {
-            far = std::max(far, std::min(squared(du, dv), 2 * cut));
+        eachTexel([&](ItemId, const FootprintTexel& texel, double, double) {
             high = std::max(high, PixelFootprint::weightOf(texel));
         });
         const Box box = chart::plotIn(room, kMargins);
-        const Plot plot{box, {0, far * 1.04, box.x0, box.x1}, {0, high * 1.04, box.y1, box.y0}};
+        return {box, {0, farthest() * kMore, box.x0, box.x1}, {0, high * kMore, box.y1, box.y0}};
+    }
+
+    void graph(Drawing& drawing, const Box& room) const {
+        const double cut = settings_.radius * settings_.radius;
+        const Plot plot = graphPlot(room);
         chart::title(drawing, Message(MessageId::DrawWeightGraph), room);
-        const chart::Axes axes(drawing, box, room);
+        const chart::Axes axes(drawing, plot.box, room);
         axes.left(plot.y, true);
         axes.below(plot.x, Message(MessageId::DrawWeightAxis));
         axes.sides();
@@ -73,14 +78,32 @@ class WeightPictures {
             curve.points.push_back(plot.at(cut, 0));
             drawing.add({}, Role::Footprint, std::move(curve));
         }
-        eachTexel([&](const FootprintTexel& texel, double du, double dv) {
-            const double square = squared(du, dv);
-            if (square > far) return;
-            const Point at = plot.at(square, PixelFootprint::weightOf(texel));
-            if (texel.hidden) {
-                drawing.add({}, Role::Hidden, Marker{at, Shape::Cross, kDot});
-            } else {
-                drawing.add({}, Role::Weight, Marker{at, Shape::Dot, kDot});
+        eachTexel([&](ItemId id, const FootprintTexel& texel, double du, double dv) {
+            const auto at = onGraph(plot, texel, du, dv);
+            if (!at) return;
+            drawing.add(id, texel.hidden ? Role::Hidden : Role::Weight,
+                        Marker{*at, texel.hidden ? Shape::Cross : Shape::Dot, kDot});
+        });
+    }
+
+    // Down the screen, as the pixel's y runs.
+    Plot mapPlot(const Box& room) const {
+        Box box = chart::plotIn(room, kMargins);
+        const double side = std::min(box.width(), box.height());
+        box = {box.x0, box.y0, box.x0 + side, box.y0 + side};
+        const double reach = settings_.radius;
+        return {box, {-reach, reach, box.x0, box.x1}, {-reach, reach, box.y0, box.y1}};
+    }
+
+    void ring(Drawing& drawing, const Box& graphRoom, const std::optional<Box>& mapRoom, std::size_t texel) const {
+        constexpr double kRing = 4.5;
+        const Plot graph = graphPlot(graphRoom);
+        eachTexel([&](ItemId id, const FootprintTexel& at, double du, double dv) {
+            if (static_cast<std::size_t>(id.i) != texel) return;
+            if (const auto place = onGraph(graph, at, du, dv)) drawing.add(id, Role::Highlight, Ring{*place, kRing});
+            if (!mapRoom) return;
+            if (const auto place = onMap(mapPlot(*mapRoom), du, dv)) {
+                drawing.add(id, Role::Highlight, Ring{*place, kRing});
             }
         });
     }
@@ -90,18 +113,14 @@ class WeightPictures {
         if (settings.source != relief::WeightSource::Map) settings.resolution = kDrawnCells;
         const relief::WeightMap weights(settings);
         const int n = weights.size();
-        Box box = chart::plotIn(room, kMargins);
-        const double side = std::min(box.width(), box.height());
-        box = {box.x0, box.y0, box.x0 + side, box.y0 + side};
-        const double reach = settings.radius;
-        // Down the screen, as the pixel's y runs.
-        const Plot plot{box, {-reach, reach, box.x0, box.x1}, {-reach, reach, box.y0, box.y1}};
+        const Plot plot = mapPlot(room);
+        const Box& box = plot.box;
         chart::title(drawing, Message(MessageId::DrawWeightMap, {{"cells", n}}), room);
         Cells cells{.values = picture(weights),
                     .x = box.x0,
                     .y = box.y0,
-                    .cellWidth = side / n,
-                    .cellHeight = side / n,
+                    .cellWidth = box.width() / n,
+                    .cellHeight = box.width() / n,
                     .clip = box,
                     .map = colored(settings) ? ColorMap::Picture : ColorMap::Count};
         cells.scale.high = highest(weights);
@@ -111,13 +130,12 @@ class WeightPictures {
         axes.left(plot.y);
         axes.below(plot.x, Message(MessageId::DrawWeightMapAxis));
         const Point a = plot.at(-0.5, -0.5), b = plot.at(0.5, 0.5);
-        if (reach > 0.5) drawing.add({}, Role::Neighbour, Rectangle{{a.x, a.y, b.x, b.y}, false, 0, 0});
-        const relief::PixelFromTexel back = relief::pixelFromTexel(f_.log.footprint.widened);
-        eachTexel([&](const FootprintTexel& texel, double du, double dv) {
-            const double x = back.dx(du, dv), y = back.dy(du, dv);
-            if (std::max(std::abs(x), std::abs(y)) > reach) return;
-            drawing.add({}, texel.hidden ? Role::Hidden : Role::Weight,
-                        Marker{plot.at(x, y), texel.hidden ? Shape::Cross : Shape::Dot, texel.hidden ? kDot : 3.5});
+        if (settings.radius > 0.5) drawing.add({}, Role::Neighbour, Rectangle{{a.x, a.y, b.x, b.y}, false, 0, 0});
+        eachTexel([&](ItemId id, const FootprintTexel& texel, double du, double dv) {
+            const auto at = onMap(plot, du, dv);
+            if (!at) return;
+            drawing.add(id, texel.hidden ? Role::Hidden : Role::Weight,
+                        Marker{*at, texel.hidden ? Shape::Cross : Shape::Dot, texel.hidden ? kDot : 3.5});
         });
     }
 
@@ -135,8 +153,30 @@ class WeightPictures {
         const auto& texels = f_.log.texels;
         const glm::dvec2 centre = f_.log.footprint.centre;
         for (std::size_t k = 0; k < std::min(texels.size(), kMostDots); ++k) {
-            visit(texels[k], texels[k].u - centre.x, texels[k].v - centre.y);
+            visit(ItemId{ItemKind::Texel, 0, static_cast<std::int64_t>(k), 0}, texels[k], texels[k].u - centre.x,
+                  texels[k].v - centre.y);
         }
+    }
+    // Of r^2 that is drawn.
+    double farthest() const {
+        const double cut = settings_.radius * settings_.radius;
+        double far = cut;
+        eachTexel([&](ItemId, const FootprintTexel&, double du, double dv) {
+            far = std::max(far, std::min(squared(du, dv), 2 * cut));
+        });
+        return far;
+    }
+    // Where a texel lies; none: beyond it.
+    std::optional<Point> onGraph(const Plot& plot, const FootprintTexel& texel, double du, double dv) const {
+        const double square = squared(du, dv);
+        if (square > 2 * settings_.radius * settings_.radius) return std::nullopt;
+        return plot.at(square, PixelFootprint::weightOf(texel));
+    }
+    std::optional<Point> onMap(const Plot& plot, double du, double dv) const {
+        const relief::PixelFromTexel back = relief::pixelFromTexel(f_.log.footprint.widened);
+        const double x = back.dx(du, dv), y = back.dy(du, dv);
+        if (std::max(std::abs(x), std::abs(y)) > settings_.radius) return std::nullopt;
+        return plot.at(x, y);
     }
     double squared(double du, double dv) const { return relief::squaredRadius(f_.log.footprint.ellipse, du, dv); }
 
@@ -165,14 +205,15 @@ bool hasWeights(const PixelFootprint& f) {
     return f.weighing && f.listed && f.log.footprint.kind == relief::FootprintKind::Ellipse && !f.log.texels.empty();
 }
 
-Drawing weightDrawing(const PixelFootprint& footprint, const Box& room) {
-    Drawing drawing;
-    drawing.bounds = room;
-    const WeightPictures pictures(footprint);
-    if (!hasMap(*footprint.weighing)) {
-        pictures.graph(drawing, room);
-        return drawing;
-    }
+namespace {
+
+struct Rooms {
+    Box graph;
+    std::optional<Box> map;
+};
+
+Rooms roomsOf(const PixelFootprint& footprint, const Box& room) {
+    if (!hasMap(*footprint.weighing)) return {room, std::nullopt};
     Box graph = room, map = room;
     if (room.width() >= room.height()) {
         // The map is square; the graph gets the rest, and no less than half.
@@ -182,8 +223,26 @@ Drawing weightDrawing(const PixelFootprint& footprint, const Box& room) {
     } else {
         graph.y1 = map.y0 = room.center().y;
     }
-    pictures.graph(drawing, graph);
-    pictures.map(drawing, map);
+    return {graph, map};
+}
+
+}  // namespace
+
+Drawing weightDrawing(const PixelFootprint& footprint, const Box& room) {
+    Drawing drawing;
+    drawing.bounds = room;
+    const WeightPictures pictures(footprint);
+    const Rooms rooms = roomsOf(footprint, room);
+    pictures.graph(drawing, rooms.graph);
+    if (rooms.map) pictures.map(drawing, *rooms.map);
+    return drawing;
+}
+
+Drawing weightHighlight(const PixelFootprint& footprint, const Box& room, std::size_t texel) {
+    Drawing drawing;
+    drawing.bounds = room;
+    const Rooms rooms = roomsOf(footprint, room);
+    WeightPictures(footprint).ring(drawing, rooms.graph, rooms.map, texel);
     return drawing;
 }
 

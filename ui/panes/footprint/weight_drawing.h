@@ -11,7 +11,10 @@ namespace reliefui {
 bool hasWeights(const PixelFootprint& footprint);
 
 // In a room of points; beside each other, or one below the other, as it is shaped. Of a footprint that has weights.
+// Texels' marks have the id of a texel whose i is their number in the footprint's list.
 Drawing weightDrawing(const PixelFootprint& footprint, const Box& room);
+// Rings around the marks of one of them, over the drawing in the same room.
+Drawing weightHighlight(const PixelFootprint& footprint, const Box& room, std::size_t texel);
 // What its signs are, in at most `width` points.
 Drawing weightLegend(const PixelFootprint& footprint, double width, relief::Language language);
 

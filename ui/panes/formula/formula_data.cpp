@@ -70,8 +70,8 @@ RowFormula rowFormula(relief::RowVariant variant) {
 // The groups of one pixel in one language.
 class Groups {
   public:
-    Groups(const Snapshot& snapshot, int step, relief::Language language)
-        : s_(snapshot), step_(step), language_(language) {}
+    Groups(const Snapshot& snapshot, int step, relief::Language language, std::optional<std::size_t> texel)
+        : s_(snapshot), step_(step), language_(language), texel_(texel) {}
 
     std::vector<FormulaGroup> take() {
         const auto pixel = numbersOf(s_);
@@ -208,33 +208,38 @@ class Groups {
         group(FormulaPart::Footprint, say(MessageId::DrawFormulaEllipse), say(MessageId::DrawFormulaEllipsePlace));
         const relief::Jacobian& j = p.derivatives;
         const relief::Ellipse& e = p.ellipse;
-        const auto texels = [&](double value, const char* power) {
-            return with(value, MessageId::DrawFormulaTexels, power);
+        // Of squares of derivatives, and of squares of these.
+        const auto scaled = [&](double value, const char* power) {
+            return with(value, MessageId::DrawFormulaTexelsPixel, power);
         };
         groups_.back().rows.push_back({"A U² + B U V + C V² = F", {}, {}, kTex, {}});
-        row("A", "v_x² + v_y²", term::square(j.vx) + " + " + term::square(j.vy), e.a, texels(e.a, "²"), kTex);
+        row("A", "v_x² + v_y²", term::square(j.vx) + " + " + term::square(j.vy), e.a, scaled(e.a, "²"), kTex);
         row("B", "−2 (u_x v_x + u_y v_y)",
-            "−2 (" + term::product(j.ux, j.vx) + term::plus(term::product(j.uy, j.vy)) + ")", e.b, texels(e.b, "²"),
+            "−2 (" + term::product(j.ux, j.vx) + term::plus(term::product(j.uy, j.vy)) + ")", e.b, scaled(e.b, "²"),
             kTex);
-        row("C", "u_x² + u_y²", term::square(j.ux) + " + " + term::square(j.uy), e.c, texels(e.c, "²"), kTex);
+        row("C", "u_x² + u_y²", term::square(j.ux) + " + " + term::square(j.uy), e.c, scaled(e.c, "²"), kTex);
         row("F", "(u_x v_y − u_y v_x)²",
-            "(" + term::product(j.ux, j.vy) + term::minus(term::product(j.uy, j.vx)) + ")²", e.f, texels(e.f, "⁴"),
+            "(" + term::product(j.ux, j.vy) + term::minus(term::product(j.uy, j.vx)) + ")²", e.f, scaled(e.f, "⁴"),
             kTex);
         row("l_1", "√((A + C + √((A − C)² + B²)) / 2)",
             "√((" + formulaNumber(e.a) + " + " + formulaNumber(e.c) + " + √((" + formulaNumber(e.a) + " − " +
                 formulaNumber(e.c) + ")² + " + term::square(e.b) + ")) / 2)",
-            p.axes.major, texels(p.axes.major, ""), "Heckbert 1989");
+            p.axes.major, with(p.axes.major, MessageId::DrawFormulaTexels), "Heckbert 1989");
         row("l_2", "√F / l_1", "√" + term::atom(e.f) + " / " + term::atom(p.axes.major), p.axes.minor,
-            texels(p.axes.minor, ""), "Heckbert 1989");
+            with(p.axes.minor, MessageId::DrawFormulaTexels), "Heckbert 1989");
     }
 
     void weights(const PixelFootprint& f) {
         const relief::LevelFootprint& log = f.log.footprint;
         const bool ellipse = f.weighing && log.kind == relief::FootprintKind::Ellipse;
         std::string note = ellipse ? say(MessageId::DrawFormulaSeen, {{"level", log.level}}) + " " : "";
-        const relief::FootprintTexel* const texel = f.listed ? heaviestTexel(f) : nullptr;
-        if (texel != nullptr) {
-            const auto& texels = f.log.texels;
+        const auto& texels = f.log.texels;
+        const bool pointed = texel_ && *texel_ < texels.size();
+        const relief::FootprintTexel* const texel = pointed ? &texels[*texel_] : f.listed ? heaviestTexel(f) : nullptr;
+        if (pointed) {
+            note += say(MessageId::DrawFormulaPointed, {{"i", texel->i}, {"j", texel->j}, {"level", texel->level}});
+            if (texel->hidden) note += " " + say(MessageId::DrawFormulaHidden);
+        } else if (texel != nullptr) {
             const auto counted =
                 std::count_if(texels.begin(), texels.end(), [](const relief::FootprintTexel& t) { return !t.hidden; });
             note += say(MessageId::DrawFormulaTexel,
@@ -260,6 +265,7 @@ class Groups {
         } else {
             atPoint(f, du, dv, weight);
         }
+        if (texel->hidden) return;
         const double share = f.weightSum > 0 ? weight / f.weightSum : 0;
         groups_.back().rows.push_back({"w / Σw",
                                        term::atom(weight) + " / " + term::atom(f.weightSum),
@@ -326,6 +332,7 @@ class Groups {
     const Snapshot& s_;
     int step_;
     relief::Language language_;
+    std::optional<std::size_t> texel_;  // pointed at
     std::vector<FormulaGroup> groups_;
 };
 
@@ -340,8 +347,9 @@ const relief::FootprintTexel* heaviestTexel(const PixelFootprint& footprint) {
     return best;
 }
 
-std::vector<FormulaGroup> formulas(const Snapshot& snapshot, int step, relief::Language language) {
-    return Groups(snapshot, step, language).take();
+std::vector<FormulaGroup> formulas(const Snapshot& snapshot, int step, relief::Language language,
+                                   std::optional<std::size_t> texel) {
+    return Groups(snapshot, step, language, texel).take();
 }
 
 MessageId formulasMissing(const Snapshot& snapshot) {

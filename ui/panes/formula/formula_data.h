@@ -4,6 +4,7 @@
 // Formulas are marked as painting/formula_text.h says: u_x, q^2, V_{i+1}.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,15 +36,17 @@ struct FormulaGroup {
     std::vector<FormulaRow> rows;
 };
 
-// At this step of the ray. Empty where no polygon covers the pixel: see formulasMissing().
-std::vector<FormulaGroup> formulas(const Snapshot& snapshot, int step, relief::Language language);
+// At this step of the ray. Empty where no polygon covers the pixel: see formulasMissing(). texel: of the footprint's
+// list, whose weight is set; none: the heaviest that counts.
+std::vector<FormulaGroup> formulas(const Snapshot& snapshot, int step, relief::Language language,
+                                   std::optional<std::size_t> texel = {});
 // Why there are none; of a snapshot without formulas.
 relief::MessageId formulasMissing(const Snapshot& snapshot);
 
 // This step, as its record says; no rows where the record has no formula. There is a step.
 FormulaGroup stepFormulas(const Snapshot& snapshot, int step, relief::Language language);
 
-// The texel that the weights are set for: the heaviest that counts. The filter has listed one that does.
+// The texel that the weights are set for unless one is pointed at: the heaviest that counts; null: none counts.
 const relief::FootprintTexel* heaviestTexel(const PixelFootprint& footprint);
 
 }  // namespace reliefui

@@ -94,6 +94,7 @@ FormulaView::FormulaView(Workspace* workspace, QWidget* parent)
     connect(face_, &FormulaFace::pointed, this, &FormulaView::tell);
     connect(face_, &FormulaFace::left, this, [this] { setReadout({}); });
     connect(workspace_, &Workspace::stepChanged, this, &FormulaView::refresh);
+    connect(workspace_, &Workspace::texelChanged, this, &FormulaView::refresh);
     connect(workspace_, &Workspace::styleChanged, this, &FormulaView::refresh);
     refresh();
 }
@@ -105,7 +106,8 @@ void FormulaView::showSnapshot() {
     if (shown && shown->coarse) return;
     const Style& style = workspace_->style();
     if (!shown) return face_->setGroups({}, relief::MessageId::DrawNoPicture, style);
-    face_->setGroups(formulas(*shown, workspace_->scenario().step, style.language), formulasMissing(*shown), style);
+    face_->setGroups(formulas(*shown, workspace_->scenario().step, style.language, workspace_->texel()),
+                     formulasMissing(*shown), style);
 }
 
 void FormulaView::letGo() {

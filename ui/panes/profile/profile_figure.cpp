@@ -27,22 +27,19 @@ void takeProfile(ProfileOptions& options, const ProfilePane& pane) {
 std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                             const ProfileOptions& options, const std::optional<QueryPoint>& point) {
     requireRay("profile", *snapshot);
-    const auto sourceOf = [snapshot, point] {
+    return computedFigure([snapshot, step, options, point](const FigurePage&, relief::Work& work) {
         ProfileSource source = profileSource(*snapshot);
-        relief::Work work;
         source.point = pointOf(*snapshot, point, work);
-        return source;
-    };
-    const auto legend = [sourceOf, options](double width, relief::Language language) {
-        return profileLegend(sourceOf(), options, width, language);
-    };
-    const auto layers = [sourceOf, options, step](double width, double height, const Style&) {
-        const ProfileSource source = sourceOf();
-        const ProfileFrame frame = profileFrame(source, options, width, height);
-        return std::vector{profileRelief(source, options, frame), profileAxes(source, frame),
-                           profileMarks(source, options, frame, step)};
-    };
-    return chartFigure({legend, layers}, figureCaption(snapshot, step));
+        const auto legend = [source, options](double width, relief::Language language) {
+            return profileLegend(source, options, width, language);
+        };
+        const auto layers = [snapshot, source, options, step](double width, double height, const Style&) {
+            const ProfileFrame frame = profileFrame(source, options, width, height);
+            return std::vector{profileRelief(source, options, frame), profileAxes(source, frame),
+                               profileMarks(source, options, frame, step)};
+        };
+        return chartFigure({legend, layers}, figureCaption(snapshot, step));
+    });
 }
 
 }  // namespace reliefui

@@ -1,7 +1,6 @@
 #include "panes/result/result_figure.h"
 
 #include <algorithm>
-#include <mutex>
 
 #include "painting/painter.h"
 #include "panes/figure_caption.h"
@@ -13,7 +12,7 @@ namespace reliefui {
 namespace {
 
 // The legend of the result's layer, for a page so many points wide: pixels of a screen, of which there are 96 an inch.
-constexpr double kPixelsPerPoint = 96.0 / 72;
+constexpr double kPixelsPerPoint = 96.0 / kPointsPerInch;
 
 // The same on every page, and where it is measured.
 QFont legendFont() {
@@ -38,22 +37,6 @@ QSizeF legendOf(const Snapshot& snapshot, const Style& style, double width) {
     const QSize size = paintLegend(&painter, snapshot.layer, {}, onScreen(style), width);
     return size.isValid() ? QSizeF(size) / kPixelsPerPoint : QSizeF(0, 0);
 }
-
-// The snapshot in the size that was painted last.
-struct Redrawn {
-    std::mutex mutex;
-    std::shared_ptr<const Snapshot> snapshot;
-
-    const Snapshot& make(const std::shared_ptr<const Snapshot>& of, int pixels) {
-        // A page of vectors is rounded to its units.
-        if (snapshot && std::abs(snapshot->scenario.width - pixels) <= 1) return *snapshot;
-        relief::Work work;
-        auto drawn = std::make_shared<Snapshot>(*resized(of, pixels, work));
-        colorLayer(drawn->layer, of->layer.range);
-        snapshot = std::move(drawn);
-        return *snapshot;
-    }
-};
 
 void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
     const QImage& image = snapshot.layer.image;
@@ -82,20 +65,20 @@ void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, c
 }  // namespace
 
 std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snapshot) {
-    const auto redrawn = std::make_shared<Redrawn>();
-    const auto paint = [snapshot, redrawn](QPainter& painter, const Box& page, const Style& style) {
-        const std::scoped_lock lock(redrawn->mutex);
-        paintResult(painter, redrawn->make(snapshot, style.picturePixels(page.width())), page, style);
-    };
-    const auto aspect = [snapshot, redrawn](const FigurePage& page) {
-        const std::scoped_lock lock(redrawn->mutex);
-        // The layer's numbers are those of the picture as it will be drawn.
-        const Snapshot& drawn = redrawn->make(snapshot, page.pixels());
-        const double picture = static_cast<double>(drawn.scenario.height) / std::max(1, drawn.scenario.width);
-        const double points = page.widthMm / kMmPerPoint;
-        return picture + legendOf(drawn, page.style, points * kPixelsPerPoint).height() / points;
-    };
-    return paintedFigure(paint, redrawnCaption(figureCaption(snapshot)), aspect);
+    return computedFigure([snapshot](const FigurePage& wanted, relief::Work& work) {
+        const int pixels = wanted.picturePixels(wanted.widthMm / kMmPerPoint);
+        auto drawn = std::make_shared<Snapshot>(*resized(snapshot, pixels, work));
+        colorLayer(drawn->layer, snapshot->layer.range);
+        const auto paint = [drawn](QPainter& painter, const Box& page, const Style& style) {
+            paintResult(painter, *drawn, page, style);
+        };
+        const auto aspect = [drawn](const FigurePage& page) {
+            const double picture = static_cast<double>(drawn->scenario.height) / std::max(1, drawn->scenario.width);
+            const double points = page.widthMm / kMmPerPoint;
+            return picture + legendOf(*drawn, page.style, points * kPixelsPerPoint).height() / points;
+        };
+        return paintedFigure(paint, redrawnCaption(figureCaption(snapshot)), aspect);
+    });
 }
 
 }  // namespace reliefui

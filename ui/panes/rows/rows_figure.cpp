@@ -33,9 +33,10 @@ std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapsho
                                          const RowsRange& range) {
     using relief::MessageId;
     const std::optional<RowsPlace> place = rowsPlace(*snapshot);
-    if (!place) emptyFigure("rows", snapshot->scenario.pixel ? MessageId::ExportNoRelief : MessageId::ExportNoPixel);
+    if (!place)
+        throw EmptyFigure("rows", snapshot->scenario.pixel ? MessageId::ExportNoRelief : MessageId::ExportNoPixel);
     const std::vector<relief::RowMethod> methods = rowMethods(options, "--variants");
-    if (methods.empty()) emptyFigure("rows", MessageId::DrawRowNoVariant);
+    if (methods.empty()) throw EmptyFigure("rows", MessageId::DrawRowNoVariant);
     const auto data =
         std::make_shared<const RowsData>(rowsData(widened(*place, options.pixels), methods, options.inDouble));
     const auto legend = [data](double width, relief::Language language) { return rowsLegend(*data, width, language); };
