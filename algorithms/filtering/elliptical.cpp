@@ -7,7 +7,7 @@ namespace relief {
 
 namespace {
 
-// Places along each side of the pixel where its shape is read bilinearly: two a texel, within these.
+// Bounds on the number of samples along each side of a pixel of kind Shape; between them, two samples per texel.
 constexpr int kFewestPlaces = 12;
 constexpr int kMostPlaces = 96;
 
@@ -43,7 +43,7 @@ Color EllipticalKernel::special(const LevelFootprint& f, const Jacobian& j, glm:
 Color EllipticalKernel::shape(const LevelFootprint& f, const Jacobian& j, glm::dvec2 centre,
                               FootprintCounts& counts) const {
     const double reach = settings_.model() == PixelModel::Crt ? settings_.radius : 0.5;
-    // The pixel as it is; where it is infinite, as it was clamped.
+    // The pixel's own Jacobian or, if that is infinite, the clamped one.
     const bool finite = f.major == f.major && f.major <= 4.0 * std::max(levels_->width(), levels_->height());
     const Jacobian& seen = finite ? j : f.widened;
     const int across = placesAlong(2 * reach * std::hypot(seen.ux, seen.vx));
@@ -121,7 +121,7 @@ Color EllipticalKernel::filterScalar(const Jacobian& j, glm::dvec2 centre, Footp
             if (log != nullptr) log->texels.push_back({x, y, f.level, u + f.centre.x, v + f.centre.y, Color(w)});
         });
         for (int c = 0; c < 3; ++c) {
-            // A table's or a map's last cell may be zero where it is the only one.
+            // The total is zero if the only table or map entry that is used is its last one, which may be 0.
             if (!(total[c] > 0)) {
                 sum[c] = levels_->bilinear(f.level, {std::ldexp(f.centre.x, f.level), std::ldexp(f.centre.y, f.level)},
                                            address_)[c];
