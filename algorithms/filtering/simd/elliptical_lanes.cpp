@@ -27,19 +27,19 @@ struct Sums : PointSums {
     }
 };
 
-// The ellipses of as many pixels as there are lanes, on their levels.
+// The ellipses of a vector of pixels, each on its level.
 struct Footprints {
     VI level, width, height, origin, stride;
-    VI cellS, cellT;       // the centre's texel of the level
-    V restS, restT;        // and the way from its corner
-    V slope;               // U of a row's middle = slope V
-    V spanAt, spanFall;    // half a row's span: sqrt(spanAt - spanFall V^2)
-    V acrossRow, downRow;  // r^2 / R^2 ... of the Gaussian's exponent: -(acrossRow (U - middle)^2 + downRow V^2)
-    V firstRow, rows;      // whole numbers
-    V small;               // 1 of pixels with nothing to average: bilinear, no rows
+    VI cellS, cellT;       // texel of the level that contains the centre
+    V restS, restT;        // position of the centre in that texel
+    V slope;               // at V, the middle of the row's span is at U = slope V
+    V spanAt, spanFall;    // half the length of a row's span is sqrt(spanAt - spanFall V^2)
+    V acrossRow, downRow;  // a Gaussian's base-2 exponent is -(acrossRow (U - middle)^2 + downRow V^2)
+    V firstRow, rows;      // integers
+    V small;               // 1 for pixels with nothing to average: bilinear, no rows
 };
 
-// left: 1 for pixels that are left out.
+// fallback: set to 1 for pixels that are not supported.
 HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
                                    std::uint8_t* HWY_RESTRICT left) {
     const D d;
@@ -47,18 +47,18 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     Footprints f;
     const V ux = hn::Load(d, chunk.ux + first), vx = hn::Load(d, chunk.vx + first);
     const V uy = hn::Load(d, chunk.uy + first), vy = hn::Load(d, chunk.vy + first);
-    // M = J J^T and its eigenvalues: the semi-axes' squares.
+    // M = J J^T and its eigenvalues, which are the squares of the semi-axes.
     const V uu = hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy)), vv = hn::Add(hn::Mul(vx, vx), hn::Mul(vy, vy));
     const V uv = hn::Add(hn::Mul(ux, vx), hn::Mul(uy, vy)), det = hn::Sub(hn::Mul(ux, vy), hn::Mul(uy, vx));
     const V apart = hn::Sub(uu, vv), twice = hn::Add(uv, uv);
     const V root = hn::Sqrt(hn::Add(hn::Mul(apart, apart), hn::Mul(twice, twice)));
     const V largest = hn::Mul(set(0.5F), hn::Add(hn::Add(uu, vv), root));
     const V least = hn::Min(hn::Div(hn::Mul(det, det), largest), largest);
-    // NaN fails.
+    // Written so that NaN is not supported.
     const auto usual = hn::And(hn::Le(largest, set(job.mostSquare)), hn::Ge(largest, set(kLeastSquare)));
     const V minor = hn::Max(least, hn::Mul(largest, set(job.perAnisotropySquare)));
     const V over = hn::Mul(minor, set(job.perFloorSquare));
-    // floor(log2(minor / floor)): half the exponent of the square.
+    // floor(log2(minor / floor)) is half the exponent of the square.
     const VI exponent = hn::Sub(hn::ShiftRight<23>(hn::BitCast(di, over)), setI(127));
     f.level = hn::Min(hn::Max(hn::ShiftRight<1>(exponent), setI(0)), setI(job.top));
     f.level = hn::IfThenElseZero(hn::RebindMask(di, usual), f.level);
@@ -95,7 +95,7 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     split(chunk.wholeS, chunk.restS, f.cellS, f.restS);
     split(chunk.wholeT, chunk.restT, f.cellT, f.restT);
 
-    // On levels with narrow last texels, only what keeps clear of them.
+    // On levels with narrow last texels, only footprints that do not touch these are supported.
     const V s = hn::Add(toFloat(f.cellS), f.restS), t = hn::Add(toFloat(f.cellT), f.restT);
     const V zero = hn::Zero(d), one = set(1);
     const auto inside = hn::And(
@@ -120,19 +120,20 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     return f;
 }
 
-// A row's texels of each pixel, or those within one run of the row: all that their sum needs.
+// A span: the texels of one row of each pixel, or at most kLanePad of them.
 template <class Weight>
 struct Span {
     typename Weight::Run run;
-    V x, rowTerm, middle;                 // what the run is made of
-    V count;                              // texels from the first on
+    V x, rowTerm, middle;                 // input of the run
+    V count;                              // number of texels
     alignas(64) std::int32_t at[kLanes];  // the first texel
-    VI row, column;                       // and where it is; v: the row's middle. For the log alone.
+    VI row, column;                       // for the log only: its row and column; v: middle of the row
     V v;
 };
 
-// The spans of a vector of pixels, row after row: made several at once before the first is read, for a row's own work
-// is a long chain, and how many texels it has must be known to go on.
+// Sums the spans of a vector of pixels, row by row. Several spans are prepared before the first is summed, because
+// preparing a span is a long chain of dependent operations and the number of its texels must be known before the next
+// can start.
 template <class Weight, bool kLog>
 class SpanSums {
   public:
@@ -141,7 +142,7 @@ class SpanSums {
     V texels = hn::Zero(D());
     Sums sums{{hn::Zero(D()), hn::Zero(D()), hn::Zero(D())}, hn::Zero(D())};
 
-    // active: above 0 for pixels that have the row.
+    // active: above 0 for pixels that have this row.
     HWY_INLINE void addRow(VI row, V v, V active) {
         const D d;
         const DI di;
@@ -150,12 +151,12 @@ class SpanSums {
         const auto some = hn::And(hn::Ge(inside, zero), hn::Gt(active, zero));
         const V reach = hn::Sqrt(hn::Max(inside, zero));
         const V offset = hn::Mul(f_.slope, v), middle = hn::Add(offset, f_.restS);
-        // Lanes without texels here read texel 0.
+        // Lanes without texels in this row read texel 0.
         const V begin = hn::IfThenElseZero(some, hn::Ceil(hn::Sub(hn::Sub(middle, reach), half)));
         const V end = hn::Floor(hn::Sub(hn::Add(middle, reach), half));
         const V count = hn::IfThenElseZero(some, hn::Max(hn::Add(hn::Sub(end, begin), one), zero));
         texels = hn::Add(texels, count);
-        // Of lanes without texels the middle: weights that are no numbers, or too small ones, take time.
+        // Lanes without texels use the middle: weights that are NaN or denormal would be slow.
         const V x = hn::IfThenElseZero(some, hn::Sub(hn::Add(begin, half), middle));
         const V rowTerm = weight_.row(v, offset);
         VI column = hn::Add(f_.cellS, toInt(begin));
@@ -190,7 +191,7 @@ class SpanSums {
         const D d;
         const V zero = hn::Zero(d), one = set(1), two = set(2);
         const std::uint64_t* const first = job_.levels->texels.data();
-        // Exponentials are long chains as well.
+        // Exponentials are long chains of dependent operations as well, so they are computed for all spans first.
         for (std::size_t i = 0; i < made_; ++i) {
             Span<Weight>& span = spans_[i];
             span.run = typename Weight::Run(weight_, span.x, span.rowTerm, span.middle);
@@ -219,7 +220,7 @@ class SpanSums {
   private:
     static constexpr std::size_t kSpansAhead = 16;
 
-    // Of the pixel of lane 0.
+    // Logs a texel of the pixel in lane 0.
     void log(const Span<Weight>& span, std::int64_t n, V weight) const {
         if (!(static_cast<float>(n) < hn::GetLane(span.count))) return;
         const LaneLevels& levels = *job_.levels;
@@ -239,7 +240,7 @@ class SpanSums {
     Span<Weight> spans_[kSpansAhead];
 };
 
-// Colours of the small ones, whose sums are empty.
+// Adds the colours of small pixels, whose sums are empty.
 HWY_INLINE void readSmall(const LaneJob& job, const Footprints& f, Sums& sums) {
     const D d;
     PointSums read{hn::Zero(d), hn::Zero(d), hn::Zero(d)};

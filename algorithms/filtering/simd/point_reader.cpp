@@ -19,14 +19,13 @@
 #define RELIEF_POINT_READER_ONCE
 namespace relief {
 
-// Longest footprints, over their width: longer ones are widened.
+// Largest ratio of a footprint's axes: longer footprints are widened.
 inline constexpr float kPointAnisotropy = 8;
-// Of the minor axis' variance, in texels of the level chosen, at least: two fifths of what a bilinear tap itself blurs
-// by.
+// Smallest variance of the minor axis in texels^2 of the level chosen: two fifths of the blur of a bilinear tap itself.
 inline constexpr float kLeastOfLevel = 0.1F;
 // Variance of a bilinear tap between means of texels: 1/6 + 1/12.
 inline constexpr float kTapVariance = 0.25F;
-// Texels of the level between taps, at most, unless there would be more than kMostTaps.
+// Largest distance between taps in texels of the level, unless that needs more than kMostTaps.
 inline constexpr float kTapSpacing = 2.0F;
 
 }  // namespace relief
@@ -35,7 +34,7 @@ inline constexpr float kTapSpacing = 2.0F;
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// As PointReader::taps, in texels of the level.
+// SIMD version of PointReader::taps, in texels of the level.
 struct TapLanes {
     VI level, width, height, origin, stride;
     VI cellS, cellT;
@@ -57,7 +56,7 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     const V root = hn::Sqrt(hn::Add(hn::Mul(apart, apart), hn::Mul(twice, twice)));
     const V largest = hn::Mul(set(0.5F), hn::Add(hn::Add(uu, vv), root));
     const V least = hn::Div(hn::Mul(det, det), hn::Max(largest, set(kLeastSquare)));
-    // NaN fails.
+    // Written so that NaN is not supported.
     const auto usual = hn::Le(largest, set(job.mostSquare));
     const V minor = hn::Max(least, hn::Mul(largest, set(1 / (kPointAnisotropy * kPointAnisotropy))));
     const V over = hn::Mul(minor, set(1 / kLeastOfLevel));
@@ -76,13 +75,13 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     f.count = hn::Min(hn::Add(one, hn::Ceil(hn::Mul(length, set(1 / kTapSpacing)))), set(kMostTaps));
     f.count = hn::IfThenElse(usual, f.count, one);
     const V between = hn::Sqrt(hn::Max(hn::Sub(hn::Mul(f.count, f.count), one), one));
-    // The major axis' direction, by its row without cancellation.
+    // The direction of the major axis, from the row that does not cancel.
     const auto wide = hn::Ge(uu, vv);
     const V alongS = hn::IfThenElse(wide, hn::Sub(largest, vv), uv),
             alongT = hn::IfThenElse(wide, uv, hn::Sub(largest, uu));
     const V norm = hn::Sqrt(hn::Add(hn::Mul(alongS, alongS), hn::Mul(alongT, alongT)));
     const auto several = hn::And(hn::Gt(f.count, one), hn::Gt(norm, zero));
-    // Zero for footprints that are not finite, too: NaN would become the number of a texel outside the picture.
+    // Zero also for footprints that are not finite: NaN would become the index of a texel outside the picture.
     const V step = hn::Div(length, hn::Mul(between, norm));
     f.stepS = hn::IfThenElseZero(several, hn::Mul(step, alongS));
     f.stepT = hn::IfThenElseZero(several, hn::Mul(step, alongT));
@@ -95,7 +94,7 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     };
     split(chunk.wholeS, chunk.restS, f.cellS, f.restS);
     split(chunk.wholeT, chunk.restT, f.cellT, f.restT);
-    // On levels with narrow last texels, only what keeps clear of them.
+    // On levels with narrow last texels, only footprints that do not touch these are supported.
     const V reach = hn::Add(hn::Mul(hn::Mul(set(0.5F), f.count), hn::Add(hn::Abs(f.stepS), hn::Abs(f.stepT))), one);
     const auto inside = [&](V at, VI size) HWY_ATTR {
         return hn::And(hn::Ge(at, reach), hn::Le(hn::Add(at, reach), hn::Sub(toFloat(size), one)));
@@ -116,8 +115,8 @@ HWY_INLINE void addTap(const LaneJob& job, const TapLanes& f, V offset, V weight
     addBilinear(*job.levels, f, s, t, weight, sums);
 }
 
-// Asks for the texels under the middle of each footprint, which lie somewhere else for each: they come while other
-// vectors' taps are made. Beyond the picture something else is asked for, which does no harm.
+// Prefetches the texels under the middle of each footprint, which are scattered in memory, while the taps of other
+// vectors are computed. For places outside the picture some other texel is prefetched, which is harmless.
 HWY_INLINE void fetchTexels(const LaneJob& job, const TapLanes& f) {
     const DI di;
     const V half = set(0.5F);
@@ -150,7 +149,7 @@ void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, c
     hn::Store(hn::Div(sums.red, per), d, red);
     hn::Store(hn::Div(sums.green, per), d, green);
     hn::Store(hn::Div(sums.blue, per), d, blue);
-    // What is left out has no taps.
+    // Points that fall back to the reference have no taps here.
     counts.texels += 4 * static_cast<std::int64_t>(hn::GetLane(hn::SumOfLanes(d, f.count)));
     for (std::size_t k = 0; k < kLanes && first + k < chunk.count; ++k) {
         if (left[k] == 0) colors[slots[k]] = {{red[k], green[k], blue[k], 1}};
@@ -185,7 +184,7 @@ HWY_EXPORT(readPoints);
 PointTaps PointReader::taps(const Jacobian& j) const {
     const SemiAxes<double> axes = ellipseOf(j).semiAxes();
     PointTaps taps;
-    // NaN fails.
+    // Written so that NaN returns a single tap.
     if (!(axes.major <= 4.0 * std::max(levels_->width(), levels_->height()))) return taps;
     const double minor = std::max(axes.minor, axes.major / kPointAnisotropy);
     const double over = minor * minor / kLeastOfLevel;
