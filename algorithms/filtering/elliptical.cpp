@@ -72,9 +72,9 @@ Color EllipticalKernel::filter(const Jacobian& j, glm::dvec2 centre, FootprintCo
     FilterBlock block;
     block.push({centre, j, {}, 0});
     Color color(0);
-    std::uint8_t left = 0;
-    lanes_->filter(block, {1, 1}, {&color, 1}, {&left, 1}, counts, log);
-    if (left != 0) return filterScalar(j, centre, counts, log);
+    std::uint8_t fallback = 0;
+    lanes_->filter(block, {1, 1}, {&color, 1}, {&fallback, 1}, counts, log);
+    if (fallback != 0) return filterScalar(j, centre, counts, log);
     if (log != nullptr) {
         log->footprint = footprint(j, centre);
         log->color = color;
@@ -85,10 +85,10 @@ Color EllipticalKernel::filter(const Jacobian& j, glm::dvec2 centre, FootprintCo
 void EllipticalKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors,
                               FootprintCounts& counts) const {
     assert(colors.size() <= block.size());
-    std::vector<std::uint8_t> left(colors.size(), 1);
-    if (lanes_) lanes_->filter(block, scale, colors, left, counts);
+    std::vector<std::uint8_t> fallback(colors.size(), 1);
+    if (lanes_) lanes_->filter(block, scale, colors, fallback, counts);
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        if (left[i] == 0) continue;
+        if (fallback[i] == 0) continue;
         const FilterQuery query = block[i];
         colors[i] = filterScalar(scaled(query.jacobian, scale), query.place * scale, counts);
     }

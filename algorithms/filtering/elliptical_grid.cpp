@@ -57,7 +57,7 @@ std::vector<std::pair<std::size_t, float>> summedSlots(const PointLattice& latti
 }  // namespace
 
 const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t last, glm::dvec2 scale,
-                               Reused<TilePixels>& out, std::vector<std::size_t>& alone) {
+                               Reused<TilePixels>& out, std::vector<std::size_t>& fallback) {
     const FilterBlock& block = run.block;
     TilePixels& tile = out.refill();
     const PixelView* view = block.view[first];
@@ -85,7 +85,7 @@ const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t la
         // Written so that NaN is not supported.
         const bool serves = before && block.exact[i] != 0 && sidesOf(i) < largest;
         served += serves ? 1 : 0;
-        if (!serves) alone.push_back(i);
+        if (!serves) fallback.push_back(i);
     }
     tile.indices.resize(served);
     return tile;
@@ -222,11 +222,11 @@ struct GridKernel::Scratch {
     grid::SumWork sum;
 };
 
-GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone,
+GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel fallback,
                        std::shared_ptr<const Tracer> tracer, std::shared_ptr<const PackedConeHits> coneHits, int points)
     : setup_{std::move(plain),         std::move(reader), std::move(tracer), std::move(coneHits),
              PointLattice::of(points), boundsFor(points), std::nullopt},
-      alone_(std::move(alone)) {
+      fallback_(std::move(fallback)) {
     const HeightField& field = setup_.tracer->field();
     if (field.surface() != Surface::Bilinear) return;
     setup_.slopes = setup_.coneHits ? SlopeScene(field, setup_.coneHits->cones()) : SlopeScene(field);
@@ -254,7 +254,7 @@ void GridKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Co
                         Work& work, FootprintLog* log) const {
     static thread_local Scratch scratch;
     grid::Run run{setup_, block, counts, work, log};
-    std::vector<std::size_t> aloneOf;
+    std::vector<std::size_t> fallbackPixels;
     for (std::size_t first = 0; first < block.size() && !work.stopped();) {
         std::size_t last = first;
         const auto same = [&](std::size_t i) {
@@ -262,16 +262,16 @@ void GridKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Co
                    block.y[i] >> kTileDown == block.y[first] >> kTileDown;
         };
         while (last < block.size() && same(last)) ++last;
-        const grid::TilePixels& pixels = grid::gatherPixels(run, first, last, scale, scratch.pixels, aloneOf);
+        const grid::TilePixels& pixels = grid::gatherPixels(run, first, last, scale, scratch.pixels, fallbackPixels);
         if (!pixels.indices.empty()) filterTile(run, pixels, scratch, colors);
         first = last;
     }
-    if (aloneOf.empty()) return;
-    FilterBlock alone;
-    for (const std::size_t i : aloneOf) alone.push(block[i]);
-    std::vector<Color> found(aloneOf.size());
-    alone_.filter(alone, scale, found, counts, work, log);
-    for (std::size_t n = 0; n < aloneOf.size(); ++n) colors[aloneOf[n]] = found[n];
+    if (fallbackPixels.empty()) return;
+    FilterBlock fallback;
+    for (const std::size_t i : fallbackPixels) fallback.push(block[i]);
+    std::vector<Color> found(fallbackPixels.size());
+    fallback_.filter(fallback, scale, found, counts, work, log);
+    for (std::size_t n = 0; n < fallbackPixels.size(); ++n) colors[fallbackPixels[n]] = found[n];
 }
 
 }  // namespace relief

@@ -49,7 +49,7 @@ class GridKernel {
   public:
     // plain: filters whole pixels. fallback: filters pixels that the grid does not support. coneHits: traces instead of
     // the tracer, unless null.
-    GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone, std::shared_ptr<const Tracer> tracer,
+    GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel fallback, std::shared_ptr<const Tracer> tracer,
                std::shared_ptr<const PackedConeHits> coneHits, int points);
 
     // Filters a block. scale: texels of the picture per texel of the height map. counts.tested: number of rays,
@@ -63,7 +63,7 @@ class GridKernel {
     static void filterTile(grid::Run& run, const grid::TilePixels& pixels, Scratch& scratch, std::span<Color> colors);
 
     GridSetup setup_;
-    RaysKernel alone_;
+    RaysKernel fallback_;
 };
 
 }  // namespace relief

@@ -218,10 +218,10 @@ const RestPoints& meanColors(const Run& run, const EdgeGround& ground, const Poi
     const TileCells& cells = ground.centres.cells;
     const PointLattice& lattice = run.setup.lattice;
     const std::size_t perCell = lattice.places.size(), last = cells.count() - cells.inner();
-    BitColumn& even = points.mask;
-    even.resize(cells.count() + kCellSlack);
+    BitColumn& uniform = points.mask;
+    uniform.resize(cells.count() + kCellSlack);
     const auto& [red, green, blue] = colors.channel;
-    findEven({red.data(), green.data(), blue.data()}, cells.row(), last, run.setup.bounds, even.data());
+    findUniform({red.data(), green.data(), blue.data()}, cells.row(), last, run.setup.bounds, uniform.data());
     rest.needed = plan.needed;
     for (std::size_t k = 1; k < perCell; ++k) {
         const auto square = static_cast<std::size_t>(lattice.squareOf(k, cells.width));
@@ -229,7 +229,7 @@ const RestPoints& meanColors(const Run& run, const EdgeGround& ground, const Poi
         std::array<float, 4> share;
         for (std::size_t n = 0; n < share.size(); ++n) share[n] = static_cast<float>(lattice.shares[k][n]);
         for (std::size_t c = cells.inner(); c < last; ++c) {
-            if ((plan.needed[c] & even[c - square] & bit) == 0) continue;
+            if ((plan.needed[c] & uniform[c - square] & bit) == 0) continue;
             rest.needed[c] &= static_cast<std::uint16_t>(~bit);
             colors.slots[c * perCell + k] = meanColor(colors.slots, c - square, cells.row(), perCell, share);
         }

@@ -33,7 +33,7 @@ class EllipticalLanes {
     // Filters colors.size() pixels. scale: texels of the picture per texel of the queries' places. fallback: one flag
     // per colour, set to 1 where the pixel is not filtered and its colour not written. log: null unless the block has
     // one pixel, whose texels it receives.
-    void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, std::span<std::uint8_t> left,
+    void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, std::span<std::uint8_t> fallback,
                 FootprintCounts& counts, FootprintLog* log = nullptr) const;
 
   private:

@@ -22,8 +22,8 @@ constexpr double kProbeTurn = 0.4636476090008061;
 constexpr double kProbeMass = 0.6;
 // Planarity: largest second difference of the hits, relative to the first difference, and in texels of the picture.
 // Deviations below the latter are invisible.
-constexpr double kMostBend = 0.1;
-constexpr double kUnseenBend = 0.05;
+constexpr double kRelativeBend = 0.1;
+constexpr double kAbsoluteBend = 0.05;
 // Hits whose heights differ by at most this are at one height up to rounding: level ground, which keeps the pixel's own
 // bits.
 constexpr double kLevel = 1e-9;
@@ -119,7 +119,7 @@ struct RaysKernel::Scratch {
     glm::dvec2 scale{1};
     RayBlock rays;
     HitBlock hits;
-    std::vector<std::size_t> asked;  // pixels whose rays these are
+    std::vector<std::size_t> traced;  // pixels whose rays these are
     // Queries of the pixels on planes, and the pixels' indices in the block.
     FilterBlock plain;
     std::vector<std::size_t> plainOf;
@@ -167,7 +167,7 @@ bool RaysKernel::planeThrough(const FilterQuery& query, const HitBlock& hits, st
     for (std::size_t k = 0; k < 2; ++k) {
         step[k] = 0.5 * (at[k] - at[k + 2]);
         const double bend = 0.25 * square(at[k] + at[k + 2]);
-        if (!(bend <= kMostBend * kMostBend * square(step[k]) + kUnseenBend * kUnseenBend)) return false;
+        if (!(bend <= kRelativeBend * kRelativeBend * square(step[k]) + kAbsoluteBend * kAbsoluteBend)) return false;
     }
     // With the places e and f = e turned by 90 degrees, x = (e.x e - e.y f) / e^2 and y = (e.y e + e.x f) / e^2.
     const glm::dvec2 e = pattern_.places[0] / square(pattern_.places[0]);
@@ -178,7 +178,7 @@ bool RaysKernel::planeThrough(const FilterQuery& query, const HitBlock& hits, st
 
 void RaysKernel::probe(const FilterBlock& block, std::size_t first, std::size_t last, Scratch& scratch,
                        Work& work) const {
-    scratch.asked.clear();
+    scratch.traced.clear();
     scratch.rays.resize((last - first) * kProbes);
     const auto plain = [&](std::size_t i, const FilterQuery& query, const Jacobian& j) {
         scratch.plain.set(scratch.plainOf.size(), {query.place * scratch.scale, j, {}, 0});
@@ -192,15 +192,15 @@ void RaysKernel::probe(const FilterBlock& block, std::size_t first, std::size_t 
         }
         const RayFan fan(query);
         for (std::size_t n = 0; n < kProbes; ++n) {
-            scratch.rays.set(scratch.asked.size() * kProbes + n, fan.ray(pattern_.places[n]));
+            scratch.rays.set(scratch.traced.size() * kProbes + n, fan.ray(pattern_.places[n]));
         }
-        scratch.asked.push_back(i);
+        scratch.traced.push_back(i);
     }
-    scratch.rays.resize(scratch.asked.size() * kProbes);
+    scratch.rays.resize(scratch.traced.size() * kProbes);
     NullSink sink;
     tracer_->trace(scratch.rays, scratch.hits, sink, work);
-    for (std::size_t k = 0; k < scratch.asked.size(); ++k) {
-        const std::size_t i = scratch.asked[k];
+    for (std::size_t k = 0; k < scratch.traced.size(); ++k) {
+        const std::size_t i = scratch.traced[k];
         const FilterQuery query = block[i];
         Jacobian j;
         if (planeThrough(query, scratch.hits, k * kProbes, scratch.scale, j)) {

@@ -26,7 +26,7 @@ HWY_INLINE V set(double x) {
 }
 
 // Selects those of the cells from c on whose point is needed and interpolated.
-HWY_INLINE M wanted(const FollowJob& job, std::size_t c) {
+HWY_INLINE M selected(const FollowJob& job, std::size_t c) {
     const hn::Rebind<std::uint16_t, D> narrow;
     const hn::Rebind<std::uint32_t, D> wide;
     const hn::RebindToUnsigned<D> whole;
@@ -85,7 +85,7 @@ std::size_t points(const FollowJob& job, PointBlock& out, std::uint32_t* slots, 
     const PointBlur& blur = job.blur;
     const V perSlot = set(static_cast<double>(job.points)), point = set(static_cast<double>(job.point));
     for (std::size_t c = job.first; c < job.last; c += kLanes) {
-        const M mask = wanted(job, c);
+        const M mask = selected(job, c);
         if (hn::AllFalse(d, mask)) continue;
         const Packing packed(mask);
         const auto coordinate = [&](const double* column, double scale, std::vector<double>& at, std::vector<float>& u,

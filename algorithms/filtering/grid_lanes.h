@@ -57,7 +57,7 @@ inline constexpr unsigned kAllLines = 15;
 //                                     1/32          rocks +3.5%                                -5%
 //     kUniformShare           1/4     1/8, 1/2, 1   0.0%                                       0
 struct Bend {
-    double share, unseen;
+    double relative, absolute;
 };
 inline constexpr Bend kPlaneBend{0.1, 0.05};
 inline constexpr Bend kSmoothBend{0.32, 0.3};
@@ -111,12 +111,12 @@ void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointB
 // Four centres' colours are uniform, so that points between them take their mean, if no channel differs by more than
 // kUniformColors of white, nor by more than kUniformShare of its brightest value (differences are more visible in dark
 // areas). Measurements: see Bend.
-inline constexpr float kEvenColors = 1.0F / 64, kEvenShare = 0.25F;
+inline constexpr float kUniformColors = 1.0F / 64, kUniformShare = 0.25F;
 // Sets all bits of each cell c of [0, count) if the colours of c, c + 1, c + row and c + row + 1 are uniform by
 // `bounds` times kUniformColors, and no bits otherwise. Unknown colours are infinite. All columns are kCellSlack
 // longer.
-void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
-              std::uint16_t* even);
+void findUniform(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
+                 std::uint16_t* uniform);
 // Copies the centres' colours (the first of each cell's `points`) to columns of red, green and blue. They are infinite
 // where the centre is not needed (bit 0) or has no hit. All columns are kCellSlack cells longer.
 void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* needed, std::size_t count,

@@ -181,7 +181,7 @@ void traceBatch(Run& run, const PixelView& view, const Places& places, std::size
 // 1. Collects the block's pixels [first, last), of one view and tile. Indices of pixels that the grid does not support
 // are appended to `fallback`.
 const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t last, glm::dvec2 scale,
-                               Reused<TilePixels>& out, std::vector<std::size_t>& alone);
+                               Reused<TilePixels>& out, std::vector<std::size_t>& fallback);
 // 2. Copies the known hits of centres from the picture or, without one, from the block.
 Centres& takeCentres(const Run& run, const TilePixels& pixels, Reused<Centres>& out);
 // 3. Traces the unknown centres within one cell of any pixel.

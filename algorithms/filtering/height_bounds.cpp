@@ -155,13 +155,14 @@ HeightBoundsMap coarseHeightBounds(const std::shared_ptr<const FloatImage>& heig
             }
         }
     });
-    float evenest = kInfinity;
-    for (std::size_t i = 0; i < low.size(); ++i) evenest = std::min(evenest, high.pixels()[i] - low.pixels()[i]);
+    float smallestRange = kInfinity;
+    for (std::size_t i = 0; i < low.size(); ++i)
+        smallestRange = std::min(smallestRange, high.pixels()[i] - low.pixels()[i]);
     return {Pyramid(PyramidKind::Min, std::move(low), work),
             Pyramid(PyramidKind::Max, std::move(high), work),
             shift,
             {},
-            evenest};
+            smallestRange};
 }
 
 HeightBounds heightBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,

@@ -26,7 +26,7 @@ struct HeightBoundsMap {
     int shift = 0;  // a texel of level 0 covers 2^shift texels along each side
     // Level l: bounds over 2^l x 2^l texels and the cells to their right and below. Empty for large maps.
     std::vector<Image<SurfaceBounds>> surface{};
-    float evenest = 0;  // smallest height difference within any texel of level 0
+    float smallestRange = 0;  // smallest height difference within any texel of level 0
     std::size_t bytes() const;
 };
 

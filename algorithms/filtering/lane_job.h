@@ -67,7 +67,7 @@ struct LaneJob {
     std::size_t count = 0;
     double perS = 1, perT = 1;
     Color* colors = nullptr;
-    std::uint8_t* left = nullptr;
+    std::uint8_t* fallback = nullptr;
     FootprintLog* log = nullptr;
 };
 

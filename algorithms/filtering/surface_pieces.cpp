@@ -67,10 +67,10 @@ SurfacePieces::SurfacePieces(const VisibleKernel& kernel, const LevelFootprint& 
 void SurfacePieces::gather(HeightBounds under, std::vector<VisibleKernel::Piece>& pieces) {
     pieces_ = &pieces;
     while (true) {
-        left_ = kMostLooks;
+        visitsLeft_ = kMostVisits;
         texel_ = 0;
         gatherOnce(under);
-        if (left_ >= 0) return;
+        if (visitsLeft_ >= 0) return;
         pieces.clear();
         if (mostParts_ > 1) {
             mostParts_ /= 2;
@@ -91,7 +91,7 @@ void SurfacePieces::gatherOnce(HeightBounds under) {
     rows.over(
         f_.centre.y + std::min(from.y, to.y) - height, f_.centre.y + std::max(from.y, to.y) + height,
         [&](int j, double y, float rowShare) {
-            if (left_ < 0) return;
+            if (visitsLeft_ < 0) return;
             const double v = y - f_.centre.y;
             Span<double> span;
             for (const double at : {v - rim, v, v + rim}) {
@@ -126,8 +126,8 @@ bool SurfacePieces::reaches(const Block& block, HeightBounds bounds) const {
 }
 
 void SurfacePieces::add(const Block& block) {
-    if (left_ < 0) return;
-    --left_;
+    if (visitsLeft_ < 0) return;
+    --visitsLeft_;
     const glm::dvec2 place = (f_.centre + glm::dvec2(block.u, block.v)) * toField_;
     if (kernel_.outside(place)) return;
     const glm::dvec2 half = 0.5 * glm::dvec2(block.width, block.height) * toField_;
@@ -182,7 +182,7 @@ void SurfacePieces::addParts(const Block& block, HeightBounds bounds, int most) 
     const double width = block.width / across;
     const double height = block.height / down;
     const double texels = std::ldexp(1.0, f_.level);  // of level 0
-    for (int y = 0; y < down && left_ >= 0; ++y) {
+    for (int y = 0; y < down && visitsLeft_ >= 0; ++y) {
         for (int x = 0; x < across; ++x) {
             const double u = block.u + (x + 0.5) * width - 0.5 * block.width;
             const double v = block.v + (y + 0.5) * height - 0.5 * block.height;
@@ -193,7 +193,7 @@ void SurfacePieces::addParts(const Block& block, HeightBounds bounds, int most) 
 }
 
 void SurfacePieces::addPiece(const Block& block, double u, double v, double width, double height, Color color) {
-    --left_;
+    --visitsLeft_;
     const HeightField& field = kernel_.field_;
     const glm::dvec2 place = (f_.centre + glm::dvec2(u, v)) * toField_;
     const double h = field.at(place.x, place.y);
@@ -227,7 +227,7 @@ void SurfacePieces::addWalls(const Block& block, glm::dvec2 place, double h) {
         if (!(foot < h) || kernel_.outside(at)) continue;
         const int count =
             static_cast<int>(std::clamp(std::ceil((h - foot) * runPixels_ / kLargestSpread), 1.0, double(mostParts_)));
-        left_ -= count;
+        visitsLeft_ -= count;
         // Area of a part of the wall in the pixel: its length times the run of the ray over its height, in texels of
         // the level.
         const double area =

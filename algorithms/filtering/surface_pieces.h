@@ -22,7 +22,7 @@ inline constexpr double kLargestSpread = 0.5;
 // Largest number of parts of a texel along each side, and of pieces of a wall.
 inline constexpr int kMostParts = 16;
 // Largest number of texels visited and pieces made for a pixel.
-inline constexpr int kMostLooks = 8192;
+inline constexpr int kMostVisits = 8192;
 
 class SurfacePieces {
   public:
@@ -57,7 +57,7 @@ class SurfacePieces {
     glm::dvec2 toField_;  // texels of the height map per texel of the footprint's level
     bool area_;
     bool columns_;
-    int left_ = 0;                // remaining visits; below 0: exceeded
+    int visitsLeft_ = 0;          // remaining visits; below 0: exceeded
     int mostParts_ = kMostParts;  // parts of a texel of the footprint's level along each side, through all levels
     int stride_ = 1;              // takes every stride_-th texel of the footprint's level
     std::int64_t texel_ = 0;      // number of texels of the footprint's level so far

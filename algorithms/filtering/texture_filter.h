@@ -30,7 +30,7 @@ class TextureFilter {
     virtual bool tracesBack() const { return false; }
     // Returns true if the filter reads the hits of neighbouring pixels: FilterBlock::picture then saves it tracing
     // their rays.
-    virtual bool asksNeighbours() const { return false; }
+    virtual bool readsNeighbours() const { return false; }
 };
 
 // The inputs of a filter.

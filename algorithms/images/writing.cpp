@@ -30,10 +30,10 @@ constexpr std::array kFormats{
 };
 
 template <class Predicate>
-std::string extensions(const Predicate& wanted) {
+std::string extensions(const Predicate& predicate) {
     std::string list;
     for (const Format& format : kFormats)
-        if (wanted(format)) list += (list.empty() ? "" : ", ") + std::string(format.extension);
+        if (predicate(format)) list += (list.empty() ? "" : ", ") + std::string(format.extension);
     return list;
 }
 

@@ -41,7 +41,7 @@ struct Footprints {
 
 // fallback: set to 1 for pixels that are not supported.
 HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
-                                   std::uint8_t* HWY_RESTRICT left) {
+                                   std::uint8_t* HWY_RESTRICT fallback) {
     const D d;
     const DI di;
     Footprints f;
@@ -116,7 +116,7 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     f.rows = hn::IfThenElseZero(averaged, hn::Add(hn::Sub(lastRow, f.firstRow), one));
     alignas(64) std::int32_t flags[kLanes];
     hn::Store(hn::IfThenElse(hn::RebindMask(di, hn::Or(averaged, bilinear)), setI(0), setI(1)), di, flags);
-    for (std::size_t k = 0; k < kLanes; ++k) left[k] = static_cast<std::uint8_t>(flags[k]);
+    for (std::size_t k = 0; k < kLanes; ++k) fallback[k] = static_cast<std::uint8_t>(flags[k]);
     return f;
 }
 
@@ -161,7 +161,7 @@ class SpanSums {
         const V rowTerm = weight_.row(v, offset);
         VI column = hn::Add(f_.cellS, toInt(begin));
         const VI rowStart = hn::Add(f_.origin, hn::Mul(row, f_.stride));
-        V left = count;
+        V remaining = count;
         float done = 0;
         while (true) {
             if (made_ == kSpansAhead) sumSpans();
@@ -174,14 +174,14 @@ class SpanSums {
                 from = hn::Max(hn::Min(column, f_.width), setI(-kLanePad));
             }
             hn::Store(hn::Add(rowStart, from), di, span.at);
-            span.count = hn::Min(left, set(kLanePad));
+            span.count = hn::Min(remaining, set(kLanePad));
             span.x = hn::Add(x, set(done)), span.rowTerm = rowTerm, span.middle = offset;
             if constexpr (kLog) {
                 span.row = row, span.v = v;
                 span.column = hn::Add(hn::Add(f_.cellS, toInt(begin)), toInt(set(done)));
             }
-            left = hn::Sub(left, set(kLanePad));
-            if (HWY_LIKELY(hn::AllFalse(d, hn::Gt(left, zero)))) break;
+            remaining = hn::Sub(remaining, set(kLanePad));
+            if (HWY_LIKELY(hn::AllFalse(d, hn::Gt(remaining, zero)))) break;
             column = hn::Add(column, setI(kLanePad));
             done += kLanePad;
         }
@@ -252,10 +252,10 @@ HWY_INLINE void readSmall(const LaneJob& job, const Footprints& f, Sums& sums) {
 }
 
 template <class Weight, bool kLog>
-void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, std::uint8_t* left,
+void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, std::uint8_t* fallback,
                   Color* HWY_RESTRICT colors, FootprintCounts& counts) {
     const D d;
-    const Footprints f = footprintsOf(job, chunk, first, left);
+    const Footprints f = footprintsOf(job, chunk, first, fallback);
     SpanSums<Weight, kLog> spans(job, f);
     const bool repeat = job.levels->address == Address::Repeat;
     VI row = hn::Add(f.cellT, toInt(f.firstRow));
@@ -282,9 +282,9 @@ void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
     hn::Store(hn::IfThenElse(small, set(4), spans.texels), d, read);
     hn::Store(f.small, d, smallOnes);
     for (std::size_t k = 0; k < kLanes; ++k) {
-        if (first + k >= chunk.count || left[k] != 0) continue;
+        if (first + k >= chunk.count || fallback[k] != 0) continue;
         if (!(total[k] > 0)) {
-            left[k] = 1;
+            fallback[k] = 1;
             continue;
         }
         colors[k] = {red[k], green[k], blue[k]};
@@ -299,9 +299,9 @@ void filterChunks(const LaneJob& job, FootprintCounts& counts) {
     for (std::size_t begin = 0; begin < job.count; begin += kLanePixels) {
         fillChunk(job, begin, chunk);
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
-            std::uint8_t left[kLanes];
-            filterVector<Weight, kLog>(job, chunk, k, left, job.colors + begin + k, counts);
-            for (std::size_t n = 0; n < kLanes && k + n < chunk.count; ++n) job.left[begin + k + n] = left[n];
+            std::uint8_t fallback[kLanes];
+            filterVector<Weight, kLog>(job, chunk, k, fallback, job.colors + begin + k, counts);
+            for (std::size_t n = 0; n < kLanes && k + n < chunk.count; ++n) job.fallback[begin + k + n] = fallback[n];
         }
     }
 }
@@ -341,15 +341,15 @@ bool EllipticalLanes::serves(const EllipticalSettings& settings) {
 }
 
 void EllipticalLanes::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors,
-                             std::span<std::uint8_t> left, FootprintCounts& counts, FootprintLog* log) const {
-    assert(colors.size() <= block.size() && left.size() == colors.size() && (log == nullptr || colors.size() == 1));
+                             std::span<std::uint8_t> fallback, FootprintCounts& counts, FootprintLog* log) const {
+    assert(colors.size() <= block.size() && fallback.size() == colors.size() && (log == nullptr || colors.size() == 1));
     LaneJob job = job_;
     job.s = block.s.data(), job.t = block.t.data();
     job.ux = block.ux.data(), job.vx = block.vx.data();
     job.uy = block.uy.data(), job.vy = block.vy.data();
     job.count = colors.size();
     job.perS = scale.x, job.perT = scale.y;
-    job.colors = colors.data(), job.left = left.data();
+    job.colors = colors.data(), job.fallback = fallback.data();
     job.log = log;
     HWY_DYNAMIC_DISPATCH(filterLanes)(job, counts);
 }

@@ -66,14 +66,14 @@ HWY_INLINE void surroundingsOf(const CellHits& cells, float bounds, std::size_t 
         const VF step = square(hn::Sub(s1, s0), hn::Sub(t1, t0));
         const VF bend = square(hn::Sub(hn::Add(s1, s0), twiceS), hn::Sub(hn::Add(t1, t0), twiceT));
         const auto within = [&](const Bend& most, auto near, double nearShare) HWY_ATTR {
-            const VF share = hn::IfThenElse(near, bound(nearShare), bound(most.share));
-            return hn::Le(bend, hn::Add(hn::Mul(share, step), bound(2 * most.unseen)));
+            const VF share = hn::IfThenElse(near, bound(nearShare), bound(most.relative));
+            return hn::Le(bend, hn::Add(hn::Mul(share, step), bound(2 * most.absolute)));
         };
         const auto near = hn::Le(step, farthest);
         allNear = hn::And(allNear, near);
         onPlane = hn::And(onPlane, within(kPlaneBend, hn::And(near, hn::Ge(step, nearest)), kNearPlaneBend));
         const auto smooth = within(kSmoothBend, near, kNearSmoothBend);
-        const auto straight = within(kStraightBend, near, kStraightBend.share);
+        const auto straight = within(kStraightBend, near, kStraightBend.relative);
         bits = hn::Add(bits, hn::IfThenElseZero(smooth, hn::Set(d, bit)));
         bits = hn::Add(bits, hn::IfThenElseZero(straight, hn::Set(d, float{kStraight} * bit)));
         bit *= 2;
@@ -192,12 +192,12 @@ void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointB
                        [&](const auto& slopeAt) HWY_ATTR { layWith<true>(view, slopeAt, blur, scale, hits, points); });
 }
 
-void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
-              std::uint16_t* even) {
+void findUniform(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
+                 std::uint16_t* uniform) {
     const DF d;
     const hn::RebindToSigned<DF> di;
     const hn::Rebind<std::int16_t, DF> dh;
-    const VF most = hn::Set(d, bounds * kEvenColors), share = hn::Set(d, kEvenShare);
+    const VF most = hn::Set(d, bounds * kUniformColors), share = hn::Set(d, kUniformShare);
     for (std::size_t c = 0; c < count; c += kFloats) {
         auto all = hn::Set(di, -1);
         for (const float* column : channel) {
@@ -208,7 +208,7 @@ void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::
             const auto within = hn::Le(hn::Sub(high, low), hn::Min(most, hn::Mul(share, high)));
             all = hn::IfThenElseZero(hn::RebindMask(di, within), all);
         }
-        hn::StoreU(hn::DemoteTo(dh, all), dh, reinterpret_cast<std::int16_t*>(even + c));
+        hn::StoreU(hn::DemoteTo(dh, all), dh, reinterpret_cast<std::int16_t*>(uniform + c));
     }
 }
 
@@ -222,14 +222,14 @@ void splitCentres(const PointColor* colors, std::size_t points, const std::uint1
     const VF none = hn::Set(d, std::numeric_limits<float>::infinity());
     for (std::size_t c = 0; c < count; c += kFloats) {
         const auto bits = hn::PromoteTo(du, hn::And(hn::LoadU(dh, needed + c), hn::Set(dh, std::uint16_t{1})));
-        const auto wanted = hn::RebindMask(d, hn::Ne(bits, hn::Zero(du)));
-        if (hn::AllFalse(d, wanted)) {
+        const auto selected = hn::RebindMask(d, hn::Ne(bits, hn::Zero(du)));
+        if (hn::AllFalse(d, selected)) {
             for (float* column : out) hn::StoreU(none, d, column + c);
             continue;
         }
         const auto at = hn::Mul(hn::Iota(di, static_cast<std::int32_t>(c)), hn::Set(di, apart));
         const auto channel = [&](std::size_t n) HWY_ATTR { return hn::GatherIndex(d, colors->channel + n, at); };
-        const auto known = hn::And(wanted, hn::Gt(channel(3), hn::Zero(d)));
+        const auto known = hn::And(selected, hn::Gt(channel(3), hn::Zero(d)));
         for (std::size_t n = 0; n < out.size(); ++n) {
             hn::StoreU(hn::IfThenElse(known, channel(n), none), d, out[n] + c);
         }
@@ -256,7 +256,7 @@ void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std
 }  // namespace grid
 
 // HWY_EXPORT needs these names in this namespace.
-using grid::findEven, grid::findSurroundings, grid::layFootprints, grid::raysThrough, grid::splitCentres,
+using grid::findUniform, grid::findSurroundings, grid::layFootprints, grid::raysThrough, grid::splitCentres,
     grid::sumPoints;
 
 }  // namespace relief::HWY_NAMESPACE
@@ -268,7 +268,7 @@ namespace relief {
 HWY_EXPORT(findSurroundings);
 HWY_EXPORT(raysThrough);
 HWY_EXPORT(layFootprints);
-HWY_EXPORT(findEven);
+HWY_EXPORT(findUniform);
 HWY_EXPORT(splitCentres);
 HWY_EXPORT(sumPoints);
 
@@ -288,9 +288,9 @@ void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointB
     HWY_DYNAMIC_DISPATCH(layFootprints)(view, slopes, blur, scale, hits, points);
 }
 
-void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
-              std::uint16_t* even) {
-    HWY_DYNAMIC_DISPATCH(findEven)(channel, row, count, bounds, even);
+void findUniform(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
+                 std::uint16_t* uniform) {
+    HWY_DYNAMIC_DISPATCH(findUniform)(channel, row, count, bounds, uniform);
 }
 
 void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* needed, std::size_t count,

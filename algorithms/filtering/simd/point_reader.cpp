@@ -44,7 +44,7 @@ struct TapLanes {
 };
 
 HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
-                           std::uint8_t* HWY_RESTRICT left) {
+                           std::uint8_t* HWY_RESTRICT fallback) {
     const D d;
     const DI di;
     TapLanes f;
@@ -106,7 +106,7 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     f.count = hn::IfThenElseZero(served, f.count);
     alignas(64) std::int32_t flags[kLanes];
     hn::Store(hn::IfThenElse(hn::RebindMask(di, served), setI(0), setI(1)), di, flags);
-    for (std::size_t k = 0; k < kLanes; ++k) left[k] = static_cast<std::uint8_t>(flags[k]);
+    for (std::size_t k = 0; k < kLanes; ++k) fallback[k] = static_cast<std::uint8_t>(flags[k]);
     return f;
 }
 
@@ -117,7 +117,7 @@ HWY_INLINE void addTap(const LaneJob& job, const TapLanes& f, V offset, V weight
 
 // Prefetches the texels under the middle of each footprint, which are scattered in memory, while the taps of other
 // vectors are computed. For places outside the picture some other texel is prefetched, which is harmless.
-HWY_INLINE void fetchTexels(const LaneJob& job, const TapLanes& f) {
+HWY_INLINE void prefetchTexels(const LaneJob& job, const TapLanes& f) {
     const DI di;
     const V half = set(0.5F);
     const VI last = hn::Sub(f.height, setI(1));
@@ -132,7 +132,7 @@ HWY_INLINE void fetchTexels(const LaneJob& job, const TapLanes& f) {
 }
 
 void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, const TapLanes& f,
-                const std::uint8_t* left, const std::uint32_t* HWY_RESTRICT slots, PointColor* HWY_RESTRICT colors,
+                const std::uint8_t* fallback, const std::uint32_t* HWY_RESTRICT slots, PointColor* HWY_RESTRICT colors,
                 FootprintCounts& counts) {
     const D d;
     const V zero = hn::Zero(d), one = set(1);
@@ -152,24 +152,24 @@ void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, c
     // Points that fall back to the reference have no taps here.
     counts.texels += 4 * static_cast<std::int64_t>(hn::GetLane(hn::SumOfLanes(d, f.count)));
     for (std::size_t k = 0; k < kLanes && first + k < chunk.count; ++k) {
-        if (left[k] == 0) colors[slots[k]] = {{red[k], green[k], blue[k], 1}};
+        if (fallback[k] == 0) colors[slots[k]] = {{red[k], green[k], blue[k], 1}};
     }
 }
 
 void readPoints(const LaneJob& job, const std::uint32_t* slots, PointColor* colors, FootprintCounts& counts) {
     LaneChunk chunk;
     TapLanes taps[kLanePixels / kLanes];
-    std::uint8_t left[kLanePixels];
+    std::uint8_t fallback[kLanePixels];
     for (std::size_t begin = 0; begin < job.count; begin += kLanePixels) {
         fillChunk(job, begin, chunk);
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
-            taps[k / kLanes] = tapsOf(job, chunk, k, left + k);
-            fetchTexels(job, taps[k / kLanes]);
+            taps[k / kLanes] = tapsOf(job, chunk, k, fallback + k);
+            prefetchTexels(job, taps[k / kLanes]);
         }
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
-            readVector(job, chunk, k, taps[k / kLanes], left + k, slots + begin + k, colors, counts);
+            readVector(job, chunk, k, taps[k / kLanes], fallback + k, slots + begin + k, colors, counts);
         }
-        std::copy_n(left, chunk.count, job.left + begin);
+        std::copy_n(fallback, chunk.count, job.fallback + begin);
     }
 }
 
@@ -208,18 +208,18 @@ Color PointReader::color(glm::dvec2 place, const PointTaps& taps) const {
 void PointReader::read(const PointBlock& points, std::span<const std::uint32_t> slots, PointColor* colors,
                        FootprintCounts& counts) const {
     assert(slots.size() == points.size());
-    static thread_local std::vector<std::uint8_t> left;
-    left.assign(points.size(), 1);
+    static thread_local std::vector<std::uint8_t> fallback;
+    fallback.assign(points.size(), 1);
     if (lanes_) {
         LaneJob job = laneJob(*lanes_, {});
         job.s = points.s.data(), job.t = points.t.data();
         job.narrow = {points.ux.data(), points.vx.data(), points.uy.data(), points.vy.data()};
         job.count = points.size();
-        job.left = left.data();
+        job.fallback = fallback.data();
         HWY_DYNAMIC_DISPATCH(readPoints)(job, slots.data(), colors, counts);
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (left[i] == 0) continue;
+        if (fallback[i] == 0) continue;
         const PointTaps taps = this->taps(points.jacobian(i));
         const Color found = color({points.s[i], points.t[i]}, taps);
         colors[slots[i]] = {{found.r, found.g, found.b, 1}};
