@@ -1,8 +1,8 @@
 // The instruction sets that SIMD kernels are compiled for; to be included before <hwy/foreach_target.h>. On x86:
 // baseline (SSE2), SSE4, AVX2, AVX-512. Each adds the compile time of every kernel once more.
 //
-// Excluded: SSSE3, because no processor since 2008 ends there (such a processor would run the reference, at a fifth of
-// the rate), and instruction sets without a fixed vector width, because kernels store vectors in structures and arrays.
+// Excluded: SSSE3, because no processor since 2008 ends there (it would run the baseline version, at a fifth of the
+// rate), and instruction sets without a fixed vector width, because kernels store vectors in structures and arrays.
 #pragma once
 
 #undef HWY_DISABLED_TARGETS

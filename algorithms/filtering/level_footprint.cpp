@@ -7,8 +7,8 @@ namespace relief {
 
 namespace {
 
-// Below a major semi-axis of kBilinearMajor (with the covariance of texels) or kCoveringRadius over the radius
-// (without it) there is nothing to average. Texels.
+// Texels. There is nothing to average below a major semi-axis of kBilinearMajor (with the covariance of texels) or of
+// kCoveringRadius over the radius (without it).
 constexpr double kBilinearMajor = 0.4;
 constexpr double kCoveringRadius = 0.7072;
 // Variance of a box of one texel, and of bilinear reconstruction taken as the texel's own, in texels^2.

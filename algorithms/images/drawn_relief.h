@@ -32,10 +32,10 @@ FloatImage drawnHeights(const DrawnRelief& drawn);
 
 // Formats heights for people to read and edit, separated by commas.
 std::string drawnNumbers(const std::vector<double>& heights);
-// Throws InputError naming `subject` if an item is not a number.
+// Parses numbers separated by commas. Throws InputError naming `subject` if an item is not a number.
 std::vector<double> parseDrawnNumbers(std::string_view text, const std::string& subject);
 
-// Prefix of "drawn:WxH:0.1,0.5,...", the value of --relief for a drawn relief.
+// Prefix of a drawn relief as a value of --relief, "drawn:WxH:0.1,0.5,...", which drawnRecipe() returns.
 inline constexpr std::string_view kDrawn = "drawn";
 std::string drawnRecipe(const DrawnRelief& drawn);
 

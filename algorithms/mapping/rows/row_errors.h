@@ -18,11 +18,12 @@ struct RowCurve {
     std::int64_t anchor = 0;    // pixels between restarts, resolved; 0: none
     std::vector<double> u, v;   // texels, of the pixels of the span in order
     std::vector<double> error;  // the larger of the errors of u and v, texels
-    std::vector<std::int32_t>
-        stream;                       // which stream made the pixel: streams: n mod k; opposed: 0 left, 1 right; else 0
-    std::vector<std::int64_t> exact;  // pixels at which a restart or a division made the value anew, in order;
-                                      // empty where every pixel is (direct, row-constant) or only the ends are (affine)
-    double worst = 0;                 // largest error; its pixel
+    // Index of the stream that computed each pixel. streams: n mod k; opposed: 0 left, 1 right; other variants: 0.
+    std::vector<std::int32_t> stream;
+    // Pixels whose value was computed exactly by a restart or a division, in order. Empty if all pixels are (direct,
+    // row-constant) or only the ends (affine).
+    std::vector<std::int64_t> exact;
+    double worst = 0;  // largest error, texels
     std::int64_t worstPixel = 0;
 };
 

@@ -25,6 +25,7 @@ namespace relief {
 // E(m) of one coordinate, in texels. numerator: a (of u_x) or b (of v_x); stepQ: G; length: m; q0, q1 > 0 at the ends.
 double linearError(double numerator, double stepQ, double length, double q0, double q1);
 
+// Largest error of linear interpolation over a whole span, and its position.
 struct AffineError {
     double share = 0;     // error relative to the span's change of the coordinate
     double fraction = 0;  // position relative to the span's length, from the end with the larger q

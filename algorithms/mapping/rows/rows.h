@@ -61,7 +61,7 @@ enum class RowVariant : std::uint8_t {
     Subspan
 };
 inline constexpr int kRowVariants = 10;
-// "affine", "direct", ... as in the table above.
+// Names as in the table above: "affine", "direct", ... rowVariant returns std::nullopt for an unknown name.
 std::string_view rowVariantName(RowVariant variant);
 std::optional<RowVariant> rowVariant(std::string_view name);
 
@@ -70,6 +70,7 @@ inline constexpr int kLongestSpan = 65536;
 
 // Default error of recommendedAnchor, texels. It makes a bilinear weight accurate to 8 bits.
 inline constexpr double kAnchorError = 1.0 / 256;
+// Values of RowOptions::anchor: as recommendedAnchor() returns, or no restarts.
 inline constexpr int kRecommended = -1;
 inline constexpr int kNever = 0;
 
@@ -129,6 +130,7 @@ class TexelRows {
     TexelRows(std::int64_t width, std::int64_t rows);
     T* u(std::int64_t row) { return u_.get() + row * stride_; }
     T* v(std::int64_t row) { return v_.get() + row * stride_; }
+    // The part of the row that was evaluated.
     PixelSpan& valid(std::int64_t row) { return valid_[static_cast<std::size_t>(row)]; }
     std::int64_t width() const { return width_; }
     std::int64_t rows() const { return rows_; }
