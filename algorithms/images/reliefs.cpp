@@ -10,6 +10,7 @@
 
 // The recipes, for a relief whose shorter side has N texels. Sizes marked "at 128" are multiplied by N/128 and are at
 // least one texel. Cells are stretched so that a whole number of them fits; therefore every relief but paper8x8 tiles.
+// Ranges without a unit are heights.
 //   bricks   32 x 16 at 128 in a running bond, mortar 5 at 128 of 0.08-0.12, faces 0.90-1.00
 //   spikes   needles 1-2 texels wide on 1% of the texels, 0.6-1 over a ground of 0.02-0.05
 //   pits     1% of the texels (of the 128 picture) seed square pits 3-9 at 128, 0-0.1 in a plateau of 0.93-1

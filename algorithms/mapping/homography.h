@@ -10,13 +10,12 @@
 // (i, j) centred at (i + 1/2, j + 1/2), t growing with the picture's row.
 //
 // Sign and scale: the nine are homogeneous. Every function here returns them with q > 0 in front of the eye (q is then
-// a constant over the depth, 0 on the horizon) and with the largest of 1024 |G|, 1024 |H|, |I| in [1, 2), by a power of
-// two, which changes no evaluated bit. So q stays below 260 on screens of up to 65,536 pixels a side, and with texel
-// coordinates below 1e9 the numerators, the minors and the determinant all stay far from overflow in float.
+// inversely proportional to the depth, 0 on the horizon) and with the largest of 1024 |G|, 1024 |H|, |I| in [1, 2), by
+// a power of two, which changes no evaluated bit. So q stays below 260 on screens of up to 65,536 pixels a side, and
+// with texel coordinates below 1e9 the numerators, the minors and the determinant all stay far from overflow in float.
 //
-// Failure mode: corners or planes that define no map throw InputError with one sentence (below); nothing here makes NaN
-// from input it accepts. Rows that reach the horizon are cut by clipRowToHorizon (clipping.h) before they are
-// evaluated.
+// Errors: corners or planes that define no map throw InputError (see each function); accepted input never gives NaN.
+// Clip rows that reach the horizon by clipRowToHorizon (clipping.h) before evaluating them.
 #pragma once
 
 #include <array>
