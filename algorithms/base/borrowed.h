@@ -1,5 +1,5 @@
-// Buffers that a thread keeps from one use to the next, and a use within a use gets others: a thread that waits for
-// parallel work may meanwhile do another piece of the same kind.
+// Per-thread scratch buffers that are reused from one use to the next. Nested uses get distinct buffers, because a
+// thread that waits for parallel work may meanwhile run another task of the same kind.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ class Borrowed {
     Borrowed(const Borrowed&) = delete;
     Borrowed& operator=(const Borrowed&) = delete;
 
-    // As the last use left it.
+    // Contents are as the last use on this thread left them.
     T& operator*() { return *value_; }
     T* operator->() { return value_.get(); }
 

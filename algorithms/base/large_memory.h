@@ -1,5 +1,5 @@
-// Memory for maps that are read here and there: on large pages, where the system has them. Reading a map of many
-// megabytes at random, the processor otherwise looks up the place of nearly every page anew.
+// An allocator for large maps with random access: it requests 2 MB pages where the system supports them. With small
+// pages, random reads over many megabytes miss the TLB nearly every time.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct LargePages {
         void* memory = std::aligned_alloc(kPage, whole);
         if (memory == nullptr) throw std::bad_alloc();
 #ifdef __linux__
-        // A wish: without large pages all works as before.
+        // A hint only: if the kernel refuses, the memory has pages of the usual size.
         (void)madvise(memory, whole, MADV_HUGEPAGE);
 #endif
         return static_cast<T*>(memory);
@@ -49,7 +49,8 @@ struct LargePages {
 
   private:
     static constexpr std::size_t kPage = std::size_t{2} << 20U;
-    // Below, hardly more is read than is remembered of places; and what is left of the last page would be too much.
+    // Smaller maps are mostly covered by the TLB anyway, and rounding them up to whole large pages would waste too
+    // much.
     static bool isLarge(std::size_t bytes) {
         return bytes >= 4 * kPage;
     }

@@ -23,7 +23,7 @@ std::string textOf(const fs::path& file) {
     return std::move(text).str();
 }
 
-// The number that the text begins with, after blanks; empty: there is none ("max", "unlimited").
+// Parses the number at the beginning of the text, after blanks. std::nullopt if there is none ("max", "unlimited").
 std::optional<std::uint64_t> leadingNumber(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<std::uint64_t> leadingNumber(std::string_view text) {
     return parsed.ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
-// The number behind a name at the beginning of a line.
+// Parses the number after `name` in the first line that begins with it.
 std::optional<std::uint64_t> numberOf(std::string_view text, std::string_view name) {
     for (std::size_t line = 0; line < text.size();) {
         const std::string_view rest = text.substr(line);
@@ -48,11 +48,11 @@ std::uint64_t less(std::uint64_t limit, std::uint64_t used) {
     return limit > used ? limit - used : 0;
 }
 
-// Names of the files of one version of control groups.
+// File and key names of one version of Linux control groups.
 struct GroupFiles {
     const char* limit;
     const char* used;
-    const char* inactive;  // lines of memory.stat
+    const char* inactive;  // keys in memory.stat
     const char* active;
 };
 constexpr GroupFiles kVersion2{"memory.max", "memory.current", "inactive_file ", "active_file "};
@@ -64,13 +64,14 @@ std::uint64_t freeInGroup(const fs::path& folder, const GroupFiles& files) {
     const auto used = leadingNumber(textOf(folder / files.used));
     if (!limit || !used) return kEndlessBytes;
     const std::string state = textOf(folder / "memory.stat");
-    // As for MemAvailable: of the cache in use, half can be dropped.
+    // As in the kernel's MemAvailable, half of the active file cache counts as reclaimable.
     const std::uint64_t cache =
         byteSum({numberOf(state, files.inactive).value_or(0), numberOf(state, files.active).value_or(0) / 2});
     return less(*limit, less(*used, cache));
 }
 
-// Of the group and those above it; a container may show its own group where the path of the host should be.
+// The least free memory of the group and its ancestors. Inside a container the path may be the host's and lead nowhere;
+// the walk upwards then reaches the container's own group at the mount point.
 std::uint64_t freeInGroups(const fs::path& mount, std::string_view path, const GroupFiles& files) {
     std::uint64_t bytes = kEndlessBytes;
     fs::path group = fs::path(path).relative_path();
@@ -85,7 +86,7 @@ std::uint64_t freeInAllGroups(const fs::path& root) {
     const fs::path mount = root / "sys/fs/cgroup";
     std::uint64_t bytes = kEndlessBytes;
     std::istringstream lines(textOf(root / "proc/self/cgroup"));
-    // "0::/path" of version 2, "4:cpu,memory:/path" of version 1.
+    // Format of a line: "0::/path" in version 2, "4:cpu,memory:/path" in version 1.
     for (std::string line; std::getline(lines, line);) {
         const std::size_t first = line.find(':'), second = line.find(':', first + 1);
         if (first == std::string::npos || second == std::string::npos) continue;

@@ -43,8 +43,8 @@ MessageValue::MessageValue(std::string valueName, MessageId word) : MessageValue
 
 namespace {
 
-// Letters to be typed, left out, exchanged, or swapped with the next one, to make one word of the other; case does not
-// count.
+// Damerau-Levenshtein distance (optimal string alignment), ignoring case: the smallest number of letters inserted,
+// deleted, replaced or swapped with their neighbour that turns one word into the other.
 std::size_t slipsBetween(std::string_view a, std::string_view b) {
     const auto same = [](char x, char y) {
         return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
@@ -70,19 +70,19 @@ std::size_t slipsBetween(std::string_view a, std::string_view b) {
 
 std::string nearestName(std::string_view name, const std::vector<std::string>& known) {
     constexpr std::size_t kLettersPerSlip = 3;
-    constexpr std::size_t kLongest = 64;  // of a name; more is no slip of the finger
+    constexpr std::size_t kLongest = 64;  // letters; longer names are not typing errors
     if (name.empty() || name.size() > kLongest) return {};
     std::size_t fewest = std::max<std::size_t>(1, name.size() / kLettersPerSlip) + 1;
     const std::string* nearest = nullptr;
     for (const std::string& one : known) {
         const std::size_t slips = slipsBetween(name, one);
-        // Of names of one or two letters all would be near.
+        // slips >= one.size() would make every name of one or two letters similar.
         if (slips >= fewest || slips >= one.size()) continue;
         fewest = slips;
         nearest = &one;
     }
     if (nearest != nullptr) return *nearest;
-    // A part of a name.
+    // No similar name: accept a known name that contains the given one.
     for (const std::string& one : known) {
         if (name.size() >= kLettersPerSlip && one.find(name) != std::string::npos) return one;
     }

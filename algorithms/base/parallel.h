@@ -1,9 +1,10 @@
-// Parallel loops, the only ones of the project. Results must not depend on how a loop is divided: an index writes what
-// is its own; what is summed up over all is put together in the order of the indexes (parallelReduce) or commutes.
+// Parallel loops; all parallel loops of the project use these. Results must not depend on how a loop is divided: each
+// index writes only its own data, and reductions either combine in index order (parallelReduce) or commute.
 //
-// With a Work a loop runs on its threads, stops when its stop token says so and then throws Cancelled; without one it
-// runs on the threads of the loop around it, or on all. An exception of a body ends the loop and is rethrown. Loops may
-// be nested. Cost: a call through a pointer for each part; some microseconds a loop, so bodies should be a row's work.
+// With a Work, a loop runs on its threads, stops when its stop token is set, and then throws Cancelled. Without one it
+// runs on the threads of the enclosing loop, or on all. An exception in a body ends the loop and is rethrown to the
+// caller. Loops may be nested. Cost: one call through a pointer per part and some microseconds per loop, so an index
+// should be about as much work as an image row.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 
 namespace relief {
 
-// body(first, last) over parts of [0, count). Parts of no more than `grain` indexes are not divided.
+// Calls body(first, last) on parts of [0, count). Parts of no more than `grain` indices are not divided further.
 template <class Index, class Body>
 void parallelRanges(Work& work, Index count, Index grain, const Body& body) {
     work.threads().run(static_cast<std::int64_t>(count), static_cast<std::int64_t>(grain),
@@ -33,7 +34,7 @@ void parallelRanges(Index count, Index grain, const Body& body) {
         [&](std::int64_t first, std::int64_t last) { body(static_cast<Index>(first), static_cast<Index>(last)); });
 }
 
-// body(i) for each i of [0, count). grain: indexes that a thread takes at least, where one alone is little work.
+// Calls body(i) for each i of [0, count). grain: smallest number of indices per task, for bodies that do little work.
 template <class Index, class Body>
 void parallelFor(Work& work, Index count, const Body& body, int grain = 1) {
     parallelRanges(work, count, static_cast<Index>(grain), [&](Index first, Index last) {
@@ -48,8 +49,8 @@ void parallelFor(Index count, const Body& body, int grain = 1) {
     });
 }
 
-// join(... join(of(0, grain), of(grain, 2 grain)) ..., of(..., count)), count > 0: the same parts and order for any
-// number of threads, so that also sums of floats are the same.
+// Returns join(... join(of(0, grain), of(grain, 2 grain)) ..., of(..., count)); count > 0. Parts and order do not
+// depend on the number of threads, so floating-point sums have the same bits for any.
 template <class Index, class Of, class Join>
 auto parallelReduce(Work& work, Index count, Index grain, const Of& of, const Join& join) {
     std::vector<decltype(of(count, count))> parts(static_cast<std::size_t>((count + grain - 1) / grain));

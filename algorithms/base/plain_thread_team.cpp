@@ -13,25 +13,25 @@ namespace relief {
 
 namespace {
 
-// Parts a thread gets of a loop whose grain allows them: uneven parts balance, and threads meet often.
+// Parts per thread, where the grain allows them: enough for load balancing, and for threads to interleave often.
 constexpr std::int64_t kPartsPerThread = 16;
 
 thread_local bool inLoop = false;
 
-// Two at least, so that races are seen on any machine.
+// At least two, so that the thread sanitizer sees races on any machine.
 int processorThreads() {
     return std::max(2, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// One loop, shared by the threads that run it. Each thread has a part that it runs in any case: else the calling thread
-// would be done with short loops before another has begun, and races would go unseen. Further parts are handed out by a
-// relaxed counter: a stronger order would make what one part wrote visible to the next, and so hide races as well.
+// One loop, shared by the threads that run it. Each thread first runs a part of its own; otherwise the calling thread
+// would finish short loops before the others have started, and races would go undetected. Further parts are handed out
+// by a relaxed counter: a stronger memory order would synchronise the parts with each other and so hide races as well.
 class Loop {
   public:
     Loop(std::int64_t count, std::int64_t part, std::int64_t threads, LoopPart body)
         : count_(count), part_(part), body_(body), next_(threads * part) {}
 
-    // thread: 0, 1, ..., each once.
+    // To be called once for each thread number 0, 1, ...
     void work(std::int64_t thread) {
         inLoop = true;
         for (std::int64_t first = thread * part_; first < count_ && !failed_.load(std::memory_order_relaxed);
@@ -46,7 +46,7 @@ class Loop {
         inLoop = false;
     }
 
-    // To be called when all threads are done.
+    // Rethrows the first exception of a body. To be called when all threads have finished.
     void rethrow() const {
         if (failure_) std::rethrow_exception(failure_);
     }

@@ -1,5 +1,6 @@
-// Working memory that the bodies of a parallel loop borrow, one at a time each: as many objects are made as bodies run
-// at once, and they live as long as the pool. A body finds the object as another left it. Thread safe.
+// Working memory for the bodies of a parallel loop. Each body borrows one object exclusively; as many objects are
+// created as bodies run at once, and they live as long as the pool. An object's contents are as its last user left
+// them. Thread-safe.
 #pragma once
 
 #include <functional>
@@ -14,7 +15,7 @@ template <class T>
 class ScratchPool {
   public:
     ScratchPool() : ScratchPool([] { return std::make_unique<T>(); }) {}
-    // make: called from any thread, by several at once.
+    // make: creates an object; called concurrently from any thread.
     explicit ScratchPool(std::function<std::unique_ptr<T>()> make) : make_(std::move(make)) {}
 
     class Borrowed {
@@ -32,7 +33,7 @@ class ScratchPool {
         std::unique_ptr<T> value_;
     };
 
-    // Given back at the end of its scope.
+    // Borrows an object until the result goes out of scope.
     Borrowed borrow() { return Borrowed(*this); }
 
   private:

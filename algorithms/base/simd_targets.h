@@ -1,13 +1,14 @@
-// The instruction sets that SIMD kernels are compiled for; to be included before <hwy/foreach_target.h>. On x86: the
-// plain one, SSE4, AVX2, AVX-512. Each costs every kernel's compile time once more.
+// The instruction sets that SIMD kernels are compiled for; to be included before <hwy/foreach_target.h>. On x86:
+// baseline (SSE2), SSE4, AVX2, AVX-512. Each adds the compile time of every kernel once more.
 //
-// Left out: SSSE3 alone, which no processor after 2008 stops at (there the plain form runs, at a fifth of the rate),
-// and instruction sets without a fixed width, because kernels keep vectors in structures and arrays.
+// Excluded: SSSE3, because no processor since 2008 ends there (it would run the baseline version, at a fifth of the
+// rate), and instruction sets without a fixed vector width, because kernels store vectors in structures and arrays.
 #pragma once
 
 #undef HWY_DISABLED_TARGETS
 #ifdef __SANITIZE_THREAD__
-// Threads meet in the same places whatever the instruction set, and instrumented kernels compile slowly: two suffice.
+// Sanitizer builds use two instruction sets: threads interact in the same places on all of them, and instrumented
+// kernels compile slowly.
 #define RELIEF_UNSANITIZED_TARGETS (HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
 #else
 #define RELIEF_UNSANITIZED_TARGETS 0

@@ -12,12 +12,12 @@ namespace relief {
 
 namespace {
 
-// How many of `size` texels of level 0 lie below texel i of level l.
+// Number of level-0 texels below texel i of level l along one axis of `size` texels.
 std::int64_t covered(std::int64_t i, int l, std::int64_t size) {
     return std::min(size, (i + 1) << l) - (i << l);
 }
 
-// The mean of up to four texels of the level below, each weighed by how many of level 0 it stands for.
+// The mean of up to four texels of the level below, each weighted by the number of level-0 texels that it covers.
 ColorImage meanLevel(const ColorImage& below, int l, int width0, int height0, Work& work) {
     ColorImage level((below.width() + 1) / 2, (below.height() + 1) / 2);
     const int grain = std::max(1, (1 << 13) / level.width());

@@ -1,4 +1,5 @@
-// The mean pyramid of a colour picture, in linear light, weighted by area at odd sizes; and point sampling of it.
+// The mean pyramid of a colour picture, in linear light, weighted by area at odd sizes, and bilinear and trilinear
+// sampling of it.
 #pragma once
 
 #include <memory>
@@ -13,10 +14,12 @@
 namespace relief {
 
 // Level 0 is the picture itself (shared, not copied); each further level halves the size, rounded up, down to 1 x 1. A
-// texel of level l stands for the 2^l x 2^l texels of level 0 below it, clipped at the last row and column.
+// texel of level l covers the 2^l x 2^l texels of level 0 below it, clipped at the last row and column. Immutable after
+// construction, so it may be shared by threads.
 class ColorLevels {
   public:
-    // In parallel over rows; equal bits for any number of threads. Throws Cancelled.
+    // Builds the levels in parallel over rows; the bits are the same for any number of threads. picture: not null, not
+    // empty. Throws Cancelled.
     ColorLevels(std::shared_ptr<const ColorImage> picture, Work& work);
 
     int count() const { return static_cast<int>(above_.size()) + 1; }
@@ -28,9 +31,10 @@ class ColorLevels {
     LevelAxis across(int l, Address address) const { return LevelAxis::of(width(), l, address); }
     LevelAxis down(int l, Address address) const { return LevelAxis::of(height(), l, address); }
 
-    // Bilinear within one level, between the true centres of its texels; (s, t) in texels of level 0, unwrapped.
+    // Samples one level bilinearly, between the true centres of its texels. place: (s, t) in texels of level 0,
+    // unwrapped.
     Color bilinear(int l, glm::dvec2 place, Address address) const;
-    // Between two levels; level >= 0, any real number.
+    // Interpolates between two levels. level: any real number; values outside [0, top()] are clamped.
     Color trilinear(double level, glm::dvec2 place, Address address) const;
 
   private:

@@ -16,10 +16,11 @@ namespace {
 
 using FloatJacobian = JacobianOf<float>;
 
-// F / (A C): below it the two rows of the Jacobian are so nearly parallel that float may lose three digits of F.
+// Smallest F / (A C): below it the two rows of the Jacobian are so nearly parallel that float may lose three digits of
+// F.
 constexpr float kThinnest = 0x1p-24F;
 
-// NaN fails.
+// Written so that NaN is not usable.
 bool usable(const FloatJacobian& j) {
     const EllipseOf<float> e = ellipseOf(j);
     return e.f >= std::numeric_limits<float>::min() && e.f >= kThinnest * (e.a * e.c) &&
@@ -33,7 +34,7 @@ FloatJacobian triangular(const ScaledEllipse<float>& e) {
     return first ? FloatJacobian{longer, mixed, 0, shorter} : FloatJacobian{shorter, 0, mixed, longer};
 }
 
-// Pixels [first, last) of a block, neighbours in a row of one view.
+// Pixels [first, last) of a block that are neighbours in a row of one view.
 struct Run {
     std::size_t first, last;
 };
@@ -132,7 +133,7 @@ double largestAxisDifference(const FilterBlock& of, const FilterBlock& from) {
     double most = 0;
     for (std::size_t i = 0; i < of.size(); ++i) {
         const SemiAxes<double> a = ellipseOf(of[i].jacobian).semiAxes(), b = ellipseOf(from[i].jacobian).semiAxes();
-        // Vanished axes and NaN are the direct form's own.
+        // Zero axes and NaN always come from the direct form, so they are not compared.
         if (b.major > 0) most = std::max(most, std::abs(a.major / b.major - 1));
         if (b.minor > 0) most = std::max(most, std::abs(a.minor / b.minor - 1));
     }

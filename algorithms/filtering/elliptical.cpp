@@ -7,7 +7,7 @@ namespace relief {
 
 namespace {
 
-// Places along each side of the pixel where its shape is read bilinearly: two a texel, within these.
+// Bounds on the number of samples along each side of a pixel of kind Shape; between them, two samples per texel.
 constexpr int kFewestPlaces = 12;
 constexpr int kMostPlaces = 96;
 
@@ -43,7 +43,7 @@ Color EllipticalKernel::special(const LevelFootprint& f, const Jacobian& j, glm:
 Color EllipticalKernel::shape(const LevelFootprint& f, const Jacobian& j, glm::dvec2 centre,
                               FootprintCounts& counts) const {
     const double reach = settings_.model() == PixelModel::Crt ? settings_.radius : 0.5;
-    // The pixel as it is; where it is infinite, as it was clamped.
+    // The pixel's own Jacobian or, if that is infinite, the clamped one.
     const bool finite = f.major == f.major && f.major <= 4.0 * std::max(levels_->width(), levels_->height());
     const Jacobian& seen = finite ? j : f.widened;
     const int across = placesAlong(2 * reach * std::hypot(seen.ux, seen.vx));
@@ -72,9 +72,9 @@ Color EllipticalKernel::filter(const Jacobian& j, glm::dvec2 centre, FootprintCo
     FilterBlock block;
     block.push({centre, j, {}, 0});
     Color color(0);
-    std::uint8_t left = 0;
-    lanes_->filter(block, {1, 1}, {&color, 1}, {&left, 1}, counts, log);
-    if (left != 0) return filterScalar(j, centre, counts, log);
+    std::uint8_t fallback = 0;
+    lanes_->filter(block, {1, 1}, {&color, 1}, {&fallback, 1}, counts, log);
+    if (fallback != 0) return filterScalar(j, centre, counts, log);
     if (log != nullptr) {
         log->footprint = footprint(j, centre);
         log->color = color;
@@ -85,10 +85,10 @@ Color EllipticalKernel::filter(const Jacobian& j, glm::dvec2 centre, FootprintCo
 void EllipticalKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors,
                               FootprintCounts& counts) const {
     assert(colors.size() <= block.size());
-    std::vector<std::uint8_t> left(colors.size(), 1);
-    if (lanes_) lanes_->filter(block, scale, colors, left, counts);
+    std::vector<std::uint8_t> fallback(colors.size(), 1);
+    if (lanes_) lanes_->filter(block, scale, colors, fallback, counts);
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        if (left[i] == 0) continue;
+        if (fallback[i] == 0) continue;
         const FilterQuery query = block[i];
         colors[i] = filterScalar(scaled(query.jacobian, scale), query.place * scale, counts);
     }
@@ -121,7 +121,7 @@ Color EllipticalKernel::filterScalar(const Jacobian& j, glm::dvec2 centre, Footp
             if (log != nullptr) log->texels.push_back({x, y, f.level, u + f.centre.x, v + f.centre.y, Color(w)});
         });
         for (int c = 0; c < 3; ++c) {
-            // A table's or a map's last cell may be zero where it is the only one.
+            // The total is zero if the only table or map entry that is used is its last one, which may be 0.
             if (!(total[c] > 0)) {
                 sum[c] = levels_->bilinear(f.level, {std::ldexp(f.centre.x, f.level), std::ldexp(f.centre.y, f.level)},
                                            address_)[c];

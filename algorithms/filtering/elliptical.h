@@ -1,9 +1,9 @@
-// Anisotropic filtering: all texels in the ellipse of the pixel, weighted. [TEX]; Heckbert 1989.
+// Anisotropic filtering: the weighted mean of all texels in the ellipse of the pixel. [TEX]; Heckbert 1989.
 //
-//     colour = sum w(i, j) share(j) share(i) texel(i, j) / sum w share share
+//     colour = sum w(i, j) share(j) share(i) texel(i, j) / sum w(i, j) share(j) share(i)
 //
-// over the texels (i, j) of the chosen level whose centres lie in the ellipse of radius R pixels. Per texel row the
-// ends of the span are solved from the quadratic form, so only texels inside are visited.
+// over the texels (i, j) of the chosen level whose centres lie in the ellipse of radius R pixels. For each texel row
+// the ends of the span are solved from the quadratic form, so only texels inside are visited.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@
 
 namespace relief {
 
-// The weight functions: U, V in texels of the level from the centre, r2 = r^2 / R^2 in [0, 1].
+// The weight functions. U, V: offset from the centre in texels of the level; r2 = r^2 / R^2 in [0, 1].
 struct UniformWeight {
     float operator()(double, double, float) const { return 1; }
 };
@@ -27,7 +27,7 @@ struct TableWeight {
     const RadialTable& table;
     float operator()(double, double, float r2) const { return table(r2); }
 };
-// Blind to the pixel's projection.
+// Ignores the projection of the pixel.
 struct TexelDistanceWeight {
     float operator()(double u, double v, float) const { return static_cast<float>(1 / (1 + std::hypot(u, v))); }
 };
@@ -38,7 +38,7 @@ struct MapWeight {
         return map.at(static_cast<float>(toPixel.dx(u, v)), static_cast<float>(toPixel.dy(u, v)));
     }
 };
-// A round pixel's map: one channel is enough.
+// The weights of a round pixel are equal in all channels, so one channel of the map is enough.
 struct RoundMapWeight {
     const WeightMap& map;
     PixelFromTexel toPixel;
@@ -47,8 +47,8 @@ struct RoundMapWeight {
     }
 };
 
-// visit(i, j, u, v, share): every texel of the level whose centre lies in the ellipse; u, v its centre less the
-// footprint's.
+// Calls visit(i, j, u, v, share) for every texel of the level whose centre lies in the ellipse, row by row. u, v:
+// offset of the texel's centre from the footprint's; share: the fraction of a whole texel that it covers.
 template <class Visit>
 void overEllipse(const LevelFootprint& f, const LevelAxis& across, const LevelAxis& down, const Visit& visit) {
     const double height = f.ellipse.halfExtents(f.radius).v;
@@ -61,7 +61,7 @@ void overEllipse(const LevelFootprint& f, const LevelAxis& across, const LevelAx
     });
 }
 
-// Calls body with the weight function of the settings.
+// Calls body with the weight function that the settings select.
 template <class Body>
 auto withWeights(const EllipticalSettings& settings, const RadialTable& table, const WeightMap& map,
                  const LevelFootprint& f, const Body& body) {
@@ -80,7 +80,7 @@ auto withWeights(const EllipticalSettings& settings, const RadialTable& table, c
     return body(GaussianWeight{static_cast<float>(-0.5 * ratio * ratio)});
 }
 
-// The picture, the settings and what is computed from both once; shared by threads.
+// The picture, the settings and what is precomputed from them. Const functions may be called from several threads.
 class EllipticalKernel {
   public:
     EllipticalKernel(std::shared_ptr<const ColorLevels> levels, Address address, const EllipticalSettings& settings);
@@ -88,10 +88,10 @@ class EllipticalKernel {
     const ColorLevels& levels() const { return *levels_; }
     Address address() const { return address_; }
     const EllipticalSettings& settings() const { return settings_; }
-    // From now on blocks and single pixels are filtered in lanes, where these serve.
+    // Filters by SIMD from now on, blocks and single pixels, wherever the SIMD version supports them.
     void setLanes(std::shared_ptr<const EllipticalLanes> lanes) { lanes_ = std::move(lanes); }
     const std::shared_ptr<const ColorLevels>& sharedLevels() const { return levels_; }
-    // Null: the reference filters.
+    // Null if only the reference is used.
     std::shared_ptr<const LaneLevels> laneLevels() const { return lanes_ ? lanes_->levels() : nullptr; }
     LevelAxis across(int l) const { return levels_->across(l, address_); }
     LevelAxis down(int l) const { return levels_->down(l, address_); }
@@ -99,15 +99,15 @@ class EllipticalKernel {
     LevelFootprint footprint(const Jacobian& j, glm::dvec2 centre) const {
         return levelFootprint(j, centre, settings_, *levels_, address_);
     }
-    // centre: texels of level 0. log: may be null; then nothing is written down.
+    // Filters one pixel. centre: texels of level 0. log: may be null.
     Color filter(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts, FootprintLog* log = nullptr) const;
-    // The same bits for the block's first pixels, as many as colours; scale: texels of level 0 per texel of the
-    // block's.
+    // Filters the first colors.size() pixels of the block, with the same bits as one by one. scale: texels of level 0
+    // per texel of the block's places.
     void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts) const;
-    // The reference: one pixel in double, whatever its footprint and weights. SIMD version: elliptical_lanes.h.
+    // The reference: one pixel in double, with any footprint and weights. SIMD version: elliptical_lanes.h.
     Color filterScalar(const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts,
                        FootprintLog* log = nullptr) const;
-    // What is not an ellipse: bilinear, shape, top.
+    // Colour of a footprint whose kind is not Ellipse: Bilinear, Shape or Top.
     Color special(const LevelFootprint& f, const Jacobian& j, glm::dvec2 centre, FootprintCounts& counts) const;
 
     template <class Body>

@@ -11,15 +11,16 @@ namespace relief {
 
 namespace {
 
-// Logarithms of a tile's sides, pixels: the tiles of frames (rendering/frame_buffers.h: 64 x 32), so that none is
-// cut. 64 x 64 and 128 x 64 made frames 1 to 6% slower
-// (tests/benchmarks/EXPERIMENTS.md).
+// Binary logarithms of a tile's sides in pixels. The tiles are those of frames (rendering/frame_buffers.h: 64 x 32), so
+// that none is divided. With 64 x 64 and 128 x 64, frames took 1 to 6% longer (tests/benchmarks/EXPERIMENTS.md).
 constexpr int kTileAcross = 6, kTileDown = 5;
 
-// Whether all points that the pixels of a rectangle and their neighbours need lie before the horizon. Each side is
-// monotone in x and in y, in floating point too: a rectangle is judged as its pixels would be.
+// Returns true if all points that the pixels of a rectangle and their neighbours need lie in front of the horizon. Both
+// sides of the comparison are monotone in x and in y, also in floating point, so the result for a rectangle agrees with
+// that for each of its pixels.
 bool beforeHorizon(const Homography& map, int x0, int y0, int x1, int y1) {
-    // The reach may cost this share of q, so that a quarter is left. 0.5, 0.95: no change (as in grid_lanes.h).
+    // The points' reach may reduce q by at most this share, which leaves a quarter. The values 0.5 and 0.95 change
+    // neither errors nor rays in the measurements described in grid_lanes.h.
     constexpr double kPartOfQ = 0.75;
     const double least = (grid::kTileHalo + 1) * (std::abs(map.qx) + std::abs(map.qy));
     const auto holds = [&](int x, int y) { return kPartOfQ * map.denominator(x + 0.5, y + 0.5) > least; };
@@ -32,7 +33,7 @@ namespace grid {
 
 namespace {
 
-// The slots that the pixel sums, each with its weight: means of centres as the centres.
+// The slots that the pixel sums, with their weights. A mean of centres' colours is listed as these centres.
 std::vector<std::pair<std::size_t, float>> summedSlots(const PointLattice& lattice, const FilterQuery& query,
                                                        const TileCells& cells, const RestPoints& rest) {
     const std::size_t perCell = lattice.places.size(), row = cells.row();
@@ -56,7 +57,7 @@ std::vector<std::pair<std::size_t, float>> summedSlots(const PointLattice& latti
 }  // namespace
 
 const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t last, glm::dvec2 scale,
-                               Reused<TilePixels>& out, std::vector<std::size_t>& alone) {
+                               Reused<TilePixels>& out, std::vector<std::size_t>& fallback) {
     const FilterBlock& block = run.block;
     TilePixels& tile = out.refill();
     const PixelView* view = block.view[first];
@@ -68,7 +69,8 @@ const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t la
     constexpr int kSides = 2 * kTileHalo + 1;
     tile.cells = {view, scale, x0 - kTileHalo, y0 - kTileHalo, x1 - x0 + kSides, y1 - y0 + kSides};
     const HeightField& field = run.setup.tracer->field();
-    // Plain filtering's limit as well. 1, 10^6: no change (as in grid_lanes.h).
+    // Plain filtering has the same limit. Factors of 1 and 10^6 change neither errors nor rays in the measurements
+    // described in grid_lanes.h.
     const double largest = 4.0 * std::max(field.width(), field.height());
     const bool all = view != nullptr && beforeHorizon(view->texelFromScreen, x0, y0, x1, y1);
     const auto sidesOf = [&](std::size_t i) {
@@ -80,10 +82,10 @@ const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t la
         const bool before = all || (view != nullptr && beforeHorizon(view->texelFromScreen, block.x[i], block.y[i],
                                                                      block.x[i], block.y[i]));
         tile.indices[served] = i;
-        // NaN fails.
+        // Written so that NaN is not supported.
         const bool serves = before && block.exact[i] != 0 && sidesOf(i) < largest;
         served += serves ? 1 : 0;
-        if (!serves) alone.push_back(i);
+        if (!serves) fallback.push_back(i);
     }
     tile.indices.resize(served);
     return tile;
@@ -156,7 +158,7 @@ void sumEdges(Run& run, const EdgeGround& ground, const PlaneSplit& split, const
         if (total > 0) {
             colors[i] = Color(red, green, blue) / total;
         } else {
-            // The pixel's own ray met something all the same.
+            // No point hit the relief, although the pixel's own ray did.
             ++run.counts.allHidden;
             const glm::dvec2 place = glm::dvec2(block.s[i], block.t[i]) * cells.scale;
             colors[i] = setup.reader.levels().bilinear(0, place, setup.reader.address());
@@ -206,7 +208,7 @@ void logEdge(Run& run, const EdgeGround& ground, const RestPoints& rest, const P
 
 }  // namespace grid
 
-// Of one thread, its memory kept from tile to tile.
+// Buffers of one thread, reused from tile to tile.
 struct GridKernel::Scratch {
     grid::Reused<grid::TilePixels> pixels;
     grid::Reused<grid::Centres> centres;
@@ -220,11 +222,11 @@ struct GridKernel::Scratch {
     grid::SumWork sum;
 };
 
-GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone,
+GridKernel::GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel fallback,
                        std::shared_ptr<const Tracer> tracer, std::shared_ptr<const PackedConeHits> coneHits, int points)
     : setup_{std::move(plain),         std::move(reader), std::move(tracer), std::move(coneHits),
              PointLattice::of(points), boundsFor(points), std::nullopt},
-      alone_(std::move(alone)) {
+      fallback_(std::move(fallback)) {
     const HeightField& field = setup_.tracer->field();
     if (field.surface() != Surface::Bilinear) return;
     setup_.slopes = setup_.coneHits ? SlopeScene(field, setup_.coneHits->cones()) : SlopeScene(field);
@@ -252,7 +254,7 @@ void GridKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Co
                         Work& work, FootprintLog* log) const {
     static thread_local Scratch scratch;
     grid::Run run{setup_, block, counts, work, log};
-    std::vector<std::size_t> aloneOf;
+    std::vector<std::size_t> fallbackPixels;
     for (std::size_t first = 0; first < block.size() && !work.stopped();) {
         std::size_t last = first;
         const auto same = [&](std::size_t i) {
@@ -260,16 +262,16 @@ void GridKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Co
                    block.y[i] >> kTileDown == block.y[first] >> kTileDown;
         };
         while (last < block.size() && same(last)) ++last;
-        const grid::TilePixels& pixels = grid::gatherPixels(run, first, last, scale, scratch.pixels, aloneOf);
+        const grid::TilePixels& pixels = grid::gatherPixels(run, first, last, scale, scratch.pixels, fallbackPixels);
         if (!pixels.indices.empty()) filterTile(run, pixels, scratch, colors);
         first = last;
     }
-    if (aloneOf.empty()) return;
-    FilterBlock alone;
-    for (const std::size_t i : aloneOf) alone.push(block[i]);
-    std::vector<Color> found(aloneOf.size());
-    alone_.filter(alone, scale, found, counts, work, log);
-    for (std::size_t n = 0; n < aloneOf.size(); ++n) colors[aloneOf[n]] = found[n];
+    if (fallbackPixels.empty()) return;
+    FilterBlock fallback;
+    for (const std::size_t i : fallbackPixels) fallback.push(block[i]);
+    std::vector<Color> found(fallbackPixels.size());
+    fallback_.filter(fallback, scale, found, counts, work, log);
+    for (std::size_t n = 0; n < fallbackPixels.size(); ++n) colors[fallbackPixels[n]] = found[n];
 }
 
 }  // namespace relief

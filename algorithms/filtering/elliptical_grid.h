@@ -1,17 +1,17 @@
 // elliptical-visible:form=grid: what a pixel sees, by sample points that neighbouring pixels share.
 //
-// The points are a lattice over the whole picture, `points` of them a pixel, the pixels' centres among them. A pixel
-// whose hit and those of its eight neighbours lie on a plane is filtered plainly with that plane's Jacobian, from the
-// neighbours' differences: no ray is traced for it but the picture's own. For the other pixels, edges, the lattice's
-// points within the pixel's weights are traced; but where all four centres round a point lie on smooth ground, its hit
-// is interpolated from theirs, and where their colours are nearly equal, its colour is their mean, without a ray or a
-// fetch. Each hit is read with a small footprint on the tangent plane there (point_reader.h), and the pixel is the mean
-// of these colours, weighted by its Gaussian at the points. Points that meet nothing are left out. Rays and colours
-// are made once for all pixels of a tile that need them, in the stages of grid_stages.h.
+// The points form a lattice over the whole picture, with `points` points per pixel, among them the pixels' centres. If
+// a pixel's hit and those of its eight neighbours lie on a plane, the pixel is filtered plainly with that plane's
+// Jacobian, from the differences of the hits; no ray is traced except the picture's own. For the other pixels, called
+// edges, the lattice's points within the pixel's weights are traced, with two exceptions: if the four centres around a
+// point lie on smooth ground, its hit is interpolated from theirs, and if their colours are nearly equal, its colour is
+// their mean, without a ray or a texel. Each hit is sampled with a small footprint on the tangent plane there
+// (point_reader.h), and the pixel is the mean of these colours, weighted by its Gaussian at the points. Points without
+// a hit are left out. Rays and colours are computed once for all edge pixels of a tile, in the stages of grid_stages.h.
 //
-// A point depends on the picture's view and its place alone, not on the pixels that need it: equal bits in any company
-// and for any number of threads. Pixels of no view, with hits that are not exact, next to the horizon or
-// with footprints larger than four height maps go to elliptical_rays.h.
+// A point depends only on the picture's view and on its place, not on the pixels that need it. So the bits depend
+// neither on the other pixels of the block nor on the number of threads. Pixels without a view, with hits that are not
+// exact, next to the horizon, or with footprints larger than four height maps fall back to elliptical_rays.h.
 #pragma once
 
 #include <memory>
@@ -29,15 +29,15 @@ namespace relief {
 
 inline constexpr std::string_view kGridForm = "grid";
 
-// What the stages of all tiles read (grid_stages.h).
+// Input of the stages that is the same for all tiles (grid_stages.h).
 struct GridSetup {
-    EllipticalKernel plain;  // of pixels on planes
+    EllipticalKernel plain;  // for pixels on planes
     PointReader reader;
     std::shared_ptr<const Tracer> tracer;
-    std::shared_ptr<const PackedConeHits> coneHits;  // null: the tracer traces
+    std::shared_ptr<const PackedConeHits> coneHits;  // null: the tracer is used
     PointLattice lattice;
     float bounds;                      // boundsFor()
-    std::optional<SlopeScene> slopes;  // of bilinear surfaces
+    std::optional<SlopeScene> slopes;  // of bilinear surfaces only
 };
 
 namespace grid {
@@ -47,12 +47,14 @@ struct TilePixels;
 
 class GridKernel {
   public:
-    // plain: of whole pixels; alone: of pixels without a view. coneHits: null, then the tracer traces.
-    GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel alone, std::shared_ptr<const Tracer> tracer,
+    // plain: filters whole pixels. fallback: filters pixels that the grid does not support. coneHits: traces instead of
+    // the tracer, unless null.
+    GridKernel(EllipticalKernel plain, PointReader reader, RaysKernel fallback, std::shared_ptr<const Tracer> tracer,
                std::shared_ptr<const PackedConeHits> coneHits, int points);
 
-    // scale: texels of the picture per texel of the height map. counts.tested: rays, those of neighbours that neither
-    // the block nor its picture has included. log: null but for a block of one. Throws Cancelled.
+    // Filters a block. scale: texels of the picture per texel of the height map. counts.tested: number of rays,
+    // including those through neighbouring pixels whose hits neither the block nor its picture contains. log: null
+    // unless the block has one pixel. Throws Cancelled.
     void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,
                 Work& work, FootprintLog* log = nullptr) const;
 
@@ -61,7 +63,7 @@ class GridKernel {
     static void filterTile(grid::Run& run, const grid::TilePixels& pixels, Scratch& scratch, std::span<Color> colors);
 
     GridSetup setup_;
-    RaysKernel alone_;
+    RaysKernel fallback_;
 };
 
 }  // namespace relief

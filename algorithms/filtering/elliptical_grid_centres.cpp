@@ -1,4 +1,4 @@
-// The hits at cells' centres, and how they lie among their neighbours.
+// The hits at cells' centres, and how each lies among its neighbours.
 #include <algorithm>
 #include <cassert>
 #include <cstring>
@@ -12,7 +12,7 @@ namespace relief::grid {
 
 namespace {
 
-// Hits of a row of cells, all of them known.
+// Sets the hits of a row of cells, all of which are known.
 void setRow(Centres& centres, std::size_t cell, std::size_t count, const double* s, const double* t,
             const double* lambda) {
     std::memset(centres.known.data() + cell, 1, count);
@@ -25,7 +25,7 @@ void setRow(Centres& centres, std::size_t cell, std::size_t count, const double*
     for (std::size_t n = 0; n < count; ++n) centres.floatLambda[cell + n] = static_cast<float>(lambda[n]);
 }
 
-// All centres that the picture has, row after row.
+// Copies all centres that the picture contains, row by row.
 void takePicture(const HeightField& field, const PictureHits& picture, Centres& centres) {
     const TileCells& cells = centres.cells;
     const HitBlock& hits = *picture.hits;
@@ -39,7 +39,7 @@ void takePicture(const HeightField& field, const PictureHits& picture, Centres& 
         const std::size_t i = picture.at(from, y), cell = cells.at(from, y);
         const std::uint8_t* polygon = picture.polygon + i;
         const Outcome* outcome = hits.outcome.data() + i;
-        // Columns' places must be looked up.
+        // On columns, the place where colours are sampled differs from the hit and must be computed for each.
         int other = field.surface() == Surface::Bilinear ? 0 : 1;
         for (std::size_t n = 0; n < count; ++n)
             other += polygon[n] != cells.view->number || outcome[n] != Outcome::Hit ? 1 : 0;
@@ -58,14 +58,14 @@ void takePicture(const HeightField& field, const PictureHits& picture, Centres& 
     }
 }
 
-// Marks in survey.near the cells up to `reach` from these pixels of the block that are not known.
+// Marks in survey.near the cells within `reach` of these pixels of the block whose centres are not known.
 void markNear(const FilterBlock& block, std::span<const std::size_t> pixels, int reach, const Centres& centres,
               SurveyWork& survey) {
     const TileCells& cells = centres.cells;
     const std::size_t row = cells.row(), rows = cells.count() / row, far = static_cast<std::size_t>(reach);
     for (auto* column : {&survey.own, &survey.along, &survey.near}) column->assign(cells.count(), 0);
     for (const std::size_t i : pixels) survey.own[cells.at(block.x[i], block.y[i])] = 1;
-    // Along rows, then along columns; the pixels keep kTileHalo cells from the rim.
+    // Dilates along rows, then along columns; the pixels are at least kTileHalo cells from the tile's border.
     const auto join = [](std::uint8_t* to, const std::uint8_t* from, std::size_t count) {
         for (std::size_t c = 0; c < count; ++c) to[c] |= from[c];
     };
@@ -80,7 +80,7 @@ void markNear(const FilterBlock& block, std::span<const std::size_t> pixels, int
     for (std::size_t c = 0; c < cells.count(); ++c) survey.near[c] &= static_cast<std::uint8_t>(1 - centres.known[c]);
 }
 
-// The centres of the marked cells.
+// Lists the centres of the marked cells.
 void findMissing(const TileCells& cells, const std::vector<std::uint8_t>& near, Places& missing) {
     missing.count = 0;
     const std::uint8_t* const end = near.data() + cells.count();
@@ -97,7 +97,7 @@ void findMissing(const TileCells& cells, const std::vector<std::uint8_t>& near, 
     }
 }
 
-// Traces the centres up to `reach` cells from these pixels of the block that are not known. Returns whether any was.
+// Traces the unknown centres within `reach` cells of these pixels of the block. Returns true if there were any.
 bool complete(Run& run, std::span<const std::size_t> pixels, int reach, Centres& centres, SurveyWork& survey) {
     if (centres.allKnown) return false;
     markNear(run.block, pixels, reach, centres, survey);

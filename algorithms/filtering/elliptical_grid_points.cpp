@@ -1,4 +1,4 @@
-// The points that edge pixels sum: which, where they meet the relief, and their colours.
+// The points that edge pixels sum: which points, their hits, and their colours.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +10,8 @@ namespace relief::grid {
 
 namespace {
 
-// Gives each cell with eight neighbours the point's bit if the cell `off` before it has all bits in mask.
+// Sets the point's bit in each cell with eight neighbours for which the cell `off` entries before it has that bit in
+// mask.
 void takeBit(const TileCells& cells, const BitColumn& mask, std::ptrdiff_t off, std::size_t point, BitColumn& out) {
     const std::uint16_t* from = mask.data() - off;
     const auto bit = static_cast<std::uint16_t>(1U << point);
@@ -18,7 +19,8 @@ void takeBit(const TileCells& cells, const BitColumn& mask, std::ptrdiff_t off, 
         out[c] |= static_cast<std::uint16_t>(from[c] & bit);
 }
 
-// A bit a point that some edge pixel sums; edges keep kTileHalo cells from the rim. mask: working memory.
+// Sets the bits of the points that any edge pixel sums. Edge pixels are at least kTileHalo cells from the border. mask:
+// scratch memory.
 void markSummed(const PointLattice& lattice, const FilterBlock& block, std::span<const std::size_t> edges,
                 const TileCells& cells, BitColumn& mask, BitColumn& needed) {
     mask.assign(cells.count(), 0);
@@ -29,11 +31,12 @@ void markSummed(const PointLattice& lattice, const FilterBlock& block, std::span
     }
 }
 
-// And the four centres round each such point. mask: working memory.
+// Adds the four centres around each such point. mask: scratch memory.
 void addCentres(const PointLattice& lattice, const TileCells& cells, BitColumn& mask, BitColumn& needed) {
     mask.assign(cells.count(), 0);
     for (std::size_t k = 1; k < lattice.places.size(); ++k) {
-        // A square's corners lie before it and in the row above.
+        // The cells whose squares have this centre as a corner: the centre's own, the one to its left, and the two
+        // above.
         const std::uint16_t* own = needed.data() + lattice.squareOf(k, cells.width);
         const std::uint16_t* above = own - cells.width;
         for (std::size_t c = cells.inner(); c < cells.count() - cells.inner(); ++c) {
@@ -45,9 +48,9 @@ void addCentres(const PointLattice& lattice, const TileCells& cells, BitColumn& 
     for (std::size_t c = 0; c < cells.count(); ++c) needed[c] |= mask[c];
 }
 
-// Of each cell, all bits or none: whether hits within the square of its centre and those to the right of and below it
-// can be interpolated from these four: if none of the six lines between them crosses an edge. Both ends lie on it
-// smoothly, or one end goes straight on to the other.
+// Sets all bits or none of each cell: whether hits within the square between its centre and the centres to the right,
+// below and diagonally below can be interpolated from these four. They can if none of the six lines between the four
+// crosses an edge, that is if each line is smooth at both ends or straight at one end.
 void joinSquares(const TileCells& cells, const BitColumn& around, BitColumn& joined) {
     const std::size_t row = cells.row();
     joined.assign(cells.count(), 0);
@@ -63,10 +66,11 @@ void joinSquares(const TileCells& cells, const BitColumn& around, BitColumn& joi
     }
 }
 
-// A bit a point whose hit, or for a centre whose footprint, is interpolated from centres.
+// Sets a bit for each point whose hit is interpolated from centres; for a centre, whose footprint is.
 void markInterpolated(const PointLattice& lattice, const TileCells& cells, const BitColumn& around,
                       const BitColumn& joined, BitColumn& interpolated) {
-    // Centres on straight ground, or on smooth ground near them, have footprints by their neighbours.
+    // A centre's footprint follows from its neighbours if the horizontal and the vertical line through it are straight,
+    // or smooth with nearby hits.
     constexpr unsigned kCross = (1U << kAcross) | (1U << kDown);
     for (std::size_t c = 0; c < cells.count(); ++c) {
         const unsigned lines = (around[c] / kStraight) | ((around[c] & kNearAround) != 0 ? around[c] : 0U);
@@ -76,14 +80,14 @@ void markInterpolated(const PointLattice& lattice, const TileCells& cells, const
         takeBit(cells, joined, lattice.squareOf(k, cells.width), k, interpolated);
 }
 
-// Adds the k-th points that are needed and not interpolated, row after row. which: working memory.
+// Appends the k-th points that are needed and not interpolated, row by row. which: scratch memory.
 void addPlaces(const PointLattice& lattice, const TileCells& cells, const BitColumn& needed,
                const BitColumn& interpolated, std::size_t k, std::vector<std::int32_t>& which, Places& out) {
     reserve(which, cells.row() + 1);
     const std::size_t perCell = lattice.places.size();
     for (std::size_t y = 0; y * cells.row() < cells.count(); ++y) {
         const std::size_t first = y * cells.row();
-        // Without a branch: no pattern predicts which cells these are.
+        // Compaction without a branch, because which cells are selected is unpredictable.
         std::size_t count = 0;
         for (std::size_t x = 0; x < cells.row(); ++x) {
             which[count] = static_cast<std::int32_t>(x);
@@ -100,7 +104,7 @@ void addPlaces(const PointLattice& lattice, const TileCells& cells, const BitCol
     }
 }
 
-// Adds the footprints of the k-th points that are needed and interpolated.
+// Appends the footprints of the k-th points that are needed and interpolated.
 void addInterpolated(const PointLattice& lattice, const Centres& centres, const BitColumn& needed,
                      const BitColumn& interpolated, std::size_t k, Footprints& out) {
     const TileCells& cells = centres.cells;
@@ -111,8 +115,8 @@ void addInterpolated(const PointLattice& lattice, const Centres& centres, const 
         out.block, out.slots);
 }
 
-// Adds the footprints of the places [begin, begin + count), which meet hits [0, count). The columns' entries of those
-// that meet nothing are taken by those behind.
+// Appends the footprints of the places [begin, begin + count), whose hits are [0, count). Entries without a hit are
+// removed by moving the later ones forward.
 void addHits(const GridSetup& setup, const TileCells& cells, Places& places, std::size_t begin, std::size_t count,
              HitBlock& hits, Footprints& out) {
     std::size_t met = 0;
@@ -138,7 +142,7 @@ void addHits(const GridSetup& setup, const TileCells& cells, Places& places, std
     std::copy_n(places.slots.data() + begin, met, out.slots.data() + before);
 }
 
-// Reads the footprints' colours into their slots.
+// Samples the colours of the footprints and stores them in their slots.
 void read(Run& run, const Footprints& footprints, CentreColors& colors) {
     for (const std::uint32_t slot : footprints.missed) colors.slots[slot] = {};
     const PointBlock& block = footprints.block;
@@ -149,7 +153,7 @@ void read(Run& run, const Footprints& footprints, CentreColors& colors) {
     }
 }
 
-// The mean of four centres' colours, where `at` is the upper left one's cell.
+// The weighted mean of four centres' colours; `at` is the cell of the upper left one.
 PointColor meanColor(const std::vector<PointColor>& slots, std::size_t at, std::size_t row, std::size_t perCell,
                      const std::array<float, 4>& share) {
     const PointColor* p = slots.data() + at * perCell;
@@ -214,10 +218,10 @@ const RestPoints& meanColors(const Run& run, const EdgeGround& ground, const Poi
     const TileCells& cells = ground.centres.cells;
     const PointLattice& lattice = run.setup.lattice;
     const std::size_t perCell = lattice.places.size(), last = cells.count() - cells.inner();
-    BitColumn& even = points.mask;
-    even.resize(cells.count() + kCellSlack);
+    BitColumn& uniform = points.mask;
+    uniform.resize(cells.count() + kCellSlack);
     const auto& [red, green, blue] = colors.channel;
-    findEven({red.data(), green.data(), blue.data()}, cells.row(), last, run.setup.bounds, even.data());
+    findUniform({red.data(), green.data(), blue.data()}, cells.row(), last, run.setup.bounds, uniform.data());
     rest.needed = plan.needed;
     for (std::size_t k = 1; k < perCell; ++k) {
         const auto square = static_cast<std::size_t>(lattice.squareOf(k, cells.width));
@@ -225,7 +229,7 @@ const RestPoints& meanColors(const Run& run, const EdgeGround& ground, const Poi
         std::array<float, 4> share;
         for (std::size_t n = 0; n < share.size(); ++n) share[n] = static_cast<float>(lattice.shares[k][n]);
         for (std::size_t c = cells.inner(); c < last; ++c) {
-            if ((plan.needed[c] & even[c - square] & bit) == 0) continue;
+            if ((plan.needed[c] & uniform[c - square] & bit) == 0) continue;
             rest.needed[c] &= static_cast<std::uint16_t>(~bit);
             colors.slots[c * perCell + k] = meanColor(colors.slots, c - square, cells.row(), perCell, share);
         }

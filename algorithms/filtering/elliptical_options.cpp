@@ -7,17 +7,17 @@ namespace relief {
 
 namespace {
 
-// sqrt(1/2), and a little for rounding.
+// sqrt(1/2), rounded up.
 constexpr double kCoveringRadius = 0.7072;
-// Beyond this many sigma a Gaussian pixel is cut: 4% of the peak, chosen by measured error.
+// A Gaussian pixel is cut off at this number of sigma, at 4% of its peak. Chosen by measured error.
 constexpr double kGaussianCut = 2.5;
-// Radii at which these come nearest to a Gaussian pixel (checker, brick; 60, 25, 8 degrees). Nearest to a box pixel
-// they come at 0.6 and 0.7.
+// Radii, in pixels, with the smallest error against a Gaussian pixel (checker, bricks; 60, 25, 8 degrees). Against a
+// box pixel the best radii are 0.6 and 0.7.
 constexpr double kUniformRadius = 0.9;
 constexpr double kTexelDistanceRadius = 1.15;
 
-// Texels of a level across half a pixel whose shape a map has: below it the shape is too coarse (brick, box pixel:
-// error 5.6 at 1.4, 3.6 at 2, 2.0 at 3, times 1000, for 1, 1.6 and 5 times the texels).
+// Smallest number of texels of a level across half a pixel that represents the shape of the pixel. RMSE on bricks
+// against a box pixel: 5.6e-3 with 1.4, 3.6e-3 with 2, 2.0e-3 with 3, for 1, 1.6 and 5 times the texels.
 constexpr double kShapeFloor = 2;
 
 WeightKind weightKind(const std::string& name) {
@@ -56,12 +56,12 @@ EllipticalSettings EllipticalSettings::of(const EllipticalOptions& options) {
     settings.source = options.source == "table" ? WeightSource::Table
                       : options.source == "map" ? WeightSource::Map
                                                 : WeightSource::Direct;
-    // Shapes have no closed form over r^2; distance in texels has none over the pixel.
+    // Pixel shapes have no closed form over r^2, and the distance in texels has none over the pixel.
     if (settings.shaped()) settings.source = WeightSource::Map;
     if (settings.weights == WeightKind::TexelDistance) settings.source = WeightSource::Direct;
     settings.resolution = options.resolution;
     settings.implementation = options.implementation == "lanes" ? Implementation::Lanes : Implementation::Scalar;
-    // A level on which some channel could miss every texel is too coarse.
+    // On a coarser level some channel could miss every texel.
     settings.floor = std::max(options.floor, settings.shaped() ? std::max(kShapeFloor, settings.smallestMinor()) : 0.0);
     return settings;
 }

@@ -9,13 +9,14 @@
 
 namespace relief {
 
-// How texels in a footprint are weighed. Uniform: all alike, what [TEX] starts from. Gaussian: the Gaussian model of
-// the pixel. TexelDistance: by distance in texels, ignoring how the pixel is projected: the contrast to it. Box, Lcd,
-// Crt: the pixel model's own shape, which only a map of weights can hold.
+// How texels in a footprint are weighted. Uniform: all the same, as in the basic form of [TEX]. Gaussian: the Gaussian
+// model of the pixel. TexelDistance: by distance in texels, which ignores the pixel's projection; for comparison. Box,
+// Lcd, Crt: the shape of the pixel model itself, which needs a map of weights.
 enum class WeightKind : std::uint8_t { Uniform, Gaussian, TexelDistance, Box, Lcd, Crt };
-// Direct: the formula at each texel. Table: of r^2. Map: two-dimensional, over the pixel.
+// Direct: the formula for each texel. Table: over r^2. Map: two-dimensional, over the pixel.
 enum class WeightSource : std::uint8_t { Direct, Table, Map };
-// Lanes: many pixels at once where that serves (elliptical_lanes.h), the reference elsewhere.
+// Lanes: many pixels at once by SIMD where supported (elliptical_lanes.h), otherwise the reference. Scalar: the
+// reference.
 enum class Implementation : std::uint8_t { Lanes, Scalar };
 
 struct EllipticalOptions {
@@ -115,24 +116,24 @@ struct EllipticalOptions {
     bool operator==(const EllipticalOptions&) const = default;
 };
 
-// What the texts mean, with the defaults that belong to the weights put in.
+// The parsed options, with the defaults that depend on the weights filled in.
 struct EllipticalSettings {
     WeightKind weights = WeightKind::Gaussian;
     WeightSource source = WeightSource::Direct;
     double sigma = 0.53;      // pixels
-    double radius = 1.325;    // pixels: nothing beyond counts
-    bool exhaustive = false;  // level 0 always
-    double floor = 1.25;      // texels
+    double radius = 1.325;    // pixels; weights are 0 beyond
+    bool exhaustive = false;  // always level 0
+    double floor = 1.25;      // texels; smallest minor semi-axis on the level chosen
     double anisotropy = 16;
-    bool texelSize = true;  // the covariance of texels is allowed for: Gaussian weights only
+    bool texelSize = true;  // add the covariance of texels; Gaussian weights only
     int resolution = 64;
     Implementation implementation = Implementation::Lanes;
 
     static EllipticalSettings of(const EllipticalOptions& options);
-    // Semi-axes that a footprint must have, in texels of its level, for every channel to see a texel: a circle of
-    // radius sqrt(1/2) holds a texel's centre wherever it lies.
+    // The smallest semi-axis of a footprint, in texels of its level, at which every channel covers a texel: a circle of
+    // radius sqrt(1/2) contains a texel's centre wherever it lies.
     double smallestMinor() const;
-    // The pixel whose shape the weights have, where they have one.
+    // shaped(): the weights have the shape of a pixel model, which model() returns.
     bool shaped() const { return weights >= WeightKind::Box; }
     PixelModel model() const;
 };

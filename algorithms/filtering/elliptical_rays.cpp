@@ -13,27 +13,32 @@ namespace relief {
 
 namespace {
 
-// Of the spacing of the rays: less, and their footprints leave gaps; more, and they reach over edges.
+// Size of a ray's footprint over the spacing of the rays. With smaller footprints there are gaps between them; larger
+// ones reach across edges.
 constexpr double kBlurPerSpacing = 0.55;
-// The four first rays, turned off the axes: edges along these are met one by one.
+// Rotation of the four first rays, in radians, so that edges along the axes are crossed one ray at a time.
 constexpr double kProbeTurn = 0.4636476090008061;
-// Part of the weights' mass within the first rays: few edges farther out count.
+// Share of the weights' mass inside the circle of the first rays: edges farther out have little weight.
 constexpr double kProbeMass = 0.6;
-// Second difference of the hits over the first, on a plane; and the same in texels of the picture, which is not seen.
-constexpr double kMostBend = 0.1;
-constexpr double kUnseenBend = 0.05;
-// Hits at one height, but for rounding: level ground, which keeps the pixel's own bits.
+// Planarity: largest second difference of the hits, relative to the first difference, and in texels of the picture.
+// Deviations below the latter are invisible.
+constexpr double kRelativeBend = 0.1;
+constexpr double kAbsoluteBend = 0.05;
+// Hits whose heights differ by at most this are at one height up to rounding: level ground, which keeps the pixel's own
+// bits.
 constexpr double kLevel = 1e-9;
-// Least 1 + r . g of a ray's tangent plane: footprints get shorter where it turns to the viewer, but no longer where it
-// turns away, for they would reach over the piece of surface that is met.
+// Lower bound for 1 + r . g of a ray's tangent plane (r: run of the ray, g: slope). Footprints become shorter where the
+// surface turns towards the viewer. They do not become longer where it turns away, because they would reach beyond the
+// piece of surface that was hit.
 constexpr double kLeastFacing = 1;
 
-// Radius within which the weights have this part of their mass; sigma or the disc's radius is 1.
+// Radius that encloses this share of the weights' mass, in units of sigma or of the disc's radius.
 double massRadius(const EllipticalSettings& settings, double mass) {
     return settings.weights == WeightKind::Uniform ? std::sqrt(mass) : std::sqrt(-2 * std::log1p(-mass));
 }
 
-// Moved and stretched so that the mean is 0 and the sums of x x and y y are `second`, that of x y is 0.
+// Translates and scales the places so that their mean is 0, the sums of x x and of y y are `second`, and that of x y is
+// 0.
 void whiten(std::span<glm::dvec2> places, double second) {
     glm::dvec2 mean(0);
     for (const glm::dvec2& p : places) mean += p / static_cast<double>(places.size());
@@ -53,7 +58,7 @@ Jacobian times(const Jacobian& j, double factor) {
     return {factor * j.ux, factor * j.vx, factor * j.uy, factor * j.vy};
 }
 
-// What pixels see on a plane of this slope through a point that they see at level Jacobian j.
+// The Jacobian on a plane of this slope, through a point at which the Jacobian of the horizontal plane is j.
 Jacobian onSlope(const Jacobian& j, const ViewRay& ray, double slopeS, double slopeT) {
     const double facing = std::max(kLeastFacing, 1 + ray.a * slopeS + ray.b * slopeT);
     const double alongX = (slopeS * j.ux + slopeT * j.vx) / facing;
@@ -89,7 +94,7 @@ RayPattern RayPattern::of(const EllipticalSettings& settings, int samples) {
         const double r = unit * massRadius(settings, mass);
         pattern.places.emplace_back(r * std::cos(golden * n), r * std::sin(golden * n));
     }
-    // The probes have 2 radius^2 along each axis.
+    // The probes contribute 2 radius^2 along each axis.
     whiten({pattern.places.data() + kProbes, static_cast<std::size_t>(rest)}, samples * variance - 2 * radius * radius);
     return pattern;
 }
@@ -109,19 +114,19 @@ Jacobian RayFan::jacobianAt(double lambda) const {
     return times(top, 1 + lambda * spread);
 }
 
-// Kept from chunk to chunk: nothing is allocated for each.
+// Buffers reused from chunk to chunk, to avoid allocations.
 struct RaysKernel::Scratch {
     glm::dvec2 scale{1};
     RayBlock rays;
     HitBlock hits;
-    std::vector<std::size_t> asked;  // pixels whose rays these are
-    // Pixels that are plain, and with what.
+    std::vector<std::size_t> traced;  // pixels whose rays these are
+    // Queries of the pixels on planes, and the pixels' indices in the block.
     FilterBlock plain;
     std::vector<std::size_t> plainOf;
-    // The others, with what their first rays met.
+    // Indices of the other pixels, and the hits of their probes.
     std::vector<std::size_t> edges;
     std::vector<Hit> edgeHits;
-    // Samples of a chunk of these: their colours by slot, and what is filtered for them.
+    // Samples of a chunk of these pixels: colours by slot, whether the ray hit, and the footprints to filter.
     std::vector<Color> found;
     std::vector<std::uint8_t> met;
     FilterBlock small;
@@ -162,9 +167,9 @@ bool RaysKernel::planeThrough(const FilterQuery& query, const HitBlock& hits, st
     for (std::size_t k = 0; k < 2; ++k) {
         step[k] = 0.5 * (at[k] - at[k + 2]);
         const double bend = 0.25 * square(at[k] + at[k + 2]);
-        if (!(bend <= kMostBend * kMostBend * square(step[k]) + kUnseenBend * kUnseenBend)) return false;
+        if (!(bend <= kRelativeBend * kRelativeBend * square(step[k]) + kAbsoluteBend * kAbsoluteBend)) return false;
     }
-    // The places are e, f = e turned by 90 degrees: x = (e.x e - e.y f) / e^2, y = (e.y e + e.x f) / e^2.
+    // With the places e and f = e turned by 90 degrees, x = (e.x e - e.y f) / e^2 and y = (e.y e + e.x f) / e^2.
     const glm::dvec2 e = pattern_.places[0] / square(pattern_.places[0]);
     const glm::dvec2 x = e.x * step[0] - e.y * step[1], y = e.y * step[0] + e.x * step[1];
     found = {x.x, x.y, y.x, y.y};
@@ -173,7 +178,7 @@ bool RaysKernel::planeThrough(const FilterQuery& query, const HitBlock& hits, st
 
 void RaysKernel::probe(const FilterBlock& block, std::size_t first, std::size_t last, Scratch& scratch,
                        Work& work) const {
-    scratch.asked.clear();
+    scratch.traced.clear();
     scratch.rays.resize((last - first) * kProbes);
     const auto plain = [&](std::size_t i, const FilterQuery& query, const Jacobian& j) {
         scratch.plain.set(scratch.plainOf.size(), {query.place * scratch.scale, j, {}, 0});
@@ -187,15 +192,15 @@ void RaysKernel::probe(const FilterBlock& block, std::size_t first, std::size_t 
         }
         const RayFan fan(query);
         for (std::size_t n = 0; n < kProbes; ++n) {
-            scratch.rays.set(scratch.asked.size() * kProbes + n, fan.ray(pattern_.places[n]));
+            scratch.rays.set(scratch.traced.size() * kProbes + n, fan.ray(pattern_.places[n]));
         }
-        scratch.asked.push_back(i);
+        scratch.traced.push_back(i);
     }
-    scratch.rays.resize(scratch.asked.size() * kProbes);
+    scratch.rays.resize(scratch.traced.size() * kProbes);
     NullSink sink;
     tracer_->trace(scratch.rays, scratch.hits, sink, work);
-    for (std::size_t k = 0; k < scratch.asked.size(); ++k) {
-        const std::size_t i = scratch.asked[k];
+    for (std::size_t k = 0; k < scratch.traced.size(); ++k) {
+        const std::size_t i = scratch.traced[k];
         const FilterQuery query = block[i];
         Jacobian j;
         if (planeThrough(query, scratch.hits, k * kProbes, scratch.scale, j)) {
@@ -271,7 +276,7 @@ void RaysKernel::sample(const FilterBlock& block, std::size_t first, std::size_t
         const std::size_t i = scratch.edges[first + k];
         const FilterQuery query = block[i];
         const glm::dvec2 centre = query.place * scratch.scale;
-        // The pixel's own ray met something all the same.
+        // No sample hit the relief, although the pixel's own ray did.
         if (total == 0) ++counts.allHidden;
         colors[i] = total > 0 ? Color(sum / total) : plain_.levels().bilinear(0, centre, plain_.address());
         if (log == nullptr) continue;
@@ -282,7 +287,7 @@ void RaysKernel::sample(const FilterBlock& block, std::size_t first, std::size_t
     }
 }
 
-// The samples of the one pixel there is, once more with a log: its texels, as parts of a ray's share.
+// Logs the samples of the block's only pixel by filtering them again: its texels, weighted as parts of a ray's share.
 void RaysKernel::logSamples(const FilterQuery& query, const Scratch& scratch, std::size_t samples,
                             FootprintLog& log) const {
     const RayFan fan(query);
@@ -339,7 +344,7 @@ void RaysKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Co
     Scratch scratch;
     scratch.scale = scale;
     scratch.plain.resize(block.size());
-    // As many rays at once as are traced by one thread.
+    // Pixels per chunk, so that one thread traces the rays of a chunk at once.
     constexpr std::size_t kPixels = kRayGrain / kProbes;
     for (std::size_t i = 0; i < block.size() && !work.stopped(); i += kPixels) {
         probe(block, i, std::min(i + kPixels, block.size()), scratch, work);

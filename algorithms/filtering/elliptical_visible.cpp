@@ -9,14 +9,14 @@
 
 namespace relief {
 
-// Heights under what the footprint may see, and whether any of them can hide another.
+// Bounds of the heights in the footprint. flat: no height exceeds the lowest of them; clear: none can hide another.
 struct VisibleKernel::Region {
     HeightBounds under;
     bool flat = false;
     bool clear = false;
 };
 
-// Kept from pixel to pixel of a block: nothing is allocated for each.
+// Buffers reused from pixel to pixel of a block, to avoid allocations.
 struct VisibleKernel::Scratch {
     std::vector<Piece> pieces;
     AnyRayBlock rays;
@@ -45,11 +45,11 @@ VisibleKernel::Region VisibleKernel::regionOf(const LevelFootprint& f, const See
                            range_->highest.level(range_->highest.levels() - 1)(0, 0)};
     const HalfExtents<double> half = f.ellipse.halfExtents(f.radius);
     const glm::dvec2 centre = fieldTexels(f.centre, f.level);
-    // A texel's centre may lie half a texel of the level off what it stands for, and one texel is added all round.
+    // A texel's centre may be half a texel of the level away from what it covers, and one texel is added on each side.
     const glm::dvec2 extent = fieldTexels({half.u + 0.5, half.v + 0.5}, f.level) + 1.0;
     const double h0 = 1 - seen.lambda;
     const auto rangeOver = [&](double near, double far) {
-        // Of the box moved by near .. far times (-a, -b).
+        // Bounds over the box swept along (-a, -b), from `near` to `far` times that vector.
         const double s0 = std::min(-near * a, -far * a), s1 = std::max(-near * a, -far * a);
         const double t0 = std::min(-near * b, -far * b), t1 = std::max(-near * b, -far * b);
         return heightBounds(*range_, field_, centre.x - extent.x + s0, centre.y - extent.y + t0,
@@ -59,10 +59,10 @@ VisibleKernel::Region VisibleKernel::regionOf(const LevelFootprint& f, const See
     if (form_ == VisibleForm::Plane) {
         region.under = rangeOver(0, 0);
     } else {
-        // What is at height h is seen where the plane's point is moved by (h - h0) back along the ray.
+        // A point at height h is visible where the plane's point is displaced by (h - h0) back along the ray.
         for (int n = 0; n < 2; ++n) region.under = rangeOver(region.under.low - h0, region.under.high - h0);
     }
-    // The highest point that a segment from here can meet before it has risen above it.
+    // Bounds the highest point that a segment from the footprint can meet before it has risen above it.
     double top = all.high;
     for (int n = 0; n < 2; ++n) {
         const double reach = std::max(0.0, top - region.under.low);
@@ -74,7 +74,7 @@ VisibleKernel::Region VisibleKernel::regionOf(const LevelFootprint& f, const See
     const double run =
         field_.surface() == Surface::Bilinear ? std::abs(a) + std::abs(b) : 2 * std::max(std::abs(a), std::abs(b));
     region.flat = rise <= 0;
-    // Columns: the way to the next texel is half a texel only from a texel's centre.
+    // For columns, the distance to the next texel is half a texel only from the centre of a texel.
     const bool centred = f.level == 0 && perColor_ == glm::dvec2(1);
     region.clear = region.flat || (run * rise < 1 && (field_.surface() == Surface::Bilinear || centred));
     return region;
@@ -98,14 +98,14 @@ void VisibleKernel::test(Scratch& scratch, const SeenPoint& seen, FootprintCount
         texel.tested = true;
         texel.hidden = sights.sight[n] == Sight::Blocked;
         if (!texel.hidden || !log) continue;
-        // Once more with a log: what it ended at is what hides the texel.
+        // Repeats the query with a log, whose last step is at what hides the texel.
         AnyRayBlock one;
         one.push(rays[n]);
         SightBlock again;
         StepLog steps;
         query_->look(one, again, steps, work);
         if (steps.steps.empty()) continue;
-        // The log has heights as descents; the middle of the stay in the cell that is in the way.
+        // The log stores heights as descents; the blocker is marked at the middle of the interval in the blocking cell.
         const double z = 1 - 0.5 * (steps.steps.back().lambdaIn + steps.steps.back().lambdaOut);
         const double mu = (z - rays.z[n]) / rays.dz[n];
         texel.blocker = {rays.s[n] + mu * rays.ds[n], rays.t[n] + mu * rays.dt[n]};
@@ -119,7 +119,7 @@ std::optional<Jacobian> VisibleKernel::plainJacobian(const Jacobian& j, const Se
         tangentFootprint({*range_, field_, plain_.settings(), perColor_}, onField, seen.place, seen.ray, seen.lambda);
     clear = tangent.clear;
     if (form_ == VisibleForm::Plane || !tangent.planar || !tangent.clear) return std::nullopt;
-    // Level ground keeps the pixel's own bits.
+    // Level ground keeps the bits of the pixel's own Jacobian.
     const Jacobian& t = tangent.jacobian;
     if (t.ux == onField.ux && t.vx == onField.vx && t.uy == onField.uy && t.vy == onField.vy) return j;
     return scaled(tangent.jacobian, 1.0 / perColor_);
@@ -165,13 +165,13 @@ void VisibleKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span
     counts.flat += counts.footprints - before.footprints;
 }
 
-// clear: nothing on the plane's footprint is hidden, by its tangent.
+// clear: the tangent plane proves that nothing on the plane's footprint is hidden.
 Color VisibleKernel::filterPieces(const Jacobian& j, glm::dvec2 centre, const SeenPoint& seen, bool clear,
                                   Scratch& scratch, FootprintCounts& counts, Work& work, FootprintLog* log) const {
     const LevelFootprint f = plain_.footprint(j, centre);
     if (f.kind != FootprintKind::Ellipse) return plain_.filter(j, centre, counts, log);
     Region region = regionOf(f, seen);
-    // The tangent proves it for the plane's footprint only; the other forms read ground beyond it, which may be hidden.
+    // The proof is valid for the plane's footprint only; the other forms sample ground beyond it, which may be hidden.
     region.clear = region.clear || (clear && form_ == VisibleForm::Plane);
     if (region.flat || (region.clear && skip_ && form_ == VisibleForm::Plane)) {
         const std::int64_t before = counts.texels;
@@ -195,7 +195,7 @@ Color VisibleKernel::filterPieces(const Jacobian& j, glm::dvec2 centre, const Se
         test(scratch, seen, counts, work, log != nullptr);
     }
     const bool unhidden = std::none_of(pieces.begin(), pieces.end(), [](const Piece& p) { return p.texel.hidden; });
-    // What is not hidden is what plain filtering reads, and gets its bits.
+    // If nothing is hidden, the texels are those of plain filtering, which must give the same bits.
     if (form_ == VisibleForm::Plane && unhidden) return plain_.filter(j, centre, counts, log);
     ++counts.footprints;
     counts.texels += static_cast<std::int64_t>(pieces.size());
@@ -247,7 +247,7 @@ void VisibleKernel::gatherTexels(const LevelFootprint& f, std::vector<Piece>& pi
         piece.share = share;
         piece.s = place.x;
         piece.t = place.y;
-        // Beyond a border is nothing that could be hidden: its colour counts, as in plain filtering.
+        // Outside a border there is no surface that could be hidden; its colour counts, as in plain filtering.
         piece.h = outside(place) ? 1.0 : field_.at(place.x, place.y);
         piece.du = u;
         piece.dv = v;

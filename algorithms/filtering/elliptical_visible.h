@@ -1,29 +1,31 @@
 // elliptical-visible: anisotropic filtering of what the pixel really sees. Behind a relief the footprint contains
-// texels that higher ground hides; each texel is traced back from its surface point towards the viewer and counts only
-// if nothing is in the way; the weights of the others are divided by their own sum. [ANISO17], [TEX].
+// texels that higher ground hides. Each texel's surface point is traced back towards the viewer, and the texel counts
+// only if nothing blocks the way; the weights of the visible texels are normalised by their sum. [ANISO17], [TEX].
 //
-// Frame: the view ray (a, b) in texels of the height map a unit of descent; texel (i, j) of the level chosen has its
-// surface point at (s, t, h), its centre and the height there. It is hidden if the segment
+// Frame: the view ray runs (a, b) texels of the height map per unit of descent; texel (i, j) of the chosen level has
+// its surface point at (s, t, h), its centre and the height there. It is hidden if the segment
 //
 //     (s - mu a, t - mu b, h + mu),  0 < mu <= 1 - h
 //
-// meets the surface. Three forms, U, V the texel less the hit, h0 the hit's height:
-//   plane          weight by the plane's ellipse, at (U, V): the paper's
+// meets the surface. There are three forms, with U, V the offset of the texel from the hit and h0 the hit's height:
+//   plane          weight by the plane's ellipse, at (U, V), as in the paper
 //   position       weight at the texel's true place in the pixel, (U + (h - h0) a, V + (h - h0) b)
-//   position-area  times the projected area of the surface there, max(0, 1 + a h_s + b h_t)
-// The last two sum over the surface itself: where the relief under a texel is steep, so that its parts lie far apart in
-// the pixel, it is taken in parts, first the finer levels' texels, then parts of texels.
-// Two more, rays and grid (the default), are ours as well: elliptical_rays.h, elliptical_grid.h.
-// All equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at the hit's height.
-// None visible: the colour at the hit.
+//   position-area  the same, times the projected area of the surface there, max(0, 1 + a h_s + b h_t)
 //
-// Where nothing hides anything and the surface is nearly a plane, the last two are plain filtering with that plane's
-// Jacobian (tangent_footprint.h), in lanes; the first is plain filtering where nothing is hidden.
+// The last two sum over the surface itself. Where the relief under a texel is steep, so that its parts lie far apart in
+// the pixel, the texel is divided: into texels of finer levels first, then into parts of texels. Two more forms, rays
+// and grid (the default), are described in elliptical_rays.h and elliptical_grid.h; these and the last two are not from
+// the paper. All forms equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at
+// the hit's height. If no texel is visible, the result is the colour at the hit.
 //
-// Skip, lossless: where bounds of heights and slopes say that nothing is hidden (tangent_footprint.h), no texel is
-// tested; nor where, with L the lowest height under the footprint, a blocker must rise above L by more than 1/(|a| +
-// |b|) (bilinear; 1/(2 max(|a|, |b|)) for columns) to reach over a texel's border; if no height within reach of any
-// back-traced segment does, no texel is tested. The reach is bounded by the highest point, twice over.
+// Where nothing is hidden and the surface is nearly planar, position and position-area are plain SIMD filtering with
+// that plane's Jacobian (tangent_footprint.h); plane is plain filtering wherever nothing is hidden.
+//
+// Lossless skipping of tests: no texel is tested where bounds of heights and slopes prove that nothing is hidden
+// (tangent_footprint.h). A second proof uses the lowest height L under the footprint: to reach over a texel's border, a
+// blocker must rise above L by more than 1/(|a| + |b|) (bilinear) or 1/(2 max(|a|, |b|)) (columns). If no height within
+// reach of any back-traced segment does, no texel is tested. The reach is bounded by the highest point, in two
+// iterations.
 #pragma once
 
 #include <memory>
@@ -39,7 +41,7 @@ namespace relief {
 enum class VisibleForm : std::uint8_t { Plane, Position, PositionArea };
 
 struct VisibleOptions : EllipticalOptions {
-    std::string form = "grid";  // interactive; weights with a shape of their own: position-area
+    std::string form = "grid";  // rays and grid need uniform or Gaussian weights; others use position-area
     int samples = 16;
     int points = 3;
 
@@ -78,11 +80,11 @@ struct VisibleOptions : EllipticalOptions {
     }
 };
 
-// Where a pixel's view ray met the relief, in texels of the height map.
+// Where a pixel's view ray hits the relief, in texels of the height map.
 struct SeenPoint {
     ViewRay ray;
     double lambda = 0;
-    glm::dvec2 place{0};  // where colours are looked up
+    glm::dvec2 place{0};  // where colours are sampled
 };
 
 class VisibleKernel {
@@ -90,12 +92,13 @@ class VisibleKernel {
     VisibleKernel(EllipticalKernel plain, VisibleForm form, const HeightField& field,
                   std::shared_ptr<const AnyHitQuery> query, std::shared_ptr<const HeightBoundsMap> range);
 
-    // False: every test is made, for proving that skipping changes nothing.
+    // false: every test is made, to prove that skipping changes nothing.
     void setSkip(bool skip) { skip_ = skip; }
-    // j, centre: in texels of the colour picture's level 0.
+    // Filters one pixel. j, centre: in texels of the colour picture's level 0. log: may be null.
     Color filter(const Jacobian& j, glm::dvec2 centre, const SeenPoint& seen, FootprintCounts& counts, Work& work,
                  FootprintLog* log = nullptr) const;
-    // The same bits for a whole block; scale: texels of level 0 per texel of the height map.
+    // Filters a block with the same bits. scale: texels of level 0 per texel of the height map. Returns early if the
+    // work is stopped.
     void filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors, FootprintCounts& counts,
                 Work& work) const;
 
@@ -104,7 +107,8 @@ class VisibleKernel {
     struct Piece;
     struct Region;
     struct Scratch;
-    // What is filtered as a plane: the Jacobian to do it with, texels of the colour picture. Nothing: by pieces.
+    // Returns the Jacobian, in texels of the colour picture, of a pixel that is filtered as a plane; std::nullopt if it
+    // must be filtered by pieces. clear: set to true if nothing on the plane's footprint is hidden.
     std::optional<Jacobian> plainJacobian(const Jacobian& j, const SeenPoint& seen, bool& clear) const;
     Color filterPieces(const Jacobian& j, glm::dvec2 centre, const SeenPoint& seen, bool clear, Scratch& scratch,
                        FootprintCounts& counts, Work& work, FootprintLog* log) const;

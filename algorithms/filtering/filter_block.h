@@ -1,4 +1,4 @@
-// What pixels ask of a texture filter, alone and in blocks.
+// Queries of pixels to a texture filter, single and in blocks.
 #pragma once
 
 #include <vector>
@@ -11,31 +11,32 @@
 
 namespace relief {
 
-// What a pixel asks: where its ray met the relief, and how the plane there is projected.
+// A pixel's query: where its ray hit the relief, and how the plane there is projected.
 struct FilterQuery {
-    glm::dvec2 place{0};  // texels of the height map, unwrapped: where colours are looked up
-    Jacobian jacobian;    // texels of the height map a pixel
+    glm::dvec2 place{0};  // texels of the height map, unwrapped: where colours are sampled
+    Jacobian jacobian;    // texels of the height map per pixel
     ViewRay ray;
     double lambda = 0;
-    // How much more the rays of pixels beside run (a, b) for each texel that they enter further on (s0, t0): 0 seen
-    // from infinitely far, thickness / height of the eye above the plane else.
+    // Change of the run (a, b) of neighbouring pixels' rays per texel of entry point (s0, t0): 0 for an eye at
+    // infinity, otherwise thickness / height of the eye above the plane.
     double spread = 0;
-    // Which pixel of which view it is; null: of none, its rays are made of the Jacobian and the spread.
+    // The pixel and its view. Null: there is no view, and rays are derived from the Jacobian and the spread.
     const PixelView* view = nullptr;
     int x = 0, y = 0;
     bool exact = false;  // place and lambda are the hit of the view's own ray, by an exact method
 };
 
-// The Jacobian in other texels, scale of them per texel of j's.
+// Converts a Jacobian to other texels, scale of them per texel of j's.
 inline Jacobian scaled(const Jacobian& j, glm::dvec2 scale) {
     return {j.ux * scale.x, j.vx * scale.y, j.uy * scale.x, j.vy * scale.y};
 }
 
-// What all rays of a picture met, or those of `height` of its rows from firstRow on, for filters that ask about a
-// pixel's neighbours: pixel (x, y) at (y - firstRow) * width + x, by an exact method. Columns are not owned.
+// The hits of all rays of a picture, or of `height` of its rows from firstRow on, for filters that read the hits of a
+// pixel's neighbours. Pixel (x, y) is at (y - firstRow) * width + x. The hits must come from an exact method. The
+// arrays are not owned.
 struct PictureHits {
     int width = 0, height = 0;
-    const std::uint8_t* polygon = nullptr;  // whose view the pixel's ray is of: PixelView::number
+    const std::uint8_t* polygon = nullptr;  // PixelView::number of the view that the pixel's ray belongs to
     const RayBlock* rays = nullptr;
     const HitBlock* hits = nullptr;
     int firstRow = 0;
@@ -46,16 +47,16 @@ struct PictureHits {
     }
 };
 
-// Queries as a structure of arrays, all of one length. Neighbouring pixels should be neighbours here.
+// Queries as a structure of arrays, all of one length. Neighbouring pixels should be adjacent.
 struct FilterBlock {
     std::vector<double> s, t;
     std::vector<double> ux, vx, uy, vy;
-    RayBlock rays;  // where there is no picture, which has them
+    RayBlock rays;  // used only without a picture, which has its own
     std::vector<double> lambda, spread;
     std::vector<const PixelView*> view;
     std::vector<int> x, y;
     std::vector<std::uint8_t> exact;
-    // Of the picture whose pixels ask, once it is there whole; null: what they need of it is traced again.
+    // The picture of these pixels, if all of it has been traced. Null: filters trace again what they need of it.
     const PictureHits* picture = nullptr;
 
     std::size_t size() const { return s.size(); }
@@ -84,7 +85,7 @@ struct FilterBlock {
         x[i] = query.x, y[i] = query.y;
         exact[i] = query.exact ? 1 : 0;
     }
-    // What plain filtering reads of a query, and no more.
+    // Sets only what plain filtering reads of a query.
     void place(std::size_t i, glm::dvec2 at, const Jacobian& j) {
         s[i] = at.x, t[i] = at.y;
         ux[i] = j.ux, vx[i] = j.vx;

@@ -1,4 +1,4 @@
-// A filter and its options, described once: the command line, the window, tables and help derive from this.
+// A filter and its options, described once. The command line, the window, tables and help are derived from this.
 #pragma once
 
 #include <map>
@@ -10,26 +10,26 @@
 
 namespace relief {
 
-// The filter whose samples are rays: the renderer's, not the texture's.
+// Name of the filter whose samples are rays; the renderer makes them.
 inline constexpr std::string_view kSupersample = "supersample";
 
 struct FilterDescription {
     std::string name;
     std::string help;
     std::string source;
-    bool footprint = false;                  // reads the pixel's projection onto the texture, from the mean pyramid
-    bool ellipse = false;                    // reads the texels of an ellipse: footprints are counted and logged
-    bool visible = false;                    // and what the relief hides of it
-    std::vector<OptionDescription> options;  // of Filter::Options
+    bool footprint = false;                       // uses the pixel's projection onto the texture, and the mean pyramid
+    bool ellipse = false;                         // sums the texels of an ellipse: footprints are counted and logged
+    bool visible = false;                         // also leaves out what the relief hides
+    std::vector<OptionDescription> options;       // of Filter::Options
     std::map<std::string, std::string> defaults;  // of the options, as text
 };
 
-// Of filters without options.
+// Options of filters without options.
 struct NoFilterOptions {
     static std::vector<OptionField<NoFilterOptions>> fields() { return {}; }
 };
 
-// What Filter::describe() says, and its options.
+// Filter::describe() together with the filter's options.
 template <class Filter>
 const FilterDescription& filterDescriptionOf() {
     static const FilterDescription description = [] {

@@ -25,8 +25,8 @@ HWY_INLINE V set(double x) {
     return hn::Set(D(), x);
 }
 
-// Whether each of the cells from c on has its point needed and interpolated.
-HWY_INLINE M wanted(const FollowJob& job, std::size_t c) {
+// Selects those of the cells from c on whose point is needed and interpolated.
+HWY_INLINE M selected(const FollowJob& job, std::size_t c) {
     const hn::Rebind<std::uint16_t, D> narrow;
     const hn::Rebind<std::uint32_t, D> wide;
     const hn::RebindToUnsigned<D> whole;
@@ -36,7 +36,7 @@ HWY_INLINE M wanted(const FollowJob& job, std::size_t c) {
     return hn::RebindMask(D(), hn::Ne(bits, hn::Zero(whole)));
 }
 
-// The chosen lanes to the front. Not Compress: with g++ 12 it copies its table to the stack each time it is called.
+// Moves the selected lanes to the front. Not hn::Compress: g++ 12 copies its table to the stack on each call.
 struct Packing {
     explicit Packing(M chosen) {
         std::uint8_t bits[8];
@@ -52,7 +52,7 @@ struct Packing {
     hn::Vec<hn::RebindToSigned<D>> indices_;
 };
 
-// A coordinate of points, and its differences along the picture.
+// A coordinate of points, and its derivatives along x and y of the picture.
 struct Coordinate {
     V at, alongX, alongY;
 };
@@ -76,7 +76,7 @@ HWY_INLINE Coordinate between(const FollowJob& job, const double* column, std::s
             mixed(hn::Sub(r, p), share[0] + share[2], hn::Sub(w, q), share[1] + share[3])};
 }
 
-// Writes the points from `count` on, whole vectors of them, and returns where they end.
+// Writes the points from index `count` on, in whole vectors, and returns the new number of points.
 template <bool kCentre>
 std::size_t points(const FollowJob& job, PointBlock& out, std::uint32_t* slots, std::size_t count) {
     const D d;
@@ -85,7 +85,7 @@ std::size_t points(const FollowJob& job, PointBlock& out, std::uint32_t* slots, 
     const PointBlur& blur = job.blur;
     const V perSlot = set(static_cast<double>(job.points)), point = set(static_cast<double>(job.point));
     for (std::size_t c = job.first; c < job.last; c += kLanes) {
-        const M mask = wanted(job, c);
+        const M mask = selected(job, c);
         if (hn::AllFalse(d, mask)) continue;
         const Packing packed(mask);
         const auto coordinate = [&](const double* column, double scale, std::vector<double>& at, std::vector<float>& u,

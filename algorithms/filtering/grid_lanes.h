@@ -1,5 +1,5 @@
-// The SIMD arithmetic of the grid's stages (grid_stages.h): which pixels lie on a plane, the rays of points, their
-// footprints and colours. The same bits on every instruction set, for any number of values at once.
+// The SIMD arithmetic of the grid's stages (grid_stages.h): which pixels lie on a plane, the rays through points, their
+// footprints and colours. The bits are the same on every instruction set, for any number of values at once.
 #pragma once
 
 #include <algorithm>
@@ -18,104 +18,129 @@
 
 namespace relief {
 
-// How the hit of a pixel's centre lies among those of its eight neighbours, bits: which of the four lines through it
-// are smooth (hits between can be interpolated), which are straight (and go on to the next hit), whether all lie on a
-// plane, at one height, and near. Lines: across, down, to the right and down, to the right and up.
+// How the hit of a pixel's centre lies among those of its eight neighbours, as bits: which of the four lines through it
+// are smooth (hits in between can be interpolated) and which are straight (the line continues to the next hit), and
+// whether all hits lie on a plane, at one height, and near each other. Order of the lines: across, down, to the right
+// and down, to the right and up.
 enum Surroundings : std::uint16_t { kSmooth = 1, kStraight = 16, kOnPlane = 256, kOnLevel = 512, kNearAround = 1024 };
 enum Line : std::uint8_t { kAcross, kDown, kFalling, kRising };
 inline constexpr unsigned kAllLines = 15;
 
-// How far three hits in a line may be bent: the second difference over the first, or half the second difference in
-// texels of the picture, which is not seen. Measured, like the constants below, on bricks, city and hills at 60, 25, 8
-// degrees (160 x 120) and the shipped pictures at 45 (200 x 150), points=3, one changed at a time; e, r: change of the
-// error against the Gaussian pixel and of the rays, in the mean of all unless a scene is named. "notes":
-// tests/benchmarks/EXPERIMENTS.md, with the values before these.
+// How much three hits in a line may be bent. `relative` bounds the second difference over the first; `absolute` bounds
+// half the second difference in texels of the picture, where a bend is not visible.
+//
+// Measurements behind these constants and those below: on bricks, city and hills at 60, 25 and 8 degrees (160 x 120),
+// and on the shipped pictures at 45 degrees (200 x 150; lines marked *: 320 x 240), with points=3, changing one
+// constant at a time. Error (against the Gaussian pixel) and rays are relative changes of the mean over all scenes,
+// except where a scene is named. Lines marked 1 were measured with earlier values of the other constants. See also
+// tests/benchmarks/EXPERIMENTS.md.
+//
+//     constant                value   tried         error                                      rays
+//     kPlaneBend.relative     0.1     0.15     1    bricks at 8 degrees +9%
+//     kPlaneBend.absolute     0.05    0.025    *    0.0%                                       0
+//                                     0.2      *    terrain +4.8%                              0
+//     kSmoothBend.relative    0.32    0.4      1    city at 25 degrees +9%
+//     kSmoothBend.absolute    0.3     0.15     *    -0.1%                                      +0.6%
+//                                     0.6           terrain +1.7%                              -17%
+//     kStraightBend.relative  0.07    0.1      1    city at 8 degrees +5%                      -10%
+//     kStraightBend.absolute  0.1     0.05          0.0%                                       +0.3%
+//                                     0.2           0.0%                                       -0.8%
+//     kNear                   5       3             -0.2%                                      +0.9%
+//                                     8             hills at 8 degrees +3.8%                   -0.8%
+//     kLeastNear              1       none     1    terrain +3 to 10%
+//                                     0.5, 2        0.0%
+//     kNearPlaneBend          0.15    0.1           -0.1%                                      0
+//                                     0.2           bricks at 8 degrees +2.3%, terrain +1.8%   0
+//     kNearSmoothBend         0.4     0.32          -0.2%                                      +1.6%
+//                                     0.5           bricks at 8 degrees +3.6%                  -1.4%
+//     kUniformColors          1/64    1/128         tiles -0.2%                                +2.4%
+//                                     1/32          rocks +3.5%                                -5%
+//     kUniformShare           1/4     1/8, 1/2, 1   0.0%                                       0
 struct Bend {
-    double share, unseen;
+    double relative, absolute;
 };
-// share 0.15 (notes): bricks at 8 degrees e +9%. unseen (pictures 320 x 240) 0.025: e 0.0%, 0.2: terrain e +4.8%; r 0.
 inline constexpr Bend kPlaneBend{0.1, 0.05};
-// share 0.4 (notes): city at 25 degrees e +9%. unseen 0.15 (320 x 240): e -0.1%, r +0.6%; 0.6: terrain e +1.7%, r -17%.
 inline constexpr Bend kSmoothBend{0.32, 0.3};
-// share 0.1 (notes): city at 8 degrees e +5%, r -10%. unseen 0.05: e 0.0%, r +0.3%; 0.2: e 0.0%, r -0.8%.
 inline constexpr Bend kStraightBend{0.07, 0.1};
-// Where hits are no farther apart than this, texels, little hides between them, and more may be bent. 3: e -0.2%,
-// r +0.9%; 8: hills at 8 degrees e +3.8%, r -0.8% of all.
+// Hits closer to each other than this, in texels, may be bent more, because little can be hidden between them.
 inline constexpr double kNear = 5;
-// Planes only from here on: plain filtering blurs what is magnified more than points do, terrain e +3 to 10% (notes).
-// 0.5 and 2: e 0.0%.
+// Pixels whose hits are closer to each other than this, in texels, are not filtered as planes: plain filtering blurs a
+// magnified picture more than points do.
 inline constexpr double kLeastNear = 1;
-// Shares where hits are near. Planes 0.1: e -0.1%, 0.2: bricks at 8 degrees e +2.3%, terrain +1.8%; r 0. Smooth 0.32:
-// e -0.2%, r +1.6%; 0.5: bricks at 8 degrees e +3.6%, r -1.4% of all.
+// Replace Bend::relative where hits are near each other.
 inline constexpr double kNearPlaneBend = 0.15, kNearSmoothBend = 0.4;
-// More points than these lower all bounds, and kEvenColors, in proportion, lest what they show be lost. points=5, among
-// other changes (notes): stone wall at 25 degrees e -8%.
+// With more points per pixel than this, all bounds and kUniformColors decrease in proportion, so that the detail that
+// the points resolve is not lost. Together with other changes this lowered the error of points=5 on the stone wall at
+// 25 degrees by 8%.
 inline constexpr int kUsualPoints = 3;
 inline float boundsFor(int points) {
     return static_cast<float>(kUsualPoints) / static_cast<float>(std::max(points, kUsualPoints));
 }
-// Heights of level ground, which keeps the pixel's own bits, differ by rounding to float: its unit at 1.
+// Heights of level ground, which keeps the pixel's own bits, differ by at most the rounding to float: its unit at 1.
 inline constexpr float kLevelHeight = 0x1p-23F;
 
 // Entries behind the columns' ends that vectors may read and write: 16 floats, and 2 more.
 inline constexpr std::size_t kCellSlack = 18;
-// A rectangle of pixels, at least 3 x 3, rows one after the other, and kCellSlack more: hits in texels of the picture,
-// NaN where there is none. In float: off by 1e-4 texel at 1000, far below kPlaneBend.unseen.
+// Hits of a rectangle of pixels, at least 3 x 3, row by row, with kCellSlack more entries, in texels of the picture;
+// NaN where there is no hit. Float has an error of 1e-4 texel at 1000 texels, far below kPlaneBend.absolute.
 struct CellHits {
     int width = 0, height = 0;
     const float *s = nullptr, *t = nullptr, *lambda = nullptr;
 };
 
-// Surroundings of all cells, 0 for the outermost, into out, kCellSlack longer; bounds: factor of every Bend.
+// Writes the Surroundings of all cells to out (kCellSlack longer); 0 for the outermost cells. bounds: factor of every
+// Bend.
 void findSurroundings(const CellHits& cells, float bounds, std::uint16_t* out);
 
-// The view's rays through the places (x, y) of the picture into rays[first ...], the polygon continued beyond its
-// edges; for pixels' centres the picture's own rays, which never lie outside by more than rounding.
+// Writes the view's rays through the places (x, y) of the picture to rays[first ...]. The polygon is continued beyond
+// its edges. At pixels' centres the rays are the picture's own, which are outside the polygon by rounding at most.
 void raysThrough(const PixelView& view, std::span<const double> x, std::span<const double> y, RayBlock& rays,
                  std::size_t first);
 
 // Hits of points; all columns of one length.
 struct PointHits {
-    std::span<const double> x, y;  // places in the picture
+    std::span<const double> x, y;  // in the picture, pixels
     std::span<const double> lambda, s, t;
 };
 
-// Appends to `points` the footprints of that blur on the surface's tangent plane at each hit, texels of the picture.
-// slopes: null on level ground (columns).
+// Appends to `points` the footprints with that blur on the surface's tangent plane at each hit, in texels of the
+// picture. slopes: null if the ground is level at hits (columns).
 void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointBlur& blur, glm::dvec2 scale,
                    const PointHits& hits, PointBlock& points);
 
-// Four centres' colours are even, so that points between take their mean, if no channel differs by more than this part
-// of white, nor by more than this share of the brightest, for in the dark less is seen. Part 1/128: tiles e -0.2%,
-// r +2.4%, 1/32: rocks e +3.5%, r -5%. Share 1/8, 1/2, 1: e 0.0%, r 0; these pictures have few dark places.
-inline constexpr float kEvenColors = 1.0F / 64, kEvenShare = 0.25F;
-// Sets for the cells [0, count) all bits where the colours of c, c + 1, c + row, c + row + 1 are even by `bounds` of
-// kEvenColors, else none. Colours are infinite where not known; all columns are kCellSlack longer.
-void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
-              std::uint16_t* even);
-// Copies centres' colours, the first of each cell's `points`, to columns of red, green and blue: infinity for cells
-// whose centre is not needed (bit 0) or met nothing. All columns are kCellSlack cells longer.
+// Four centres' colours are uniform, so that points between them take their mean, if no channel differs by more than
+// kUniformColors of white, nor by more than kUniformShare of its brightest value (differences are more visible in dark
+// areas). Measurements: see Bend.
+inline constexpr float kUniformColors = 1.0F / 64, kUniformShare = 0.25F;
+// Sets all bits of each cell c of [0, count) if the colours of c, c + 1, c + row and c + row + 1 are uniform by
+// `bounds` times kUniformColors, and no bits otherwise. Unknown colours are infinite. All columns are kCellSlack
+// longer.
+void findUniform(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
+                 std::uint16_t* uniform);
+// Copies the centres' colours (the first of each cell's `points`) to columns of red, green and blue. They are infinite
+// where the centre is not needed (bit 0) or has no hit. All columns are kCellSlack cells longer.
 void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* needed, std::size_t count,
                   const std::array<float*, 3>& out);
 // sums[n] = sum over k, in their order, of weight[k] * colors[base[n] + offset[k]].
 void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std::span<const std::int32_t> offset,
                std::span<const float> weight, std::span<PointColor> sums);
 
-// The k-th points of cells, rows one after the other, whose hits are interpolated from centres: places and footprints
-// by the differences of the centres round them, without a ray, a slope or a division. Columns are kCellSlack longer.
+// A job for followPoints: the k-th points of cells, row by row, whose hits are interpolated from centres. Places and
+// footprints follow from the differences of the surrounding centres, without a ray, a slope or a division. Columns are
+// kCellSlack longer.
 struct FollowJob {
-    const double *s = nullptr, *t = nullptr;  // of centres
+    const double *s = nullptr, *t = nullptr;  // of centres, texels of the height map
     std::size_t row = 0, first = 0, last = 0;
-    const std::uint16_t *needed = nullptr, *interpolated = nullptr;  // points' bits
-    std::size_t point = 0, points = 0;                               // k, and the lattice's number
+    const std::uint16_t *needed = nullptr, *interpolated = nullptr;  // bits of the points
+    std::size_t point = 0, points = 0;                               // k, and the number of points of the lattice
     std::size_t square = 0;                                          // PointLattice::squareOf
     std::array<double, 4> shares{};
     PointBlur blur;
     glm::dvec2 scale{1};
 };
 
-// Appends the points that are needed and interpolated, with their slots: cell * points + point. Centres take the
-// differences of their neighbours, other points means and differences of the four centres round them.
+// Appends the points that are needed and interpolated, and their slots: cell * points + point. Centres use the
+// differences of their neighbours; other points use means and differences of the four centres around them.
 void followPoints(const FollowJob& job, PointBlock& out, std::vector<std::uint32_t>& slots);
 
 }  // namespace relief

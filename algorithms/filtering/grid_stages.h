@@ -1,6 +1,6 @@
-// The stages in which the grid filter (elliptical_grid.h) filters one tile, in their order, and what each makes. A
-// stage takes the results of the stages before it as arguments and returns its own, so that none can be called too
-// early; stages 3 and 6 complete Centres, 9 and 10 add the other points' colours to those of 8. Private to
+// The stages in which the grid filter (elliptical_grid.h) filters one tile, in order, with their results. A stage takes
+// the results of earlier stages as arguments and returns its own, so that none can be called too early; stages 3 and 6
+// add to Centres, and stages 9 and 10 add the other points' colours to those of stage 8. Private to
 // elliptical_grid*.cpp.
 #pragma once
 
@@ -14,11 +14,12 @@
 
 namespace relief::grid {
 
-// Cells round an edge pixel whose centres are needed: its points lie within kLatticeHalo, the centres round these one
-// further, and the neighbours by which those are judged one further still.
+// Distance, in cells, from an edge pixel to the farthest centre that it needs: its points lie within kLatticeHalo, the
+// centres around these one cell farther, and the neighbours by which those are judged another cell farther.
 inline constexpr int kTileHalo = kLatticeHalo + 2;
 
-// A stage's result, whose memory is kept from tile to tile. Only the stage refills it; the others get what it returns.
+// A stage's result, whose memory is reused from tile to tile. Only the stage calls refill(); other stages get what it
+// returns.
 template <class T>
 class Reused {
   public:
@@ -28,17 +29,17 @@ class Reused {
     T value_;
 };
 
-// Makes the column at least as long as this; what it holds stays.
+// Makes the column at least this long; keeps its contents.
 template <class T>
 void reserve(std::vector<T>& column, std::size_t count) {
     if (column.size() < count) column.resize(count);
 }
 
-// Bits of each cell: one for each of its points, or Surroundings.
+// Bits of each cell: one per point, or Surroundings.
 using BitColumn = std::vector<std::uint16_t>;
 
-// The cells of a tile, row after row: the bounding rectangle of its pixels, kTileHalo wider on each side. The colour of
-// a cell's point has the slot cell * points + point; point 0 is the centre.
+// The cells of a tile, row by row: the bounding rectangle of its pixels, extended by kTileHalo on each side. The colour
+// of a cell's point has the slot cell * points + point; point 0 is the centre.
 struct TileCells {
     const PixelView* view = nullptr;
     glm::dvec2 scale{1};  // texels of the picture per texel of the height map
@@ -46,7 +47,7 @@ struct TileCells {
 
     std::size_t count() const { return row() * static_cast<std::size_t>(height); }
     std::size_t row() const { return static_cast<std::size_t>(width); }
-    // The first cell with all eight neighbours; the last such is count() - 1 - inner().
+    // The first cell with all eight neighbours; the last one is count() - 1 - inner().
     std::size_t inner() const { return row() + 1; }
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y - y0) * row() + static_cast<std::size_t>(x - x0);
@@ -58,8 +59,8 @@ struct TilePixels {
     std::vector<std::size_t> indices;  // in the block
 };
 
-// Hits of the view's rays through cells' centres; s is NaN where nothing is met, or not yet known. findSurroundings
-// reads them in float: pictureS and pictureT in texels of the picture, floatLambda.
+// Hits of the view's rays through cells' centres. s is NaN where there is no hit, or none is known yet.
+// findSurroundings reads the hits in float: pictureS and pictureT in texels of the picture, floatLambda.
 struct Centres {
     TileCells cells;
     std::vector<double> s, t, lambda;
@@ -75,44 +76,45 @@ struct Centres {
     }
 };
 
-// Centres known up to one cell from all pixels of the tile, and their Surroundings. surveyEdges adds to both.
+// Centres that are known at least one cell around all pixels of the tile, and their Surroundings. surveyEdges adds to
+// both.
 struct NearGround {
     Centres& centres;
     BitColumn& around;
 };
-// Centres known up to kTileHalo cells from the tile's edge pixels, and their Surroundings.
+// Centres that are known at least kTileHalo cells around the tile's edge pixels, and their Surroundings.
 struct EdgeGround {
     const Centres& centres;
     const BitColumn& around;
 };
 
-// The pixels whose surroundings are planes, as queries with the planes' Jacobians, and the others: edges.
+// The pixels on planes, as queries with the planes' Jacobians, and the other pixels: edges.
 struct PlaneSplit {
     FilterBlock planes;
     std::vector<std::size_t> planeOf, edges;  // indices in the block
 };
 
-// Points that edge pixels sum, and the centres round them; and the points whose hits are interpolated from centres.
+// Points that edge pixels sum, with the centres around them, and the points whose hits are interpolated from centres.
 struct PointPlan {
     BitColumn needed, interpolated;
 };
 
-// A footprint that was read, for the log.
+// A footprint that was sampled, for the log.
 struct ReadPoint {
     std::uint32_t slot;
     glm::dvec2 place;
     Jacobian jacobian;
 };
 
-// Colours by slot: of centres, after stage 10 of all needed points. The same as columns over the cells: infinite where
-// unknown.
+// Colours by slot: of centres, and after stage 10 of all needed points. The centres' colours also as columns over the
+// cells, infinite where unknown.
 struct CentreColors {
     std::vector<PointColor> slots;
     std::array<std::vector<float>, 3> channel;
-    std::vector<ReadPoint> read;  // with a log alone
+    std::vector<ReadPoint> read;  // only if there is a log
 };
 
-// The needed points whose colours are not means of centres' colours.
+// The needed points whose colour is not a mean of centres' colours.
 struct RestPoints {
     BitColumn needed;
 };
@@ -123,31 +125,31 @@ struct PointColors {
     const std::vector<ReadPoint>& read;
 };
 
-// What a stage is given besides earlier results. counts.tested counts the rays that it traces.
+// Input of the stages in addition to earlier results. counts.tested: number of rays that they trace.
 struct Run {
     const GridSetup& setup;
     const FilterBlock& block;
     FootprintCounts& counts;
     Work& work;
-    FootprintLog* log;  // null but for a block of one
+    FootprintLog* log;  // null unless the block has one pixel
 };
 
-// Working memory within stages: nothing in it passes from one stage to another.
+// Scratch memory of the stages. It carries no data from one stage to another.
 struct RayBatch {
     RayBlock rays;
     HitBlock hits;
 };
-// Points by place; the columns' first `count` entries are in use.
+// Places of points. The first `count` entries of the columns are in use.
 struct Places {
     std::size_t count = 0;
     std::vector<std::uint32_t> slots;
-    std::vector<double> x, y;  // in the picture
+    std::vector<double> x, y;  // in the picture, pixels
 
     void reserve(std::size_t more) {
         grid::reserve(slots, count + more), grid::reserve(x, count + more), grid::reserve(y, count + more);
     }
 };
-// What is read for points, and the slots of their colours; also the slots of points that meet nothing.
+// Footprints of points, and the slots of their colours; also the slots of points without a hit.
 struct Footprints {
     PointBlock block;
     std::vector<std::uint32_t> slots, missed;
@@ -171,41 +173,43 @@ struct SumWork {
     std::vector<PointColor> sums;
 };
 
-// Traces rays through the places [begin, begin + count), at most kRayGrain; hits lie where colours are looked up.
+// Traces rays through the places [begin, begin + count), at most kRayGrain. Hits are at the places where colours are
+// sampled.
 void traceBatch(Run& run, const PixelView& view, const Places& places, std::size_t begin, std::size_t count,
                 RayBatch& batch);
 
-// 1. Takes the block's pixels [first, last), of one view and tile; those that the grid does not serve go to `alone`.
+// 1. Collects the block's pixels [first, last), of one view and tile. Indices of pixels that the grid does not support
+// are appended to `fallback`.
 const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t last, glm::dvec2 scale,
-                               Reused<TilePixels>& out, std::vector<std::size_t>& alone);
-// 2. Takes the centres that the picture has, or else the block.
+                               Reused<TilePixels>& out, std::vector<std::size_t>& fallback);
+// 2. Copies the known hits of centres from the picture or, without one, from the block.
 Centres& takeCentres(const Run& run, const TilePixels& pixels, Reused<Centres>& out);
-// 3. Traces the centres not yet known within one cell of any pixel.
+// 3. Traces the unknown centres within one cell of any pixel.
 NearGround surveyPixels(Run& run, const TilePixels& pixels, Centres& centres, SurveyWork& survey,
                         Reused<BitColumn>& out);
-// 4. Parts the pixels by their surroundings.
+// 4. Divides the pixels by their surroundings.
 const PlaneSplit& splitPixels(const Run& run, const TilePixels& pixels, const NearGround& ground,
                               Reused<PlaneSplit>& out);
 // 5. Filters the pixels on planes.
 void filterPlanes(Run& run, const PlaneSplit& split, SumWork& sum, std::span<Color> colors);
-// 6. Traces the centres not yet known within kTileHalo cells of any edge pixel.
+// 6. Traces the unknown centres within kTileHalo cells of any edge pixel.
 EdgeGround surveyEdges(Run& run, const PlaneSplit& split, const NearGround& ground, SurveyWork& survey);
-// 7. Finds which points the edge pixels need, and which of them need no ray.
+// 7. Determines which points the edge pixels need, and which of these need no ray.
 const PointPlan& planPoints(const Run& run, const PlaneSplit& split, const EdgeGround& ground, PointWork& points,
                             Reused<PointPlan>& out);
-// 8. Reads the colours of the needed centres.
+// 8. Samples the colours of the needed centres.
 CentreColors& readCentres(Run& run, const EdgeGround& ground, const PointPlan& plan, PointWork& points,
                           Reused<CentreColors>& out);
-// 9. Gives points between centres of nearly equal colours the mean of these; returns the other points.
+// 9. Sets the colour of points between centres of nearly equal colours to the mean of these; returns the other points.
 const RestPoints& meanColors(const Run& run, const EdgeGround& ground, const PointPlan& plan, CentreColors& colors,
                              PointWork& points, Reused<RestPoints>& out);
-// 10. Reads the colours of the other points, tracing those that are not interpolated.
+// 10. Samples the colours of the other points, after tracing those that are not interpolated.
 PointColors readPoints(Run& run, const EdgeGround& ground, const PointPlan& plan, const RestPoints& rest,
                        CentreColors& colors, PointWork& points);
-// 11. Sums the edge pixels' colours: weighted means of their points'.
+// 11. Computes the edge pixels' colours: weighted means of their points'.
 void sumEdges(Run& run, const EdgeGround& ground, const PlaneSplit& split, const PointColors& points, SumWork& sum,
               std::span<Color> colors);
-// 12. Logs the texels of the block's one pixel, an edge, as shares of its points' weights.
+// 12. Logs the texels of the block's only pixel, an edge, as shares of its points' weights.
 void logEdge(Run& run, const EdgeGround& ground, const RestPoints& rest, const PointColors& points);
 
 }  // namespace relief::grid

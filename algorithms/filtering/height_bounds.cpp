@@ -14,10 +14,10 @@ namespace relief {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Larger maps are bounded over blocks of texels.
+// Longest side, in texels, of maps that are bounded per texel. Larger maps are bounded over blocks.
 constexpr int kFinestSide = 4096;
 
-// Texels from `first` to `last` of an axis, addressed: one stretch, or two where they cross the seam.
+// Texels from `first` to `last` along an axis after addressing: one interval, or two if they cross the seam.
 struct Stretches {
     std::array<std::pair<int, int>, 2> part{};
     int count = 0;
@@ -30,7 +30,7 @@ struct Stretches {
 };
 
 Stretches stretches(double low, double high, int size, Address address) {
-    // The texels whose centres bound the interval: half a texel on either side belongs to a bilinear surface.
+    // A bilinear surface is determined by texels up to half a texel beyond the interval on either side.
     const double begin = std::floor(low - 0.5);
     const double end = std::floor(high - 0.5) + 1;
     Stretches out;
@@ -56,7 +56,7 @@ Stretches stretches(double low, double high, int size, Address address) {
     return out;
 }
 
-// Whatever the addressing: the last column's slopes are those of the rim and of the seam.
+// Valid for any addressing: the slopes of the last column include those at the rim and at the seam.
 SurfaceBounds texelBounds(const FloatImage& heights, int i, int j) {
     const float h = heights(i, j);
     SurfaceBounds out{h, h, 0, 0, 0, 0};
@@ -93,8 +93,8 @@ std::vector<Image<SurfaceBounds>> surfacePyramid(const FloatImage& heights, Work
     }
 }
 
-// visit(level, x, y) for nodes (a texel of level 0 stands for 2^shift texels) that cover the rectangle: three or four
-// along its longer side.
+// Calls visit(level, x, y) for nodes that cover the rectangle, three or four along its longer side. A texel of level 0
+// covers 2^shift texels.
 template <class Visit>
 void overNodes(const Stretches& across, const Stretches& down, int shift, int levels, const Visit& visit) {
     int level = 0;
@@ -126,10 +126,10 @@ std::size_t HeightBoundsMap::bytes() const {
 }
 
 std::shared_ptr<const HeightBoundsMap> heightBoundsMap(const HeightField& field, MapCache& cache, Work& work) {
-    // Large maps by blocks: what is skipped does not hang on single texels there, but memory does.
+    // Large maps are bounded by blocks: this saves memory, and single texels there hardly affect what can be skipped.
     int shift = 0;
     while ((std::max(field.width(), field.height()) >> shift) > kFinestSide) ++shift;
-    // Levels of lowest and highest, and of bounds of the surface.
+    // Bytes per texel: the levels of lowest and highest, and of the surface's bounds.
     constexpr std::uint64_t kBytes = 4 * (2 * sizeof(float) + sizeof(SurfaceBounds)) / 3 + 1;
     const std::uint64_t need = bytesForTexels(field, shift == 0 ? kBytes : sizeof(float));
     return cache.get<HeightBoundsMap>({"height-bounds", field.sharedHeights()}, need, work, [&](Work& w) {
@@ -155,13 +155,14 @@ HeightBoundsMap coarseHeightBounds(const std::shared_ptr<const FloatImage>& heig
             }
         }
     });
-    float evenest = kInfinity;
-    for (std::size_t i = 0; i < low.size(); ++i) evenest = std::min(evenest, high.pixels()[i] - low.pixels()[i]);
+    float smallestRange = kInfinity;
+    for (std::size_t i = 0; i < low.size(); ++i)
+        smallestRange = std::min(smallestRange, high.pixels()[i] - low.pixels()[i]);
     return {Pyramid(PyramidKind::Min, std::move(low), work),
             Pyramid(PyramidKind::Max, std::move(high), work),
             shift,
             {},
-            evenest};
+            smallestRange};
 }
 
 HeightBounds heightBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,

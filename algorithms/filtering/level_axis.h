@@ -1,8 +1,8 @@
-// One axis of one level of a mean pyramid: which texel a coordinate belongs to, and where its centre really is.
+// One axis of one level of a mean pyramid: which texel contains a coordinate, and where the texel's true centre is.
 //
-// Level l of a picture W wide has n = ceil(W / 2^l) texels over an extent of W / 2^l texels of that level; where 2^l
-// does not divide W the last texel is narrower than one, its centre and its share follow, and under repeat the next
-// copy of the picture begins at the extent, not at n.
+// Level l of a picture W texels wide has n = ceil(W / 2^l) texels over an extent of W / 2^l texels of that level. Where
+// 2^l does not divide W, the last texel is narrower than one, with its centre and its share accordingly; under repeat
+// the next copy of the picture begins at the extent, not at n.
 #pragma once
 
 #include <algorithm>
@@ -26,15 +26,15 @@ struct LevelAxis {
     double lastShare() const { return extent - (size - 1); }
     // Centre of texel i in [0, size).
     double centre(int i) const { return i + 1 < size ? i + 0.5 : size - 1 + 0.5 * lastShare(); }
-    // The same point of the picture within [0, extent) under repeat; unchanged otherwise.
+    // The equivalent coordinate in [0, extent) under repeat; unchanged otherwise.
     double reduced(double x) const {
         if (address != Address::Repeat || (x >= 0 && x < extent)) return x;
         const double rest = std::fmod(x, extent);
         return rest < 0 ? std::min(rest + extent, std::nextafter(extent, 0.0)) : rest;
     }
 
-    // visit(i, centre, share) for every texel whose centre lies in [low, high], in order; centres are unwrapped. Under
-    // clamp and border the rim goes on for ever. The interval may hold at most 2^31 texels.
+    // Calls visit(i, centre, share) for every texel whose centre lies in [low, high], in order; centres are unwrapped.
+    // Under clamp and border the rim repeats without end. The interval may hold at most 2^31 texels.
     template <class Visit>
     void over(double low, double high, const Visit& visit) const {
         if (address != Address::Repeat) {
@@ -50,7 +50,7 @@ struct LevelAxis {
         }
     }
 
-    // The two texels between whose centres x lies, and the second one's share in [0, 1].
+    // The two texels whose centres enclose x, and the weight of the second one in [0, 1].
     BilinearSupport support(double x) const {
         const double in = address == Address::Repeat ? reduced(x) : std::clamp(x, -1.0, extent + 1.0);
         const double last = centre(size - 1);
@@ -73,7 +73,7 @@ struct LevelAxis {
     void overOne(double low, double high, double start, const Visit& visit) const {
         const double from = std::max(0.0, std::ceil(low - start - 0.5));
         if (from >= size) {
-            // The narrow last texel's centre lies before its place in the row of whole ones.
+            // The narrow last texel's centre lies before the centre of a whole texel in its place.
             const double last = start + centre(size - 1);
             if (last >= low && last <= high) visit(size - 1, last, static_cast<float>(lastShare()));
             return;

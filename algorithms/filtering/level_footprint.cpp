@@ -7,15 +7,16 @@ namespace relief {
 
 namespace {
 
-// Texels, with the covariance of texels allowed for: below it there is nothing to average.
+// Texels. There is nothing to average below a major semi-axis of kBilinearMajor (with the covariance of texels) or of
+// kCoveringRadius over the radius (without it).
 constexpr double kBilinearMajor = 0.4;
 constexpr double kCoveringRadius = 0.7072;
-// Variance of a box of one texel, and of bilinear reconstruction as a texel's own.
+// Variance of a box of one texel, and of bilinear reconstruction taken as the texel's own, in texels^2.
 constexpr double kBoxVariance = 1.0 / 12;
 constexpr double kReconstructionVariance = 0.25;
 
-// Singular values and directions: J = sum sigma_k u_k v_k^T, u in texels, v in pixels; v2 signed so that both sigmas
-// are positive.
+// Singular values and directions: J = sum sigma_k u_k v_k^T, u in texels, v in pixels. The sign of v2 is chosen so that
+// both sigmas are positive.
 struct Axes {
     double major, minor;
     glm::dvec2 majorTexel, majorPixel;
@@ -45,7 +46,7 @@ int chosenLevel(double minor, const EllipticalSettings& settings, int top) {
     return static_cast<int>(std::min<double>(top, std::floor(std::log2(minor / settings.floor))));
 }
 
-// A semi-axis on level l, texels of the level, with the size of texels allowed for.
+// A semi-axis on level l in texels of the level, including the covariance of texels.
 double onLevel(double axis, int l, const EllipticalSettings& settings) {
     const double scaled = std::ldexp(axis, -l);
     if (!settings.texelSize) return scaled;
@@ -80,7 +81,7 @@ LevelFootprint levelFootprint(const Jacobian& j, glm::dvec2 centre, const Ellipt
     const bool finite = std::isfinite(axes.major) && std::isfinite(centre.x) && std::isfinite(centre.y);
     const double major = finite ? std::min(axes.major, largest) : largest;
     const double seen = std::isfinite(axes.minor) ? std::min(axes.minor, major) : major;
-    // The bound is the pyramid's: it trades width for texels read.
+    // The bound on the ratio of axes limits the number of texels at the cost of width. It applies to the pyramid only.
     const double minor = settings.exhaustive ? seen : std::max(seen, major / settings.anisotropy);
     out.level = finite ? chosenLevel(minor, settings, levels.top()) : levels.top();
     const LevelAxis across = levels.across(out.level, address);
@@ -91,7 +92,7 @@ LevelFootprint levelFootprint(const Jacobian& j, glm::dvec2 centre, const Ellipt
     }
     out.centre = {across.reduced(std::ldexp(centre.x, -out.level)), down.reduced(std::ldexp(centre.y, -out.level))};
     if (address != Address::Repeat) {
-        // Beyond this only the rim is seen, whatever the distance.
+        // Farther out only the rim is visible, whatever the distance.
         const double far = 2 * largest;
         out.centre = {std::clamp(out.centre.x, -far, across.extent + far),
                       std::clamp(out.centre.y, -far, down.extent + far)};

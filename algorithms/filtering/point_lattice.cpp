@@ -10,20 +10,20 @@ namespace relief {
 
 namespace {
 
-// Of the pixel's weights: their sigma at the points, and how far out points count, pixels (less than a cell and a
-// half: kLatticeHalo).
+// Standard deviation of the pixel's weights at the points, and the distance at which they are cut off, in pixels. The
+// latter is less than a cell and a half, as kLatticeHalo requires.
 constexpr double kPointSigma = 0.545;
 constexpr double kPointReach = 1.1;
-// Of a point's footprint, over the points' spacing.
+// Size of a point's footprint over the points' spacing.
 constexpr double kBlurPerSpacing = 0.295;
-// Places along a side of a pixel by which the shape of the points' cells is measured.
+// Samples along each side of a pixel that determine the shape of the points' Voronoi cells.
 constexpr int kShapeSide = 32;
 
 double square(glm::dvec2 v) {
     return v.x * v.x + v.y * v.y;
 }
 
-// The square of the distance of a lattice's nearest points: (k / points, k turn / points), modulo whole pixels.
+// The square of the smallest distance between points of the lattice (k / points, k turn / points), modulo whole pixels.
 double nearest(int points, int turn) {
     double least = 1;
     for (int k = 1; k < points; ++k) {
@@ -33,20 +33,20 @@ double nearest(int points, int turn) {
     return least;
 }
 
-// Of a symmetric matrix with determinant 1.
+// Square root of a symmetric matrix with determinant 1.
 PointBlur root(const PointBlur& m) {
     const double per = 1 / std::sqrt(m.xx + m.yy + 2);
     return {(m.xx + 1) * per, m.xy * per, (m.yy + 1) * per};
 }
 
-// The blur of size 1 half as long drawn out as the places are that are nearer to a point than to any other.
+// Blur of determinant 1 whose elongation is the square root of that of a point's Voronoi cell.
 PointBlur shapeOf(const std::vector<glm::dvec2>& points) {
     PointBlur second;
     for (int n = 0; n < kShapeSide * kShapeSide; ++n) {
         const glm::dvec2 place = (glm::dvec2(n % kShapeSide, n / kShapeSide) + 0.5) / double{kShapeSide};
         glm::dvec2 nearest(2);
         for (const glm::dvec2& point : points) {
-            // Modulo whole pixels.
+            // The offset is taken modulo whole pixels.
             const glm::dvec2 off = place - point - glm::round(place - point);
             if (square(off) < square(nearest)) nearest = off;
         }

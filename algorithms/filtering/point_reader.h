@@ -1,13 +1,14 @@
-// Colours of points with small footprints, for pixels that are the mean of many such: a level by the footprint's minor
-// axis, bilinear, a few taps along the major one. Cheaper than an ellipse's texels, and no better than a part of a
-// pixel needs.
+// Colours of points with small footprints, for pixels that are the mean of many points: a level chosen by the
+// footprint's minor axis, and a few bilinear taps along the major one. Cheaper than all texels of an ellipse, and
+// accurate enough for a part of a pixel.
 //
-// The footprint's Gaussian has the covariance J J^T, texels^2 of level 0. A bilinear tap on level l has about the
-// variance 4^l / 4; what the major axis has beyond that is spread over the taps, evenly spaced and alike.
+// The footprint's Gaussian has the covariance J J^T, in texels^2 of level 0. A bilinear tap on level l has a variance
+// of about 4^l / 4; the rest of the major axis' variance is distributed over the taps, which are equally spaced and
+// equally weighted.
 //
-// In lanes of 16-bit levels, one point a lane, where lane levels are given; equal bits on every instruction set and in
-// any company. color() is the reference: places that are not finite, and levels with a narrow last texel near it,
-// are left to it.
+// If LaneLevels are given, one point per lane is processed in SIMD on 16-bit levels; the bits are the same on every
+// instruction set and do not depend on the other points. color() is the reference. Points that are not finite, and
+// points near the narrow last texel of a level, fall back to it.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +24,15 @@ namespace relief {
 
 inline constexpr int kMostTaps = 8;
 
-// Texels of level 0; all columns of one length, at least kPointSlack longer than there are points.
+// Points and their footprints, in texels of level 0. The columns are at least kPointSlack longer than the number of
+// points.
 inline constexpr std::size_t kPointSlack = 16;
 struct PointBlock {
     std::vector<double> s, t;
     std::vector<float> ux, vx, uy, vy;
 
     std::size_t size() const { return count_; }
-    // What was there stays; the columns never become shorter.
+    // Keeps the contents; the columns never become shorter.
     void resize(std::size_t count) {
         count_ = count;
         const std::size_t least = count + kPointSlack;
@@ -49,12 +51,12 @@ struct PointBlock {
     std::size_t count_ = 0;
 };
 
-// Red, green, blue, and 1 where something was met; else all 0.
+// Red, green, blue and 1 for a point with a hit; otherwise all 0.
 struct alignas(16) PointColor {
     float channel[4] = {0, 0, 0, 0};
 };
 
-// What is read for a point: taps at centre + (n - (count - 1) / 2) step.
+// The taps of a point: at centre + (n - (count - 1) / 2) step for n in [0, count).
 struct PointTaps {
     int level = 0;
     int count = 1;
@@ -65,13 +67,13 @@ struct PointTaps {
 
 class PointReader {
   public:
-    // lanes: may be null.
+    // lanes: may be null; then only the reference is used.
     PointReader(std::shared_ptr<const ColorLevels> levels, Address address, std::shared_ptr<const LaneLevels> lanes)
         : levels_(std::move(levels)), address_(address), lanes_(std::move(lanes)) {}
 
     const ColorLevels& levels() const { return *levels_; }
     Address address() const { return address_; }
-    // Each point's colour into colors[its slot]. counts: texels alone.
+    // Writes the colour of each point to colors[its slot]. counts: only texels. Thread-safe.
     void read(const PointBlock& points, std::span<const std::uint32_t> slots, PointColor* colors,
               FootprintCounts& counts) const;
     Color color(glm::dvec2 place, const PointTaps& taps) const;

@@ -6,7 +6,8 @@ namespace relief {
 
 namespace {
 
-// Whole part and rest, reduced first under repeat so that far-off points keep their digits.
+// Integer and fractional part. Under repeat the coordinate is reduced first, so that distant points keep their
+// precision.
 struct Split {
     std::int64_t index;
     float rest;

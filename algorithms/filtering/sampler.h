@@ -6,7 +6,7 @@
 
 namespace relief {
 
-// (s, t) in texels of `image`, unwrapped; texel (i, j) centred at (i + 1/2, j + 1/2). Linear values.
+// Linear colour at (s, t) in texels of `image`, unwrapped; texel (i, j) centred at (i + 1/2, j + 1/2).
 Color sampleNearest(const ColorImage& image, double s, double t, Address address);
 Color sampleBilinear(const ColorImage& image, double s, double t, Address address);
 

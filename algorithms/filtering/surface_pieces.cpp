@@ -10,8 +10,9 @@ namespace relief {
 
 namespace {
 
-// The row of a capsule: an ellipse moved along a straight way, from `from` to `to` (texels): the spans of the ellipse
-// at both ends, and of the parallelogram between the points of its outline where the way is a tangent.
+// Span of a row of a capsule: an ellipse swept along a straight line from `from` to `to` (texels). It joins the spans
+// of the ellipse at both ends and of the parallelogram between the points of its outline where the direction is
+// tangent.
 Span<double> capsuleSpan(const Ellipse& e, double radius, glm::dvec2 from, glm::dvec2 to, double v) {
     Span<double> out;
     const auto join = [&](double begin, double end) {
@@ -26,7 +27,7 @@ Span<double> capsuleSpan(const Ellipse& e, double radius, glm::dvec2 from, glm::
         if (!span.empty()) join(at.x + span.begin, at.x + span.end);
     }
     const glm::dvec2 way = to - from;
-    // Conjugate of the way: [[A, B/2], [B/2, C]] way turned by a right angle, brought onto the outline.
+    // Conjugate direction: [[A, B/2], [B/2, C]] (to - from), turned by a right angle and scaled to the outline.
     const glm::dvec2 gradient{e.a * way.x + 0.5 * e.b * way.y, 0.5 * e.b * way.x + e.c * way.y};
     glm::dvec2 side{-gradient.y, gradient.x};
     const double form = e.form(side.x, side.y);
@@ -66,15 +67,15 @@ SurfacePieces::SurfacePieces(const VisibleKernel& kernel, const LevelFootprint& 
 void SurfacePieces::gather(HeightBounds under, std::vector<VisibleKernel::Piece>& pieces) {
     pieces_ = &pieces;
     while (true) {
-        left_ = kMostLooks;
+        visitsLeft_ = kMostVisits;
         texel_ = 0;
         gatherOnce(under);
-        if (left_ >= 0) return;
+        if (visitsLeft_ >= 0) return;
         pieces.clear();
         if (mostParts_ > 1) {
             mostParts_ /= 2;
         } else {
-            stride_ = 2 * stride_ + 1;  // odd: not in step with rows of a power of two
+            stride_ = 2 * stride_ + 1;  // odd, so that it does not resonate with rows of a power of two
         }
     }
 }
@@ -84,13 +85,13 @@ void SurfacePieces::gatherOnce(HeightBounds under) {
     const LevelAxis rows = kernel_.plain_.down(f_.level);
     const glm::dvec2 from = -(under.low - h0_) * run_;
     const glm::dvec2 to = -(under.high - h0_) * run_;
-    // Parts of a texel may be seen where its centre is not.
+    // Parts of a texel may be visible where its centre is not.
     const double rim = 0.5;
     const double height = f_.ellipse.halfExtents(f_.radius).v + rim;
     rows.over(
         f_.centre.y + std::min(from.y, to.y) - height, f_.centre.y + std::max(from.y, to.y) + height,
         [&](int j, double y, float rowShare) {
-            if (left_ < 0) return;
+            if (visitsLeft_ < 0) return;
             const double v = y - f_.centre.y;
             Span<double> span;
             for (const double at : {v - rim, v, v + rim}) {
@@ -106,26 +107,27 @@ void SurfacePieces::gatherOnce(HeightBounds under) {
         });
 }
 
-// Whether any of its heights could put it into the ellipse. Its own extent is made good by a wider ellipse.
+// Returns true if any of the block's heights could put it into the ellipse. The ellipse is enlarged by the block's own
+// extent.
 bool SurfacePieces::reaches(const Block& block, HeightBounds bounds) const {
     const glm::dvec2 at{block.u, block.v};
     const glm::dvec2 from = at + (bounds.low - h0_) * run_;
     const glm::dvec2 way = (bounds.high - bounds.low) * run_;
-    // The nearest point of the way in the pixel's own metric.
+    // The point of the path nearest to the centre in the pixel's metric.
     const Ellipse& e = f_.ellipse;
     const double along = e.form(way.x, way.y);
     const double mixed = e.a * from.x * way.x + 0.5 * e.b * (from.x * way.y + from.y * way.x) + e.c * from.y * way.y;
     const double share = along > 0 ? std::clamp(-mixed / along, 0.0, 1.0) : 0.0;
     const glm::dvec2 nearest = from + share * way;
     const double half = 0.5 * std::hypot(block.width, block.height);
-    // Half a diagonal, in pixels at most: the larger of the ellipse's inverse axes.
+    // Half a diagonal is at most this number of pixels: the larger of the ellipse's inverse axes.
     const double perTexel = std::sqrt((e.a + e.c + std::hypot(e.a - e.c, e.b)) / (2 * e.f));
     return e.contains(nearest.x, nearest.y, f_.radius + half * perTexel);
 }
 
 void SurfacePieces::add(const Block& block) {
-    if (left_ < 0) return;
-    --left_;
+    if (visitsLeft_ < 0) return;
+    --visitsLeft_;
     const glm::dvec2 place = (f_.centre + glm::dvec2(block.u, block.v)) * toField_;
     if (kernel_.outside(place)) return;
     const glm::dvec2 half = 0.5 * glm::dvec2(block.width, block.height) * toField_;
@@ -133,7 +135,7 @@ void SurfacePieces::add(const Block& block) {
                                              place.x + half.x, place.y + half.y);
     if (!reaches(block, bounds)) return;
     const bool wide = (bounds.high - bounds.low) * runPixels_ > kLargestSpread;
-    // Parts along a side that a texel of this level may still have.
+    // Parts along a side that a texel of this level may still be divided into.
     const int parts = mostParts_ == kMostParts ? kMostParts : mostParts_ >> (f_.level - block.level);
     if (wide && block.level > 0 && parts > 1) {
         split(block);
@@ -150,7 +152,7 @@ void SurfacePieces::split(const Block& block) {
     const LevelAxis columns = kernel_.plain_.across(level);
     const LevelAxis rows = kernel_.plain_.down(level);
     const double scale = std::ldexp(1.0, level - f_.level);
-    // The block's first corner, and its texels of the finer level in order; the last one may be narrow or missing.
+    // From the block's first corner, its texels of the finer level in order; the last one may be narrow or missing.
     double v = block.v - 0.5 * block.height;
     for (int j = 2 * block.j; j < std::min(2 * block.j + 2, rows.size); ++j) {
         const double height = (j + 1 < rows.size ? 1.0 : rows.lastShare()) * scale;
@@ -165,7 +167,7 @@ void SurfacePieces::split(const Block& block) {
 }
 
 void SurfacePieces::addParts(const Block& block, HeightBounds bounds, int most) {
-    // By the steepest slope across each axis; how it runs inside is left to the parts.
+    // The number of parts follows from the steepest slope across each axis.
     const glm::dvec2 place = (f_.centre + glm::dvec2(block.u, block.v)) * toField_;
     const glm::dvec2 half = 0.5 * glm::dvec2(block.width, block.height) * toField_;
     const HeightField& field = kernel_.field_;
@@ -180,7 +182,7 @@ void SurfacePieces::addParts(const Block& block, HeightBounds bounds, int most) 
     const double width = block.width / across;
     const double height = block.height / down;
     const double texels = std::ldexp(1.0, f_.level);  // of level 0
-    for (int y = 0; y < down && left_ >= 0; ++y) {
+    for (int y = 0; y < down && visitsLeft_ >= 0; ++y) {
         for (int x = 0; x < across; ++x) {
             const double u = block.u + (x + 0.5) * width - 0.5 * block.width;
             const double v = block.v + (y + 0.5) * height - 0.5 * block.height;
@@ -191,7 +193,7 @@ void SurfacePieces::addParts(const Block& block, HeightBounds bounds, int most) 
 }
 
 void SurfacePieces::addPiece(const Block& block, double u, double v, double width, double height, Color color) {
-    --left_;
+    --visitsLeft_;
     const HeightField& field = kernel_.field_;
     const glm::dvec2 place = (f_.centre + glm::dvec2(u, v)) * toField_;
     const double h = field.at(place.x, place.y);
@@ -208,11 +210,11 @@ void SurfacePieces::addPiece(const Block& block, double u, double v, double widt
     push(block, u, v, color, width * height * area, {place, h});
 }
 
-// The walls of the column at its near sides: towards where the ray comes from.
+// Adds the walls of the column on the sides that face the viewer.
 void SurfacePieces::addWalls(const Block& block, glm::dvec2 place, double h) {
     const HeightField& field = kernel_.field_;
     const Color color = kernel_.plain_.levels().level(0)(block.i, block.j);
-    // Just in front of the wall, where nothing of this column is.
+    // Just in front of the wall, outside this column.
     constexpr double kFront = 1e-7;
     for (const bool acrossS : {true, false}) {
         const double run = acrossS ? seen_.ray.a : seen_.ray.b;
@@ -225,8 +227,9 @@ void SurfacePieces::addWalls(const Block& block, glm::dvec2 place, double h) {
         if (!(foot < h) || kernel_.outside(at)) continue;
         const int count =
             static_cast<int>(std::clamp(std::ceil((h - foot) * runPixels_ / kLargestSpread), 1.0, double(mostParts_)));
-        left_ -= count;
-        // Its area in the pixel: its length times the run of the ray over its height, in texels of the level.
+        visitsLeft_ -= count;
+        // Area of a part of the wall in the pixel: its length times the run of the ray over its height, in texels of
+        // the level.
         const double area =
             (h - foot) / count * std::abs(run) * (acrossS ? block.height / toField_.x : block.width / toField_.y);
         const glm::dvec2 local = at / toField_ - f_.centre;

@@ -1,13 +1,14 @@
-// The surface under a pixel, in pieces that are small in the pixel: the sum over them stands for the integral over the
-// visible surface.
+// Divides the surface under a pixel into pieces that are small in the pixel; the sum over them approximates the
+// integral over the visible surface.
 //
-// A piece is a texel of the footprint's level as long as its surface spans less than kLargestSpread pixels from its
-// lowest to its highest point; otherwise its four texels of the next finer level; below level 0 a texel is cut into
-// equal parts (its colour bilinear there). Columns: a texel's top is one piece, and each wall that faces the viewer is
-// cut into pieces from foot to top, of the colour of the texel it belongs to.
-// Bound of work: where that takes more than kMostLooks, as in views along the plane whose pixels see thousands of
-// texels, the pixel is done again with texels in fewer parts, half as many along each side each time, then with every
-// third, seventh, fifteenth, ... texel, counted row by row: a coarser sampling of the same sum.
+// A piece is a texel of the footprint's level, if the projection of its surface extends less than kLargestSpread pixels
+// from its lowest to its highest point. Otherwise the texel is replaced by its four texels of the next finer level; a
+// texel of level 0 is cut into equal parts, with bilinear colours. Columns: the top of a texel is one piece, and each
+// wall that faces the viewer is cut into pieces from foot to top, which have the colour of the texel.
+//
+// The work is bounded: if a pixel needs more than kMostVisits, as in grazing views whose pixels cover thousands of
+// texels, it is repeated with texels in fewer parts, half the number along each side each time, and then with every
+// third, seventh, fifteenth, ... texel, counted row by row. This is a coarser sampling of the same sum.
 #pragma once
 
 #include <vector>
@@ -18,20 +19,20 @@ namespace relief {
 
 // Pixels.
 inline constexpr double kLargestSpread = 0.5;
-// Parts of a texel along each side, at most; pieces of a wall, at most.
+// Largest number of parts of a texel along each side, and of pieces of a wall.
 inline constexpr int kMostParts = 16;
-// Texels looked at and pieces made for a pixel, at most.
-inline constexpr int kMostLooks = 8192;
+// Largest number of texels visited and pieces made for a pixel.
+inline constexpr int kMostVisits = 8192;
 
 class SurfacePieces {
   public:
     SurfacePieces(const VisibleKernel& kernel, const LevelFootprint& f, const SeenPoint& seen);
-    // under: bounds of all heights that may be seen.
+    // Appends the pieces. under: bounds of all heights that may be visible.
     void gather(HeightBounds under, std::vector<VisibleKernel::Piece>& pieces);
 
   private:
-    // A texel (i, j) of a level, centred at (u, v) from the footprint's centre (texels of its level), wide and high as
-    // given (the same unit).
+    // Texel (i, j) of a level. Its centre is at (u, v) from the footprint's centre; u, v, width and height are in
+    // texels of the footprint's level.
     struct Block {
         int level, i, j;
         double u, v;
@@ -51,15 +52,15 @@ class SurfacePieces {
     const SeenPoint& seen_;
     std::vector<VisibleKernel::Piece>* pieces_ = nullptr;
     double h0_;
-    glm::dvec2 run_;      // of the view ray, texels of the footprint's level a unit of descent
-    double runPixels_;    // its length in the pixel
+    glm::dvec2 run_;      // of the view ray, texels of the footprint's level per unit of descent
+    double runPixels_;    // length of run_ in the pixel, pixels
     glm::dvec2 toField_;  // texels of the height map per texel of the footprint's level
     bool area_;
     bool columns_;
-    int left_ = 0;                // looks; below 0: too many
-    int mostParts_ = kMostParts;  // of a texel along each side, finer levels' texels among them
-    int stride_ = 1;              // of the texels of the footprint's level
-    std::int64_t texel_ = 0;      // of them, so far
+    int visitsLeft_ = 0;          // remaining visits; below 0: exceeded
+    int mostParts_ = kMostParts;  // parts of a texel of the footprint's level along each side, through all levels
+    int stride_ = 1;              // takes every stride_-th texel of the footprint's level
+    std::int64_t texel_ = 0;      // number of texels of the footprint's level so far
 };
 
 }  // namespace relief

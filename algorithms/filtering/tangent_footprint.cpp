@@ -7,11 +7,12 @@ namespace relief {
 
 namespace {
 
-// Least 1 + r . g: flatter, what is seen of the surface is no picture of it. Far above rounding.
+// Smallest 1 + r . g: at more grazing angles the projection of the surface is not reliably one-to-one. Far above
+// rounding.
 constexpr double kLeastFacing = 1e-3;
-// The footprint's box reaches this much beyond its ellipse, for what leaves the plane.
+// Factor by which the box around the footprint exceeds its ellipse, because of the surface's deviation from the plane.
 constexpr double kBeyondEllipse = 1.25;
-// Stretches of the way back, each twice the last, before it is left to tests.
+// Intervals of the back-traced segment, each twice as long as the last, before the proof gives up.
 constexpr int kStretches = 10;
 
 struct Box {
@@ -30,13 +31,13 @@ class Bounder {
     SurfaceBounds of(const Box& box) const {
         return surfaceBounds(tools_.bounds, tools_.field, box.low.x, box.low.y, box.high.x, box.high.y);
     }
-    // Least 1 + r . g.
+    // The smallest 1 + r . g.
     double facing(const SurfaceBounds& b) const {
         return 1 + run_.x * (run_.x > 0 ? b.lowS : b.highS) + run_.y * (run_.y > 0 ? b.lowT : b.highT);
     }
 
-    // Whether no point of the surface over the box is hidden. On the way back the ray rises above the surface as long
-    // as that faces the viewer everywhere on it; later, where all heights are below what it has risen to.
+    // Returns true if no point of the surface over the box is hidden. A back-traced ray rises above the surface as long
+    // as all of the surface on its way faces the viewer; farther on it must be above all heights.
     bool clear(const Box& box, const SurfaceBounds& under) const {
         const auto& levels = tools_.bounds.surface;
         const double highest = levels.back()(0, 0).high;
@@ -67,7 +68,7 @@ class Bounder {
     glm::dvec2 run_;
 };
 
-// Bounds what the filter reads with this Jacobian: its ellipse, widened, on whichever level.
+// Half extents of a box that contains what the filter samples with this Jacobian: its widened ellipse, on any level.
 glm::dvec2 halfExtents(const TangentTools& tools, const Jacobian& j) {
     const EllipticalSettings& settings = tools.settings;
     const double uu = j.ux * j.ux + j.uy * j.uy, vv = j.vx * j.vx + j.vy * j.vy;
@@ -83,7 +84,7 @@ glm::dvec2 halfExtents(const TangentTools& tools, const Jacobian& j) {
     return {r * (std::sqrt(uu) + widest) + margin, r * (std::sqrt(vv) + widest) + margin};
 }
 
-// |J^-1 r|, pixels a unit of height, with the size of texels allowed for.
+// |J^-1 r|, in pixels per unit of height, including the size of texels.
 double runPixels(const TangentTools& tools, const Jacobian& j, const ViewRay& ray) {
     const double texel = 0.5 * std::min(tools.perColor.x, tools.perColor.y) / tools.settings.sigma;
     const double uu = j.ux * j.ux + j.uy * j.uy + texel * texel, vv = j.vx * j.vx + j.vy * j.vy + texel * texel;
@@ -107,7 +108,8 @@ TangentFootprint tangentFootprint(const TangentTools& tools, const Jacobian& j, 
         const glm::dvec2 half = halfExtents(tools, of);
         return Box{hit - half, hit + half};
     };
-    // Of the plane first, then of the slopes found under it: these must hold for their own, larger or smaller box.
+    // Starts with the plane's box, then uses the slopes found under it; these must be valid for the box of their own
+    // Jacobian.
     Box box = boxOf(j);
     SurfaceBounds under = bounder.of(box);
     for (int n = 0; n < 2; ++n) {
@@ -118,7 +120,7 @@ TangentFootprint tangentFootprint(const TangentTools& tools, const Jacobian& j, 
         const double alongY = (slope.x * j.uy + slope.y * j.vy) / facing;
         out.jacobian = {j.ux - ray.a * alongX, j.vx - ray.b * alongX, j.uy - ray.a * alongY, j.vy - ray.b * alongY};
         if (n == 1) {
-            // The last box must hold this Jacobian's.
+            // The last box must contain that of this Jacobian.
             const glm::dvec2 half = halfExtents(tools, out.jacobian), has = 0.5 * (box.high - box.low);
             if (half.x > has.x * kBeyondEllipse || half.y > has.y * kBeyondEllipse) return out;
             const double off =

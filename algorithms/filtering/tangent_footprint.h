@@ -1,10 +1,11 @@
-// Where nothing hides anything under a pixel and the surface is nearly a plane, the sum over the visible surface is
-// plain filtering with the Jacobian of that plane: with g the slopes, r = (a, b) the run of the view ray,
+// Pixels whose footprint can be filtered on a tangent plane. Where nothing is hidden and the surface is nearly planar,
+// the sum over the visible surface is plain filtering with the Jacobian of that plane: with g the slopes and r = (a, b)
+// the run of the view ray,
 //
 //     a point U from the hit is seen at J^-1 (U + (g . U) r) = J'^-1 U,   J' = J - r (g^T J) / (1 + r . g)
 //
-// and its area in the pixel, 1 + r . g, is the same everywhere. Both conditions are decided for the whole footprint by
-// bounds of heights and slopes, conservative, a few lookups each.
+// and its area in the pixel, 1 + r . g, is constant. Both conditions are decided for the whole footprint by
+// conservative bounds of heights and slopes, with a few lookups each.
 #pragma once
 
 #include "filtering/elliptical_options.h"
@@ -14,16 +15,16 @@
 
 namespace relief {
 
-// Pixels: a surface that leaves its plane by less, as it is seen, counts as that plane.
+// Pixels. A surface whose projection deviates from its plane by less counts as that plane.
 inline constexpr double kPlanarSpread = 0.5;
 
 struct TangentFootprint {
-    bool planar = false;  // the surface is its tangent plane, to kPlanarSpread
+    bool planar = false;  // the surface equals its tangent plane to within kPlanarSpread
     bool clear = false;   // no point of the footprint is hidden
-    Jacobian jacobian;    // planar: of the tangent plane, texels of the height map
+    Jacobian jacobian;    // if planar: of the tangent plane, texels of the height map
 };
 
-// What all pixels of a picture share. perColor: texels of the height map per texel of the colour picture.
+// Data that all pixels of a picture share. perColor: texels of the height map per texel of the colour picture.
 struct TangentTools {
     const HeightBoundsMap& bounds;
     const HeightField& field;
@@ -31,7 +32,8 @@ struct TangentTools {
     glm::dvec2 perColor;
 };
 
-// j: of the plane at the hit's height, texels of the height map. Bilinear surfaces; others are neither.
+// Tests a pixel. j: Jacobian of the plane at the hit's height, texels of the height map. For surfaces that are not
+// bilinear both conditions are false.
 TangentFootprint tangentFootprint(const TangentTools& tools, const Jacobian& j, glm::dvec2 hit, const ViewRay& ray,
                                   double lambda);
 

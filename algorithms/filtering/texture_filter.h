@@ -1,4 +1,4 @@
-// A filter made ready for one picture (and, where it asks what is hidden, one height field).
+// A filter prepared for one picture and, if it needs visibility, one height field.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace relief {
 
-// Immutable, shared by threads.
+// Immutable; may be shared by threads.
 class TextureFilter {
   public:
     virtual ~TextureFilter() = default;
@@ -21,25 +21,26 @@ class TextureFilter {
     TextureFilter& operator=(const TextureFilter&) = delete;
 
     virtual const FilterDescription& description() const = 0;
-    // log: may be null. Throws Cancelled.
+    // Filters one pixel. log: may be null. Throws Cancelled.
     virtual Color color(const FilterQuery& query, FootprintCounts& counts, Work& work,
                         FootprintLog* log = nullptr) const = 0;
-    // The same bits for a whole block; colors: of its length.
+    // Filters a block with the same bits. colors: as many as queries.
     virtual void colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts, Work& work) const;
-    // Whether it traces texels back, so that it can tell which are hidden.
+    // Returns true if the filter traces texels back, so that it can report which are hidden.
     virtual bool tracesBack() const { return false; }
-    // Whether it asks what neighbours of a block's pixels met: FilterBlock::picture then saves it their rays.
-    virtual bool asksNeighbours() const { return false; }
+    // Returns true if the filter reads the hits of neighbouring pixels: FilterBlock::picture then saves it tracing
+    // their rays.
+    virtual bool readsNeighbours() const { return false; }
 };
 
-// What filters are made of.
+// The inputs of a filter.
 struct FilterTools {
     std::shared_ptr<const ColorImage> picture;  // not null
-    std::shared_ptr<const ColorLevels> levels;  // of the picture; null: built by makeFilter(), if the filter needs it
+    std::shared_ptr<const ColorLevels> levels;  // of the picture; null: built by makeFilter() if needed
     HeightField field;
-    bool skip = true;  // tests that cannot matter are skipped
+    bool skip = true;  // skip tests that cannot change the result
 
-    // From texels of the height map to texels of the picture.
+    // Texels of the picture per texel of the height map.
     glm::dvec2 pictureScale() const {
         return {static_cast<double>(picture->width()) / field.width(),
                 static_cast<double>(picture->height()) / field.height()};

@@ -13,7 +13,7 @@ double radialWeight(const EllipticalSettings& settings, double r) {
 }
 
 double mapError(const EllipticalSettings& settings) {
-    // The bell is steepest at r = sigma: exp(-1/2) / sigma.
+    // The Gaussian is steepest at r = sigma, where its slope is exp(-1/2) / sigma.
     const double halfDiagonal = std::sqrt(2.0) * settings.radius / settings.resolution;
     return halfDiagonal * std::exp(-0.5) / settings.sigma;
 }

@@ -1,12 +1,12 @@
 // Precomputed weights over the pixel: a table over r^2 for round pixels, a two-dimensional map for any.
 //
-// Source: [TEX] (maps of weights for the Gaussian pixel); the papers' pixel is a bell of base diameter 1 and volume 1,
-// that is radius 1/2 here.
+// Source: [TEX] (maps of weights for the Gaussian pixel). The papers' pixel is a bell of base diameter 1 and volume 1,
+// which corresponds to radius 1/2 here.
 //
-// Map: n x n cells over [-R, R]^2 pixels, cell (i, j) holding the weight at its centre, zero beyond R for round pixels;
-// looked up by the nearest cell. A texel's place in it, J^-1 (U, V), is linear in U and V, so it advances by constant
-// steps along a texel row. Stated error, for weights of at most 1: half a cell's diagonal times the steepest slope;
-// mapError gives it for the Gaussian.
+// The map has n x n cells over [-R, R]^2 pixels. Cell (i, j) holds the weight at its centre, zero beyond R for round
+// pixels; lookup is by nearest cell. A texel's place in it, J^-1 (U, V), is linear in U and V, so it advances by
+// constant steps along a texel row. Error bound for weights of at most 1: half a cell's diagonal times the steepest
+// slope; mapError returns it for the Gaussian.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@
 
 namespace relief {
 
-// Weight against r^2 in [0, R^2], nearest entry.
+// Weight as a function of r^2 in [0, R^2], by nearest entry.
 class RadialTable {
   public:
     RadialTable() = default;
@@ -38,7 +38,7 @@ class WeightMap {
     WeightMap(const EllipticalSettings& settings);
     int size() const { return weights_.width(); }
     const Image<glm::vec3>& weights() const { return weights_; }
-    // (dx, dy): pixels from the centre, any; zero beyond the map.
+    // (dx, dy): pixels from the centre, any value; 0 outside the map.
     glm::vec3 at(float dx, float dy) const {
         const float x = (dx + reach_) * scale_;
         const float y = (dy + reach_) * scale_;
@@ -55,7 +55,7 @@ class WeightMap {
 
 // The weight of a round pixel at r pixels from its centre; 1 at the centre.
 double radialWeight(const EllipticalSettings& settings, double r);
-// By how much a weight of the map, at most, differs from the formula's, at these settings (Gaussian weights).
+// Upper bound on the difference between a weight of the map and the formula, for these settings (Gaussian weights).
 double mapError(const EllipticalSettings& settings);
 
 }  // namespace relief

@@ -52,10 +52,10 @@ std::string oneLine(const std::string& text) {
 
 namespace {
 
-// Somebody named a device that never ends.
+// Limit on the size of a text file to read, bytes: the path may name a device that never ends.
 constexpr std::size_t kMaxTextBytes = std::size_t{1} << 32;
 
-// A file descriptor that is closed when it goes.
+// A file descriptor that is closed by the destructor.
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -66,7 +66,7 @@ class Descriptor {
     Descriptor& operator=(const Descriptor&) = delete;
     int number() const { return number_; }
     bool open() const { return number_ >= 0; }
-    // close(2) may be where a full disk is noticed. 0, or an errno.
+    // Closes the descriptor; a full disk may be reported only here. Returns 0 or an errno.
     int close() {
         const int result = ::close(number_);
         number_ = -1;
@@ -86,7 +86,7 @@ std::string folderOf(const std::string& path) {
     throw WorkError(path, systemMessage(error, FileAccess::Write, folderOf(target)));
 }
 
-// Where writing to `path` ends up: a link is written through, also one whose target is not there yet.
+// The path that writing to `path` writes to: symbolic links are followed, also where their target does not exist yet.
 std::string linkTarget(const std::string& path) {
     fs::path target = path;
     for (int links = 0; links < 40; ++links) {
@@ -99,7 +99,7 @@ std::string linkTarget(const std::string& path) {
     throwUnwritable(path, ELOOP, path);
 }
 
-// Names that nobody else has: the clock, the process and a count, mixed (splitmix64).
+// A unique file name: clock, process id and a counter, mixed by splitmix64.
 std::string freshName(const std::string& extension) {
     static std::atomic<std::uint64_t> count{0};
     const auto clock = std::chrono::steady_clock::now().time_since_epoch().count();
@@ -113,7 +113,7 @@ std::string freshName(const std::string& extension) {
     return ".relief-" + std::string(digits.data(), end) + extension;
 }
 
-// 0, or the errno of what went wrong.
+// Returns 0, or the errno of the failure.
 int writeAll(int descriptor, const std::string& text) {
     std::size_t done = 0;
     while (done < text.size()) {
@@ -128,9 +128,9 @@ int writeAll(int descriptor, const std::string& text) {
     return 0;
 }
 
-// Devices, pipes and what stands behind /dev/stdout cannot be replaced by renaming.
+// Returns true for devices, pipes and what /dev/stdout refers to: they cannot be replaced by renaming.
 bool isWrittenInPlace(const std::string& path) {
-    // /dev/shm is a folder of ordinary files.
+    // Files in /dev/shm are ordinary files.
     const bool device = path.starts_with("/dev/") && !path.starts_with("/dev/shm/");
     if (device || path.starts_with("/proc/")) return true;
     std::error_code error;
@@ -147,7 +147,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
     const bool exists = ::stat(target_.c_str(), &existing) == 0;
     if (exists && S_ISDIR(existing.st_mode)) throw WorkError(path_, Message(MessageId::FileIsDirectory));
     if (exists && !S_ISREG(existing.st_mode)) throw WorkError(path_, Message(MessageId::FileNotRegular));
-    // Renaming would get round a write protection that the user set on purpose.
+    // Renaming would bypass a write protection that the user set on purpose.
     if (exists && ::access(target_.c_str(), W_OK) != 0) throwUnwritable(path_, errno, target_);
 
     const fs::path folder = fs::path(target_).parent_path();
@@ -156,7 +156,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
         temporary_ = (folder / freshName(extension)).string();
         Descriptor file(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
         if (file.open()) {
-            // The permissions are a courtesy: a file system that has none is no reason to fail.
+            // Best effort: some file systems have no permissions, which is no reason to fail.
             if (exists) static_cast<void>(::fchmod(file.number(), existing.st_mode & 0777));
             return;
         }
@@ -176,14 +176,14 @@ void AtomicFile::commit() {
     }
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) throwUnwritable(path_, errno, target_);
     committed_ = true;
-    // So that the new name survives a power cut; not every file system allows it, the file is whole either way.
+    // Makes the new name survive a power cut. Not every file system allows it; the file is complete either way.
     const Descriptor folder(::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (folder.open()) static_cast<void>(::fsync(folder.number()));
 }
 
 void writeTextFile(const std::string& path, const std::string& text) {
     if (isWrittenInPlace(path)) {
-        // Appending leaves alone what the shell's redirection has already received.
+        // Appends, so that earlier output of the shell's redirection is kept.
         Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
         int error = file.open() ? writeAll(file.number(), text) : errno;
         if (file.open() && error == 0) error = file.close();

@@ -6,8 +6,6 @@
 
 namespace relief {
 
-namespace {}  // namespace
-
 void checkDrawn(const DrawnRelief& drawn, const std::string& subject) {
     for (const int side : {drawn.width, drawn.height}) {
         if (side >= kLeastDrawnSide && side <= kMostDrawnSide) continue;

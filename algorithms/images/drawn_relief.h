@@ -1,4 +1,4 @@
-// A small relief whose heights somebody wrote down or dragged: few enough to look at one by one.
+// A small relief whose heights the user typed or dragged.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ namespace relief {
 inline constexpr int kLeastDrawnSide = 2;
 inline constexpr int kMostDrawnSide = 32;
 
-// width x height heights in [0, 1], rows top-down; or `width` of them, a profile that every row repeats. No heights:
-// nothing is drawn.
+// width x height heights in [0, 1], rows top-down; or `width` heights, a profile that every row repeats. Empty if there
+// are no heights.
 struct DrawnRelief {
     int width = 0;
     int height = 0;
@@ -25,17 +25,17 @@ struct DrawnRelief {
     bool operator==(const DrawnRelief&) const = default;
 };
 
-// Throws InputError naming `subject` for sides, counts and heights out of range.
+// Throws InputError naming `subject` if a side, the number of heights or a height is out of range.
 void checkDrawn(const DrawnRelief& drawn, const std::string& subject);
-// The heights as a picture; not of an empty one.
+// Returns the heights as a picture. Precondition: `drawn` is not empty.
 FloatImage drawnHeights(const DrawnRelief& drawn);
 
-// Numbers as a person writes them, with commas between: one row, or all.
+// Formats heights for people to read and edit, separated by commas.
 std::string drawnNumbers(const std::vector<double>& heights);
-// Throws InputError naming `subject` for what is no number.
+// Parses numbers separated by commas. Throws InputError naming `subject` if an item is not a number.
 std::vector<double> parseDrawnNumbers(std::string_view text, const std::string& subject);
 
-// "drawn:WxH:0.1,0.5,...", as --relief takes it.
+// Prefix of a drawn relief as a value of --relief, "drawn:WxH:0.1,0.5,...", which drawnRecipe() returns.
 inline constexpr std::string_view kDrawn = "drawn";
 std::string drawnRecipe(const DrawnRelief& drawn);
 

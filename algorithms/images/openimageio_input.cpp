@@ -1,4 +1,4 @@
-// Picture files opened, checked and read by OpenImageIO.
+// Opens, checks and reads picture files by OpenImageIO.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
@@ -23,16 +23,16 @@ namespace {
 
 constexpr std::size_t kHeadBytes = 65536;
 
-// Formats without a signature, told by the name. What is in neither list is refused: films, volumes, camera raw and
-// medical pictures (their libraries write on stderr); Maya IFF, DPX, ICO, SGI, DDS (OpenImageIO 2.4 dies of damaged
-// ones).
+// Formats without a signature, recognised by file extension. Formats in neither list are refused: movies, volumes,
+// camera raw and medical pictures (their libraries write to stderr), and Maya IFF, DPX, ICO, SGI and DDS (OpenImageIO
+// 2.4 crashes on damaged files).
 constexpr std::array<std::string_view, 3> kFormatsByName{"targa", "rla", "heif"};
 
 std::string formatByName(const std::string& path) {
     const std::size_t dot = path.find_last_of("./");
     if (dot == std::string::npos || path[dot] == '/') return {};
     const std::string extension = lowerCase(path.substr(dot + 1));
-    // "targa:tga,tpic;webp:webp;..."
+    // Has the form "targa:tga,tpic;webp:webp;...".
     const std::string list = OIIO::get_string_attribute("extension_list");
     for (const std::string_view format : kFormatsByName) {
         const std::size_t at = (";" + list).find(";" + std::string(format) + ":");
@@ -49,7 +49,7 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-// Opens only what is an ordinary file: opening a pipe would wait for its writer.
+// Opens ordinary files only: opening a pipe would wait for its writer.
 File openRegular(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) throw InputError(path, systemMessage(errno, FileAccess::Read));
@@ -71,7 +71,7 @@ Bytes readBytes(std::FILE* file, std::size_t size, const std::string& path) {
 Bytes wholeFile(std::FILE* file, const std::string& path) {
     if (::fseeko(file, 0, SEEK_END) != 0) throw InputError(path, systemMessage(errno, FileAccess::Read));
     const auto size = static_cast<std::size_t>(std::max<::off_t>(0, ::ftello(file)));
-    // The bytes, and a copy that is cleaned.
+    // The bytes and their cleaned copy.
     requireMemory(byteProduct({2, size}), path, MemoryHint::SmallerPicture);
     std::rewind(file);
     return readBytes(file, size, path);
@@ -80,14 +80,14 @@ Bytes wholeFile(std::FILE* file, const std::string& path) {
 void checkSize(const std::string& path, std::int64_t width, std::int64_t height, std::int64_t maxPixels) {
     if (width <= 0 || height <= 0)
         throw InputError(path, Message(MessageId::PictureEmpty, {{"width", width}, {"height", height}}));
-    // Divided, not multiplied: the product may not fit. Sizes are int in every picture of ours.
+    // Divides instead of multiplying, because the product may overflow. FloatImage stores its sides as int.
     const std::int64_t largest = std::min<std::int64_t>(maxPixels, std::numeric_limits<std::int64_t>::max() / 64);
     if (width > largest / height || std::max(width, height) > std::numeric_limits<int>::max())
         throw InputError(
             path, Message(MessageId::PictureTooLarge, {{"width", width}, {"height", height}, {"limit", maxPixels}}));
 }
 
-// libpng's own limit, about which it would complain on stderr.
+// Enforces libpng's own limit on sides, which libpng would report on stderr.
 void checkPngSides(const std::string& path, DeclaredSize size) {
     constexpr std::uint32_t kLimit = 1000000;
     if (size.width <= kLimit && size.height <= kLimit) return;
@@ -125,12 +125,14 @@ std::optional<NumberType> numberType(const OIIO::TypeDesc& type) {
     }
 }
 
-// The type to ask the library for: the file's own, so that it converts nothing; half to float is exact.
+// The type in which pixels are requested from OpenImageIO: the file's own, so that nothing is converted, except half,
+// which becomes float (exact).
 OIIO::TypeDesc readType(const OIIO::TypeDesc& type) {
     return type.basetype == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : type;
 }
 
-// Bytes a pixel that PictureInput::read() keeps: of channels in one type, all from the first wanted to the last.
+// Bytes per pixel that PictureInput::read() keeps. If all channels have one type, these are all channels from the first
+// requested to the last.
 std::size_t bytesRead(const OIIO::ImageSpec& spec, std::span<const int> channels) {
     std::size_t bytes = 0;
     if (!spec.channelformats.empty()) {
@@ -141,12 +143,13 @@ std::size_t bytesRead(const OIIO::ImageSpec& spec, std::span<const int> channels
     return static_cast<std::size_t>(*high + 1 - *low) * readType(spec.format).size();
 }
 
-// Asked between the rows; true ends the reading.
-bool askStop(void* work, float) {
+// Progress callback of OpenImageIO, called between rows; returning true stops the reading.
+bool stopRequested(void* work, float) {
     return static_cast<const Work*>(work)->stopped();
 }
 
-// Looks at the file before any library does; takes into memory what is cleaned first. Returns the format's name.
+// Checks the file before any library reads it. Loads into `bytes` what must be cleaned first. Returns the format's
+// name.
 std::string loadFile(const std::string& path, std::int64_t maxPixels, Bytes& bytes) {
     const File file = openRegular(path);
     const Bytes head = readBytes(file.get(), kHeadBytes, path);
@@ -187,7 +190,7 @@ class OpenImageIoFile final : public PictureFile {
     void checkSpec(std::int64_t maxPixels) const;
 
     std::string path_;
-    // The order matters: the input goes before the bytes it reads from.
+    // Declared before the input, which reads from these bytes and so must be destroyed first.
     Bytes bytes_;
     std::optional<OIIO::Filesystem::IOMemReader> memory_;
     OIIO::ImageInput::unique_ptr input_;
@@ -220,7 +223,7 @@ bool OpenImageIoFile::open(std::string& why) {
     if (memory_ && !input_->set_ioproxy(&*memory_)) return false;
     OIIO::ImageSpec spec;
     const bool done = input_->open(path_, spec, hints);
-    // A warning about what surrounds the pixels would look like a failure of reading them.
+    // Fetching the error also clears warnings about metadata, which would look like a failure to read the pixels.
     why = input_->geterror();
     return done;
 }
@@ -234,7 +237,7 @@ void OpenImageIoFile::checkSpec(std::int64_t maxPixels) const {
     for (int c = 0; c < spec.nchannels; ++c)
         if (!numberType(spec.channelformat(c)))
             throw InputError(path_, Message(MessageId::PictureNumberType, {{"type", spec.channelformat(c).c_str()}}));
-    // OpenImageIO 2.4 hands out zeros for these and calls it done.
+    // OpenImageIO 2.4 returns zeros for these types and reports success.
     const bool doubles = spec.format.basetype == OIIO::TypeDesc::DOUBLE;
     if (doubles && input_->format_name() == std::string_view("tiff") && (spec.tile_width > 0 || spec.height == 1))
         throw InputError(path_, Message(MessageId::PictureDoubles));
@@ -262,9 +265,9 @@ RawPlanes OpenImageIoFile::read(std::span<const int> channels, Work& work, std::
         raw.storage.push_back(std::make_unique<std::byte[]>(pixels * count * type.size()));
         OIIO::ImageInput& input = *input_;
         const bool done = input.read_image(0, 0, from, to, type, raw.storage.back().get(), OIIO::AutoStride,
-                                           OIIO::AutoStride, OIIO::AutoStride, &askStop, &work);
+                                           OIIO::AutoStride, OIIO::AutoStride, &stopRequested, &work);
         work.throwIfStopped();
-        // libjpeg calls a file that ends early a warning: the rest is grey, and read_image is content.
+        // libjpeg treats a truncated file as a warning: it fills the rest with grey, and read_image reports success.
         const std::string why = input.geterror();
         if (!done || !why.empty()) throwDamaged(path_, why);
     };

@@ -19,7 +19,7 @@ std::size_t bytesOf(NumberType type) {
     return withNumbers({nullptr, 1, type}, [](const auto* number) { return sizeof *number; });
 }
 
-// The numbers of a band, channels next to each other. Throws InputError where channels have types of their own.
+// The samples of one band, channels interleaved. Throws InputError if the channels differ in type.
 struct BandNumbers {
     RawPlanes raw;
     std::size_t bytes = 0;
@@ -63,7 +63,7 @@ void joinBands(const std::vector<std::string>& bands, const std::string& path, W
     for (const std::string& band : bands) {
         PictureInput input(band, kMostBandPixels);
         const auto rows = static_cast<std::uint64_t>(input.info().height);
-        // A file that changed meanwhile.
+        // The file may have changed since the first loop.
         if (!sameShape(input.info(), whole)) throw InputError(band, Message(MessageId::FileTruncated));
         const BandNumbers part(input, band, work);
         if (numbers.empty()) {

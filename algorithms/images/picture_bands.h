@@ -1,4 +1,4 @@
-// Bands of rows, each in a file of its own (PictureBand), put together again.
+// Joins bands of rows, each stored in a file of its own (PictureBand), to one picture.
 #pragma once
 
 #include <cstddef>
@@ -11,28 +11,28 @@
 
 namespace relief {
 
-// Where a band's text stands: a text chunk of that name in PNG, an attribute in EXR. TIFF has neither: there it is the
+// Name of the metadata that holds a band's text: a text chunk in PNG, an attribute in EXR. TIFF stores the text in its
 // ImageDescription.
 inline constexpr std::string_view kBandAttribute = "relief part";
 
-// Larger pictures than this are not put together.
+// Largest picture that joinBands makes, pixels.
 inline constexpr std::int64_t kMostBandPixels = std::int64_t{1} << 30;
 
-// A band's file as it says of itself. text: empty where it is a picture and no band.
+// Header of a band's file. text: the band's description, empty if the file is a picture but not a band.
 struct BandFile {
     ImageInfo info;
     std::string text;
 };
-// Throws InputError where it is no picture that can be read. Reads no pixel.
+// Reads the header only. Throws InputError if the file is not a readable picture.
 BandFile readBandFile(const std::string& path);
 
-// Writes the bands, given from the top, as one picture: the numbers, their type, the channels' names and the colour
-// space as the bands have them, no text. path: of the format of the bands. Throws InputError (a band that does not fit
-// the first, is damaged), MemoryError before it is taken, WorkError, Cancelled. Memory: the picture and two bands.
+// Joins the bands, given from top to bottom, and writes them as one picture of the bands' format. Samples, their type,
+// channel names and colour space stay as they are; the bands' text is not copied. Throws InputError (a band is damaged
+// or does not match the first), MemoryError before allocating, WorkError, Cancelled. Memory: the picture and two bands.
 void joinBands(const std::vector<std::string>& bands, const std::string& path, Work& work);
 
-// A picture of info's size, channels, type and colour space; numbers: row by row, channels next to each other; float
-// where the type is half. Throws WorkError, InputError for an unknown ending.
+// Writes a picture of info's size, channels, type and colour space. numbers: samples row by row, channels interleaved,
+// of info's type, but float where that is half. Throws WorkError, InputError for an unknown extension.
 void writeNumbers(const std::string& path, const ImageInfo& info, const std::byte* numbers);
 
 }  // namespace relief

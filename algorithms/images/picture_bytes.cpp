@@ -61,9 +61,9 @@ bool isPortableMap(View head) {
 // --- PNG
 
 constexpr std::size_t kPngHead = 8;
-constexpr std::size_t kPngFrame = 12;  // length, type and checksum around a chunk's data
+constexpr std::size_t kPngFrame = 12;  // bytes: length, type and checksum around a chunk's data
 
-// CRC-32 of ISO 3309, as PNG has it, eight bytes a step.
+// CRC-32 of ISO 3309, as PNG uses it, eight bytes per step.
 class Checksum {
   public:
     Checksum() {
@@ -97,7 +97,7 @@ class Checksum {
     std::array<std::array<std::uint32_t, 256>, 8> tables_{};
 };
 
-// Which chunks the pixels need, and whether they follow each other as they must.
+// Decides for each PNG chunk whether the pixels need it, and whether the order of chunks is valid.
 class PngGrammar {
   public:
     enum class Verdict : std::uint8_t { Keep, Drop, Damaged };
@@ -108,9 +108,9 @@ class PngGrammar {
         if (type == "PLTE") return colorType_ == 3 ? keepIf(palette(data)) : Verdict::Drop;
         if (type == "IDAT") return keepIf(data_ = colorType_ != 3 || palette_);
         if (type == "IEND") return keepIf(data_);
-        if ((static_cast<unsigned char>(type[0]) & 0x20U) == 0) return Verdict::Damaged;  // critical, and unknown
-        const bool wanted = type == "tRNS" || type == "sRGB" || type == "gAMA" || (type == "tEXt" && ofBand(data));
-        return wanted && !data_ ? Verdict::Keep : Verdict::Drop;
+        if ((static_cast<unsigned char>(type[0]) & 0x20U) == 0) return Verdict::Damaged;  // an unknown critical chunk
+        const bool needed = type == "tRNS" || type == "sRGB" || type == "gAMA" || (type == "tEXt" && ofBand(data));
+        return needed && !data_ ? Verdict::Keep : Verdict::Drop;
     }
 
   private:
@@ -189,7 +189,7 @@ std::optional<Bytes> cleanPng(std::span<const unsigned char> file) {
         const std::string_view type(reinterpret_cast<const char*>(typed.data()), 4);
         at += chunk.size();
         if (checksum.of(typed) != bigEndian(chunk, chunk.size() - 4)) {
-            // Damaged only if the pixels need it.
+            // An invalid chunk matters only if it is critical (the case bit of its type).
             if ((typed[0] & 0x20U) == 0) return std::nullopt;
             continue;
         }

@@ -50,9 +50,9 @@ std::string PictureInput::bandText() const {
 }
 
 int PictureInput::channelIndex(std::string_view name) const {
-    const std::string wanted = lowerCase(name);
+    const std::string lowerName = lowerCase(name);
     const auto found = std::find_if(info_.channels.begin(), info_.channels.end(),
-                                    [&](const std::string& channel) { return lowerCase(channel) == wanted; });
+                                    [&](const std::string& channel) { return lowerCase(channel) == lowerName; });
     return found == info_.channels.end() ? -1 : static_cast<int>(found - info_.channels.begin());
 }
 

@@ -1,5 +1,5 @@
-// One picture file opened and checked, its numbers handed out in the type they have. For the readers of this folder;
-// everybody else uses files.h. Throws what files.h says.
+// One picture file, opened and checked, with samples in the file's own type. Used by the readers of this folder; other
+// code uses relief/files.h. Throws as specified there.
 #pragma once
 
 #include <array>
@@ -17,20 +17,20 @@ namespace relief {
 
 enum class NumberType : std::uint8_t { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float, Double };
 
-// A to Z become a to z, whatever the locale.
+// Converts A to Z to lower case, independently of the locale.
 std::string lowerCase(std::string_view text);
 
-// The largest number of an integer type; 0 for floats.
+// The largest value of an integer type; 0 for floats.
 double fullRange(NumberType type);
 
-// One channel inside a block of interleaved numbers; pixel i is number i * stride.
+// One channel of a block of interleaved samples; pixel i has the sample with index i * stride.
 struct RawPlane {
     const std::byte* first = nullptr;
     std::size_t stride = 1;
     NumberType type = NumberType::UInt8;
 };
 
-// fn(const T* first): with the type the plane's numbers have.
+// Calls fn(const T* first) with T the type of the plane's samples.
 template <class Function>
 decltype(auto) withNumbers(const RawPlane& plane, Function&& fn) {
     const void* first = plane.first;
@@ -57,31 +57,31 @@ decltype(auto) withNumbers(const RawPlane& plane, Function&& fn) {
 
 struct RawPlanes {
     std::vector<std::unique_ptr<std::byte[]>> storage;
-    std::vector<RawPlane> planes;  // as asked for
+    std::vector<RawPlane> planes;  // in the order requested
 };
 
 class PictureFile;
 
 class PictureInput {
   public:
-    // Checks the file, its format and its size; allocates nothing of the size of the picture.
+    // Checks the file, its format and its size. Allocates nothing proportional to the size of the picture.
     PictureInput(const std::string& path, std::int64_t maxPixels);
     ~PictureInput();
     PictureInput(const PictureInput&) = delete;
     PictureInput& operator=(const PictureInput&) = delete;
 
     const ImageInfo& info() const { return info_; }
-    // What the file says of itself in words (ImageDescription); may be empty.
+    // The file's ImageDescription; may be empty.
     std::string description() const;
-    // The text that a band was written with (PictureBand); empty where there is none.
+    // The text that a band was written with (PictureBand); empty if there is none.
     std::string bandText() const;
-    // Index of the channel of that name in any case; -1 if there is none.
+    // Index of the channel of that name, ignoring case; -1 if there is none.
     int channelIndex(std::string_view name) const;
     // Index of the alpha channel, or -1.
     int alphaChannel() const;
 
-    // The numbers of these channels, one block if they are of one type. Half floats come as float. May be cancelled.
-    // Throws MemoryError where they, and bytesAfter for each pixel that the caller needs while it has them, do not fit.
+    // Reads these channels, into one block if they are of one type; half floats become float. Throws Cancelled, and
+    // MemoryError if the samples and `bytesAfter` bytes per pixel, which the caller needs at the same time, do not fit.
     RawPlanes read(std::span<const int> channels, Work& work, std::size_t bytesAfter);
 
   private:

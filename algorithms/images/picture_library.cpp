@@ -1,4 +1,5 @@
-// Alone in its source: where a program defines the function, the linker takes neither this nor OpenImageIO.
+// Alone in its source file: where a program defines pictureLibrary() itself, the linker takes neither this object nor
+// OpenImageIO.
 #include "images/picture_library.h"
 
 namespace relief {

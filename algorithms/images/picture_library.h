@@ -1,6 +1,6 @@
-// The part of reading and writing pictures that needs OpenImageIO, behind one table. Everything else of this folder
-// compiles and links without it: a program that defines pictureLibrary() itself can load OpenImageIO, and the two
-// hundred libraries that it brings along, when the first picture is opened.
+// The part of reading and writing pictures that needs OpenImageIO, behind one table of functions. Everything else in
+// this folder compiles and links without it: a program that defines pictureLibrary() itself can load OpenImageIO, and
+// the two hundred libraries that it depends on, when the first picture is opened.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace relief {
 
-// One picture file, opened and checked; what its functions do stands at PictureInput's, which calls them.
+// One picture file, opened and checked. PictureInput calls these functions and documents them.
 class PictureFile {
   public:
     PictureFile() = default;
@@ -22,14 +22,14 @@ class PictureFile {
     PictureFile& operator=(const PictureFile&) = delete;
 
     virtual ImageInfo info() const = 0;
-    // An attribute that is text; empty where the file has none of that name.
+    // A text attribute; empty if the file has none of that name.
     virtual std::string attribute(const std::string& name) const = 0;
     // Index of the channel that the file declares as alpha, or -1.
     virtual int alphaChannel() const = 0;
     virtual RawPlanes read(std::span<const int> channels, Work& work, std::size_t bytesAfter) = 0;
 };
 
-// A picture to be written. numbers: row by row, the channels of a pixel next to each other; of `type`, or float where
+// A picture to be written. numbers: samples row by row, the channels of a pixel interleaved, of `type`, but float where
 // that is half.
 struct PictureBlock {
     int width = 0;
@@ -41,21 +41,23 @@ struct PictureBlock {
 };
 
 struct PictureLibrary {
-    // Throws InputError, MemoryError. path: UTF-8.
+    // Opens and checks a picture. path: UTF-8. Throws InputError, MemoryError.
     std::unique_ptr<PictureFile> (*open)(const std::string& path, std::int64_t maxPixels);
-    // format: OpenImageIO's name ("png", "openexr", ...). The file appears when it is complete. Throws WorkError.
+    // Writes a picture. format: OpenImageIO's name ("png", "openexr", ...). The file appears when it is complete.
+    // Throws WorkError.
     void (*write)(const std::string& path, const std::string& format, const PictureBlock& block);
-    // What writeMipTiff() says, for a path that ends in .tif or .tiff.
+    // As writeMipTiff(), for a path that ends in .tif or .tiff.
     void (*writeTiffPages)(const std::string& path, const std::vector<DescribedPage>& pages);
 };
 
-// OpenImageIO, linked: openimageio_input.cpp and openimageio_output.cpp.
+// The implementations linked with OpenImageIO: openimageio_input.cpp and openimageio_output.cpp.
 std::unique_ptr<PictureFile> openWithOpenImageIo(const std::string& path, std::int64_t maxPixels);
 void writeWithOpenImageIo(const std::string& path, const std::string& format, const PictureBlock& block);
 void writePagesWithOpenImageIo(const std::string& path, const std::vector<DescribedPage>& pages);
 inline constexpr PictureLibrary kOpenImageIo{&openWithOpenImageIo, &writeWithOpenImageIo, &writePagesWithOpenImageIo};
 
-// What the functions of files.h use: kOpenImageIo, unless the program defines this function. Thread-safe.
+// The table that the functions of relief/files.h use: kOpenImageIo, unless the program defines this function.
+// Thread-safe.
 const PictureLibrary& pictureLibrary();
 
 }  // namespace relief

@@ -8,7 +8,7 @@ namespace relief {
 
 namespace {
 
-// Numbers of a TIFF file in its byte order; reads beyond its end give 0. Byte: const or not.
+// Access to a TIFF file's integers in its own byte order. Reads beyond the end give 0. Byte: const or not.
 template <class Byte>
 class TiffFile {
   public:
@@ -22,13 +22,13 @@ class TiffFile {
         for (unsigned i = 0; i < count; ++i) value = value << 8 | bytes_[index(at, i, count)];
         return value;
     }
-    // Of an entry: it is inside.
+    // Writes a number of a directory entry, which must lie inside the file.
     void set(std::uint64_t at, unsigned count, std::uint64_t value) {
         for (unsigned i = count; i-- > 0; value >>= 8) bytes_[index(at, i, count)] = static_cast<unsigned char>(value);
     }
     bool big() const { return big_; }
 
-    // visit(where the entry begins, its tag) for each entry of the first directory that lies inside the file.
+    // Calls visit(offset of the entry, its tag) for each entry of the first directory that lies inside the file.
     template <class Visit>
     void forEntries(const Visit& visit) const {
         const std::uint64_t directory = big_ ? get(8, 8) : get(4, 4);
@@ -42,7 +42,7 @@ class TiffFile {
     bool inside(std::uint64_t at, std::uint64_t count) const {
         return at <= bytes_.size() && count <= bytes_.size() - at;
     }
-    // The i-th most significant byte of `count`.
+    // Offset of the i-th most significant byte of a number of `count` bytes.
     std::size_t index(std::uint64_t at, unsigned i, unsigned count) const {
         return static_cast<std::size_t>(at + (little_ ? count - 1 - i : i));
     }
@@ -61,14 +61,15 @@ Bytes cleanJpeg(std::span<const unsigned char> file) {
     const auto at = [&](std::size_t i) { return file.begin() + static_cast<std::ptrdiff_t>(i); };
     Bytes clean;
     clean.reserve(file.size());
-    std::size_t done = 2;  // after the start of image
+    std::size_t done = 2;  // skips the start-of-image marker
     clean.insert(clean.end(), file.begin(), at(std::min(done, file.size())));
-    // Segments follow each other up to the start of scan: 0xff, marker, length of itself and the data.
+    // Each segment up to start of scan is 0xff, the marker, the length of itself and the data, and the data.
     while (done + 4 <= file.size() && file[done] == 0xff && file[done + 1] != 0xda) {
         const unsigned marker = file[done + 1];
         const std::size_t length = 2 + (std::size_t{file[done + 2]} << 8 | file[done + 3]);
         if (length > file.size() - done) break;
-        // Adobe's own (0xee) tells the colour transform, JFIF (0xe0) the density; a comment (0xfe) nothing.
+        // Adobe's segment (0xee) specifies the colour transform and JFIF's (0xe0) the density, so both stay; comments
+        // (0xfe) go.
         const bool metadata = (marker >= 0xe1 && marker <= 0xef && marker != 0xee) || marker == 0xfe;
         if (!metadata) clean.insert(clean.end(), at(done), at(done + length));
         done += length;
@@ -82,7 +83,7 @@ void hideTiffMetadata(std::span<unsigned char> file) {
     std::uint64_t hidden = 0;
     tiff.forEntries([&](std::uint64_t entry, std::uint64_t tag) {
         if (std::find(kTiffMetadata.begin(), kTiffMetadata.end(), tag) == kTiffMetadata.end()) return;
-        // One byte of a private tag that nobody knows.
+        // Replaces the tag by an unknown private one with a single byte of data.
         tiff.set(entry, 2, 65280 + hidden++ % 256);
         tiff.set(entry + 2, 2, 1);
         tiff.set(entry + 4, tiff.big() ? 8 : 4, 1);

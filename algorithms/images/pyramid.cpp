@@ -10,10 +10,10 @@ namespace relief {
 
 namespace {
 
-// From this many texels on, building takes long enough for somebody to wait for it.
+// Pyramids of at least this number of texels take long enough to show progress.
 constexpr std::size_t kProgressTexels = std::size_t{1} << 22;
 
-// Rows of a level handed to one task, so that narrow levels do not drown in tasks.
+// Rows of a level per task, so that narrow levels are not divided into too many tasks.
 int rowGrain(int width) {
     return std::max(1, (1 << 14) / width);
 }
@@ -26,13 +26,13 @@ void forRows(int width, int height, bool tell, Work& work, const RowFunction& ro
     });
 }
 
-// One level up by a choice between values: maximum or minimum.
+// Builds the next coarser level by a choice between values: maximum or minimum.
 template <class Choose>
 FloatImage chosenLevel(const FloatImage& below, bool tell, Work& work, const Choose& choose) {
     FloatImage level((below.width() + 1) / 2, (below.height() + 1) / 2);
     forRows(level.width(), level.height(), tell, work, [&](int y) {
         const auto upper = below.row(2 * y);
-        // A lone last row or column stands for its missing neighbour: the choice is the same.
+        // A missing neighbour beyond the last row or column is replaced by that row or column: the choice is the same.
         const auto lower = below.row(std::min(2 * y + 1, below.height() - 1));
         const auto out = level.row(y);
         const std::size_t pairs = upper.size() / 2;
@@ -43,7 +43,7 @@ FloatImage chosenLevel(const FloatImage& below, bool tell, Work& work, const Cho
     return level;
 }
 
-// Sums of level 0's texels below each texel of the level: the mean is rounded once, not once a level.
+// Sums level 0's texels below each texel of the level, so that a mean is rounded once and not once per level.
 template <class T>
 Image<double> summedLevel(const Image<T>& below, bool tell, Work& work) {
     Image<double> level((below.width() + 1) / 2, (below.height() + 1) / 2);
@@ -60,7 +60,7 @@ Image<double> summedLevel(const Image<T>& below, bool tell, Work& work) {
     return level;
 }
 
-// How many of `size` texels lie below texel i of level l.
+// Number of level-0 texels below texel i of level l along one axis of `size` texels.
 std::int64_t covered(std::int64_t i, int l, std::int64_t size) {
     return std::min(size, (i + 1) << l) - (i << l);
 }
@@ -77,7 +77,7 @@ FloatImage meansOf(const Image<double>& sums, int l, const FloatImage& base, boo
     return level;
 }
 
-// summedLevel() at one texel of level l, in its order.
+// The same sum as summedLevel() for one texel of level l, added in the same order.
 double sumAt(const FloatImage& base, int l, int x, int y) {
     if (l == 0) return static_cast<double>(base(x, y));
     const auto size = [l](int whole) { return static_cast<int>(((std::int64_t{whole} - 1) >> (l - 1)) + 1); };
@@ -89,7 +89,7 @@ double sumAt(const FloatImage& base, int l, int x, int y) {
     return sum;
 }
 
-// Texel (x, y) of level l, from the level below or, means, from level 0.
+// Value of texel (x, y) of level l, computed from the level below or, for means, from level 0.
 float valueAt(PyramidKind kind, const FloatImage& base, const FloatImage& below, int l, int x, int y) {
     if (kind == PyramidKind::Mean) {
         const std::int64_t count = covered(x, l, base.width()) * covered(y, l, base.height());
@@ -156,7 +156,7 @@ Pyramid Pyramid::edited(const Pyramid& before, FloatImage base) {
 Pyramid Pyramid::edited(const Pyramid& before, std::shared_ptr<const FloatImage> base) {
     const FloatImage &now = *base, &old = before.level(0);
     assert(now.width() == old.width() && now.height() == old.height());
-    std::set<std::pair<int, int>> texels;  // that may have changed
+    std::set<std::pair<int, int>> texels;  // of level l, that may have changed
     for (int y = 0; y < now.height(); ++y) {
         for (int x = 0; x < now.width(); ++x) {
             if (!sameBits(now(x, y), old(x, y))) texels.emplace(x, y);
@@ -179,7 +179,8 @@ Pyramid Pyramid::edited(const Pyramid& before, std::shared_ptr<const FloatImage>
         if (!changed.empty()) {
             pyramid.levels_[static_cast<std::size_t>(l)] = std::make_shared<const FloatImage>(std::move(level));
         }
-        // Means are not made of means: one may change above one that is rounded to the same.
+        // Means are not computed from the means below: a mean may change even if the one below it is rounded to the
+        // same value.
         texels = before.kind_ == PyramidKind::Mean ? above : changed;
     }
     return pyramid;

@@ -24,7 +24,8 @@ double scaled(T number) {
         return static_cast<double>(number) / static_cast<double>(std::numeric_limits<T>::max());
 }
 
-// Red, green and blue (or x, y, z) where the file has them; a grey picture three times over; else the first three.
+// Selects red, green and blue (or x, y, z) where the file has them; otherwise the first three channels. Files with a
+// channel Y, or with fewer than three channels, give one channel three times.
 Channels colorChannels(const PictureInput& input) {
     for (const std::array<const char*, 3>& names : {std::array{"R", "G", "B"}, std::array{"X", "Y", "Z"}}) {
         const Channels named{input.channelIndex(names[0]), input.channelIndex(names[1]), input.channelIndex(names[2])};
@@ -36,11 +37,11 @@ Channels colorChannels(const PictureInput& input) {
     return {0, 1, 2};
 }
 
-bool saysLinear(std::string_view colorSpace) {
+bool isLinear(std::string_view colorSpace) {
     return colorSpace == "Linear" || colorSpace == "linear" || colorSpace == "lin_srgb" || colorSpace == "scene_linear";
 }
 
-// Light for every number an 8- or 16-bit type has, indexed by the number's own bits.
+// Table of the linear light of every value of an 8- or 16-bit type, indexed by the value's bits.
 template <class T>
 std::vector<float> lightTable(bool linear) {
     using Unsigned = std::make_unsigned_t<T>;
@@ -52,7 +53,7 @@ std::vector<float> lightTable(bool linear) {
     return table;
 }
 
-// light(number) to every number of one plane, into component c of the colours.
+// Stores light(value) of every sample of one plane in component c of the colours.
 template <class T, class Light>
 void fill(const T* numbers, std::size_t stride, int c, ColorImage& image, Work& work, const Light& light) {
     const std::span<Color> out = image.pixels();
@@ -76,14 +77,14 @@ void fillLight(const T* numbers, std::size_t stride, int c, bool linear, ColorIm
     }
 }
 
-// Components up to this are what 8 bits leave of zero (half a step, and a little for rounding).
+// Components up to this size may be zero, quantised to 8 bits (half a step, and a margin for rounding).
 constexpr float kZeroNormal = 0.51F / 127.5F;
 
 glm::vec3 unitNormal(const glm::vec3& encoded) {
     const glm::vec3 n = 2.0F * encoded - 1.0F;
     const float length = glm::length(n);
     const bool zero = std::abs(n.x) <= kZeroNormal && std::abs(n.y) <= kZeroNormal && std::abs(n.z) <= kZeroNormal;
-    // Negated, so that a NaN ends here, too.
+    // Written as a negation so that NaN is caught as well.
     if (zero || !(length > 0) || !std::isfinite(length)) return {0, 0, 1};
     return n / length;
 }
@@ -94,7 +95,7 @@ ColorImage readColor(const std::string& path, Work& work, std::int64_t maxPixels
     PictureInput input(path, maxPixels);
     const Channels channels = colorChannels(input);
     const RawPlanes raw = input.read(channels, work, sizeof(Color));
-    const bool linear = saysLinear(input.info().colorSpace);
+    const bool linear = isLinear(input.info().colorSpace);
     ColorImage image(input.info().width, input.info().height);
     for (std::size_t c = 0; c < channels.size(); ++c) {
         const RawPlane& plane = raw.planes[c];

@@ -11,16 +11,16 @@ namespace relief {
 
 namespace {
 
-// Numbers in a sentence: enough digits to tell two floats apart.
+// Digits of numbers in messages: enough to distinguish any two floats.
 constexpr int kSentenceDigits = 9;
 constexpr std::size_t kGrain = std::size_t{1} << 15;
 
-// What one look at all numbers tells.
+// Statistics of all samples, collected in one pass.
 struct Survey {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
-    std::size_t firstBad = std::numeric_limits<std::size_t>::max();  // NaN or infinite
-    std::size_t outside = 0;                                         // of the bounds asked about
+    std::size_t firstBad = std::numeric_limits<std::size_t>::max();  // index of the first NaN or infinity
+    std::size_t outside = 0;                                         // number of samples outside the given bounds
 };
 
 Survey merged(const Survey& a, const Survey& b) {
@@ -52,7 +52,7 @@ Survey survey(const RawPlane& plane, std::size_t count, double low, double high,
     });
 }
 
-// h = (number - low) / (high - low), clamped; flat: 0. All in double, rounded to float once.
+// h = (value - low) / (high - low), clamped to [0, 1]; 0 if flat. Computed in double, rounded to float once.
 struct Scaling {
     double low = 0;
     double high = 1;
@@ -62,7 +62,7 @@ struct Scaling {
     float operator()(double number) const {
         double h = 0;
         if (!flat) {
-            // The difference of two doubles may be too large for one; multiplying by 1 or 0.5 is exact.
+            // high - low may overflow; multiplying by 1 or 0.5 is exact.
             const double unit = std::isfinite(high - low) ? 1 : 0.5;
             h = (number * unit - low * unit) / (high * unit - low * unit);
             h = std::clamp(h, 0.0, 1.0);
@@ -84,7 +84,7 @@ std::string inSentence(double value) {
     return numberText(value, kSentenceDigits);
 }
 
-// The scaling that the range asks for, and what the user should know about it.
+// Returns the scaling for the requested range, and adds to `notes` what the user should be told about it.
 Scaling chosenScaling(const HeightRange& range, double full, const Survey& survey, const std::string& path,
                       std::vector<Message>& notes) {
     const std::string low = inSentence(survey.low);
@@ -120,25 +120,25 @@ std::string channelList(const std::vector<std::string>& channels) {
     return list;
 }
 
-int chosenChannel(const PictureInput& input, const std::string& wanted) {
+int chosenChannel(const PictureInput& input, const std::string& channel) {
     const std::vector<std::string>& channels = input.info().channels;
-    if (wanted.empty()) return std::max(0, input.channelIndex("Y"));
+    if (channel.empty()) return std::max(0, input.channelIndex("Y"));
     std::size_t number = 0;
-    const char* end = wanted.data() + wanted.size();
-    const auto parsed = std::from_chars(wanted.data(), end, number);
+    const char* end = channel.data() + channel.size();
+    const auto parsed = std::from_chars(channel.data(), end, number);
     if (parsed.ec == std::errc() && parsed.ptr == end) {
         if (number < channels.size()) return static_cast<int>(number);
-    } else if (const int index = input.channelIndex(wanted); index >= 0) {
+    } else if (const int index = input.channelIndex(channel); index >= 0) {
         return index;
-    } else if (wanted.size() == 5 && input.alphaChannel() >= 0) {
-        // "alpha" in any case, for what files call "A".
+    } else if (channel.size() == 5 && input.alphaChannel() >= 0) {
+        // Accepts "alpha" in any case for the channel that files call "A".
         const std::string_view alpha = "alpha";
-        if (std::equal(alpha.begin(), alpha.end(), wanted.begin(),
+        if (std::equal(alpha.begin(), alpha.end(), channel.begin(),
                        [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); }))
             return input.alphaChannel();
     }
     throw InputError(input.info().path,
-                     Message(MessageId::ChannelMissing, {{"name", wanted}, {"known", channelList(channels)}}));
+                     Message(MessageId::ChannelMissing, {{"name", channel}, {"known", channelList(channels)}}));
 }
 
 double numberAt(const RawPlane& plane, std::size_t i) {
@@ -174,7 +174,7 @@ HeightImage readHeight(const std::string& path, const HeightReadOptions& options
     const int channel = chosenChannel(*input, options.channel);
     image.channel = image.info.channels[static_cast<std::size_t>(channel)];
     const RawPlanes raw = input->read({&channel, 1}, work, sizeof(float));
-    // The file's bytes go before the heights come: of a large map each is a gigabyte.
+    // Release the file's bytes before allocating the heights: for a large map each is a gigabyte.
     input.reset();
     const RawPlane& plane = raw.planes.front();
     const double full = fullRange(plane.type);

@@ -8,8 +8,9 @@
 #include "relief/errors.h"
 #include "relief/memory.h"
 
-// The recipes, for a relief N texels wide on its shorter side; sizes "at 128" are multiplied by N/128 and are at least
-// one texel. Grids are stretched to a whole number of cells, so every relief but paper8x8 tiles.
+// The recipes, for a relief whose shorter side has N texels. Sizes marked "at 128" are multiplied by N/128 and are at
+// least one texel. Cells are stretched so that a whole number of them fits; therefore every relief but paper8x8 tiles.
+// Ranges without a unit are heights.
 //   bricks   32 x 16 at 128 in a running bond, mortar 5 at 128 of 0.08-0.12, faces 0.90-1.00
 //   spikes   needles 1-2 texels wide on 1% of the texels, 0.6-1 over a ground of 0.02-0.05
 //   pits     1% of the texels (of the 128 picture) seed square pits 3-9 at 128, 0-0.1 in a plateau of 0.93-1
@@ -20,16 +21,16 @@
 //   steps    hills cut into 8 terraces
 //   checker  0 and 1 in blocks of max(1, N/16) texels
 //   paper8x8 the example of [MIP18], fig. 3
-//   paper-walls  columns 7 2 2 2 2 2 2 2 10 of a slab 10 high, as in [DIST17], figs. 5 to 8: with 9 texels, relief
-//   depth
-//            10/9, columns and border, a point at (4, any, 0.6) is 3 texels from the surface, and 4 for rays from above
-// Heights are multiples of 1/65535, so that a 16-bit file holds them exactly; paper8x8's are tenths.
-// Only + - * / and rounding are used: no function of a C library can make a difference.
+//   paper-walls  columns 7 2 2 2 2 2 2 2 10 in a slab 10 high, as in [DIST17], figs. 5 to 8. With 9 texels, relief
+//                depth 10/9, columns and border, the point (4, any, 0.6) is 3 texels from the surface, and 4 texels
+//                from what rays from above can meet
+// Heights are multiples of 1/65535, which a 16-bit file stores exactly; those of paper8x8 are tenths. Only + - * / and
+// rounding are used, so the result does not depend on a C library.
 namespace relief {
 
 namespace {
 
-// splitmix64's finishing step: every bit of the result hangs on every bit of the key.
+// splitmix64's finalizer: every bit of the result depends on every bit of the key.
 constexpr std::uint64_t mixed(std::uint64_t z) {
     z += 0x9e3779b97f4a7c15ULL;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -37,19 +38,19 @@ constexpr std::uint64_t mixed(std::uint64_t z) {
     return z ^ (z >> 31);
 }
 
-// Random numbers that hang on the seed and on what they are for, not on the order of asking.
+// Random numbers that depend on the seed and on a purpose, not on the order of the calls.
 class Chance {
   public:
     Chance(std::uint64_t seed, std::uint64_t purpose) : key_(mixed(mixed(seed) ^ purpose)) {}
     std::uint64_t bits(std::int64_t i, std::int64_t j = 0) const {
         return mixed(mixed(key_ ^ static_cast<std::uint64_t>(i)) ^ static_cast<std::uint64_t>(j));
     }
-    // In [0, 1).
+    // Uniform in [0, 1).
     double at(std::int64_t i, std::int64_t j = 0) const { return static_cast<double>(bits(i, j) >> 11) * 0x1p-53; }
     double between(double low, double high, std::int64_t i, std::int64_t j = 0) const {
         return low + (high - low) * at(i, j);
     }
-    // From low to high, both possible.
+    // Uniform in [low, high].
     int whole(int low, int high, std::int64_t i, std::int64_t j = 0) const {
         return low + static_cast<int>(bits(i, j) % static_cast<std::uint64_t>(high - low + 1));
     }
@@ -66,18 +67,18 @@ int rounded(double value) {
     return static_cast<int>(std::floor(value + 0.5));
 }
 
-// What a recipe is given.
+// Arguments of a recipe.
 struct Canvas {
     int width;
     int height;
     std::uint64_t seed;
     Work* work;  // may be null
 
-    // All rows will be passed over so many times.
+    // Starts the progress; the recipe will pass over all rows `passes` times.
     void begin(std::int64_t passes = 1) const {
         if (work != nullptr) work->progress().begin("making the relief", passes * height);
     }
-    // At the end of a row.
+    // To be called at the end of each row.
     void rowDone() const {
         if (work == nullptr) return;
         work->throwIfStopped();
@@ -86,12 +87,12 @@ struct Canvas {
     int side() const { return std::min(width, height); }
     double scale() const { return side() / 128.0; }
     int scaled(double at128) const { return std::max(1, rounded(at128 * scale())); }
-    // How many cells of that size go into `size` texels; a multiple of `step` where there is room.
+    // Number of cells of that size that fit into `size` texels; a multiple of `step` where there is room.
     int cells(int size, double at128, int step = 1) const {
         const double count = step * std::floor(size / (at128 * scale() * step) + 0.5);
         return static_cast<int>(std::clamp(count, 1.0, static_cast<double>(size)));
     }
-    // Number of things that are on `share` of the texels of the 128 picture.
+    // Number of seeds that cover the fraction `share` of the texels of the 128 picture.
     std::int64_t seeds(double share) const {
         const double shrink = std::max(1.0, scale());
         const double texels = static_cast<double>(width) * height / (shrink * shrink);
@@ -100,7 +101,7 @@ struct Canvas {
     FloatImage image() const { return {width, height}; }
 };
 
-// The cell of `count` equal cells that texel i of `size` lies in, and where the cell begins.
+// Index of the cell, of `count` equal cells over `size` texels, that contains texel i, and where that cell begins.
 int cellOf(int i, int count, int size) {
     return static_cast<int>(static_cast<std::int64_t>(i) * count / size);
 }
@@ -119,7 +120,7 @@ FloatImage bricks(const Canvas& canvas) {
     for (int y = 0; y < canvas.height; ++y) {
         const int row = cellOf(y, down, canvas.height);
         const bool bed = y - cellBegin(row, down, canvas.height) < mortar;
-        // Half a brick; the shift wraps, so that the bond goes on over the seam.
+        // Half a brick. The shift wraps around, so that the bond continues across the seam.
         const int shift = row % 2 == 0 ? 0 : canvas.width / (2 * across);
         for (int x = 0; x < canvas.width; ++x) {
             const int sx = (x + shift) % canvas.width;
@@ -133,7 +134,7 @@ FloatImage bricks(const Canvas& canvas) {
     return out;
 }
 
-// Squares at random places over a rough ground; where they overlap, choose(old, new) stays.
+// Squares at random places over rough ground. Where squares overlap, choose(old, new) is kept.
 struct Scatter {
     double groundLow, groundHigh;
     double low, high;
@@ -171,7 +172,7 @@ constexpr auto kHigher = [](float a, float b) { return std::max(a, b); };
 constexpr auto kLower = [](float a, float b) { return std::min(a, b); };
 
 FloatImage spikes(const Canvas& canvas) {
-    // A needle covers 1 or 4 texels, 2.5 in the mean.
+    // A needle covers 1 or 4 texels, 2.5 on average.
     const double count = 0.01 * canvas.width * canvas.height / 2.5;
     return scattered(canvas,
                      {.groundLow = 0.02,
@@ -230,7 +231,7 @@ FloatImage city(const Canvas& canvas) {
     return out;
 }
 
-// Lowest to 0 and highest to 1; one value everywhere becomes 0.5.
+// Maps the lowest value to 0 and the highest to 1; a constant picture becomes 0.5.
 FloatImage stretched(const Image<double>& values) {
     FloatImage out(values.width(), values.height());
     const auto [low, high] = std::minmax_element(values.pixels().begin(), values.pixels().end());
@@ -241,11 +242,11 @@ FloatImage stretched(const Image<double>& values) {
     return out;
 }
 
-// Where texel i lies between the nodes of a periodic lattice.
+// Position of texel i between the nodes of a periodic lattice.
 struct LatticePoint {
     int node;
     int next;
-    double weight;  // of `next`, smoothed
+    double weight;  // of `next`, after smoothing
 };
 
 std::vector<LatticePoint> latticePoints(int size, int cells) {
@@ -285,7 +286,7 @@ FloatImage fractal(const Canvas& canvas) {
     std::int64_t octaves = 1;
     while (std::int64_t{16} << (octaves - 1) <= canvas.side()) ++octaves;
     canvas.begin(octaves);
-    // The longer side gets as many more cells as it has more texels.
+    // The longer side gets proportionally more cells.
     for (std::int64_t cells = 4; cells == 4 || cells * 2 <= canvas.side(); cells *= 2, amplitude *= 0.6) {
         const auto along = [&](int size) {
             const std::int64_t count = (cells * size + canvas.side() / 2) / canvas.side();
@@ -297,7 +298,7 @@ FloatImage fractal(const Canvas& canvas) {
     return stretched(values);
 }
 
-// sin(2 pi turns), turns >= 0, within 1e-6: a polynomial, so that it has the same bits everywhere.
+// sin(2 pi turns) for turns >= 0, within 1e-6. A polynomial, so that the bits are the same on every platform.
 double sineOfTurns(double turns) {
     double q = (turns - std::floor(turns)) * 4;  // quarters, [0, 4)
     if (q > 3)
@@ -315,7 +316,7 @@ FloatImage hills(const Canvas& canvas) {
     constexpr int kWaves = 6;
     canvas.begin(kWaves);
     for (int wave = 0; wave < kWaves; ++wave) {
-        // The first two are plain, so that neither direction stays even.
+        // The first two waves run along the axes, so that heights vary in both directions.
         const int kx = wave == 1 ? 0 : wave == 0 ? 1 : chance.whole(1, 3, wave, 0);
         const int ky = wave == 0 ? 0 : wave == 1 ? 1 : chance.whole(-3, 3, wave, 1);
         const double phase = chance.at(wave, 2) + 8;  // keeps the argument positive
@@ -341,7 +342,7 @@ FloatImage steps(const Canvas& canvas) {
 FloatImage checker(const Canvas& canvas) {
     FloatImage out = canvas.image();
     const int block = std::max(1, canvas.side() / 16);
-    // An even number of blocks, or two of one colour would meet at the seam.
+    // The number of blocks is even; otherwise two of one colour would meet at the seam.
     const auto blocks = [block](int size) {
         const int pairs = std::max(1, (size + block) / (2 * block));
         return std::max(1, std::min(2 * pairs, size - size % 2));
@@ -370,7 +371,7 @@ FloatImage paper8x8(const Canvas&) {
     return out;
 }
 
-// Columns 7 2 2 2 2 2 2 2 10 tenths high, all rows the same.
+// Columns of heights 7 2 2 2 2 2 2 2 10 tenths; all rows are the same.
 FloatImage paperWalls(const Canvas& canvas) {
     constexpr std::array<double, 9> kHeights{0.7, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 1.0};
     FloatImage out = canvas.image();
@@ -431,7 +432,7 @@ FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_
             subject, Message(MessageId::ReliefSize, {{"wanted", std::to_string(fixed) + " x " + std::to_string(fixed)},
                                                      {"width", width},
                                                      {"height", height}}));
-    // Some recipes add up doubles first.
+    // Some recipes accumulate in double first.
     requireMemory(byteProduct({static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
                                sizeof(double) + sizeof(float)}),
                   subject + ":" + std::to_string(width) + "x" + std::to_string(height), MemoryHint::SmallerSize);

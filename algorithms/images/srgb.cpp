@@ -4,7 +4,7 @@
 
 namespace relief {
 
-// Through double: the rounding to float then hides in which last digit two C libraries differ.
+// Computed in double: rounding to float then hides last-digit differences between C libraries.
 float linearFromSrgb(float encoded) {
     const double e = encoded;
     return static_cast<float>(e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4));

@@ -1,4 +1,4 @@
-// What the operating system says about a file, as one of our sentences (its own text would follow the locale).
+// Operating system errors on files as the program's own messages (the system's text would follow the locale).
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace relief {
 
 enum class FileAccess : std::uint8_t { Read, Write };
 
-// error: an errno. folder: named when the folder of an output is not there.
+// The message for an errno. folder: named in the message if the folder of an output does not exist.
 Message systemMessage(int error, FileAccess access, const std::string& folder = {});
 
-// Text of a library on one line, without control characters or space at the ends.
+// A library's message on one line, without control characters and without blanks at the ends.
 std::string oneLine(const std::string& text);
 
 }  // namespace relief

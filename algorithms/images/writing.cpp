@@ -16,8 +16,8 @@ namespace {
 struct Format {
     std::string_view extension;
     std::string_view library;
-    bool light;    // holds floats of any size, and linear light is what it is for
-    bool sixteen;  // holds 16-bit numbers without loss
+    bool light;    // stores floats of any size, meant for linear light
+    bool sixteen;  // stores 16-bit integers without loss
     bool floats;
 };
 
@@ -30,10 +30,10 @@ constexpr std::array kFormats{
 };
 
 template <class Predicate>
-std::string extensions(const Predicate& wanted) {
+std::string extensions(const Predicate& predicate) {
     std::string list;
     for (const Format& format : kFormats)
-        if (wanted(format)) list += (list.empty() ? "" : ", ") + std::string(format.extension);
+        if (predicate(format)) list += (list.empty() ? "" : ", ") + std::string(format.extension);
     return list;
 }
 
@@ -60,25 +60,26 @@ void writeBlock(const std::string& path, const Format& format, PictureBlock bloc
     pictureLibrary().write(path, std::string(format.library), block);
 }
 
-// TIFF would get an EXIF directory for it, which OpenImageIO 2.4 puts where the picture's own should be.
+// For TIFF this attribute would create an EXIF directory, which OpenImageIO 2.4 writes over the picture's own.
 void setColorSpace(Attributes& attributes, const Format& format, const std::string& name) {
     if (format.library != "tiff" && !name.empty()) attributes.emplace_back("oiio:ColorSpace", name);
 }
 
-// The text of a band, where its format has a place for it.
+// Sets the text of a band if the format has a place for it.
 void setBandText(Attributes& attributes, const Format& format, const PictureBand* band) {
     if (band == nullptr || band->text.empty()) return;
     attributes.emplace_back(format.library == "tiff" ? "ImageDescription" : kBandAttribute, band->text);
 }
 
-// The band, or all rows of a picture.
+// The given band, or one that covers all rows.
 PictureBand bandOf(const PictureBand* band, int height) {
     const PictureBand rows = band != nullptr ? *band : PictureBand{0, height, {}};
     assert(0 <= rows.begin && rows.begin <= rows.end && rows.end <= height);
     return rows;
 }
 
-// 8-bit sRGB codes by search among the light values where they change: no power a pixel, and the same bits everywhere.
+// Encodes 8-bit sRGB by binary search among the light values at which the code changes: no power function per pixel,
+// and the same bits on every platform.
 class SrgbCodes {
   public:
     SrgbCodes() {
@@ -96,7 +97,7 @@ class SrgbCodes {
 };
 
 std::uint16_t sixteenBit(float height) {
-    if (!(height > 0)) return 0;  // NaN, too
+    if (!(height > 0)) return 0;  // also for NaN
     return static_cast<std::uint16_t>(std::floor(std::min(static_cast<double>(height), 1.0) * 65535.0 + 0.5));
 }
 

@@ -11,8 +11,8 @@ namespace relief {
 
 namespace {
 
-// Keeps where distance(vertex) >= 0; distance is linear in the projected point. onto: puts a point of the cut exactly
-// on the plane, whatever the interpolation rounded.
+// Keeps the part of the polygon where distance(vertex) >= 0; distance is linear in the projected point. onto(vertex)
+// moves a point of the cut exactly onto the plane, which interpolation reaches only up to rounding.
 template <typename Distance, typename Onto>
 ClipPolygon cut(std::span<const ClipVertex> polygon, const Distance& distance, const Onto& onto) {
     ClipPolygon kept;
@@ -24,7 +24,8 @@ ClipPolygon cut(std::span<const ClipVertex> polygon, const Distance& distance, c
         const double dNext = distance(next);
         if (dHere >= 0.0) kept.push_back(here);
         if ((dHere > 0.0 && dNext < 0.0) || (dHere < 0.0 && dNext > 0.0)) {
-            // Always from inside to outside, so that both polygons of an edge get the same point.
+            // Interpolates from the inner to the outer vertex always, so that both polygons at an edge get the same
+            // point.
             const bool leaving = dHere > 0.0;
             const ClipVertex& in = leaving ? here : next;
             const ClipVertex& out = leaving ? next : here;
@@ -41,7 +42,7 @@ ClipPolygon cut(std::span<const ClipVertex> polygon, const Distance& distance, c
     return kept;
 }
 
-// The first pixel whose centre is at or after `at`, in [0, count].
+// The first pixel in [0, count] whose centre is at or after coordinate `at`.
 std::int64_t firstCentre(double at, std::int64_t count) {
     const double pixel = std::ceil(at - 0.5);
     if (!(pixel > 0.0)) return 0;
@@ -123,7 +124,7 @@ PixelSpan rowSpan(std::span<const glm::dvec2> screen, std::int64_t row, std::int
         const glm::dvec2& a = screen[k];
         const glm::dvec2& b = screen[(k + 1) % screen.size()];
         assert(std::isfinite(a.x) && std::isfinite(a.y));
-        // From the upper end to the lower, so that both polygons of an edge find the same crossing.
+        // Interpolates from the upper end to the lower always, so that both polygons at an edge get the same crossing.
         const glm::dvec2& top = a.y < b.y ? a : b;
         const glm::dvec2& bottom = a.y < b.y ? b : a;
         if (!(top.y <= y && y < bottom.y)) continue;
@@ -148,7 +149,8 @@ PixelSpan clipRowToHorizon(const Homography& map, std::int64_t row, PixelSpan sp
     const bool last = inFront(span.end - 1);
     if (first && last) return span;
     if (!first && !last) return {};
-    // q is monotone along the row, in floating point as well: halve to the pixel at which the answer changes.
+    // q is monotone along the row, also in floating point, so bisection finds the pixel at which the comparison
+    // changes.
     std::int64_t before = span.begin;
     std::int64_t after = span.end - 1;
     while (after - before > 1) {

@@ -7,13 +7,13 @@
 //     A = v_x^2 + v_y^2   B = -2 (u_x v_x + u_y v_y)   C = u_x^2 + u_y^2   F = (u_x v_y - u_y v_x)^2 = A C - B^2 / 4
 //
 // Frames and units: u, v are s, t of the code, in texels of level 0; x right, y down in pixels; U to the right and V
-// down from the texture coordinate of the pixel's centre. R in pixels. Templates over the scalar (float, double, a
-// counting scalar).
+// down from the texture coordinate of the pixel's centre. R in pixels. The templates' scalar is float, double or a
+// counting scalar.
 //
-// Ranges: derivatives up to 1e75 (double) and 1e9 (float) neither overflow here nor make NaN. A footprint that vanishes
-// (edge-on polygon: F = 0) or is infinite (horizon) is not divided by: clampedEllipse gives it a smallest minor and a
-// largest major semi-axis first, and everything below is finite for what it returns. Without it a vanishing footprint
-// has empty or one-point spans, never NaN.
+// Ranges: derivatives up to 1e75 (double) and 1e9 (float) cause neither overflow nor NaN. A footprint may vanish
+// (edge-on polygon: F = 0) or be infinite (horizon). Apply clampedEllipse first: it bounds the minor semi-axis from
+// below and the major one from above, and every function here is finite for its result. Unclamped, a vanishing
+// footprint has empty or one-point spans, never NaN.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 
 namespace relief {
 
-// u_x, v_x: by how many texels u and v change in one pixel to the right; u_y, v_y: in one pixel down.
+// ux, vx: change of u and v in texels per pixel to the right; uy, vy: per pixel down.
 template <typename T>
 struct JacobianOf {
     T ux{1};
@@ -33,12 +33,12 @@ struct JacobianOf {
     T uy{0};
     T vy{1};
 
-    // Area of a pixel in texels, negative where it is seen from behind.
+    // Signed area of a pixel in texels; negative if the plane is seen from behind.
     T determinant() const { return ux * vy - uy * vx; }
 };
 using Jacobian = JacobianOf<double>;
 
-// Real ends of what lies inside; empty where begin > end.
+// Real interval [begin, end] inside the ellipse; empty if begin > end.
 template <typename T>
 struct Span {
     T begin{1};
@@ -53,7 +53,7 @@ struct TexelSpan {
     bool empty() const { return begin >= end; }
 };
 
-// Texels; (majorU, majorV) is the unit vector along the major axis.
+// Semi-axes in texels; (majorU, majorV) is the unit vector along the major axis.
 template <typename T>
 struct SemiAxes {
     T major{1};
@@ -68,8 +68,8 @@ struct HalfExtents {
     T v{1};
 };
 
-// A, B, C, F of the circle of radius 1 pixel. F = A C - B^2 / 4 must hold, so a scaled form (derivatives.h) has to be
-// brought back first.
+// A, B, C, F of the circle of radius 1 pixel. F = A C - B^2 / 4 must hold, so a scaled ellipse (derivatives.h) has to
+// be unscaled first.
 template <typename T>
 struct EllipseOf {
     T a{1};
@@ -77,18 +77,18 @@ struct EllipseOf {
     T c{1};
     T f{1};
 
-    // The quadratic form; r^2 = form / F is the texel's distance from the pixel's centre in pixels, squared.
+    // The quadratic form at offset (du, dv). sqrt(form / F) is the texel's distance from the pixel's centre, in pixels.
     T form(T du, T dv) const { return a * (du * du) + b * (du * dv) + c * (dv * dv); }
     bool contains(T du, T dv, T radius) const { return form(du, dv) <= f * (radius * radius); }
 
-    // |U| <= R sqrt(C), |V| <= R sqrt(A): the bounding box.
+    // Half extents of the bounding box: |U| <= R sqrt(C), |V| <= R sqrt(A).
     HalfExtents<T> halfExtents(T radius) const {
         using std::sqrt;
         return {radius * sqrt(c), radius * sqrt(a)};
     }
 
-    // The U that lie inside at this V: (-B V / 2 +- sqrt(F (R^2 A - V^2))) / A. Where A = 0 (the footprint has no
-    // height) it is the whole width at V = 0 and nothing elsewhere.
+    // The interval of U inside the ellipse at this V: (-B V / 2 +- sqrt(F (R^2 A - V^2))) / A. Where A = 0 (the
+    // footprint has no height) it is the whole width at V = 0 and empty elsewhere.
     Span<T> rowSpan(T dv, T radius) const {
         using std::sqrt;
         const T inside = radius * radius * a - dv * dv;
@@ -99,8 +99,8 @@ struct EllipseOf {
         return {middle - half, middle + half};
     }
 
-    // The texels i of a row for which contains(i + 1/2 - u0, dv, radius), exactly those: the ends of rowSpan are
-    // corrected by the form itself. The ellipse must be a clamped one, and no wider than 2^31 texels.
+    // Exactly those texels i of a row for which contains(i + 1/2 - u0, dv, radius) holds: the ends of rowSpan are
+    // corrected by evaluating the form. The ellipse must be clamped, and no wider than 2^31 texels.
     TexelSpan texelSpan(T u0, T dv, T radius) const {
         using std::ceil;
         using std::floor;
@@ -113,7 +113,7 @@ struct EllipseOf {
         const auto in = [&](std::int64_t i) {
             return contains(static_cast<T>(static_cast<double>(i) + 0.5) - u0, dv, radius);
         };
-        // Spans that rounding left out of reach by one texel, at both ends; the form is convex.
+        // Rounding may leave the ends one texel off; the form is convex, so checking the ends suffices.
         while (begin < end && !in(begin)) ++begin;
         while (begin < end && !in(end - 1)) --end;
         while (in(begin - 1)) --begin;
@@ -122,7 +122,7 @@ struct EllipseOf {
         return {begin, end};
     }
 
-    // major^2 = (A + C + hypot(A - C, B)) / 2, minor = sqrt(F) / major: no difference of near numbers anywhere.
+    // major^2 = (A + C + hypot(A - C, B)) / 2, minor = sqrt(F) / major. Neither formula cancels.
     SemiAxes<T> semiAxes() const {
         using std::hypot;
         using std::sqrt;
@@ -130,7 +130,7 @@ struct EllipseOf {
         const T square = T(0.5) * ((a + c) + hypot(a - c, b));
         axes.major = sqrt(square);
         axes.minor = axes.major > T(0) ? sqrt(f) / axes.major : T(0);
-        // The eigenvector of [[C, -B/2], [-B/2, A]] for the larger eigenvalue, by its row without cancellation.
+        // The eigenvector of [[C, -B/2], [-B/2, A]] for the larger eigenvalue, from the row that does not cancel.
         const T along = c >= a ? square - a : T(-0.5) * b;
         const T across = c >= a ? T(-0.5) * b : square - c;
         const T length = hypot(along, across);
@@ -149,9 +149,10 @@ EllipseOf<T> ellipseOf(const JacobianOf<T>& j) {
     return {j.vx * j.vx + j.vy * j.vy, T(-2) * (j.ux * j.vx + j.uy * j.vy), j.ux * j.ux + j.uy * j.uy, det * det};
 }
 
-// The same ellipse with its minor semi-axis raised to at least smallestMinor and its major one cut to at most
-// largestMajor (texels, 0 < smallestMinor <= largestMajor), both without trigonometry: M + c (lambda I - M) moves one
-// eigenvalue of M = J J^T and keeps the axes' directions. What is not finite becomes the circle of radius largestMajor.
+// Returns the same ellipse with its minor semi-axis raised to at least smallestMinor and its major one reduced to at
+// most largestMajor (texels, 0 < smallestMinor <= largestMajor). Avoids trigonometry: M + c (lambda I - M) moves one
+// eigenvalue of M = J J^T and keeps the axes' directions. An ellipse that is not finite becomes the circle of radius
+// largestMajor.
 template <typename T>
 EllipseOf<T> clampedEllipse(const EllipseOf<T>& ellipse, T smallestMinor, T largestMajor) {
     using std::hypot;
@@ -167,7 +168,7 @@ EllipseOf<T> clampedEllipse(const EllipseOf<T>& ellipse, T smallestMinor, T larg
     if (!(lambdaMax > low)) return {low, T(0), low, low * low};
     T lambdaMin = std::min(ellipse.f / lambdaMax, lambdaMax);
     if (lambdaMin >= high) return {high, T(0), high, high * high};
-    // keep M + part lambda I with keep + part = 1, each of them computed without cancellation.
+    // Replaces M by keep M + part lambda I with keep + part = 1, each computed without cancellation.
     const auto move = [&](T keep, T part, T lambda) {
         uu = keep * uu + part * lambda;
         vv = keep * vv + part * lambda;
@@ -186,7 +187,8 @@ EllipseOf<T> clampedEllipse(const EllipseOf<T>& ellipse, T smallestMinor, T larg
     return {vv, T(-2) * uv, uu, lambdaMax * lambdaMin};
 }
 
-// From an offset in texels to one in pixels, J^-1: linear, so it advances by constant steps along a texel row.
+// J^-1, which takes an offset in texels to one in pixels. It is linear, so it advances by constant steps along a row of
+// texels.
 template <typename T>
 struct PixelFromTexelOf {
     T xu{1};  // pixels to the right per texel of U
@@ -199,7 +201,7 @@ struct PixelFromTexelOf {
 };
 using PixelFromTexel = PixelFromTexelOf<double>;
 
-// (dx, dy) = 1 / det [[v_y, -u_y], [-v_x, u_x]] (U, V). All zero (each texel at the pixel's centre) where the Jacobian
+// (dx, dy) = 1 / det [[v_y, -u_y], [-v_x, u_x]] (U, V). All zero (each texel at the pixel's centre) if the Jacobian
 // vanishes, overflows, or maps a texel to more than 1 / epsilon^2 pixels.
 template <typename T>
 PixelFromTexelOf<T> pixelFromTexel(const JacobianOf<T>& j) {
@@ -211,8 +213,8 @@ PixelFromTexelOf<T> pixelFromTexel(const JacobianOf<T>& j) {
     return usable ? out : PixelFromTexelOf<T>{T(0), T(0), T(0), T(0)};
 }
 
-// The direct form of [TEX] at pixel coordinates (x, y) with q != 0, from the minors of the nine coefficients:
-// u_x = a / q^2, v_x = b / q^2, u_y = c / q^2, v_y = d / q^2. Beside the horizon the result may be infinite.
+// The direct form of [TEX] at pixel coordinates (x, y) with q != 0, from the minors of the nine coefficients: u_x = a /
+// q^2, v_x = b / q^2, u_y = c / q^2, v_y = d / q^2. Near the horizon the result may be infinite.
 inline Jacobian jacobianAt(const Homography& map, double x, double y) {
     const double q = map.denominator(x, y);
     const double square = q * q;

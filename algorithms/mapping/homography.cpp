@@ -34,14 +34,14 @@ glm::dvec3 triangleArea(const glm::dvec2& a, const glm::dvec2& b) {
     return {a.y - b.y, b.x - a.x, cross2(a, b)};  // twice the area of (X, a, b)
 }
 
-// Four corners about their centroid, and the weight of each: twice the area of the triangle of the other three. The
-// one relation among four points of a plane is w0 p0 - w1 p1 + w2 p2 - w3 p3 = 0, as for a square with all weights 1;
-// so the projective map of a square takes corner k to the homogeneous point w_k (p_k, 1).
+// Four corners relative to their centroid, and the weight of each: twice the area of the triangle of the other three.
+// Four points of a plane satisfy w0 p0 - w1 p1 + w2 p2 - w3 p3 = 0, as a square does with all weights 1; so the
+// projective map of a square takes corner k to the homogeneous point w_k (p_k, 1).
 struct Quad {
     glm::dvec2 centre{0.0, 0.0};
     std::array<glm::dvec2, 4> corner{};
-    std::array<double, 4> weight{};  // all of one sign: made positive, divided by the largest
-    double sign = 1.0;               // which sign that was
+    std::array<double, 4> weight{};  // all positive: multiplied by `sign`, divided by the largest
+    double sign = 1.0;               // common sign of the original weights
 };
 
 // coordinates: "x, y" or "s, t", for the messages.
@@ -60,7 +60,7 @@ Quad checkedQuad(std::span<const glm::dvec2, 4> points, const char* coordinates)
         quad.corner[k] = points[k] - quad.centre;
         extent = std::max({extent, std::abs(quad.corner[k].x), std::abs(quad.corner[k].y)});
     }
-    // What one rounding of each coordinate can do to twice an area, with room to spare.
+    // Upper bound on the error of twice an area if each coordinate is rounded once, with a safety margin.
     const double lost = 64.0 * kEpsilon * largest * extent;
     double heaviest = 0.0;
     int positive = 0;
@@ -85,7 +85,8 @@ Quad checkedQuad(std::span<const glm::dvec2, 4> points, const char* coordinates)
     return quad;
 }
 
-// Rows (A, B, C), (D, E, F), (G, H, I) as affine functions of (x - centre.x, y - centre.y), put together.
+// Assembles the map from its rows (A, B, C), (D, E, F), (G, H, I), given as affine functions of (x - centre.x, y -
+// centre.y).
 Homography assemble(const glm::dvec3& s, const glm::dvec3& t, const glm::dvec3& q, const glm::dvec2& centre) {
     const auto constant = [&centre](const glm::dvec3& row) { return row.z - (row.x * centre.x + row.y * centre.y); };
     Homography map{s.x, s.y, constant(s), t.x, t.y, constant(t), q.x, q.y, constant(q)};
@@ -114,7 +115,7 @@ Homography Homography::adjugate() const {
 
 Homography Homography::inverse() const {
     const double det = determinant();
-    // The sum of the six products without their signs: det is a difference of numbers of this size.
+    // The sum of the absolute values of the six products: the scale on which det, a difference of them, cancels.
     const double size = std::abs(sx) * (std::abs(ty * q1) + std::abs(t1 * qy)) +
                         std::abs(sy) * (std::abs(tx * q1) + std::abs(t1 * qx)) +
                         std::abs(s1) * (std::abs(tx * qy) + std::abs(ty * qx));
@@ -149,9 +150,9 @@ glm::dvec3 TexturedPlane::frontNormal() const {
 }
 
 // With the weights of the screen's corners (w) and the texture's (v), the map takes w_k (p_k, 1) to v_k (r_k, 1) up to
-// one factor. Three of the four corners fix it (the relation above brings the fourth): in barycentric coordinates
-// lambda of those three,  (s q, t q, q)(X) = sum over k of  lambda_k(X) (v_k / w_k) (r_k, 1).  The corner with the
-// greatest weight is the one left out: its triangle is the largest.
+// one common factor. Three of the four corners determine it, and the relation of the weights gives the fourth: in
+// barycentric coordinates lambda of those three, (s q, t q, q)(X) = sum over k of lambda_k(X) (v_k / w_k) (r_k, 1). The
+// corner with the greatest weight is left out, because the triangle of the other three is the largest.
 Homography fromCorners(std::span<const glm::dvec2, 4> screen, std::span<const glm::dvec2, 4> texture) {
     const Quad from = checkedQuad(screen, "x, y");
     const Quad to = checkedQuad(texture, "s, t");
@@ -162,7 +163,7 @@ Homography fromCorners(std::span<const glm::dvec2, 4> screen, std::span<const gl
     glm::dvec3 q{0.0};
     for (std::size_t step = 1; step < 4; ++step) {
         const std::size_t k = (leftOut + step) % 4;
-        // The other two of the three, in the order that makes the area at corner k positive.
+        // The other two of the three corners, in the order that makes the area at corner k positive.
         const std::size_t a = (leftOut + step % 3 + 1) % 4;
         const std::size_t b = (leftOut + (step + 1) % 3 + 1) % 4;
         const glm::dvec3 lambda = from.sign * triangleArea(from.corner[a], from.corner[b]);
@@ -195,7 +196,7 @@ Homography fromCameraAndPlane(const PinholeCamera& camera, const TexturedPlane& 
     const glm::dvec3 columnO = inCamera(plane.origin - camera.eye);
     const glm::dvec3 rowQ = glm::cross(columnS, columnT);
     const double det = glm::dot(columnO, rowQ);
-    // The eye's distance from the plane, against what the rounding of the two positions leaves of it.
+    // Compares the eye's distance from the plane with the rounding error of the two positions.
     const double distance = std::abs(det) / area;
     const double positions = glm::length(plane.origin) + glm::length(camera.eye) + glm::length(columnO);
     if (!(distance > 64.0 * kEpsilon * positions)) fail(MessageId::MappingEdgeOn);

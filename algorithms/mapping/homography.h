@@ -10,13 +10,12 @@
 // (i, j) centred at (i + 1/2, j + 1/2), t growing with the picture's row.
 //
 // Sign and scale: the nine are homogeneous. Every function here returns them with q > 0 in front of the eye (q is then
-// a constant over the depth, 0 on the horizon) and with the largest of 1024 |G|, 1024 |H|, |I| in [1, 2), by a power of
-// two, which changes no evaluated bit. So q stays below 260 on screens of up to 65,536 pixels a side, and with texel
-// coordinates below 1e9 the numerators, the minors and the determinant all stay far from overflow in float.
+// inversely proportional to the depth, 0 on the horizon) and with the largest of 1024 |G|, 1024 |H|, |I| in [1, 2), by
+// a power of two, which changes no evaluated bit. So q stays below 260 on screens of up to 65,536 pixels a side, and
+// with texel coordinates below 1e9 the numerators, the minors and the determinant all stay far from overflow in float.
 //
-// Failure mode: corners or planes that define no map throw InputError with one sentence (below); nothing here makes NaN
-// from input it accepts. Rows that reach the horizon are cut by clipRowToHorizon (clipping.h) before they are
-// evaluated.
+// Errors: corners or planes that define no map throw InputError (see each function); accepted input never gives NaN.
+// Clip rows that reach the horizon by clipRowToHorizon (clipping.h) before evaluating them.
 #pragma once
 
 #include <array>
@@ -27,15 +26,15 @@
 
 namespace relief {
 
-// What a pixel is mapped to. q is the denominator: positive in front of the eye, not positive on and above the horizon,
-// where s and t have no meaning.
+// Texture coordinates of a pixel. q is the denominator: positive in front of the eye; where it is not (on and above the
+// horizon) s and t have no meaning.
 struct TexelPoint {
     double s = 0.0;
     double t = 0.0;
     double q = 1.0;
 };
 
-// The names say what each coefficient multiplies; the papers' letter stands beside it.
+// The nine coefficients. A name says what the coefficient multiplies; the papers' letter is given on its right.
 struct Homography {
     double sx = 1.0;  // A
     double sy = 0.0;  // B
@@ -47,35 +46,37 @@ struct Homography {
     double qy = 0.0;  // H
     double q1 = 1.0;  // I
 
-    // The denominator alone. In floating point, too, it is monotone in x and in y.
+    // The denominator q alone. It is monotone in x and in y, also in floating point.
     double denominator(double x, double y) const { return (qx * x + qy * y) + q1; }
 
-    // Direct evaluation (the direct form of [PERSP], with q shared). x, y: any real pixel coordinates with q != 0.
+    // Direct evaluation (the direct form of [PERSP], with one q for both). x, y: any real pixel coordinates with q !=
+    // 0.
     TexelPoint at(double x, double y) const {
         const double q = denominator(x, y);
         return {((sx * x + sy * y) + s1) / q, ((tx * x + ty * y) + t1) / q, q};
     }
 
-    // A to I in this order, in the scalar type of the kernel that wants them (float, double, a counting scalar).
+    // A to I in this order, converted to the kernel's scalar type (float, double, a counting scalar).
     template <typename T>
     std::array<T, 9> coefficients() const {
         return {static_cast<T>(sx), static_cast<T>(sy), static_cast<T>(s1), static_cast<T>(tx), static_cast<T>(ty),
                 static_cast<T>(t1), static_cast<T>(qx), static_cast<T>(qy), static_cast<T>(q1)};
     }
 
-    // det [A B C; D E F; G H I]: s_x t_y - s_y t_x = determinant / q^3. Positive where the polygon shows its front.
-    // Derivatives and the footprint ellipse ([TEX]) need, beyond it, the four minors
+    // det [A B C; D E F; G H I]: s_x t_y - s_y t_x = determinant / q^3. Positive if the front of the polygon is
+    // visible. Derivatives and the footprint ellipse ([TEX]) also need the minors
     //     N = A H - B G,  A I - C G,  B I - C H    and    P = D H - E G,  D I - F G,  E I - F H
-    // (two rows of the adjugate up to sign), all from these members.
+    // (two rows of the adjugate up to sign), which follow from these members.
     double determinant() const;
 
-    // det * inverse, not scaled and not signed: adjugate() * (s, t, 1) = (det / q) (x, y, 1).
+    // det * inverse, neither rescaled nor sign-corrected: adjugate() * (s, t, 1) = (det / q) (x, y, 1).
     Homography adjugate() const;
 
-    // The map from texels to pixels, as a Homography whose at(s, t) gives {x, y} in the members s, t; its q > 0 where
-    // ours is, and is normalised in texels. Throws InputError (MappingSingular) where the determinant is zero or lost
-    // in the rounding of the coefficients. Each of the two distances of a polygon from the origins, in polygon sizes,
-    // costs its square in relative error; for a small polygon far off, fromCorners(texture, screen) is exact enough.
+    // The map from texels to pixels, as a Homography whose at(s, t) returns x, y in the members s, t. Its q is positive
+    // wherever this map's is, and its scale is normalised in texels. Throws InputError (MappingSingular) if the
+    // determinant is zero or lost in the rounding of the coefficients. The relative error grows with the square of the
+    // polygon's distance from the origin, in polygon sizes, on the screen and again in the texture; for a small,
+    // distant polygon fromCorners(texture, screen) is accurate.
     Homography inverse() const;
 
     // The same map with the scale described above; the sign is kept. Throws InputError (MappingSingular) if a
@@ -94,7 +95,7 @@ struct PinholeCamera {
     glm::dvec2 focal{1.0, 1.0};      // pixels, both positive
     glm::dvec2 principal{0.0, 0.0};  // pixels
 
-    // (x Z, y Z, Z): linear in the point; the pixel is the first two over the third where Z > 0.
+    // Returns (x Z, y Z, Z), linear in the point; the pixel is (x, y) where Z > 0.
     glm::dvec3 project(const glm::dvec3& point) const { return projectDirection(point - eye); }
     // The same for a direction (a point at infinity).
     glm::dvec3 projectDirection(const glm::dvec3& direction) const;
@@ -102,28 +103,28 @@ struct PinholeCamera {
     glm::dvec3 rayThrough(double x, double y) const;
 };
 
-// A textured plane: texel coordinates (s, t) lie at origin + s perS + t perT, for any real s and t.
-// Its front is the side from which s runs to the right and t down: the side frontNormal() points to.
+// A textured plane: texel coordinates (s, t) lie at origin + s perS + t perT, for any real s and t. On its front, to
+// which frontNormal() points, s runs to the right and t down.
 struct TexturedPlane {
     glm::dvec3 origin{0.0, 0.0, 0.0};  // where s = t = 0
-    glm::dvec3 perS{1.0, 0.0, 0.0};    // the step of one texel in s
-    glm::dvec3 perT{0.0, -1.0, 0.0};   // the step of one texel in t
+    glm::dvec3 perS{1.0, 0.0, 0.0};    // world vector of one texel in s
+    glm::dvec3 perT{0.0, -1.0, 0.0};   // world vector of one texel in t
 
     glm::dvec3 at(double s, double t) const { return origin + s * perS + t * perT; }
     glm::dvec3 frontNormal() const;  // perT x perS, not normalised
 };
 
-// The map that takes the four screen corners (pixels) to the four texture corners (texels), in the same order round
-// both. Either order round is fine; mirrored, the determinant is negative (a back face). Both must be strictly convex:
-// a projective image of a convex quadrilateral in front of the eye always is.
-// Throws InputError: MappingCornerNotFinite; MappingCornersOnLine (three on one line or two in one place, as far as the
-// rounding of their coordinates lets one see); MappingNotConvex (self-crossing or with a dent).
+// Returns the map that takes the four screen corners (pixels) to the four texture corners (texels), both in the same
+// order around. Either direction is valid; if it is mirrored, the determinant is negative (a back face). Both
+// quadrilaterals must be strictly convex, as a projective image of a convex quadrilateral in front of the eye always
+// is. Throws InputError: MappingCornerNotFinite; MappingCornersOnLine (three corners collinear or two equal, within the
+// rounding of their coordinates); MappingNotConvex (self-intersecting or concave).
 Homography fromCorners(std::span<const glm::dvec2, 4> screen, std::span<const glm::dvec2, 4> texture);
 
-// The map of a whole plane seen by a camera; q = |det| / depth up to scale, so it is positive for what is in front.
-// Agrees with fromCorners of the same plane's corners (tests: 1e-12 of the texture's size).
-// Throws InputError: MappingCameraInvalid (not finite, focal lengths not positive, directions in one plane);
-// MappingPlaneInvalid (not finite, perS and perT parallel or zero); MappingEdgeOn (the plane passes through the eye).
+// Returns the map of a whole plane seen by a camera. q = |det| / depth up to scale, so it is positive in front of the
+// eye. Agrees with fromCorners of the same plane's corners (tests: 1e-12 of the texture's size). Throws InputError:
+// MappingCameraInvalid (not finite, focal lengths not positive, directions coplanar); MappingPlaneInvalid (not finite,
+// perS and perT parallel or zero); MappingEdgeOn (the plane passes through the eye).
 Homography fromCameraAndPlane(const PinholeCamera& camera, const TexturedPlane& plane);
 
 }  // namespace relief

@@ -36,7 +36,7 @@ FlatGround::FlatGround(HeightField field, std::shared_ptr<const HeightBoundsMap>
     : field_(std::move(field)), bounds_(std::move(bounds)), leaf_(field_), flat_(flat), bound_(bound) {
     all_ = {bounds_->lowest.level(bounds_->lowest.levels() - 1)(0, 0),
             bounds_->highest.level(bounds_->highest.levels() - 1)(0, 0)};
-    const double least = bounds_->evenest;
+    const double least = bounds_->smallestRange;
     never_ = !(flat_ && least <= 0) && !(bound_ > 0 && parallaxError(0, {0, least}) <= bound_);
 }
 

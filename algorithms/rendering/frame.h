@@ -213,7 +213,7 @@ class FrameRenderer {
     std::shared_ptr<const TextureFilter> madePlainFilter(const FrameRequest& request, Work& work);
     std::unique_ptr<const FlatGround> madeGround(const FrameRequest& request, const Tracer& tracer, Work& work);
     std::unique_ptr<const PackedConeHits> madeConeHits(const FrameRequest& request, const Tracer& tracer,
-                                                       bool asksNeighbours, Work& work);
+                                                       bool readsNeighbours, Work& work);
     void reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work);
 
     std::optional<FrameRequest> last_;

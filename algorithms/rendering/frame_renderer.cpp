@@ -149,14 +149,14 @@ std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& 
 
 // The max pyramid's hits by cones, as soon as these pay or are there for shadows or the filter anyway.
 std::unique_ptr<const PackedConeHits> FrameRenderer::madeConeHits(const FrameRequest& request, const Tracer& tracer,
-                                                                  bool asksNeighbours, Work& work) {
+                                                                  bool readsNeighbours, Work& work) {
     const std::shared_ptr<const FloatImage>& heights = request.field.sharedHeights();
     if (tracedOf_ != heights) traced_ = 0;
     tracedOf_ = heights;
     traced_ += static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
     const bool apt = request.skip && tracer.pyramid() != nullptr && tracer.baseLevel() == 0 &&
                      tracer.guarantee() == Guarantee::Exact && heights->size() <= PackedConeHits::kMostTexels;
-    const bool there = request.shadows || asksNeighbours;
+    const bool there = request.shadows || readsNeighbours;
     const bool pays = there || traced_ > PackedConeHits::kRaysPerTexel * heights->size();
     if (!apt || !pays) return nullptr;
     return std::make_unique<const PackedConeHits>(request.field, packedCones(request.field, *maps_, work));
@@ -208,7 +208,8 @@ std::unique_ptr<FrameSetup> FrameRenderer::madeSetup(const FrameRequest& request
     const bool traces = !setup->mesh && has(stale, Stage::Hits);
     if (traces) setup->ground = madeGround(request, tracer, work);
     reportMaps(*frame, request, tracer, work);
-    if (traces) setup->coneHits = madeConeHits(request, tracer, frame->filter && frame->filter->asksNeighbours(), work);
+    if (traces)
+        setup->coneHits = madeConeHits(request, tracer, frame->filter && frame->filter->readsNeighbours(), work);
     const bool kept = !has(stale, Stage::Hits) && frame_;
     frame->tracedBy = kept ? frame_->tracedBy : setup->coneHits ? PackedConeHits::kMethod : request.method.name;
     return setup;

@@ -52,7 +52,7 @@ class TileWorker {
     // Whether all hits of the rows kept are made before any colour: then the filter need not trace what neighbouring
     // tiles have.
     static bool hitsFirst(const Frame& frame, const FrameRequest& request, std::uint32_t stale) {
-        return has(stale, Stage::Color) && frame.filter && frame.filter->asksNeighbours() && frame.exactHits &&
+        return has(stale, Stage::Color) && frame.filter && frame.filter->readsNeighbours() && frame.exactHits &&
                !(request.bounded > 0);
     }
     bool hitsFirst() const { return hitsFirst(frame_, request_, stale_); }

@@ -1,4 +1,4 @@
-// The filter by name, and its settings: what scenarios, the command line and the window share.
+// A filter by name with its settings, as used by scenarios, the command line and the window.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace relief {
 
-// Samples along each side of a pixel, at most.
+// Largest number of samples along each side of a pixel.
 inline constexpr int kMaxSamples = 64;
 
 struct FilterChoice {
@@ -22,15 +22,15 @@ struct FilterChoice {
 };
 
 const std::vector<FilterDescription>& filterList();
-// Every filter as it is by default, and those that ask what is visible in each of their forms.
+// Every filter with its default options, and those with an option `form` and a test of visibility in each form.
 std::vector<FilterChoice> filterForms();
-// Throws InputError(subject, ...) with the known names.
+// Finds a filter by name. Throws InputError(subject, ...) with a list of the known names.
 const FilterDescription& findFilter(std::string_view name, const std::string& subject = {});
-// The name, the options and their values. Throws InputError; `subject` stands for what was given.
+// Checks the name, the options and their values. Throws InputError naming the subject.
 void checkFilter(const FilterChoice& choice, const std::string& subject);
-// "elliptical:weights=uniform:radius=0.6". Throws InputError naming the subject.
+// Parses text such as "elliptical:weights=uniform:radius=0.6". Throws InputError naming the subject.
 FilterChoice parseFilter(std::string_view text, const std::string& subject);
-// The same text back: the name, and the options that were given.
+// The inverse of parseFilter(): the name, and the options that were given.
 std::string filterText(const FilterChoice& choice);
 
 }  // namespace relief

@@ -1,6 +1,6 @@
-// The explicit list of filters: one line each. A filter is a type with describe(), Options and make(), such as
-// TrilinearFilter. The footprint pane draws a filter that logs no texels (FootprintLog) as one that reads the four
-// texels at the point, so a filter that reads others must log them.
+// The explicit list of filters, one per line. A filter is a type with describe(), Options and make(), such as
+// TrilinearFilter. The footprint pane draws a filter that logs no texels (FootprintLog) as one that samples the four
+// texels at the point, so a filter that samples other texels must log them.
 #pragma once
 
 #include <tuple>

@@ -11,7 +11,7 @@ namespace relief {
 
 namespace {
 
-// Calls visit<Filter>() for the one of this name.
+// Calls visit<Filter>() for the filter of this name.
 template <class Visit>
 void withFilter(const std::string& name, const Visit& visit) {
     forEachType<FilterTypes>([&]<class Filter>() {
@@ -19,7 +19,7 @@ void withFilter(const std::string& name, const Visit& visit) {
     });
 }
 
-// Every filter with each of settingsOf<Filter>().
+// Every filter with each of the settings that settingsOf<Filter>() returns.
 template <class SettingsOf>
 std::vector<FilterChoice> filtersWith(const SettingsOf& settingsOf) {
     std::vector<FilterChoice> all;
@@ -32,7 +32,7 @@ std::vector<FilterChoice> filtersWith(const SettingsOf& settingsOf) {
     return all;
 }
 
-// The filter's options, which may exclude each other: Options::check(subject). Throws InputError.
+// Parses the filter's options and checks their combination by Options::check(subject). Throws InputError.
 template <class Filter>
 typename Filter::Options optionsOf(const FilterChoice& choice, const std::string& subject) {
     auto options = parseOptions<typename Filter::Options>(choice.name, choice.options, subject);

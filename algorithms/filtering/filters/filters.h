@@ -1,4 +1,4 @@
-// Every filter behind one face.
+// Makes any filter by name.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,14 @@
 
 namespace relief {
 
-// `supersample` reads each of its samples bilinearly. Throws InputError (names, options), Cancelled.
+// Makes a filter. `supersample` is made as a bilinear filter of its samples. tools.picture: not null, not empty. Throws
+// InputError (names, options), MemoryError, Cancelled.
 std::unique_ptr<const TextureFilter> makeFilter(const FilterChoice& choice, const FilterTools& tools, MapCache& maps,
                                                 Work& work);
-// Whether the filter reads the mean pyramid.
+// Returns true if the filter reads the mean pyramid.
 bool needsLevels(const FilterChoice& choice);
-// How the filter weighs the texels of an ellipse, its defaults put in; nothing of filters that read at points. Throws
-// InputError (names, options).
+// How the filter weights the texels of an ellipse, with defaults filled in; std::nullopt for filters that sample
+// points. Throws InputError (names, options).
 std::optional<EllipticalSettings> ellipticalSettings(const FilterChoice& choice);
 
 }  // namespace relief

@@ -7,8 +7,8 @@
 
 namespace relief {
 
-// What `bench filters` and `recommend` try: Filter::benched() and Filter::advised(), settings as parseFilter() reads
-// them behind the name. A filter without these functions is tried as it is by default.
+// The settings that `bench filters` and `recommend` measure: Filter::benched() and Filter::advised() return them in the
+// form that parseFilter() reads after the name. A filter without these functions is measured with its defaults.
 std::vector<FilterChoice> benchedFilters();
 std::vector<FilterChoice> advisedFilters();
 

@@ -1,4 +1,4 @@
-// bilinear: the four texels around the point. Cost: four texels a pixel. Failure mode: aliases where texels are smaller
+// bilinear: the four texels around the point. Cost: four texels per pixel. Limits: aliases where texels are smaller
 // than half a pixel.
 #pragma once
 

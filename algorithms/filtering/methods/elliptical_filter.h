@@ -1,6 +1,5 @@
-// elliptical: all texels in the pixel's ellipse, of a level of the mean pyramid. Heckbert 1989; [TEX].
-// Formulas, errors and cost: filtering/elliptical.h. Failure mode: colours of texels that the relief hides shine
-// through.
+// elliptical: all texels in the pixel's ellipse, on a level of the mean pyramid. Heckbert 1989; [TEX]. Formulas, errors
+// and cost: filtering/elliptical.h. Limits: texels that the relief hides contribute to the colour.
 #pragma once
 
 #include "base/borrowed.h"
@@ -11,7 +10,7 @@
 
 namespace relief {
 
-// The kernel of these options, in SIMD where that serves them.
+// Makes the kernel of these options, with SIMD where that supports them. tools.levels: not null. Throws Cancelled.
 inline EllipticalKernel ellipticalKernel(const EllipticalOptions& options, const FilterTools& tools, Work& work) {
     const EllipticalSettings settings = EllipticalSettings::of(options);
     EllipticalKernel kernel(tools.levels, tools.field.address(), settings);
@@ -40,7 +39,8 @@ struct EllipticalFilterOptions : EllipticalOptions {
                        &EllipticalFilterOptions::ellipse});
         return all;
     }
-    // Throws InputError: weights that are not round need more of a pixel than its ellipse.
+    // Throws InputError for ellipse=cached with pixel-shaped weights, which need the pixel's orientation in its
+    // ellipse.
     void check(const std::string& subject) const {
         if (ellipseForm(ellipse) != EllipseForm::Cached || !EllipticalSettings::of(*this).shaped()) return;
         const Message range(MessageId::RangeEllipse, {{"weights", weights}});
@@ -90,7 +90,7 @@ class EllipticalFilter final : public TextureFilter {
     }
 
   private:
-    // The block itself, or `own` with its places and its footprints of this form.
+    // Returns the block itself or, after filling it, `own` with the block's places and its footprints in this form.
     const FilterBlock& footprints(const FilterBlock& block, FilterBlock& own) const {
         if (form_ == EllipseForm::Direct) return block;
         ellipseRows(form_, block, own);

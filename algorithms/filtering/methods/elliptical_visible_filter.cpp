@@ -44,7 +44,7 @@ class RaysFilter final : public TextureFilter {
     void colors(const FilterBlock& block, std::span<Color> colors, FootprintCounts& counts, Work& work) const override {
         kernel_.filter(block, scale_, colors, counts, work);
     }
-    bool asksNeighbours() const override { return std::is_same_v<Kernel, GridKernel>; }
+    bool readsNeighbours() const override { return std::is_same_v<Kernel, GridKernel>; }
 
   private:
     Kernel kernel_;

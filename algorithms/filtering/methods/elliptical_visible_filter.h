@@ -1,7 +1,6 @@
-// elliptical-visible: the elliptical filter without the texels that the relief hides from the viewer. [ANISO17].
-// Its forms: by tracing texels back (filtering/elliptical_visible.h), by rays through parts of the pixel
-// (filtering/elliptical_rays.h), by points that neighbours share (filtering/elliptical_grid.h), each with its errors
-// and cost.
+// elliptical-visible: the elliptical filter without the texels that the relief hides from the viewer. [ANISO17]. Its
+// forms, with errors and cost: by tracing texels back (filtering/elliptical_visible.h), by rays through parts of the
+// pixel (filtering/elliptical_rays.h), by points that neighbouring pixels share (filtering/elliptical_grid.h).
 #pragma once
 
 #include "filtering/elliptical_visible.h"

@@ -1,4 +1,4 @@
-// nearest: the texel that holds the point. Cost: one texel a pixel. Failure mode: aliases wherever texels are smaller
+// nearest: the texel that contains the point. Cost: one texel per pixel. Limits: aliases wherever texels are smaller
 // than pixels.
 #pragma once
 

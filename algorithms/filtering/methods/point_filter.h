@@ -1,4 +1,4 @@
-// Base of filters that sample the texture at one point, whatever the pixel covers.
+// Base of filters that sample the texture at one point, regardless of the pixel's size.
 #pragma once
 
 #include "filtering/sampler.h"
@@ -6,7 +6,8 @@
 
 namespace relief {
 
-// Filter: the derived class, with describe(), kTexels (texels read) and read(picture, s, t, address).
+// Filter: the derived class, which must have describe(), kTexels (number of texels read) and read(picture, s, t,
+// address).
 template <class Filter>
 class PointFilter : public TextureFilter {
   public:

@@ -1,5 +1,6 @@
-// supersample: many rays a pixel, traced and lit one by one. The renderer makes the rays (rendering/supersample.h);
-// each reads the texture bilinearly. The picture's truth; cost: its samples times a picture's.
+// supersample: many rays per pixel, traced and lit one by one. The renderer makes the rays (rendering/supersample.h);
+// each samples the texture bilinearly. This is the ground truth for the other filters. Cost: the number of samples
+// times that of a picture.
 #pragma once
 
 #include "filtering/methods/bilinear.h"
@@ -14,7 +15,7 @@ struct SupersampleFilter {
         filter.help = "many rays a pixel, traced and lit one by one: the picture's truth, slow";
         return filter;
     }
-    // It is what the others are held against.
+    // Not measured, because the other filters are compared with it.
     static std::vector<std::string> benched() { return {}; }
     static std::vector<std::string> advised() { return {}; }
     static std::unique_ptr<const TextureFilter> make(const Options& options, const FilterTools& tools, MapCache& maps,

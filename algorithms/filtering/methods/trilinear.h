@@ -1,6 +1,6 @@
-// trilinear: two levels of the mean pyramid. Williams 1983.
-// The level by the longer side of the pixel's parallelogram, as graphics interfaces define it. Cost: eight texels a
-// pixel. Failure mode: blurs where the pixel's projection is long and narrow.
+// trilinear: interpolation between two levels of the mean pyramid. Williams 1983. The level is chosen by the longer
+// side of the pixel's parallelogram, as graphics APIs define it. Cost: eight texels per pixel. Limits: blurs where the
+// pixel's projection is long and narrow.
 #pragma once
 
 #include <algorithm>

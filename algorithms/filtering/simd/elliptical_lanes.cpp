@@ -27,38 +27,38 @@ struct Sums : PointSums {
     }
 };
 
-// The ellipses of as many pixels as there are lanes, on their levels.
+// The ellipses of a vector of pixels, each on its level.
 struct Footprints {
     VI level, width, height, origin, stride;
-    VI cellS, cellT;       // the centre's texel of the level
-    V restS, restT;        // and the way from its corner
-    V slope;               // U of a row's middle = slope V
-    V spanAt, spanFall;    // half a row's span: sqrt(spanAt - spanFall V^2)
-    V acrossRow, downRow;  // r^2 / R^2 ... of the Gaussian's exponent: -(acrossRow (U - middle)^2 + downRow V^2)
-    V firstRow, rows;      // whole numbers
-    V small;               // 1 of pixels with nothing to average: bilinear, no rows
+    VI cellS, cellT;       // texel of the level that contains the centre
+    V restS, restT;        // position of the centre in that texel
+    V slope;               // at V, the middle of the row's span is at U = slope V
+    V spanAt, spanFall;    // half the length of a row's span is sqrt(spanAt - spanFall V^2)
+    V acrossRow, downRow;  // a Gaussian's base-2 exponent is -(acrossRow (U - middle)^2 + downRow V^2)
+    V firstRow, rows;      // integers
+    V small;               // 1 for pixels with nothing to average: bilinear, no rows
 };
 
-// left: 1 for pixels that are left out.
+// fallback: set to 1 for pixels that are not supported.
 HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
-                                   std::uint8_t* HWY_RESTRICT left) {
+                                   std::uint8_t* HWY_RESTRICT fallback) {
     const D d;
     const DI di;
     Footprints f;
     const V ux = hn::Load(d, chunk.ux + first), vx = hn::Load(d, chunk.vx + first);
     const V uy = hn::Load(d, chunk.uy + first), vy = hn::Load(d, chunk.vy + first);
-    // M = J J^T and its eigenvalues: the semi-axes' squares.
+    // M = J J^T and its eigenvalues, which are the squares of the semi-axes.
     const V uu = hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy)), vv = hn::Add(hn::Mul(vx, vx), hn::Mul(vy, vy));
     const V uv = hn::Add(hn::Mul(ux, vx), hn::Mul(uy, vy)), det = hn::Sub(hn::Mul(ux, vy), hn::Mul(uy, vx));
     const V apart = hn::Sub(uu, vv), twice = hn::Add(uv, uv);
     const V root = hn::Sqrt(hn::Add(hn::Mul(apart, apart), hn::Mul(twice, twice)));
     const V largest = hn::Mul(set(0.5F), hn::Add(hn::Add(uu, vv), root));
     const V least = hn::Min(hn::Div(hn::Mul(det, det), largest), largest);
-    // NaN fails.
+    // Written so that NaN is not supported.
     const auto usual = hn::And(hn::Le(largest, set(job.mostSquare)), hn::Ge(largest, set(kLeastSquare)));
     const V minor = hn::Max(least, hn::Mul(largest, set(job.perAnisotropySquare)));
     const V over = hn::Mul(minor, set(job.perFloorSquare));
-    // floor(log2(minor / floor)): half the exponent of the square.
+    // floor(log2(minor / floor)) is half the exponent of the square.
     const VI exponent = hn::Sub(hn::ShiftRight<23>(hn::BitCast(di, over)), setI(127));
     f.level = hn::Min(hn::Max(hn::ShiftRight<1>(exponent), setI(0)), setI(job.top));
     f.level = hn::IfThenElseZero(hn::RebindMask(di, usual), f.level);
@@ -95,7 +95,7 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     split(chunk.wholeS, chunk.restS, f.cellS, f.restS);
     split(chunk.wholeT, chunk.restT, f.cellT, f.restT);
 
-    // On levels with narrow last texels, only what keeps clear of them.
+    // On levels with narrow last texels, only footprints that do not touch these are supported.
     const V s = hn::Add(toFloat(f.cellS), f.restS), t = hn::Add(toFloat(f.cellT), f.restT);
     const V zero = hn::Zero(d), one = set(1);
     const auto inside = hn::And(
@@ -116,23 +116,24 @@ HWY_INLINE Footprints footprintsOf(const LaneJob& job, const LaneChunk& chunk, s
     f.rows = hn::IfThenElseZero(averaged, hn::Add(hn::Sub(lastRow, f.firstRow), one));
     alignas(64) std::int32_t flags[kLanes];
     hn::Store(hn::IfThenElse(hn::RebindMask(di, hn::Or(averaged, bilinear)), setI(0), setI(1)), di, flags);
-    for (std::size_t k = 0; k < kLanes; ++k) left[k] = static_cast<std::uint8_t>(flags[k]);
+    for (std::size_t k = 0; k < kLanes; ++k) fallback[k] = static_cast<std::uint8_t>(flags[k]);
     return f;
 }
 
-// A row's texels of each pixel, or those within one run of the row: all that their sum needs.
+// A span: the texels of one row of each pixel, or at most kLanePad of them.
 template <class Weight>
 struct Span {
     typename Weight::Run run;
-    V x, rowTerm, middle;                 // what the run is made of
-    V count;                              // texels from the first on
+    V x, rowTerm, middle;                 // input of the run
+    V count;                              // number of texels
     alignas(64) std::int32_t at[kLanes];  // the first texel
-    VI row, column;                       // and where it is; v: the row's middle. For the log alone.
+    VI row, column;                       // for the log only: its row and column; v: middle of the row
     V v;
 };
 
-// The spans of a vector of pixels, row after row: made several at once before the first is read, for a row's own work
-// is a long chain, and how many texels it has must be known to go on.
+// Sums the spans of a vector of pixels, row by row. Several spans are prepared before the first is summed, because
+// preparing a span is a long chain of dependent operations and the number of its texels must be known before the next
+// can start.
 template <class Weight, bool kLog>
 class SpanSums {
   public:
@@ -141,7 +142,7 @@ class SpanSums {
     V texels = hn::Zero(D());
     Sums sums{{hn::Zero(D()), hn::Zero(D()), hn::Zero(D())}, hn::Zero(D())};
 
-    // active: above 0 for pixels that have the row.
+    // active: above 0 for pixels that have this row.
     HWY_INLINE void addRow(VI row, V v, V active) {
         const D d;
         const DI di;
@@ -150,17 +151,17 @@ class SpanSums {
         const auto some = hn::And(hn::Ge(inside, zero), hn::Gt(active, zero));
         const V reach = hn::Sqrt(hn::Max(inside, zero));
         const V offset = hn::Mul(f_.slope, v), middle = hn::Add(offset, f_.restS);
-        // Lanes without texels here read texel 0.
+        // Lanes without texels in this row read texel 0.
         const V begin = hn::IfThenElseZero(some, hn::Ceil(hn::Sub(hn::Sub(middle, reach), half)));
         const V end = hn::Floor(hn::Sub(hn::Add(middle, reach), half));
         const V count = hn::IfThenElseZero(some, hn::Max(hn::Add(hn::Sub(end, begin), one), zero));
         texels = hn::Add(texels, count);
-        // Of lanes without texels the middle: weights that are no numbers, or too small ones, take time.
+        // Lanes without texels use the middle: weights that are NaN or denormal would be slow.
         const V x = hn::IfThenElseZero(some, hn::Sub(hn::Add(begin, half), middle));
         const V rowTerm = weight_.row(v, offset);
         VI column = hn::Add(f_.cellS, toInt(begin));
         const VI rowStart = hn::Add(f_.origin, hn::Mul(row, f_.stride));
-        V left = count;
+        V remaining = count;
         float done = 0;
         while (true) {
             if (made_ == kSpansAhead) sumSpans();
@@ -173,14 +174,14 @@ class SpanSums {
                 from = hn::Max(hn::Min(column, f_.width), setI(-kLanePad));
             }
             hn::Store(hn::Add(rowStart, from), di, span.at);
-            span.count = hn::Min(left, set(kLanePad));
+            span.count = hn::Min(remaining, set(kLanePad));
             span.x = hn::Add(x, set(done)), span.rowTerm = rowTerm, span.middle = offset;
             if constexpr (kLog) {
                 span.row = row, span.v = v;
                 span.column = hn::Add(hn::Add(f_.cellS, toInt(begin)), toInt(set(done)));
             }
-            left = hn::Sub(left, set(kLanePad));
-            if (HWY_LIKELY(hn::AllFalse(d, hn::Gt(left, zero)))) break;
+            remaining = hn::Sub(remaining, set(kLanePad));
+            if (HWY_LIKELY(hn::AllFalse(d, hn::Gt(remaining, zero)))) break;
             column = hn::Add(column, setI(kLanePad));
             done += kLanePad;
         }
@@ -190,7 +191,7 @@ class SpanSums {
         const D d;
         const V zero = hn::Zero(d), one = set(1), two = set(2);
         const std::uint64_t* const first = job_.levels->texels.data();
-        // Exponentials are long chains as well.
+        // Exponentials are long chains of dependent operations as well, so they are computed for all spans first.
         for (std::size_t i = 0; i < made_; ++i) {
             Span<Weight>& span = spans_[i];
             span.run = typename Weight::Run(weight_, span.x, span.rowTerm, span.middle);
@@ -219,7 +220,7 @@ class SpanSums {
   private:
     static constexpr std::size_t kSpansAhead = 16;
 
-    // Of the pixel of lane 0.
+    // Logs a texel of the pixel in lane 0.
     void log(const Span<Weight>& span, std::int64_t n, V weight) const {
         if (!(static_cast<float>(n) < hn::GetLane(span.count))) return;
         const LaneLevels& levels = *job_.levels;
@@ -239,7 +240,7 @@ class SpanSums {
     Span<Weight> spans_[kSpansAhead];
 };
 
-// Colours of the small ones, whose sums are empty.
+// Adds the colours of small pixels, whose sums are empty.
 HWY_INLINE void readSmall(const LaneJob& job, const Footprints& f, Sums& sums) {
     const D d;
     PointSums read{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
@@ -251,10 +252,10 @@ HWY_INLINE void readSmall(const LaneJob& job, const Footprints& f, Sums& sums) {
 }
 
 template <class Weight, bool kLog>
-void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, std::uint8_t* left,
+void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, std::uint8_t* fallback,
                   Color* HWY_RESTRICT colors, FootprintCounts& counts) {
     const D d;
-    const Footprints f = footprintsOf(job, chunk, first, left);
+    const Footprints f = footprintsOf(job, chunk, first, fallback);
     SpanSums<Weight, kLog> spans(job, f);
     const bool repeat = job.levels->address == Address::Repeat;
     VI row = hn::Add(f.cellT, toInt(f.firstRow));
@@ -281,9 +282,9 @@ void filterVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
     hn::Store(hn::IfThenElse(small, set(4), spans.texels), d, read);
     hn::Store(f.small, d, smallOnes);
     for (std::size_t k = 0; k < kLanes; ++k) {
-        if (first + k >= chunk.count || left[k] != 0) continue;
+        if (first + k >= chunk.count || fallback[k] != 0) continue;
         if (!(total[k] > 0)) {
-            left[k] = 1;
+            fallback[k] = 1;
             continue;
         }
         colors[k] = {red[k], green[k], blue[k]};
@@ -298,9 +299,9 @@ void filterChunks(const LaneJob& job, FootprintCounts& counts) {
     for (std::size_t begin = 0; begin < job.count; begin += kLanePixels) {
         fillChunk(job, begin, chunk);
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
-            std::uint8_t left[kLanes];
-            filterVector<Weight, kLog>(job, chunk, k, left, job.colors + begin + k, counts);
-            for (std::size_t n = 0; n < kLanes && k + n < chunk.count; ++n) job.left[begin + k + n] = left[n];
+            std::uint8_t fallback[kLanes];
+            filterVector<Weight, kLog>(job, chunk, k, fallback, job.colors + begin + k, counts);
+            for (std::size_t n = 0; n < kLanes && k + n < chunk.count; ++n) job.fallback[begin + k + n] = fallback[n];
         }
     }
 }
@@ -340,15 +341,15 @@ bool EllipticalLanes::serves(const EllipticalSettings& settings) {
 }
 
 void EllipticalLanes::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Color> colors,
-                             std::span<std::uint8_t> left, FootprintCounts& counts, FootprintLog* log) const {
-    assert(colors.size() <= block.size() && left.size() == colors.size() && (log == nullptr || colors.size() == 1));
+                             std::span<std::uint8_t> fallback, FootprintCounts& counts, FootprintLog* log) const {
+    assert(colors.size() <= block.size() && fallback.size() == colors.size() && (log == nullptr || colors.size() == 1));
     LaneJob job = job_;
     job.s = block.s.data(), job.t = block.t.data();
     job.ux = block.ux.data(), job.vx = block.vx.data();
     job.uy = block.uy.data(), job.vy = block.vy.data();
     job.count = colors.size();
     job.perS = scale.x, job.perT = scale.y;
-    job.colors = colors.data(), job.left = left.data();
+    job.colors = colors.data(), job.fallback = fallback.data();
     job.log = log;
     HWY_DYNAMIC_DISPATCH(filterLanes)(job, counts);
 }

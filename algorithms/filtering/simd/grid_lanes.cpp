@@ -15,9 +15,10 @@
 #define RELIEF_GRID_LANES_ONCE
 namespace relief {
 
-// Texels by which rounding may put a centre's ray outside the polygon: above that of places up to 10^6 (margins.md).
+// Largest distance, in texels, by which rounding may put the ray of a pixel's centre outside the polygon: more than the
+// rounding of coordinates up to 10^6 (margins.md).
 inline constexpr double kEdgeRounding = 1e-6;
-// Least 1 + r . g of a point's tangent plane: as in elliptical_rays.cpp, for the reason given there.
+// Smallest 1 + r . g of a point's tangent plane: see kLeastFacing in elliptical_rays.cpp.
 inline constexpr double kLeastPointFacing = 1;
 
 }  // namespace relief
@@ -36,17 +37,17 @@ struct Linear {
     double perY, perX, at;
 };
 
-// Of float, as many lanes as there are.
+// Floats, in vectors as long as possible.
 using DF = hn::CappedTag<float, 16>;
 using VF = hn::Vec<DF>;
 constexpr std::size_t kFloats = hn::MaxLanes(DF());
 
-// Of the cells [at, at + kFloats).
+// Surroundings of the cells [at, at + kFloats).
 HWY_INLINE void surroundingsOf(const CellHits& cells, float bounds, std::size_t at, std::uint16_t* out) {
     const DF d;
     const auto row = static_cast<std::size_t>(cells.width);
     const auto squared = [&](double x) HWY_ATTR { return hn::Set(d, static_cast<float>(x * x)); };
-    // Of bends; bounds: of second differences.
+    // `squared` bounds first differences; `bound` bounds second differences and includes the factor `bounds`.
     const auto bound = [&](double x) HWY_ATTR { return squared(x * static_cast<double>(bounds)); };
     const VF farthest = squared(2 * kNear), nearest = squared(2 * kLeastNear);
     const auto load = [&](const float* column, std::size_t i) HWY_ATTR { return hn::LoadU(d, column + i); };
@@ -58,21 +59,21 @@ HWY_INLINE void surroundingsOf(const CellHits& cells, float bounds, std::size_t 
     VF bits = hn::Zero(d);
     float bit = kSmooth;
     for (const std::size_t way : {std::size_t{1}, row, row + 1, row - 1}) {
-        // The last way runs upwards.
+        // The last direction is to the right and up.
         const VF s1 = load(cells.s, at + way), s0 = load(cells.s, at - way);
         const VF t1 = load(cells.t, at + way), t0 = load(cells.t, at - way);
-        // Four times the squares of half the first, of half the second difference. NaN fails.
+        // Four times the squares of half the first and of half the second difference. Comparisons with NaN fail.
         const VF step = square(hn::Sub(s1, s0), hn::Sub(t1, t0));
         const VF bend = square(hn::Sub(hn::Add(s1, s0), twiceS), hn::Sub(hn::Add(t1, t0), twiceT));
         const auto within = [&](const Bend& most, auto near, double nearShare) HWY_ATTR {
-            const VF share = hn::IfThenElse(near, bound(nearShare), bound(most.share));
-            return hn::Le(bend, hn::Add(hn::Mul(share, step), bound(2 * most.unseen)));
+            const VF share = hn::IfThenElse(near, bound(nearShare), bound(most.relative));
+            return hn::Le(bend, hn::Add(hn::Mul(share, step), bound(2 * most.absolute)));
         };
         const auto near = hn::Le(step, farthest);
         allNear = hn::And(allNear, near);
         onPlane = hn::And(onPlane, within(kPlaneBend, hn::And(near, hn::Ge(step, nearest)), kNearPlaneBend));
         const auto smooth = within(kSmoothBend, near, kNearSmoothBend);
-        const auto straight = within(kStraightBend, near, kStraightBend.share);
+        const auto straight = within(kStraightBend, near, kStraightBend.relative);
         bits = hn::Add(bits, hn::IfThenElseZero(smooth, hn::Set(d, bit)));
         bits = hn::Add(bits, hn::IfThenElseZero(straight, hn::Set(d, float{kStraight} * bit)));
         bit *= 2;
@@ -87,7 +88,7 @@ HWY_INLINE void surroundingsOf(const CellHits& cells, float bounds, std::size_t 
     hn::StoreU(hn::DemoteTo(du, hn::ConvertTo(hn::RebindToSigned<DF>(), bits)), du, out + at);
 }
 
-// Row after row in one go; the ends of rows, which have no neighbours, are put right afterwards.
+// Processes the rows in one sweep; the ends of rows, which lack neighbours, are corrected afterwards.
 void findSurroundings(const CellHits& cells, float bounds, std::uint16_t* out) {
     static_assert(kFloats <= kCellSlack);
     const auto width = static_cast<std::size_t>(cells.width), height = static_cast<std::size_t>(cells.height);
@@ -128,13 +129,13 @@ template <bool kSloping, class SlopeAt>
 HWY_INLINE void layWith(const PixelView& view, const SlopeAt& slopeAt, const PointBlur& blur, glm::dvec2 scale,
                         const PointHits& hits, PointBlock& points) {
     const Homography& m = view.texelFromScreen;
-    // Derivatives of s and t along the picture times q^2, as jacobianAt has them.
+    // Derivatives of s and t along the picture, times q^2, as in jacobianAt.
     const double uxY = m.sx * m.qy - m.sy * m.qx, ux1 = m.sx * m.q1 - m.s1 * m.qx;
     const double vxY = m.tx * m.qy - m.ty * m.qx, vx1 = m.tx * m.q1 - m.t1 * m.qx;
     const double uyX = m.sy * m.qx - m.sx * m.qy, uy1 = m.sy * m.q1 - m.s1 * m.qy;
     const double vyX = m.ty * m.qx - m.tx * m.qy, vy1 = m.ty * m.q1 - m.t1 * m.qy;
     const V one = set(1), perS = set(scale.x), perT = set(scale.y);
-    // Along the blur's x and y: constants but for the place, of both derivatives.
+    // The same along the axes of the blur, as linear functions of the place.
     const auto blurred = [](double perY, double at1, double perX, double at2, double share, double other) HWY_ATTR {
         return Linear{share * perY, other * perX, share * at1 + other * at2};
     };
@@ -160,7 +161,7 @@ HWY_INLINE void layWith(const PixelView& view, const SlopeAt& slopeAt, const Poi
         V ux = along(toUx), vx = along(toVx), uy = along(toUy), vy = along(toVy);
         const V s = load(hits.s.data() + i, here), t = load(hits.t.data() + i, here);
         if constexpr (kSloping) {
-            // The ray's run, from where it is below the eye.
+            // The ray's run, from its position below the eye.
             const V perBelow = hn::Div(run, below);
             const V a = hn::Mul(hn::Sub(s, set(view.sEye)), perBelow);
             const V b = hn::Mul(hn::Sub(t, set(view.tEye)), perBelow);
@@ -172,7 +173,7 @@ HWY_INLINE void layWith(const PixelView& view, const SlopeAt& slopeAt, const Poi
             ux = hn::Sub(ux, hn::Mul(a, alongX)), vx = hn::Sub(vx, hn::Mul(b, alongX));
             uy = hn::Sub(uy, hn::Mul(a, alongY)), vy = hn::Sub(vy, hn::Mul(b, alongY));
         }
-        // Columns go on behind the last.
+        // The columns are padded, so whole vectors may be stored.
         const auto narrow = [&](V value, std::vector<float>& to)
                                 HWY_ATTR { hn::StoreU(hn::DemoteTo(df, value), df, to.data() + before + i); };
         hn::StoreU(hn::Mul(s, perS), D(), points.s.data() + before + i);
@@ -191,23 +192,23 @@ void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointB
                        [&](const auto& slopeAt) HWY_ATTR { layWith<true>(view, slopeAt, blur, scale, hits, points); });
 }
 
-void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
-              std::uint16_t* even) {
+void findUniform(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
+                 std::uint16_t* uniform) {
     const DF d;
     const hn::RebindToSigned<DF> di;
     const hn::Rebind<std::int16_t, DF> dh;
-    const VF most = hn::Set(d, bounds * kEvenColors), share = hn::Set(d, kEvenShare);
+    const VF most = hn::Set(d, bounds * kUniformColors), share = hn::Set(d, kUniformShare);
     for (std::size_t c = 0; c < count; c += kFloats) {
         auto all = hn::Set(di, -1);
         for (const float* column : channel) {
             const auto at = [&](std::size_t off) HWY_ATTR { return hn::LoadU(d, column + c + off); };
             const VF p = at(0), q = at(1), r = at(row), s = at(row + 1);
             const VF low = hn::Min(hn::Min(p, q), hn::Min(r, s)), high = hn::Max(hn::Max(p, q), hn::Max(r, s));
-            // Infinity less itself is no number, which fails.
+            // Infinity minus infinity is NaN, for which the comparison fails.
             const auto within = hn::Le(hn::Sub(high, low), hn::Min(most, hn::Mul(share, high)));
             all = hn::IfThenElseZero(hn::RebindMask(di, within), all);
         }
-        hn::StoreU(hn::DemoteTo(dh, all), dh, reinterpret_cast<std::int16_t*>(even + c));
+        hn::StoreU(hn::DemoteTo(dh, all), dh, reinterpret_cast<std::int16_t*>(uniform + c));
     }
 }
 
@@ -221,14 +222,14 @@ void splitCentres(const PointColor* colors, std::size_t points, const std::uint1
     const VF none = hn::Set(d, std::numeric_limits<float>::infinity());
     for (std::size_t c = 0; c < count; c += kFloats) {
         const auto bits = hn::PromoteTo(du, hn::And(hn::LoadU(dh, needed + c), hn::Set(dh, std::uint16_t{1})));
-        const auto wanted = hn::RebindMask(d, hn::Ne(bits, hn::Zero(du)));
-        if (hn::AllFalse(d, wanted)) {
+        const auto selected = hn::RebindMask(d, hn::Ne(bits, hn::Zero(du)));
+        if (hn::AllFalse(d, selected)) {
             for (float* column : out) hn::StoreU(none, d, column + c);
             continue;
         }
         const auto at = hn::Mul(hn::Iota(di, static_cast<std::int32_t>(c)), hn::Set(di, apart));
         const auto channel = [&](std::size_t n) HWY_ATTR { return hn::GatherIndex(d, colors->channel + n, at); };
-        const auto known = hn::And(wanted, hn::Gt(channel(3), hn::Zero(d)));
+        const auto known = hn::And(selected, hn::Gt(channel(3), hn::Zero(d)));
         for (std::size_t n = 0; n < out.size(); ++n) {
             hn::StoreU(hn::IfThenElse(known, channel(n), none), d, out[n] + c);
         }
@@ -254,8 +255,8 @@ void sumPoints(const PointColor* colors, std::span<const std::int32_t> base, std
 
 }  // namespace grid
 
-// HWY_EXPORT wants them here.
-using grid::findEven, grid::findSurroundings, grid::layFootprints, grid::raysThrough, grid::splitCentres,
+// HWY_EXPORT needs these names in this namespace.
+using grid::findUniform, grid::findSurroundings, grid::layFootprints, grid::raysThrough, grid::splitCentres,
     grid::sumPoints;
 
 }  // namespace relief::HWY_NAMESPACE
@@ -267,7 +268,7 @@ namespace relief {
 HWY_EXPORT(findSurroundings);
 HWY_EXPORT(raysThrough);
 HWY_EXPORT(layFootprints);
-HWY_EXPORT(findEven);
+HWY_EXPORT(findUniform);
 HWY_EXPORT(splitCentres);
 HWY_EXPORT(sumPoints);
 
@@ -287,9 +288,9 @@ void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointB
     HWY_DYNAMIC_DISPATCH(layFootprints)(view, slopes, blur, scale, hits, points);
 }
 
-void findEven(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
-              std::uint16_t* even) {
-    HWY_DYNAMIC_DISPATCH(findEven)(channel, row, count, bounds, even);
+void findUniform(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
+                 std::uint16_t* uniform) {
+    HWY_DYNAMIC_DISPATCH(findUniform)(channel, row, count, bounds, uniform);
 }
 
 void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* needed, std::size_t count,

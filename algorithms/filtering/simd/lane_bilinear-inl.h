@@ -1,4 +1,4 @@
-// Bilinear readings in lanes, one place a lane: shared by what reads points and by pixels smaller than a texel.
+// Bilinear samples in SIMD, one per lane; used for points and for pixels smaller than a texel.
 
 #if defined(RELIEF_LANE_BILINEAR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_LANE_BILINEAR_INL_H
@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// Of colours, in 65535ths.
+// Sums of colours, in units of 1/65535.
 struct PointSums {
     V red, green, blue;
 
@@ -25,8 +25,9 @@ struct PointSums {
     }
 };
 
-// The reading at (fromS, fromT) from the corner of f's texel (cellS, cellT) of a level: width, height, origin, stride.
-// All within lanes' reach of the picture; lanes of weight 0 as well.
+// Adds the weighted bilinear sample at (fromS, fromT) from the corner of f's texel (cellS, cellT) of the level given by
+// width, height, origin and stride. All coordinates must be within the lanes' range around the picture, also in lanes
+// of weight 0.
 template <class Place>
 HWY_INLINE void addBilinear(const LaneLevels& levels, const Place& f, V fromS, V fromT, V weight, PointSums& sums) {
     const DI di;

@@ -10,7 +10,8 @@ namespace relief {
 
 namespace {
 
-// x in [0, size) under repeat, near the picture otherwise; false where it is not finite.
+// Splits a coordinate into its texel and the position in it. The result is in [0, size) under repeat, and near the
+// picture otherwise. Returns false if x is not finite or too large.
 bool placed(double x, double size, bool repeat, std::int32_t& whole, float& rest) {
     if (!(std::abs(x) <= kFarthest)) return false;
     if (repeat && !(x >= 0 && x < size)) {
@@ -19,7 +20,7 @@ bool placed(double x, double size, bool repeat, std::int32_t& whole, float& rest
     } else if (!repeat) {
         x = std::min(std::max(x, -kBeyond * size), kBeyond * size);
     }
-    // Floor, without a call.
+    // Floor, without a function call.
     whole = static_cast<std::int32_t>(x);
     if (whole > x) --whole;
     rest = static_cast<float>(x - whole);

@@ -13,7 +13,7 @@ bool holds(const ColorImage& picture, Work& work) {
     std::atomic<bool> all{true};
     const auto row = [&](int y) {
         bool good = true;
-        // NaN fails the comparison.
+        // The comparison fails for NaN.
         for (const Color& c : picture.row(y)) {
             for (int k = 0; k < 3; ++k) good = good && c[k] >= 0 && c[k] <= 1;
         }
@@ -53,7 +53,7 @@ std::shared_ptr<const LaneLevels> laneLevels(const ColorLevels& levels, Address 
         end += std::int64_t{out->stride[n]} * image.height();
         if (end + kLanePad > std::numeric_limits<std::int32_t>::max()) return nullptr;
     }
-    // Texels are read in pairs, and up to a pad's length past a row's pad.
+    // Texels are read in pairs, and up to the length of a pad beyond a row's pad.
     out->texels.resize(static_cast<std::size_t>(end) + kLanePad + 2);
     for (int l = 0; l < levels.count(); ++l) {
         const auto n = static_cast<std::size_t>(l);

@@ -1,4 +1,4 @@
-// Texels of lane_levels.h in lanes, one pixel or point a lane: shared by what reads them, compiled for each target.
+// Access to the texels of lane_levels.h in SIMD, one pixel or point per lane; compiled for each target.
 
 #if defined(RELIEF_LANE_TEXELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_LANE_TEXELS_INL_H
@@ -33,12 +33,12 @@ HWY_INLINE VI setI(std::int32_t x) {
 HWY_INLINE V toFloat(VI x) {
     return hn::ConvertTo(D(), x);
 }
-// Of whole numbers.
+// x: integers.
 HWY_INLINE VI toInt(V x) {
     return hn::ConvertTo(DI(), x);
 }
 
-// i modulo size, in [0, size). |i|, size < 2^23: then the quotient's floor is right, however it is rounded.
+// i modulo size, in [0, size). For |i|, size < 2^23 the quotient's floor is correct despite rounding.
 HWY_INLINE VI wrapped(VI i, VI size) {
     const V quotient = hn::Floor(hn::Div(toFloat(i), toFloat(size)));
     return hn::Sub(i, hn::Mul(toInt(quotient), size));
@@ -48,7 +48,7 @@ struct Pair {
     VU redGreen0, blue0, redGreen1, blue1;
 };
 
-// Two texels of each pixel k, the first at texels + offset[k].
+// Loads two texels of each pixel k, the first at texels + offset[k].
 #if HWY_TARGET == HWY_SCALAR
 HWY_INLINE Pair loadPair(const std::uint64_t* texels, const std::int32_t* offset) {
     const std::uint64_t* at = texels + offset[0];
@@ -56,7 +56,8 @@ HWY_INLINE Pair loadPair(const std::uint64_t* texels, const std::int32_t* offset
     return {low(at[0]), low(at[0] >> 32), low(at[1]), low(at[1] >> 32)};
 }
 #else
-// Of N pixels from the k-th on, four apart: their two texels, a quarter of the vector each.
+// Loads the two texels of every fourth pixel from the k-th on into a vector of N words, a quarter of four words for
+// each pixel.
 template <std::size_t N>
 HWY_INLINE auto quarters(const std::uint64_t* HWY_RESTRICT texels, const std::int32_t* HWY_RESTRICT offset,
                          std::size_t k) {
@@ -72,7 +73,7 @@ HWY_INLINE auto quarters(const std::uint64_t* HWY_RESTRICT texels, const std::in
 
 HWY_INLINE Pair loadPair(const std::uint64_t* HWY_RESTRICT texels, const std::int32_t* HWY_RESTRICT offset) {
     const DU d;
-    // A transposition within quarters puts pixel k in lane k.
+    // A transposition within quarters moves pixel k to lane k.
     const VU r0 = quarters<kLanes>(texels, offset, 0), r1 = quarters<kLanes>(texels, offset, 1);
     const VU r2 = quarters<kLanes>(texels, offset, 2), r3 = quarters<kLanes>(texels, offset, 3);
     const VU even0 = hn::InterleaveLower(d, r0, r2), odd0 = hn::InterleaveLower(d, r1, r3);
@@ -82,12 +83,12 @@ HWY_INLINE Pair loadPair(const std::uint64_t* HWY_RESTRICT texels, const std::in
 }
 #endif
 
-// Half as many doubles as floats are in a vector.
+// Doubles, half as many as there are floats in a vector.
 using DH = hn::CappedTag<double, kMostLanes / 2>;
 using VH = hn::Vec<DH>;
 constexpr std::size_t kHalf = hn::MaxLanes(DH());
 
-// As placed() of lane_job.cpp, of pixels [i, i + kHalf).
+// SIMD version of placed() (lane_job.cpp) for pixels [i, i + kHalf).
 HWY_INLINE hn::Mask<DH> placeLanes(const double* HWY_RESTRICT at, double per, double size, bool repeat,
                                    std::int32_t* HWY_RESTRICT whole, float* HWY_RESTRICT rest) {
     const DH d;
@@ -111,7 +112,7 @@ HWY_INLINE hn::Mask<DH> placeLanes(const double* HWY_RESTRICT at, double per, do
     return valid;
 }
 
-// LaneChunk::fill, same bits.
+// SIMD version of LaneChunk::fill, with the same bits.
 inline void fillChunk(const LaneJob& job, std::size_t begin, LaneChunk& chunk) {
     const DH d;
     const hn::Rebind<float, DH> df;
@@ -137,7 +138,8 @@ inline void fillChunk(const LaneJob& job, std::size_t begin, LaneChunk& chunk) {
     chunk.fill(job, begin, k);
 }
 
-// Columns over the levels, each lane its own: for few levels by permutation, gathers are many operations.
+// Looks up values per level, with a level per lane. Up to 16 levels use permutations, because a gather is many
+// operations.
 class PerLane {
   public:
     HWY_INLINE PerLane(VI level, std::int32_t top) : level_(level), few_(top < kFew) {}

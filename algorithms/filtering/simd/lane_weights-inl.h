@@ -1,5 +1,5 @@
-// Weights of the texels of an ellipse's rows in lanes, one pixel a lane: inside elliptical_lanes.cpp, compiled for each
-// target.
+// Weights of the texels of an ellipse's rows, one pixel per lane. Included by elliptical_lanes.cpp and compiled for
+// each target.
 
 #if defined(RELIEF_LANE_WEIGHTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_LANE_WEIGHTS_INL_H
@@ -13,8 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// 2^x, |x| <= 126, by the terms of a polynomial on [-1/2, 1/2]. Rounded to the nearest whole number, even ones at
-// halves, by adding a number so large that floats are whole there: the lowest bits of the sum are those of that number.
+// 2^x for |x| <= 126, by a polynomial on [-1/2, 1/2]. x is rounded to the nearest integer (half to even) by adding a
+// number so large that floats are integers there; the lowest bits of the sum are those of that integer.
 template <std::size_t kTerms>
 HWY_INLINE V powerOf(V x, const std::array<float, kTerms>& terms) {
     constexpr float kWhole = 0x1.8p23F;
@@ -26,20 +26,20 @@ HWY_INLINE V powerOf(V x, const std::array<float, kTerms>& terms) {
     return hn::Mul(p, hn::BitCast(D(), power));
 }
 
-// 2^x, x <= 0; 2^-126 below.
+// 2^x for x <= 0; not below 2^-126.
 HWY_INLINE V exp2Of(V x) {
     return powerOf(hn::Max(x, set(-126)), kExp2);
 }
 
-// The same to 2e-7, for |x| < 126.
+// 2^x with a relative error of 2e-7, for |x| < 126.
 HWY_INLINE V preciseExp2Of(V x) {
     return powerOf(x, kPreciseExp2);
 }
 
-// Weights by what their exponents are across and along rows (Footprints::acrossRow, downRow).
+// Weights, given the coefficients of their exponents (Footprints::acrossRow, downRow).
 //
-// The weights of a row's texels, one after the other; x: the first one's way from the row's middle, row: what row()
-// returned. Run(weight, x, row, middle).next(weight) is called for each.
+// Run(weight, x, row, middle) yields the weights of a row's texels one after the other by next(weight). x: distance of
+// the first texel from the row's middle; row: the result of row().
 struct GaussianLanes {
     V acrossRow, downRow;
     HWY_INLINE GaussianLanes(V across, V down) : acrossRow(across), downRow(down) {}
@@ -57,8 +57,9 @@ struct GaussianLanes {
         }
     };
 };
-// The same where no weight is very small (kMostRunExponent): in a row each is the one before times a ratio, and the
-// ratios so as well, two multiplications instead of an exponential. Off by 1e-5 after kLanePad texels, where runs end.
+// Gaussian weights where none is very small (kMostRunExponent). In a row each weight is the one before it times a
+// ratio, and the ratio changes by a constant ratio: two multiplications instead of an exponential. The error grows to
+// 1e-5 after kLanePad texels, where a run ends.
 struct GaussianRuns : GaussianLanes {
     V bend;
     HWY_INLINE GaussianRuns(V across, V down)
@@ -79,7 +80,7 @@ struct GaussianRuns : GaussianLanes {
     };
 
   private:
-    // Lanes that are summed are within.
+    // Does not change lanes that are summed.
     HWY_INLINE static V within(V x) { return hn::Min(hn::Max(x, set(-100)), set(100)); }
 };
 struct UniformLanes {

@@ -19,14 +19,13 @@
 #define RELIEF_POINT_READER_ONCE
 namespace relief {
 
-// Longest footprints, over their width: longer ones are widened.
+// Largest ratio of a footprint's axes: longer footprints are widened.
 inline constexpr float kPointAnisotropy = 8;
-// Of the minor axis' variance, in texels of the level chosen, at least: two fifths of what a bilinear tap itself blurs
-// by.
+// Smallest variance of the minor axis in texels^2 of the level chosen: two fifths of the blur of a bilinear tap itself.
 inline constexpr float kLeastOfLevel = 0.1F;
 // Variance of a bilinear tap between means of texels: 1/6 + 1/12.
 inline constexpr float kTapVariance = 0.25F;
-// Texels of the level between taps, at most, unless there would be more than kMostTaps.
+// Largest distance between taps in texels of the level, unless that needs more than kMostTaps.
 inline constexpr float kTapSpacing = 2.0F;
 
 }  // namespace relief
@@ -35,7 +34,7 @@ inline constexpr float kTapSpacing = 2.0F;
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// As PointReader::taps, in texels of the level.
+// SIMD version of PointReader::taps, in texels of the level.
 struct TapLanes {
     VI level, width, height, origin, stride;
     VI cellS, cellT;
@@ -45,7 +44,7 @@ struct TapLanes {
 };
 
 HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size_t first,
-                           std::uint8_t* HWY_RESTRICT left) {
+                           std::uint8_t* HWY_RESTRICT fallback) {
     const D d;
     const DI di;
     TapLanes f;
@@ -57,7 +56,7 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     const V root = hn::Sqrt(hn::Add(hn::Mul(apart, apart), hn::Mul(twice, twice)));
     const V largest = hn::Mul(set(0.5F), hn::Add(hn::Add(uu, vv), root));
     const V least = hn::Div(hn::Mul(det, det), hn::Max(largest, set(kLeastSquare)));
-    // NaN fails.
+    // Written so that NaN is not supported.
     const auto usual = hn::Le(largest, set(job.mostSquare));
     const V minor = hn::Max(least, hn::Mul(largest, set(1 / (kPointAnisotropy * kPointAnisotropy))));
     const V over = hn::Mul(minor, set(1 / kLeastOfLevel));
@@ -76,13 +75,13 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     f.count = hn::Min(hn::Add(one, hn::Ceil(hn::Mul(length, set(1 / kTapSpacing)))), set(kMostTaps));
     f.count = hn::IfThenElse(usual, f.count, one);
     const V between = hn::Sqrt(hn::Max(hn::Sub(hn::Mul(f.count, f.count), one), one));
-    // The major axis' direction, by its row without cancellation.
+    // The direction of the major axis, from the row that does not cancel.
     const auto wide = hn::Ge(uu, vv);
     const V alongS = hn::IfThenElse(wide, hn::Sub(largest, vv), uv),
             alongT = hn::IfThenElse(wide, uv, hn::Sub(largest, uu));
     const V norm = hn::Sqrt(hn::Add(hn::Mul(alongS, alongS), hn::Mul(alongT, alongT)));
     const auto several = hn::And(hn::Gt(f.count, one), hn::Gt(norm, zero));
-    // Zero for footprints that are not finite, too: NaN would become the number of a texel outside the picture.
+    // Zero also for footprints that are not finite: NaN would become the index of a texel outside the picture.
     const V step = hn::Div(length, hn::Mul(between, norm));
     f.stepS = hn::IfThenElseZero(several, hn::Mul(step, alongS));
     f.stepT = hn::IfThenElseZero(several, hn::Mul(step, alongT));
@@ -95,7 +94,7 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     };
     split(chunk.wholeS, chunk.restS, f.cellS, f.restS);
     split(chunk.wholeT, chunk.restT, f.cellT, f.restT);
-    // On levels with narrow last texels, only what keeps clear of them.
+    // On levels with narrow last texels, only footprints that do not touch these are supported.
     const V reach = hn::Add(hn::Mul(hn::Mul(set(0.5F), f.count), hn::Add(hn::Abs(f.stepS), hn::Abs(f.stepT))), one);
     const auto inside = [&](V at, VI size) HWY_ATTR {
         return hn::And(hn::Ge(at, reach), hn::Le(hn::Add(at, reach), hn::Sub(toFloat(size), one)));
@@ -107,7 +106,7 @@ HWY_INLINE TapLanes tapsOf(const LaneJob& job, const LaneChunk& chunk, std::size
     f.count = hn::IfThenElseZero(served, f.count);
     alignas(64) std::int32_t flags[kLanes];
     hn::Store(hn::IfThenElse(hn::RebindMask(di, served), setI(0), setI(1)), di, flags);
-    for (std::size_t k = 0; k < kLanes; ++k) left[k] = static_cast<std::uint8_t>(flags[k]);
+    for (std::size_t k = 0; k < kLanes; ++k) fallback[k] = static_cast<std::uint8_t>(flags[k]);
     return f;
 }
 
@@ -116,9 +115,9 @@ HWY_INLINE void addTap(const LaneJob& job, const TapLanes& f, V offset, V weight
     addBilinear(*job.levels, f, s, t, weight, sums);
 }
 
-// Asks for the texels under the middle of each footprint, which lie somewhere else for each: they come while other
-// vectors' taps are made. Beyond the picture something else is asked for, which does no harm.
-HWY_INLINE void fetchTexels(const LaneJob& job, const TapLanes& f) {
+// Prefetches the texels under the middle of each footprint, which are scattered in memory, while the taps of other
+// vectors are computed. For places outside the picture some other texel is prefetched, which is harmless.
+HWY_INLINE void prefetchTexels(const LaneJob& job, const TapLanes& f) {
     const DI di;
     const V half = set(0.5F);
     const VI last = hn::Sub(f.height, setI(1));
@@ -133,7 +132,7 @@ HWY_INLINE void fetchTexels(const LaneJob& job, const TapLanes& f) {
 }
 
 void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, const TapLanes& f,
-                const std::uint8_t* left, const std::uint32_t* HWY_RESTRICT slots, PointColor* HWY_RESTRICT colors,
+                const std::uint8_t* fallback, const std::uint32_t* HWY_RESTRICT slots, PointColor* HWY_RESTRICT colors,
                 FootprintCounts& counts) {
     const D d;
     const V zero = hn::Zero(d), one = set(1);
@@ -150,27 +149,27 @@ void readVector(const LaneJob& job, const LaneChunk& chunk, std::size_t first, c
     hn::Store(hn::Div(sums.red, per), d, red);
     hn::Store(hn::Div(sums.green, per), d, green);
     hn::Store(hn::Div(sums.blue, per), d, blue);
-    // What is left out has no taps.
+    // Points that fall back to the reference have no taps here.
     counts.texels += 4 * static_cast<std::int64_t>(hn::GetLane(hn::SumOfLanes(d, f.count)));
     for (std::size_t k = 0; k < kLanes && first + k < chunk.count; ++k) {
-        if (left[k] == 0) colors[slots[k]] = {{red[k], green[k], blue[k], 1}};
+        if (fallback[k] == 0) colors[slots[k]] = {{red[k], green[k], blue[k], 1}};
     }
 }
 
 void readPoints(const LaneJob& job, const std::uint32_t* slots, PointColor* colors, FootprintCounts& counts) {
     LaneChunk chunk;
     TapLanes taps[kLanePixels / kLanes];
-    std::uint8_t left[kLanePixels];
+    std::uint8_t fallback[kLanePixels];
     for (std::size_t begin = 0; begin < job.count; begin += kLanePixels) {
         fillChunk(job, begin, chunk);
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
-            taps[k / kLanes] = tapsOf(job, chunk, k, left + k);
-            fetchTexels(job, taps[k / kLanes]);
+            taps[k / kLanes] = tapsOf(job, chunk, k, fallback + k);
+            prefetchTexels(job, taps[k / kLanes]);
         }
         for (std::size_t k = 0; k < chunk.count; k += kLanes) {
-            readVector(job, chunk, k, taps[k / kLanes], left + k, slots + begin + k, colors, counts);
+            readVector(job, chunk, k, taps[k / kLanes], fallback + k, slots + begin + k, colors, counts);
         }
-        std::copy_n(left, chunk.count, job.left + begin);
+        std::copy_n(fallback, chunk.count, job.fallback + begin);
     }
 }
 
@@ -185,7 +184,7 @@ HWY_EXPORT(readPoints);
 PointTaps PointReader::taps(const Jacobian& j) const {
     const SemiAxes<double> axes = ellipseOf(j).semiAxes();
     PointTaps taps;
-    // NaN fails.
+    // Written so that NaN returns a single tap.
     if (!(axes.major <= 4.0 * std::max(levels_->width(), levels_->height()))) return taps;
     const double minor = std::max(axes.minor, axes.major / kPointAnisotropy);
     const double over = minor * minor / kLeastOfLevel;
@@ -209,18 +208,18 @@ Color PointReader::color(glm::dvec2 place, const PointTaps& taps) const {
 void PointReader::read(const PointBlock& points, std::span<const std::uint32_t> slots, PointColor* colors,
                        FootprintCounts& counts) const {
     assert(slots.size() == points.size());
-    static thread_local std::vector<std::uint8_t> left;
-    left.assign(points.size(), 1);
+    static thread_local std::vector<std::uint8_t> fallback;
+    fallback.assign(points.size(), 1);
     if (lanes_) {
         LaneJob job = laneJob(*lanes_, {});
         job.s = points.s.data(), job.t = points.t.data();
         job.narrow = {points.ux.data(), points.vx.data(), points.uy.data(), points.vy.data()};
         job.count = points.size();
-        job.left = left.data();
+        job.fallback = fallback.data();
         HWY_DYNAMIC_DISPATCH(readPoints)(job, slots.data(), colors, counts);
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (left[i] == 0) continue;
+        if (fallback[i] == 0) continue;
         const PointTaps taps = this->taps(points.jacobian(i));
         const Color found = color({points.s[i], points.t[i]}, taps);
         colors[slots[i]] = {{found.r, found.g, found.b, 1}};

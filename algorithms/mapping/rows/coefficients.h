@@ -1,5 +1,5 @@
-// The numbers behind one pixel, by name: the nine coefficients of its polygon, what follows from them at the pixel, and
-// the ellipse. [PERSP], [TEX]; frames, units and formulas as in homography.h, derivatives.h and footprint.h.
+// The numbers behind one pixel, by name: the nine coefficients of its polygon, the derivatives at the pixel, and the
+// footprint ellipse. [PERSP], [TEX]; frames, units and formulas as in homography.h, derivatives.h and footprint.h.
 #pragma once
 
 #include <string_view>
@@ -11,25 +11,25 @@
 namespace relief {
 
 struct PixelCoefficients {
-    Homography map;  // A to I, texels from pixels
+    Homography map;  // A to I, from pixels to texels
     double x = 0;    // the pixel's centre
     double y = 0;
     double q = 1;             // G x + H y + I
     double u = 0;             // (A x + B y + C) / q, texels
     double v = 0;             // (D x + E y + F) / q
-    Jacobian derivatives;     // u_x, u_y, v_x, v_y, texels a pixel
-    double m = 0;             // A H - B G: what u_x changes by from row to row, times q^2
+    Jacobian derivatives;     // u_x, u_y, v_x, v_y, texels per pixel
+    double m = 0;             // A H - B G: change of u_x q^2 from row to row
     double n = 0;             // D H - E G
     double o = 0;             // B G - A H
     double p = 0;             // E G - D H
     Ellipse ellipse;          // A, B, C, F of the circle of radius 1 pixel
-    SemiAxes<double> axes{};  // of it, texels
+    SemiAxes<double> axes{};  // of the ellipse, texels
 };
 
-// x, y: of the pixel's centre, where q > 0.
+// Computes all of them. x, y: the pixel's centre, where q > 0.
 PixelCoefficients pixelCoefficients(const Homography& map, double x, double y);
 
-// By the papers' names, in the order of tables: A to I, q, ux, uy, vx, vy, M, N, O, P, u, v, the ellipse's
+// The same with the papers' names, in the order of tables: A to I, q, ux, uy, vx, vy, M, N, O, P, u, v, the ellipse's
 // ellipse_A, ellipse_B, ellipse_C, ellipse_F, major, minor.
 struct NamedNumber {
     std::string_view name;
@@ -37,8 +37,8 @@ struct NamedNumber {
 };
 std::vector<NamedNumber> namedNumbers(const PixelCoefficients& pixel);
 
-// r^2 = (A U^2 + B U V + C V^2) / F, pixels squared, of a texel whose centre is (U, V) texels from the ellipse's; 0 for
-// an ellipse without area.
+// r^2 = (A U^2 + B U V + C V^2) / F in pixels squared, for a texel centre at (U, V) texels from the ellipse's centre. 0
+// for an ellipse without area.
 double squaredRadius(const Ellipse& ellipse, double du, double dv);
 
 }  // namespace relief

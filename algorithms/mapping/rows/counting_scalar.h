@@ -1,9 +1,9 @@
-// A number that counts what is done with it: the operation counts of tables and tests come from running the very text
-// of a kernel on it.
+// A scalar type that counts the operations on it. The operation counts in tables and tests come from running the
+// kernels themselves with this type.
 //
-// A counter is carried by the operands, so two counts run side by side; numbers without one (loop indices, literals)
-// are not counted until they meet one that has. A subtraction counts as an addition; negation, comparison and
-// conversion are free.
+// Each operand carries a pointer to its counter, so several counts can run independently. Values without a counter
+// (loop indices, literals) are counted only when combined with a value that has one. A subtraction counts as an
+// addition; negation, comparison and conversion are free.
 #pragma once
 
 #include <cmath>
@@ -48,7 +48,7 @@ class Counted {
     OperationCounts* counts_ = nullptr;
 };
 
-// What is exact to it is itself.
+// The wide type of Counted is Counted itself.
 template <>
 struct WideOf<Counted> {
     using type = Counted;

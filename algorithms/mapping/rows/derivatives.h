@@ -1,19 +1,21 @@
 // Derivatives of the texture coordinates and the footprint ellipse along rows: direct, iterative, cached.
 //
-// Source: Romaniuk and Dudnyk, [TEX] (direct, iterative, and that what repeats may be cached); re-derived, as some of
-// its formulas are lost. With the nine coefficients A to I and q = G x + H y + I,
+// Source: Romaniuk and Dudnyk, [TEX] (direct, iterative, caching of repeated terms). Re-derived, as some of its
+// formulas are missing. With the nine coefficients A to I and q = G x + H y + I,
 //
 //     u_x = a / q^2   a = M y + (A I - C G)   M = A H - B G       v_x = b / q^2   b = N y + (D I - F G)   N = D H - E G
 //     u_y = c / q^2   c = O x + (B I - C H)   O = -M              v_y = d / q^2   d = P x + (E I - F H)   P = -N
 //
-// a and b are constant along a row, c and d along a column, a d - b c = det q. So times q^4 the ellipse of footprint.h
+// a and b are constant along a row, c and d along a column, and a d - b c = det q. So the ellipse of footprint.h,
+// times q^4,
 //
 //     A' = b^2 + d^2   B' = -2 (a b + c d)   C' = a^2 + c^2   F' = det^2 / q^2       A' U^2 + B' U V + C' V^2 = F' R^2
 //
-// is made of sums of what belongs to the row and what belongs to the column, cached once for a whole polygon.
-// Trap: F' is not A' C' - B'^2 / 4 (that is F' q^4), and half extents are R sqrt(C') / q^2.
+// is a sum of terms of the row and terms of the column, which can be cached once per polygon.
+// Note that F' is not A' C' - B'^2 / 4 (that is F' q^4), and that the half extents are R sqrt(C') / q^2 and
+// R sqrt(A') / q^2.
 //
-//     per pixel (proved on a counting scalar)       mul add div     [TEX] counts, derivatives alone
+//     per pixel (verified with a counting scalar)   mul add div     [TEX] counts, derivatives alone
 //     direct: four derivatives                       7   6   4      10 mul, 10 add, 1 sub, 4 div
 //     iterative: q += G, c += O, d += P              1   3   4      2 mul, 6 add, 4 div
 //     direct, to A, B, C, F                         17  10   4
@@ -22,10 +24,13 @@
 //     cached, to r^2 = (A'' U^2 + B'' U V + C'' V^2) 4   4   0      1 / det^2 in the caches
 //
 // Frames and units: pixels and texels as in homography.h and footprint.h. Templates over the scalar.
-// Errors: terms of the map are made in the wide type. Direct and cached: a few roundings of T, times t / q with t =
-// |G x| + |H y| + |I| (digits that cancel in q); iterative rows drift as rows.h says and take its restarts.
-// Failure mode: q must be positive; beside the horizon results may be infinite: clampedEllipse. Never divided by det: a
-// map with det = 0 has r^2 = 0.
+//
+// Errors: the map's terms are computed in the wide type. Direct and cached results have the error of a few roundings of
+// T, times t / q with t = |G x| + |H y| + |I| (digits that cancel in q). Iterative rows drift and restart as described
+// in rows.h.
+//
+// Precondition: q is positive. Near the horizon results may be infinite; apply clampedEllipse. Nothing is divided by
+// det: a map with det = 0 has r^2 = 0.
 #pragma once
 
 #include <cassert>
@@ -39,7 +44,7 @@
 
 namespace relief {
 
-// What is made once a polygon: M, N, O, P, the constants beside them, and the denominator's coefficients.
+// Constants of a polygon: M, N, O, P, the constant terms of a, b, c, d, and the denominator's coefficients.
 template <typename T>
 struct DerivativeTerms {
     T m, n, o, p;
@@ -54,7 +59,7 @@ struct DerivativeTerms {
     T q(T x, T y) const { return g * x + h * y + i; }
 };
 
-// make: double to T.
+// make: converts double to T.
 template <typename T, typename Make>
 DerivativeTerms<T> derivativeTerms(const Homography& f, const Make& make) {
     const auto minor = [&](double k, double l, double r, double s) { return make(k * l - r * s); };
@@ -76,13 +81,13 @@ DerivativeTerms<T> derivativeTerms(const Homography& map) {
     return derivativeTerms<T>(map, [](double value) { return static_cast<T>(value); });
 }
 
-// A pixel's column or row number as the coordinate of its centre.
+// Coordinate of the centre of a pixel's column or row.
 template <typename T>
 T centreOf(std::int64_t pixel) {
     return static_cast<T>(static_cast<double>(pixel) + 0.5);
 }
 
-// Where rows of ellipses go: A, B, C, F (or A', B', C', F') of pixel n.
+// Output arrays for a row of ellipses: A, B, C, F (or A', B', C', F') of pixel n.
 template <typename T>
 struct EllipseRow {
     T* a;
@@ -93,7 +98,7 @@ struct EllipseRow {
     EllipseOf<T> at(std::int64_t n) const { return {a[n], b[n], c[n], f[n]}; }
 };
 
-// The four derivatives at (x, y), every term anew.
+// The four derivatives at (x, y), with every term computed anew.
 template <typename T>
 JacobianOf<T> directDerivatives(const DerivativeTerms<T>& terms, T x, T y) {
     const T q = terms.q(x, y);
@@ -106,8 +111,8 @@ void directEllipses(const DerivativeTerms<T>& terms, std::int64_t first, T y, st
     for (std::int64_t n = 0; n < count; ++n) to.put(n, ellipseOf(directDerivatives(terms, centreOf<T>(first + n), y)));
 }
 
-// Calls visit(n, derivatives) along a row: a and b once, c, d and q by forward differences, made anew every `anchor`
-// pixels (0: never).
+// Calls visit(n, derivatives) along a row. a and b are computed once; c, d and q advance by forward differences and are
+// recomputed every `anchor` pixels (0: never).
 template <typename T, typename Visit>
 void iterativeDerivatives(const DerivativeTerms<T>& terms, std::int64_t first, T y, std::int64_t count,
                           std::int64_t anchor, const Visit& visit) {
@@ -133,7 +138,7 @@ void iterativeEllipses(const DerivativeTerms<T>& terms, std::int64_t first, T y,
                          [&](std::int64_t n, const JacobianOf<T>& j) { to.put(n, ellipseOf(j)); });
 }
 
-// The ellipse times q^4: A', B', C', F'.
+// The ellipse times q^4, as A', B', C', F'.
 template <typename T>
 struct ScaledEllipse {
     T a, b, c, f;
@@ -149,15 +154,16 @@ struct ScaledEllipse {
     }
 };
 
-// r^2 of a texel, pixels squared, by three coefficients.
+// Three coefficients that give r^2 of a texel, in pixels squared.
 template <typename T>
 struct RadiusForm {
     T a, b, c;
     T at(T du, T dv) const { return a * (du * du) + b * (du * dv) + c * (dv * dv); }
 };
 
-// Rows a^2, -2 a b, b^2 and columns c^2, -2 c d, d^2 (and q's two parts) of the pixels of a polygon. Memory: four
-// scalars a row and a column. With `folded`, all are divided by det^2 once: for radiusForm.
+// Caches a^2, -2 a b, b^2 of the rows and c^2, -2 c d, d^2 (and the two parts of q) of the columns of a polygon's
+// pixels. Memory: four scalars per row and per column. With `folded`, all are divided by det^2 once, as radiusForm()
+// requires.
 template <typename T>
 class EllipseCaches {
   public:
@@ -177,12 +183,12 @@ class EllipseCaches {
         }
     }
 
-    // At pixel (x, y) of the polygon. Not folded.
+    // The scaled ellipse at pixel (x, y) of the polygon. Requires an unfolded cache.
     ScaledEllipse<T> at(std::int64_t x, std::int64_t y) const {
         assert(!folded_);
         return scaled(rowAt(y), static_cast<std::size_t>(x - columns_.begin));
     }
-    // Folded.
+    // Requires a folded cache.
     RadiusForm<T> radiusForm(std::int64_t x, std::int64_t y) const {
         assert(folded_);
         const Entry& row = rowAt(y);
@@ -191,7 +197,7 @@ class EllipseCaches {
         const T square = q * q;
         return {(row.bb + bb_[i]) * square, (row.ab + ab_[i]) * square, (row.aa + aa_[i]) * square};
     }
-    // A', B', C', F' of `count` pixels from (first, y) on. Not folded.
+    // A', B', C', F' of `count` pixels from (first, y) on. Requires an unfolded cache.
     void ellipses(std::int64_t first, std::int64_t y, std::int64_t count, EllipseRow<T> to) const {
         assert(!folded_);
         const Entry row = rowAt(y);
@@ -220,7 +226,7 @@ class EllipseCaches {
     bool folded_;
     T det2_;
     std::vector<Entry> row_;
-    std::vector<T> aa_, ab_, bb_, q_;  // of the columns, apart so that rows run in vectors
+    std::vector<T> aa_, ab_, bb_, q_;  // of the columns, in separate arrays so that rows vectorise
 };
 
 }  // namespace relief

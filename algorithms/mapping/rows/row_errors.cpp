@@ -22,7 +22,7 @@ std::int32_t streamOf(const RowOptions& options, std::int64_t n, std::int64_t co
     }
 }
 
-// Pixels from the first valid one, 0-based, whose values do not come from their neighbours'.
+// Indices, from the first valid pixel, of the pixels whose values do not come from their neighbours'.
 std::vector<std::int64_t> exactPixels(const RowOptions& options, std::int64_t count, std::int64_t anchor) {
     std::vector<std::int64_t> pixels;
     if (!drifts(options.variant)) return pixels;

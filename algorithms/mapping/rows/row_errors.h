@@ -1,8 +1,8 @@
-// One row by several variants as plain arrays, for pictures: coordinates, errors along the row, who computed which
-// pixel.
+// One row evaluated by several variants, as plain arrays for plots: coordinates, errors along the row, and which stream
+// computed which pixel.
 //
-// Frames and units: as rows.h has them; errors in texels against the map in double. Pixels that a variant cut
-// off at the horizon hold NaN, so that curves break there. Cost: O(pixels) a variant, for one row at a time.
+// Frames and units: as in rows.h; errors in texels against the map in double. Pixels that a variant cuts off at the
+// horizon hold NaN, so that curves break there. Cost: O(pixels) per variant.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,15 @@ namespace relief {
 struct RowCurve {
     RowOptions options;
     PixelSpan valid;            // evaluated pixels
-    std::int64_t anchor = 0;    // pixels between restarts as resolved; 0: none
+    std::int64_t anchor = 0;    // pixels between restarts, resolved; 0: none
     std::vector<double> u, v;   // texels, of the pixels of the span in order
-    std::vector<double> error;  // the larger of |u|'s and |v|'s, texels
-    std::vector<std::int32_t>
-        stream;                       // which stream made the pixel: streams: n mod k; opposed: 0 left, 1 right; else 0
-    std::vector<std::int64_t> exact;  // pixels at which a restart or a division made the value anew, in order;
-                                      // empty where every pixel is (direct, row-constant) or only the ends are (affine)
-    double worst = 0;                 // largest error; its pixel
+    std::vector<double> error;  // the larger of the errors of u and v, texels
+    // Index of the stream that computed each pixel. streams: n mod k; opposed: 0 left, 1 right; other variants: 0.
+    std::vector<std::int32_t> stream;
+    // Pixels whose value was computed exactly by a restart or a division, in order. Empty if all pixels are (direct,
+    // row-constant) or only the ends (affine).
+    std::vector<std::int64_t> exact;
+    double worst = 0;  // largest error, texels
     std::int64_t worstPixel = 0;
 };
 
@@ -33,7 +34,7 @@ struct RowErrors {
     std::vector<RowCurve> curves;
 };
 
-// T: float or double, the precision of the variants.
+// Evaluates the row by each variant. T: float or double, the precision of the variants.
 template <typename T>
 RowErrors rowErrors(const Homography& map, double y, PixelSpan span, const std::vector<RowOptions>& variants);
 

@@ -1,9 +1,9 @@
-// Texture coordinates along a row, every variant, written to be read beside the papers' formulas. Which is which, what
-// it costs and what it is good for: rows.h. row_lanes.cpp is the SIMD version of streamsRow.
+// Texture coordinates along a row: the reference implementation of every variant, to be read next to the papers'
+// formulas. rows.h describes the variants, their cost and their use. row_lanes.cpp is the SIMD version of streamsRow.
 //
-// Each writes u[n], v[n] (texels) for n in [0, row.count); q must stay positive on the whole row (rows.h clips).
-// Templates over the scalar: float, double, a counting scalar. Source of all but the last: [PERSP], its formulas'
-// numbers in brackets; the last is Heckbert's and the games' classic.
+// Each writes u[n], v[n] (texels) for n in [0, row.count); q must remain positive on the whole row (rows.h clips).
+// Templates over the scalar: float, double, a counting scalar. Source: [PERSP], with its formula numbers in
+// parentheses; only the last, sub-spans, is from Heckbert and the games of the 1990s.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 
 namespace relief {
 
-// Calls visit(begin, end) for the stretches between exact restarts.
+// Calls visit(begin, end) for each interval between exact restarts.
 template <typename Visit>
 void forEachStretch(std::int64_t count, std::int64_t anchor, const Visit& visit) {
     const std::int64_t length = anchor > 0 ? anchor : std::max<std::int64_t>(count, 1);
     for (std::int64_t begin = 0; begin < count; begin += length) visit(begin, std::min(begin + length, count));
 }
 
-// u linear between the row's ends: no perspective.
+// Affine: u is linear between the row's ends, without perspective.
 template <typename T>
 void affineRow(const RowTerms<T>& row, T* u, T* v) {
     const std::int64_t last = row.count - 1;
@@ -37,7 +37,7 @@ void affineRow(const RowTerms<T>& row, T* u, T* v) {
     }
 }
 
-// (1): u = (A x + B y + C) / (G x + H y + I), as the paper counts it: q is made twice.
+// (1): u = (A x + B y + C) / (G x + H y + I), with the operations that the paper counts: q is computed twice.
 template <typename T>
 void directRow(const RowTerms<T>& row, T* u, T* v) {
     for (std::int64_t n = 0; n < row.count; ++n) {
@@ -77,7 +77,7 @@ void incrementalRow(const RowTerms<T>& row, T* u, T* v) {
     });
 }
 
-// (4) with one denominator for both.
+// (4) with one denominator for both coordinates.
 template <typename T>
 void incrementalSharedRow(const RowTerms<T>& row, T* u, T* v) {
     forEachStretch(row.count, row.anchor, [&](std::int64_t begin, std::int64_t end) {
@@ -92,7 +92,7 @@ void incrementalSharedRow(const RowTerms<T>& row, T* u, T* v) {
     });
 }
 
-// (4) with one division for both.
+// (4) with one division for both coordinates.
 template <typename T>
 void incrementalReciprocalRow(const RowTerms<T>& row, T* u, T* v) {
     forEachStretch(row.count, row.anchor, [&](std::int64_t begin, std::int64_t end) {
@@ -108,8 +108,9 @@ void incrementalReciprocalRow(const RowTerms<T>& row, T* u, T* v) {
     });
 }
 
-// (5) and its generalisation w_n = w_n-k + k A: stream j has the pixels j, j + k, j + 2k ... The paper's even and odd
-// pixels are k = 2. The streams do not depend on each other; here they stand one after the other, in lanes at once.
+// (5) and its generalisation w_n = w_n-k + k A: stream j computes the pixels j, j + k, j + 2k ... The paper's even and
+// odd pixels are k = 2. The streams are independent; they run one after the other here, and in parallel in the SIMD
+// version.
 template <typename T>
 void streamsRow(const RowTerms<T>& row, std::int64_t k, T* u, T* v) {
     struct Terms {
@@ -134,7 +135,7 @@ void streamsRow(const RowTerms<T>& row, std::int64_t k, T* u, T* v) {
     });
 }
 
-// Two streams that meet in the middle: (4) from the left, w_n-1 = w_n - A from the right.
+// Two streams that meet in the middle: (4) from the left, and w_n-1 = w_n - A from the right.
 template <typename T>
 void opposedRow(const RowTerms<T>& row, T* u, T* v) {
     const std::int64_t half = row.count / 2;
@@ -161,8 +162,8 @@ void opposedRow(const RowTerms<T>& row, T* u, T* v) {
     }
 }
 
-// A division every m pixels, u and v linear between: 4/m mul, 2 + 3/m add, 1/m div. The last sub-span ends at the last
-// pixel, so q is never made beyond the row.
+// One division every m pixels, u and v linear in between: 4/m mul, 2 + 3/m add, 1/m div. The last sub-span ends at the
+// last pixel, so q is never evaluated beyond the row.
 template <typename T>
 void subspanRow(const RowTerms<T>& row, std::int64_t m, T* u, T* v) {
     const T mA = row.stepA(m), mD = row.stepD(m), mG = row.stepG(m), part = T(1) / numberOf<T>(m);
@@ -198,7 +199,7 @@ void subspanRow(const RowTerms<T>& row, std::int64_t m, T* u, T* v) {
     v[last] = t;
 }
 
-// The row by that variant. streams: of Streams and RowsParallel; span: of Subspan.
+// Evaluates the row by the given variant. streams: for Streams and RowsParallel; span: for Subspan.
 template <typename T>
 void variantRow(const RowTerms<T>& row, RowVariant variant, std::int64_t streams, std::int64_t span, T* u, T* v) {
     switch (variant) {

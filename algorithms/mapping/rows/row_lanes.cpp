@@ -28,7 +28,7 @@ void put(hn::Vec<D> value, D d, T* to) {
     }
 }
 
-// k streams in vectors of N lanes, k / N of them.
+// Runs k streams in k / N vectors of N lanes.
 template <typename T, std::size_t k, bool kPastCache>
 void streamsInLanes(const RowTerms<T>& row, T* HWY_RESTRICT u, T* HWY_RESTRICT v) {
     using D = hn::CappedTag<T, k>;
@@ -77,7 +77,7 @@ void streamsInLanes(const RowTerms<T>& row, T* HWY_RESTRICT u, T* HWY_RESTRICT v
 
 template <typename T, std::size_t k>
 void streamsPlaced(const RowTerms<T>& row, bool pastCache, T* u, T* v) {
-    // Stream() needs whole aligned vectors; stretches begin at multiples of k.
+    // Stream() needs whole aligned vectors. Each restart interval begins at a multiple of k.
     constexpr std::size_t kBytes = std::min(k * sizeof(T), kLineBytes);
     const auto aligned = [](const T* p) { return reinterpret_cast<std::uintptr_t>(p) % kLineBytes == 0; };
     if (pastCache && kBytes == kLineBytes && aligned(u) && aligned(v)) {

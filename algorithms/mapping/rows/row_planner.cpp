@@ -8,14 +8,15 @@ namespace relief {
 
 namespace {
 
-// E over u and v of m pixels from pixel n.
+// The larger of E for u and v on m pixels from pixel n.
 double worstError(const Homography& map, double y, const RowSlopes& slopes, std::int64_t n, std::int64_t m) {
     const double q0 = map.denominator(static_cast<double>(n) + 0.5, y);
     const double q1 = map.denominator(static_cast<double>(n + m) + 0.5, y);
     return linearError(std::max(std::abs(slopes.a), std::abs(slopes.b)), map.qx, static_cast<double>(m), q0, q1);
 }
 
-// The largest m in [1, most] that is good, given that goodness ends somewhere; 1 where even that is not good.
+// The largest m in [1, most] with good(m), by bisection; good must not turn true again after it is false. Returns 1
+// also if good(1) is false.
 template <typename Good>
 std::int64_t largest(std::int64_t most, const Good& good) {
     std::int64_t low = 1;
@@ -50,7 +51,7 @@ std::int64_t longestSpan(const Homography& map, double y, PixelSpan span, double
     assert(error > 0);
     if (span.size() < 2) return 1;
     const RowSlopes slopes = rowSlopes(map, y);
-    // E is largest where q is smallest: at one end of the row.
+    // E is largest where q is smallest, which is at one end of the row.
     const bool smallestAtEnd = map.qx < 0;
     return largest(span.size() - 1, [&](std::int64_t m) {
         return worstError(map, y, slopes, smallestAtEnd ? span.end - 1 - m : span.begin, m) <= error;

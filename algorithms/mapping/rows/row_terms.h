@@ -1,12 +1,12 @@
-// What the texts of row_kernels.h are given: a row of pixels under the nine coefficients, in the scalar type T.
+// Input of the kernels in row_kernels.h: a row of pixels under the nine coefficients, in the scalar type T.
 //
 // Source: [PERSP]. At pixel n of the row (n = 0 is the first), with the papers' u_t, u_b, v_t,
 //
 //     w_u = u_t + A n     w_v = v_t + D n     q = u_b + G n     u = w_u / q     v = w_v / q
 //
-// Frames and units: pixels (centres at + 1/2) and texels, as homography.h has them. The once-a-row terms and restarts
-// are made in the wider type (double for float), so that an anchored row starts again from a correctly rounded value
-// and not from one that has lost its digits in A x + B y + C.
+// Frames and units: pixels (centres at + 1/2) and texels, as in homography.h. The per-row terms and the restarts are
+// computed in the wider type (double for float). So an anchored row restarts from a correctly rounded value, without
+// the loss of digits in A x + B y + C.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct WideOf {
 template <typename T>
 using Wide = typename WideOf<T>::type;
 
-// A row number, an index or a count as a scalar.
+// Converts a row number, an index or a count to the scalar type.
 template <typename T>
 T numberOf(std::int64_t n) {
     return static_cast<T>(static_cast<double>(n));
@@ -32,16 +32,17 @@ T numberOf(std::int64_t n) {
 template <typename T>
 struct RowTerms {
     T a, b, c, d, e, f, g, h, i;  // A to I
-    T y;                          // of the row's centre line
+    T y;                          // centre line of the row
     std::int64_t first = 0;       // pixel column of n = 0
-    std::int64_t count = 0;       // of pixels
-    std::int64_t anchor = 0;      // exact restart after so many pixels; 0: never
+    std::int64_t count = 0;       // number of pixels
+    std::int64_t anchor = 0;      // pixels between exact restarts; 0: never
     Wide<T> ut, vt, ub;           // numerators and denominator at n = 0
     Wide<T> wideA, wideD, wideG;
 
     T x(std::int64_t n) const { return static_cast<T>(static_cast<double>(first + n) + 0.5); }
 
-    // Exact up to the rounding of the wide type and one rounding to T: where an incremental row starts (again).
+    // Value at pixel n, exact up to the rounding of the wide type and one rounding to T. Incremental rows start and
+    // restart here.
     T wuAt(std::int64_t n) const { return static_cast<T>(ut + wideA * numberOf<Wide<T>>(n)); }
     T wvAt(std::int64_t n) const { return static_cast<T>(vt + wideD * numberOf<Wide<T>>(n)); }
     T qAt(std::int64_t n) const { return static_cast<T>(ub + wideG * numberOf<Wide<T>>(n)); }
@@ -51,14 +52,14 @@ struct RowTerms {
     T vAt(std::int64_t n) const {
         return static_cast<T>((vt + wideD * numberOf<Wide<T>>(n)) / (ub + wideG * numberOf<Wide<T>>(n)));
     }
-    // n as a factor of a step.
+    // The step multiplied by n.
     T stepA(std::int64_t n) const { return static_cast<T>(wideA * numberOf<Wide<T>>(n)); }
     T stepD(std::int64_t n) const { return static_cast<T>(wideD * numberOf<Wide<T>>(n)); }
     T stepG(std::int64_t n) const { return static_cast<T>(wideG * numberOf<Wide<T>>(n)); }
 };
 
-// The terms of the pixels [first, first + count) on the line y. make(double) gives a T, makeWide(double) a Wide<T>:
-// a counting scalar gets its counter there. Costs 6 mul, 6 add a row.
+// The terms of the pixels [first, first + count) on the line y. make(double) returns a T and makeWide(double) a
+// Wide<T>; a counting scalar receives its counter there. Cost: 6 mul, 6 add per row.
 template <typename T, typename Make, typename MakeWide>
 RowTerms<T> rowTerms(const Homography& map, double y, std::int64_t first, std::int64_t count, std::int64_t anchor,
                      const Make& make, const MakeWide& makeWide) {

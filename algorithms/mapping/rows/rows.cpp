@@ -20,18 +20,18 @@ constexpr std::array<std::string_view, kRowVariants> kNames{
     "streams", "opposed", "rows-parallel", "subspan"};
 
 constexpr std::size_t kLineBytes = 64;
-// More than a core's own cache holds: writing it would only push out what is needed.
+// Bytes. Output larger than this exceeds L2, and writing it through the cache would only evict useful data.
 constexpr std::size_t kCacheBytes = std::size_t{2} << 20;
-// Rows of a piece of parallel work; and pixels, so that long rows make small pieces.
+// Pixels per parallel task.
 constexpr std::int64_t kPixelsPerPiece = 32768;
 
 // Half a unit in the last place of 1.
 template <typename T>
 constexpr double kRoundoff = 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon());
-// Steps that are enough between restarts wherever the error would allow more: q is then bounded more tightly.
+// Upper bound on the steps between restarts, also where the error would allow more: it gives a tighter bound of q.
 template <typename T>
 constexpr std::int64_t kMostSteps = sizeof(T) == sizeof(float) ? 64 : 65536;
-// Roundings in q beside those of the steps.
+// Number of roundings in q in addition to those of the steps.
 constexpr double kOtherRoundings = 8;
 
 std::int64_t stepsOf(const RowOptions& options, std::int64_t anchor, std::int64_t count) {
@@ -40,7 +40,7 @@ std::int64_t stepsOf(const RowOptions& options, std::int64_t anchor, std::int64_
     return pixels / pixelsPerStep(options) + 1;
 }
 
-// The part of the span on which q >= minQ: q is monotone along the row, in floating point as well.
+// The part of the span on which q >= minQ. q is monotone along the row, also in floating point.
 PixelSpan inFrontOf(const Homography& map, double y, PixelSpan span, double minQ) {
     if (span.empty()) return {};
     const auto inFront = [&](std::int64_t pixel) {
@@ -64,7 +64,7 @@ double smallestQ(const Homography& map, double y, PixelSpan span, const RowOptio
     const double left = static_cast<double>(span.begin) + 0.5;
     const double right = static_cast<double>(span.end) - 0.5;
     const double largest = std::max(std::abs(map.denominator(left, y)), std::abs(map.denominator(right, y)));
-    // G x + H y + I may cancel: its terms count, in the type in which they are added.
+    // G x + H y + I may cancel, so the error depends on the size of its terms, in the type in which they are added.
     const double terms =
         std::abs(map.qx) * std::max(std::abs(left), std::abs(right)) + std::abs(map.qy * y) + std::abs(map.q1);
     const double inT = options.variant == RowVariant::Direct ? terms : largest;
@@ -118,12 +118,12 @@ template <typename T>
 std::int64_t recommendedAnchor(double largestTexel, double change, const RowOptions& options, double error) {
     assert(error > 0 && change >= 0);
     const int pixels = pixelsPerStep(options);
-    // (2 s + 3) e U Q <= error, which grows with s.
+    // (2 s + 3) e U Q <= error; the left side grows with s.
     const auto keeps = [&](std::int64_t steps) {
         const auto s = static_cast<double>(steps);
         return (2 * s + 3) * kRoundoff<T> * largestTexel * (1 + s * pixels * change) <= error;
     };
-    // The root of the quadratic, without cancellation; then to the whole step, whatever the root rounded.
+    // The root of the quadratic, without cancellation, then corrected to the exact integer in spite of rounding.
     const double most = error / (kRoundoff<T> * largestTexel) - 3;
     if (!(most > 2)) return pixels;
     const double growth = static_cast<double>(pixels) * change;
@@ -155,7 +155,7 @@ RowPlan planRow(const Homography& map, double y, PixelSpan span, const RowOption
     RowPlan plan{inFrontOf(map, y, span, smallestRowQ<T>(map, y, span, options, anchor)), anchor};
     if (plan.valid.empty() || !drifts(options.variant)) return plan;
     if (options.anchor == kRecommended) {
-        // u and v are monotone where q does not change sign, so their ends are the largest.
+        // u and v are monotone where q does not change sign, so they are largest at the ends.
         const TexelPoint left = map.at(static_cast<double>(plan.valid.begin) + 0.5, y);
         const TexelPoint right = map.at(static_cast<double>(plan.valid.end) - 0.5, y);
         const double largest = std::max({std::abs(left.s), std::abs(left.t), std::abs(right.s), std::abs(right.t)});

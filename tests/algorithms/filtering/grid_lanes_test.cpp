@@ -162,7 +162,7 @@ TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
     std::array<std::vector<float>, 3> channel;
     for (auto& column : channel) {
         column.assign(kCells + kCellSlack, 0.5F);
-        for (float& color : column) color += static_cast<float>(random.between(0, 1.3 * kEvenColors));
+        for (float& color : column) color += static_cast<float>(random.between(0, 1.3 * kUniformColors));
         // In the dark.
         for (std::size_t c = 0; c < 2 * kRow; ++c) column[c] = 0.05F * column[c];
         column[3 * kRow + 5] = std::numeric_limits<float>::infinity();
@@ -173,7 +173,7 @@ TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
         bool all = true;
         for (const auto& column : channel) {
             const auto [low, high] = std::minmax({column[c], column[c + 1], column[c + kRow], column[c + kRow + 1]});
-            all = all && high - low <= std::min(kEvenColors, kEvenShare * high);
+            all = all && high - low <= std::min(kUniformColors, kUniformShare * high);
         }
         expected.push_back(all ? 0xFFFF : 0);
     }
@@ -182,7 +182,7 @@ TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
     for (const std::int64_t target : laneTargets()) {
         const ForcedTarget forced(target);
         std::vector<std::uint16_t> even(kCells + kCellSlack, 7);
-        findEven({channel[0].data(), channel[1].data(), channel[2].data()}, kRow, kCount, 1, even.data());
+        findUniform({channel[0].data(), channel[1].data(), channel[2].data()}, kRow, kCount, 1, even.data());
         even.resize(kCount);
         EXPECT_EQ(even, expected) << laneTargetName(target);
     }

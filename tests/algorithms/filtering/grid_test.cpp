@@ -99,7 +99,7 @@ TEST(Grid, colorsStayWithinThePictures) {
 // Even colours save rays and change next to nothing.
 TEST(Grid, evenColorsAreNotTraced) {
     const HeightField field = reliefOf("bricks");
-    const Asked even(requestOf(field, faintPicture(128, 96, 0.9F * kEvenColors), grid()));
+    const Asked even(requestOf(field, faintPicture(128, 96, 0.9F * kUniformColors), grid()));
     const Asked uneven(requestOf(field, faintPicture(128, 96, 1), grid()));
     const auto rays = [](const Asked& asked) { return asked.frame->counters.at(MessageId::CountTexelsTraced); };
     // What is left: centres beyond the picture's rim, and points round centres that meet nothing.
@@ -123,7 +123,7 @@ TEST(Grid, anyCompanyAndAnyTargetHaveTheSameBits) {
     // Of the faint picture some points are means of centres.
     for (const std::string name : {"bricks", "hills", "faint bricks", "bricks with an edge"}) {
         const bool faint = name == "faint bricks";
-        const Picture picture = faintPicture(100, 96, faint ? 3 * kEvenColors : 1);
+        const Picture picture = faintPicture(100, 96, faint ? 3 * kUniformColors : 1);
         const HeightField field = reliefOf(name == "hills" ? "hills" : "bricks",
                                            name == "bricks with an edge" ? Address::Border : Address::Repeat);
         const Asked asked(requestOf(field, picture, grid("5")));
@@ -219,7 +219,7 @@ void logSumsUp(const Picture& picture) {
 TEST(Grid, theLogSumsUpToTheColour) {
     logSumsUp(randomPicture(128, 96, kSeed));
     // Some points are means of centres.
-    logSumsUp(faintPicture(128, 96, 3 * kEvenColors));
+    logSumsUp(faintPicture(128, 96, 3 * kUniformColors));
 }
 
 // What the picture has is not traced again, with the same bits; nor is what lies between hits that belong together.

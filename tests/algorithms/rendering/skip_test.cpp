@@ -150,7 +150,7 @@ TEST(Skip, workOfAViewAlongThePlaneIsBounded) {
         const auto frame = rendered(request);
         const double pixels = request.width * request.height;
         EXPECT_GT(counted(*frame, MessageId::CountTexelsTraced), 10 * pixels);
-        EXPECT_LE(counted(*frame, MessageId::CountTexelsTraced), kMostLooks * pixels);
+        EXPECT_LE(counted(*frame, MessageId::CountTexelsTraced), kMostVisits * pixels);
     }
 }
 
