@@ -201,7 +201,7 @@ struct GridRay {
 
 // The part of [0, 1] during which the ray is in a box of cells; it is really inside only if in < out: a stay of no
 // length (a corner touched) does not count, in any tracer.
-struct Stay {
+struct CellInterval {
     double in = 0;
     double out = 0;
 };

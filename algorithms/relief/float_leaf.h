@@ -12,7 +12,7 @@ namespace relief {
 
 // One axis of the stay: the cell's place along it is (lambda - base) * run - n, in [0, 1], counted the way the ray
 // runs.
-struct FloatStayAxis {
+struct FloatCellAxis {
     float n = 0;
     float base = 0;
     float run = 0;
@@ -27,7 +27,7 @@ struct FloatStayAxis {
 
 // h: (before, before), (after, before), (before, after), (after, after) in (x, y). The stay is within [in, out]: `in`
 // is early by at most a tie, `out` late by at most half of one.
-inline bool patchBelow(const std::array<float, 4>& h, const FloatStayAxis& x, const FloatStayAxis& y, float in,
+inline bool patchBelow(const std::array<float, 4>& h, const FloatCellAxis& x, const FloatCellAxis& y, float in,
                        float out, float tie) {
     const auto [h00, h10, h01, h11] = h;
     const float alongTop = h10 - h00, alongBottom = h11 - h01;

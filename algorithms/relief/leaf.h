@@ -21,7 +21,8 @@ namespace relief {
 // interpolation (some 2^-50) could still make it a hit.
 inline constexpr double kExclusionMargin = 0x1p-40;
 
-[[gnu::always_inline]] inline Stay cellStay(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
+[[gnu::always_inline]] inline CellInterval cellInterval(const CellGrid& grid, const GridRay& ray, AxisCell cx,
+                                                        AxisCell cy) {
     const double in = std::max({ray.x.enter(grid.x, cx.index, cx.index + 1, cx.base),
                                 ray.y.enter(grid.y, cy.index, cy.index + 1, cy.base), 0.0});
     const double out = std::min({ray.x.leave(grid.x, cx.index, cx.index + 1, cx.base),
@@ -99,7 +100,8 @@ struct Patch {
     double heightOut;
     double curvature;
 
-    Patch(const FloatImage& heights, const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy, Stay stay) {
+    Patch(const FloatImage& heights, const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy,
+          CellInterval interval) {
         const int i0 = grid.x.nodeBefore(cx.index);
         const int i1 = grid.x.nodeAfter(cx.index);
         const int j0 = grid.y.nodeBefore(cy.index);
@@ -108,10 +110,10 @@ struct Patch {
         const double h10 = heights(i1, j0);
         const double h01 = heights(i0, j1);
         const double h11 = heights(i1, j1);
-        const double uIn = leaf_detail::within(ray.x, cx, stay.in);
-        const double vIn = leaf_detail::within(ray.y, cy, stay.in);
-        const double uOut = leaf_detail::within(ray.x, cx, stay.out);
-        const double vOut = leaf_detail::within(ray.y, cy, stay.out);
+        const double uIn = leaf_detail::within(ray.x, cx, interval.in);
+        const double vIn = leaf_detail::within(ray.y, cy, interval.in);
+        const double uOut = leaf_detail::within(ray.x, cx, interval.out);
+        const double vOut = leaf_detail::within(ray.y, cy, interval.out);
         heightIn = leaf_detail::lerpPatch(h00, h10, h01, h11, uIn, vIn);
         heightOut = leaf_detail::lerpPatch(h00, h10, h01, h11, uOut, vOut);
         curvature = (uOut - uIn) * (vOut - vIn) * ((h11 - h10) - (h01 - h00));
@@ -122,22 +124,22 @@ struct Patch {
 template <Surface kSurface>
 [[gnu::always_inline]] inline std::optional<double> leafHit(const FloatImage& heights, const CellGrid& grid,
                                                             const GridRay& ray, AxisCell cx, AxisCell cy) {
-    const Stay stay = cellStay(grid, ray, cx, cy);
-    if (!(stay.in < stay.out)) return std::nullopt;
+    const CellInterval interval = cellInterval(grid, ray, cx, cy);
+    if (!(interval.in < interval.out)) return std::nullopt;
     if constexpr (kSurface == Surface::Columns) {
         const double h = heights(cx.index, cy.index);
-        if (1 - stay.in <= h) return stay.in;
+        if (1 - interval.in <= h) return interval.in;
         const double top = 1 - h;
-        if (top <= stay.out) return std::max(top, stay.in);
+        if (top <= interval.out) return std::max(top, interval.in);
         return std::nullopt;
     } else {
-        const Patch patch(heights, grid, ray, cx, cy, stay);
-        const double fIn = patch.heightIn - (1 - stay.in);
-        if (!(fIn < 0)) return stay.in;
-        const auto w = leaf_detail::firstRoot(fIn, patch.heightOut - (1 - stay.out), patch.curvature);
+        const Patch patch(heights, grid, ray, cx, cy, interval);
+        const double fIn = patch.heightIn - (1 - interval.in);
+        if (!(fIn < 0)) return interval.in;
+        const auto w = leaf_detail::firstRoot(fIn, patch.heightOut - (1 - interval.out), patch.curvature);
         if (!w) return std::nullopt;
-        const double lambda = stay.in + *w * (stay.out - stay.in);
-        return std::min(lambda, stay.out);
+        const double lambda = interval.in + *w * (interval.out - interval.in);
+        return std::min(lambda, interval.out);
     }
 }
 

@@ -106,7 +106,7 @@ void apexes(const std::uint32_t* depths, std::size_t stride, float highest, floa
     }
 }
 
-void pack(const ConeTile& tile, int row, std::uint32_t* words) {
+void pack(const ConeTile& tile, int row, std::uint32_t* entries) {
     const D d;
     const DU du;
     const auto lanes = static_cast<int>(hn::Lanes(d));
@@ -115,8 +115,8 @@ void pack(const ConeTile& tile, int row, std::uint32_t* words) {
     for (int x = 0; x < tile.width; x += lanes) {
         const std::size_t cone = static_cast<std::size_t>(row) * tile.stride + static_cast<std::size_t>(x);
         const auto slope = hn::Max(hn::BitCast(du, hn::LoadU(d, tile.slope + cone)), least);
-        const auto word = hn::Or(hn::ShiftLeft<20>(hn::ShiftRight<20>(slope)), hn::LoadU(du, tile.depths + cone));
-        hn::StoreU(hn::IfThenElse(hn::Lt(word, slope), hn::Add(word, step), word), du, words + x);
+        const auto entry = hn::Or(hn::ShiftLeft<20>(hn::ShiftRight<20>(slope)), hn::LoadU(du, tile.depths + cone));
+        hn::StoreU(hn::IfThenElse(hn::Lt(entry, slope), hn::Add(entry, step), entry), du, entries + x);
     }
 }
 
@@ -144,8 +144,8 @@ float steepenByBlocks(const ConeRings& rings, float highest, float farther, cons
 void placeApexes(const std::uint32_t* depths, std::size_t stride, float highest, float unit, const ConeTile& tile) {
     HWY_DYNAMIC_DISPATCH(apexes)(depths, stride, highest, unit, tile);
 }
-void packCones(const ConeTile& tile, int row, std::uint32_t* words) {
-    HWY_DYNAMIC_DISPATCH(pack)(tile, row, words);
+void packCones(const ConeTile& tile, int row, std::uint32_t* entries) {
+    HWY_DYNAMIC_DISPATCH(pack)(tile, row, entries);
 }
 
 }  // namespace relief

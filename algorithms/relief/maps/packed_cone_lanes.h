@@ -44,6 +44,6 @@ float steepenByBlocks(const ConeRings& rings, float highest, float farther, cons
 // than the tile's; slopes 0.
 void placeApexes(const std::uint32_t* depths, std::size_t stride, float highest, float unit, const ConeTile& tile);
 // A row of words.
-void packCones(const ConeTile& tile, int row, std::uint32_t* words);
+void packCones(const ConeTile& tile, int row, std::uint32_t* entries);
 
 }  // namespace relief

@@ -66,7 +66,7 @@ class QuadrantCones {
           x_{map.nx, wraps, (quadrant & 1) != 0},
           y_{map.ny, wraps, (quadrant & 2) != 0} {}
 
-    void build(std::uint32_t* words, Work& work);
+    void build(std::uint32_t* entries, Work& work);
 
   private:
     struct Scratch {
@@ -75,12 +75,12 @@ class QuadrantCones {
         std::vector<float> apex, slope;
         std::vector<std::uint32_t> own;
         std::array<std::vector<float>, kConeRings> planes;
-        std::vector<std::uint32_t> words = std::vector<std::uint32_t>(kTileWidth + kConePad);
+        std::vector<std::uint32_t> entries = std::vector<std::uint32_t>(kTileWidth + kConePad);
     };
 
     void addLevel(Work& work);
     static std::vector<std::array<int, 3>> below(const QuadrantAxis& axis, int level, int belowCount, int count);
-    void buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* words) const;
+    void buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* entries) const;
     void loadCells(int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
     bool steepenByLevel(int level, int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
     int blocksAcross(const QuadrantAxis& axis, int level) const { return ((axis.cells - 1) >> level) + 1; }
@@ -204,7 +204,7 @@ bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& ti
     return steepenByBlocks(rings, static_cast<float>(map_.highest), farther, tile) > 0;
 }
 
-void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* words) const {
+void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* entries) const {
     ConeTile tile;
     tile.width = std::min(kTileWidth, x_.cells - x0);
     tile.height = std::min(kTileHeight, y_.cells - y0);
@@ -231,9 +231,9 @@ void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* w
         if (!steepenByLevel(level, x0, y0, tile, scratch)) break;
     }
     for (int n = 0; n < tile.height; ++n) {
-        packCones(tile, n, scratch.words.data());
-        std::uint32_t* row = words + map_.index(0, y_.cellAt(y0 + n));
-        const auto* from = scratch.words.data();
+        packCones(tile, n, scratch.entries.data());
+        std::uint32_t* row = entries + map_.index(0, y_.cellAt(y0 + n));
+        const auto* from = scratch.entries.data();
         if (x_.mirrored) {
             std::reverse_copy(from, from + tile.width, row + (x_.cells - x0 - tile.width));
         } else {
@@ -242,14 +242,14 @@ void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* w
     }
 }
 
-void QuadrantCones::build(std::uint32_t* words, Work& work) {
+void QuadrantCones::build(std::uint32_t* entries, Work& work) {
     const int farthest = std::max(x_.cells, y_.cells) - 2;  // largest gap
     while (farthest >= kFirstBlocks << (levels_.size() + 1)) addLevel(work);
     const int across = (x_.cells + kTileWidth - 1) / kTileWidth;
     const int down = (y_.cells + kTileHeight - 1) / kTileHeight;
     ScratchPool<Scratch> scratch;
     parallelFor(work, across * down, [&](int n) {
-        buildTile(n % across * kTileWidth, n / across * kTileHeight, *scratch.borrow(), words);
+        buildTile(n % across * kTileWidth, n / across * kTileHeight, *scratch.borrow(), entries);
         work.progress().advance();
     });
 }
@@ -277,7 +277,7 @@ DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work)
 LargeVector<float> nodesOf(const HeightField& field, const PackedCones& map, Work& work) {
     const CellGrid grid(field);
     const FloatImage& heights = *field.sharedHeights();
-    LargeVector<float> nodes(2 * map.quadrantWords());
+    LargeVector<float> nodes(2 * map.quadrantEntries());
     parallelFor(work, map.ny, [&](int cy) {
         const auto before = heights.row(grid.y.nodeBefore(cy)), after = heights.row(grid.y.nodeAfter(cy));
         float* to = nodes.data() + 2 * map.index(0, cy);
@@ -305,15 +305,15 @@ PackedCones buildPackedCones(const HeightField& field, Work& work) {
     const auto tiles = [](int size, int tile) { return (size + tile - 1) / tile; };
     work.progress().begin("map packed-cones", std::int64_t{4} * tiles(map.nx, kTileWidth) * tiles(map.ny, kTileHeight));
     map.stride = field.surface() == Surface::Bilinear ? map.nx + 1 : map.nx;
-    if (map.quadrantWords() >= kWideWords) {
+    if (map.quadrantEntries() >= kWideEntries) {
         constexpr int kUnit = 1 << kRowShift;
         map.stride = (map.stride + kUnit - 1) / kUnit * kUnit;
     }
     constexpr std::size_t kQuadrants = 4;
-    map.words.resize(kQuadrants * map.quadrantWords());
+    map.entries.resize(kQuadrants * map.quadrantEntries());
     for (std::size_t quadrant = 0; quadrant < kQuadrants; ++quadrant) {
         QuadrantCones cones(cells, depths, map, field.address() == Address::Repeat, static_cast<int>(quadrant));
-        cones.build(map.words.data() + quadrant * map.quadrantWords(), work);
+        cones.build(map.entries.data() + quadrant * map.quadrantEntries(), work);
     }
     if (field.surface() == Surface::Bilinear) map.nodes = nodesOf(field, map, work);
     return map;
@@ -324,8 +324,8 @@ std::shared_ptr<const PackedCones> packedCones(const HeightField& field, MapCach
     std::string kind = "packed-cones/" + std::string(surfaceName(field.surface()));
     kind += field.address() == Address::Repeat ? "/repeat" : "/clamped";
     const CellGrid grid(field);
-    const std::size_t words = (place(grid.x.cells) + 1) * place(grid.y.cells);
-    checkMapMemory("packed-cones", words * (4 * sizeof(std::uint32_t) + 2 * sizeof(float)), cache);
+    const std::size_t entries = (place(grid.x.cells) + 1) * place(grid.y.cells);
+    checkMapMemory("packed-cones", entries * (4 * sizeof(std::uint32_t) + 2 * sizeof(float)), cache);
     // Entries and nodes; cells, depths, and the levels of one quadrant while they are made.
     constexpr std::uint64_t kBytes = 4 * sizeof(std::uint32_t) + 2 * sizeof(float) + 8;
     return cache.get<PackedCones>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work,

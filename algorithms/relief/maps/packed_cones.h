@@ -29,14 +29,14 @@ inline constexpr float kApexMore = 0x1p13F;
 // The word: bits 0 to 9 depth of the own cell's highest point, 10 to 19 depth of the apex, and the word as a float is
 // kappa, heights a texel (its sign, exponent and first three bits are chosen, never 0 nor below).
 inline constexpr std::uint32_t kConeDepths = 1023;
-inline std::uint32_t coneOwnDepth(std::uint32_t word) {
-    return word & kConeDepths;
+inline std::uint32_t coneOwnDepth(std::uint32_t entry) {
+    return entry & kConeDepths;
 }
-inline std::uint32_t coneApexDepth(std::uint32_t word) {
-    return word >> 10 & kConeDepths;
+inline std::uint32_t coneApexDepth(std::uint32_t entry) {
+    return entry >> 10 & kConeDepths;
 }
-inline float coneSlope(std::uint32_t word) {
-    return std::bit_cast<float>(word);
+inline float coneSlope(std::uint32_t entry) {
+    return std::bit_cast<float>(entry);
 }
 
 // Number of the quadrant that a ray runs to: bit 0 says that its run in x is negative, bit 1 that in y (a run of 0 is
@@ -50,7 +50,7 @@ inline constexpr double kShorterShare = 1 - 1e-9;
 
 // Maps of so many words a quadrant, or more, have rows of a multiple of 2^kRowShift words: so lanes find words in
 // float.
-inline constexpr std::size_t kWideWords = std::size_t{1} << 22U;
+inline constexpr std::size_t kWideEntries = std::size_t{1} << 22U;
 inline constexpr int kRowShift = 7;
 
 struct PackedCones {
@@ -61,7 +61,7 @@ struct PackedCones {
     double lowest = 0;
     double unit = 0;  // height = highest - depth * unit: at or above the true one; 0 if the relief is flat
     // Quadrant after quadrant, each row by row.
-    LargeVector<std::uint32_t> words;
+    LargeVector<std::uint32_t> entries;
     int stride = 0;  // words a row; beyond nx on bilinear surfaces, so that a cell's words and nodes are of one number
     // Bilinear surfaces: the heights of a cell's nodes in one place, (i0, j0), (i0, j1), (i1, j0), (i1, j1) from
     // 2 index(cx, cy) on; the nodes that it shares with the next cell of its row are stored once.
@@ -70,10 +70,10 @@ struct PackedCones {
     std::size_t index(int cx, int cy) const {
         return static_cast<std::size_t>(cy) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(cx);
     }
-    std::size_t quadrantWords() const { return index(0, ny); }
-    const std::uint32_t* quadrant(std::size_t number) const { return words.data() + number * quadrantWords(); }
+    std::size_t quadrantEntries() const { return index(0, ny); }
+    const std::uint32_t* quadrant(std::size_t number) const { return entries.data() + number * quadrantEntries(); }
     double heightAt(std::uint32_t depth) const { return highest - depth * unit; }
-    std::size_t bytes() const { return words.size() * sizeof(std::uint32_t) + nodes.size() * sizeof(float); }
+    std::size_t bytes() const { return entries.size() * sizeof(std::uint32_t) + nodes.size() * sizeof(float); }
 };
 
 // From the cache, or built in parallel, with progress; throws Cancelled, InputError beyond the cache's memory.

@@ -165,7 +165,7 @@ Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
     for (double left = ray.cellBound() + 2; left > 0; --left) {
         cx = ray.x.cellAt(grid_.x, lambda);
         cy = ray.y.cellAt(grid_.y, lambda);
-        const double out = std::max(cellStay(grid_, ray, cx, cy).out, lambda);
+        const double out = std::max(cellInterval(grid_, ray, cx, cy).out, lambda);
         const double apex = static_cast<double>(map_->apex(cx.index, cy.index, 0));
         double after = out;
         sink.read(1);

@@ -171,7 +171,7 @@ class ConeWalk {
     enum class End : std::uint8_t { Hit, Miss, Unclear, Left };
 
     float depthAt(std::uint32_t depth) const { return static_cast<float>(depth) * unit_ + top_; }
-    std::uint32_t word(std::size_t quadrant, int cx, int cy) const {
+    std::uint32_t entry(std::size_t quadrant, int cx, int cy) const {
         return cones_.quadrant(quadrant)[cones_.index(cx, cy)];
     }
     bool below(const ConeRay& ray, AxisCell cx, AxisCell cy, float out) const;
@@ -196,13 +196,13 @@ inline bool ConeWalk::below(const ConeRay& ray, AxisCell cx, AxisCell cy, float 
     };
     const float latest = std::max(entered(ray.x), entered(ray.y));
     const float in = std::min(std::max(latest - ray.tie, 0.0F), out);
-    const auto stay = [](const ConeAxis& axis) {
-        return FloatStayAxis{static_cast<float>(axis.n), axis.base - axis.inverse, axis.run, axis.back};
+    const auto cellAxis = [](const ConeAxis& axis) {
+        return FloatCellAxis{static_cast<float>(axis.n), axis.base - axis.inverse, axis.run, axis.back};
     };
     std::array<float, 4> corners;
     std::ranges::transform(cellCorners(heights, scene_.grid, cx.index, cy.index), corners.begin(),
                            [](double height) { return static_cast<float>(height); });
-    return patchBelow(corners, stay(ray.x), stay(ray.y), in, out, ray.tie);
+    return patchBelow(corners, cellAxis(ray.x), cellAxis(ray.y), in, out, ray.tie);
 }
 
 // Whether the ray is surely above the neighbouring cell along one axis until it has passed the corner.
@@ -211,7 +211,7 @@ inline bool ConeWalk::neighbourClear(const ConeRay& ray, std::size_t quadrant, b
     if (next.n == next.last && scene_.address != Address::Repeat) return scene_.address == Address::Clamp;
     ++next.n;
     const AxisCell cx = (alongX ? next : ray.x).cell(scene_.grid.x), cy = (alongX ? ray.y : next).cell(scene_.grid.y);
-    return out + (ray.tie + ray.tie) < depthAt(coneOwnDepth(word(quadrant, cx.index, cy.index)));
+    return out + (ray.tie + ray.tie) < depthAt(coneOwnDepth(entry(quadrant, cx.index, cy.index)));
 }
 
 // To the cell where the jump ends, the next one at least; or an end.
@@ -257,14 +257,14 @@ ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeR
     const std::size_t quadrant = quadrantOf(exact);
     while (true) {
         const AxisCell cx = ray.x.cell(scene_.grid.x), cy = ray.y.cell(scene_.grid.y);
-        const std::uint32_t bits = word(quadrant, cx.index, cy.index);
+        const std::uint32_t bits = entry(quadrant, cx.index, cy.index);
         const ConeRay::Crossings cross = ray.crossings(scene_);
         const float exit = cross.first();
         float jump = std::min(exit, ray.rim);
         // What is logged: the cell's way out itself, which float puts a little later.
         double out = lambda;
         if constexpr (!std::is_same_v<Sink, NullSink>) {
-            out = std::clamp(cellStay(scene_.grid, exact, cx, cy).out, lambda, 1.0);
+            out = std::clamp(cellInterval(scene_.grid, exact, cx, cy).out, lambda, 1.0);
         }
         double after = out;
         const auto note = [&](Decision decision) {

@@ -140,8 +140,8 @@ class DepthWalk {
 // Whether the surface is surely below the ray in its cell.
 inline bool DepthWalk::below(const PyramidWalk& walk, const Ray& ray, float out) const {
     if (scene_.surface == Surface::Columns) return false;  // the cell's depth is its own
-    const auto stay = [](const DepthAxis& axis) {
-        return FloatStayAxis{static_cast<float>(axis.k + axis.offset), axis.base, axis.run, axis.back};
+    const auto cellAxis = [](const DepthAxis& axis) {
+        return FloatCellAxis{static_cast<float>(axis.k + axis.offset), axis.base, axis.run, axis.back};
     };
     const float entered = std::max(ray.x.lambdaAt(ray.x.k), ray.y.lambdaAt(ray.y.k));
     const float in = std::min(std::max(entered - ray.tie, 0.0F), out);
@@ -149,7 +149,7 @@ inline bool DepthWalk::below(const PyramidWalk& walk, const Ray& ray, float out)
     std::array<float, 4> corners;
     std::ranges::transform(cellCorners(walk.field().heights(), scene_.grid, cell.x.index, cell.y.index),
                            corners.begin(), [](double height) { return static_cast<float>(height); });
-    return patchBelow(corners, stay(ray.x), stay(ray.y), in, out, ray.tie);
+    return patchBelow(corners, cellAxis(ray.x), cellAxis(ray.y), in, out, ray.tie);
 }
 
 // Whether the ray is surely above the neighbouring node along one axis until it has passed the corner.

@@ -93,8 +93,8 @@ class DisplacementMesh {
 };
 
 inline std::optional<double> DisplacementMesh::quadHit(const GridRay& ray, AxisCell cx, AxisCell cy) const {
-    const Stay stay = cellStay(grid_, ray, cx, cy);
-    if (!(stay.in < stay.out)) return std::nullopt;
+    const CellInterval interval = cellInterval(grid_, ray, cx, cy);
+    if (!(interval.in < interval.out)) return std::nullopt;
     const Corners h = corners(cx, cy);
     struct Place {
         double lambda, u, v, gap;  // gap: surface minus ray
@@ -110,13 +110,13 @@ inline std::optional<double> DisplacementMesh::quadHit(const GridRay& ray, AxisC
         const double share = from.gap / (from.gap - to.gap);
         return std::min(from.lambda + share * (to.lambda - from.lambda), to.lambda);
     };
-    const Place in = placeAt(stay.in);
-    if (!(in.gap < 0)) return stay.in;
-    const Place out = placeAt(stay.out);
+    const Place in = placeAt(interval.in);
+    if (!(in.gap < 0)) return interval.in;
+    const Place out = placeAt(interval.out);
     const double before = in.u - in.v;
     const double after = out.u - out.v;
     if ((before < 0) == (after < 0)) return between(in, out);
-    const Place diagonal = placeAt(stay.in + before / (before - after) * (stay.out - stay.in));
+    const Place diagonal = placeAt(interval.in + before / (before - after) * (interval.out - interval.in));
     if (const auto hit = between(in, diagonal)) return hit;
     return between(diagonal, out);
 }

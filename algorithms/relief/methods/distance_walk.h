@@ -138,7 +138,7 @@ Hit DistanceWalk::run(const ViewRay& viewRay, Segment segment, Sink& sink) const
         sink.read(1);
         double after = 0;
         if (distance < nearest) {
-            after = std::max(cellStay(grid_, ray, cx, cy).out, lambda);
+            after = std::max(cellInterval(grid_, ray, cx, cy).out, lambda);
             sink.read(leafReads(field_.surface()));
             if (const auto hit = leafHit(field_, grid_, ray, cx, cy)) {
                 sink.step(note(Decision::Hit, lambda, after, distance, *hit));

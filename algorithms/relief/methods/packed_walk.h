@@ -26,20 +26,20 @@ struct ConeGround {
 // The record of a step: an advance is over the word's cone, which stands under the place where the ray leaves the cell;
 // any other is about the cell's highest point.
 inline Step coneRecord(const ConeGround& ground, const GridRay& ray, AxisCell cx, AxisCell cy, Decision decision,
-                       Stay stay, std::uint32_t word, double after) {
+                       CellInterval interval, std::uint32_t entry, double after) {
     // In the order of azimuths.
     constexpr std::array<int, 4> kSectors{0, 1, 3, 2};
     const bool advances = decision == Decision::Advance;
-    const double own = ground.cones.heightAt(coneOwnDepth(word)), slope = static_cast<double>(coneSlope(word));
-    Step step =
-        cellRecord(ground.field, ground.grid, cx, cy, decision, stay.in, stay.out, advances ? slope : own, after);
+    const double own = ground.cones.heightAt(coneOwnDepth(entry)), slope = static_cast<double>(coneSlope(entry));
+    Step step = cellRecord(ground.field, ground.grid, cx, cy, decision, interval.in, interval.out,
+                           advances ? slope : own, after);
     if (!advances) {
         step.subject = subject::Texel{0, step.i, step.j, own, {}};
         return step;
     }
-    const double s = ray.x.start + stay.out * ray.x.run - ground.grid.x.shift;
-    const double t = ray.y.start + stay.out * ray.y.run - ground.grid.y.shift;
-    const double apex = ground.cones.heightAt(coneApexDepth(word));
+    const double s = ray.x.start + interval.out * ray.x.run - ground.grid.x.shift;
+    const double t = ray.y.start + interval.out * ray.y.run - ground.grid.y.shift;
+    const double apex = ground.cones.heightAt(coneApexDepth(entry));
     step.subject = subject::Cone{s, t, apex, slope, kSectors[quadrantOf(ray)], 4, true, true};
     return step;
 }
@@ -101,10 +101,10 @@ class PackedConeWalk {
     // A step; false: it has ended, or come to where it was to pause.
     template <class Sink>
     bool step(const ConeGround& ground, Sink& sink) {
-        const std::uint32_t word = ground.cones.quadrant(quadrant_)[ground.cones.index(x_.index, y_.index)];
+        const std::uint32_t entry = ground.cones.quadrant(quadrant_)[ground.cones.index(x_.index, y_.index)];
         const auto note = [&](Decision decision, double after) {
             return [&, decision, after] {
-                return query_.logged(coneRecord(ground, ray_, x_, y_, decision, {lambda_, out_}, word, after));
+                return query_.logged(coneRecord(ground, ray_, x_, y_, decision, {lambda_, out_}, entry, after));
             };
         };
         double after = out_;
@@ -117,13 +117,13 @@ class PackedConeWalk {
         } else {
             sink.read(1);
             const double zOut = query_.heightAt(out_), lowest = std::min(query_.heightAt(lambda_), zOut);
-            if (!(ground.cones.heightAt(coneOwnDepth(word)) + Query::kMargin < lowest)) {
+            if (!(ground.cones.heightAt(coneOwnDepth(entry)) + Query::kMargin < lowest)) {
                 testing_ = true;
                 fetchHeights(ground);
                 return true;
             }
-            const double room = zOut - ground.cones.heightAt(coneApexDepth(word));
-            const double closing = static_cast<double>(coneSlope(word)) * run_ - query_.rise();
+            const double room = zOut - ground.cones.heightAt(coneApexDepth(entry));
+            const double closing = static_cast<double>(coneSlope(entry)) * run_ - query_.rise();
             if (room > 0) {
                 // What rises faster than the cone never meets it.
                 const double free = closing > 0 ? room / closing * kShorterShare : 1;
@@ -149,7 +149,7 @@ class PackedConeWalk {
     void arrive(const ConeGround& ground) {
         x_ = ray_.x.cellAt(ground.grid.x, lambda_);
         y_ = ray_.y.cellAt(ground.grid.y, lambda_);
-        out_ = std::max(std::min(cellStay(ground.grid, ray_, x_, y_).out, end_), lambda_);
+        out_ = std::max(std::min(cellInterval(ground.grid, ray_, x_, y_).out, end_), lambda_);
         hwy::Prefetch(ground.cones.quadrant(quadrant_) + ground.cones.index(x_.index, y_.index));
     }
     void fetchHeights(const ConeGround& ground) const {

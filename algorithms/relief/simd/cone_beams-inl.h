@@ -82,7 +82,7 @@ class BeamWalk {
   public:
     BeamWalk(const FloatScene& scene, const PackedCones& cones, std::uint32_t quadrant)
         : scene_(scene),
-          words_(reinterpret_cast<const std::int32_t*>(cones.quadrant(quadrant))),
+          entries_(reinterpret_cast<const std::int32_t*>(cones.quadrant(quadrant))),
           stride_(cones.stride),
           unit_(cones.unit),
           top_(1 - cones.highest),
@@ -119,9 +119,9 @@ class BeamWalk {
             hn::And(hn::Lt(fastest, far), hn::Lt(hn::Max(hn::Abs(lowX), hn::Abs(lowY)), hn::Set(d, kFloatPlaces))));
         const VD cellX = hn::Floor(hn::Add(lowX, hn::Mul(lambda, slowX)));
         const VD cellY = hn::Floor(hn::Add(lowY, hn::Mul(lambda, slowY)));
-        const auto word = wordAt(fit, cellX, cellY);
-        const VD kappa = hn::PromoteTo(d, hn::BitCast(DHF(), word));
-        const auto bits = hn::And(hn::ShiftRight<10>(word), hn::Set(DHI(), static_cast<std::int32_t>(kConeDepths)));
+        const auto entry = entryAt(fit, cellX, cellY);
+        const VD kappa = hn::PromoteTo(d, hn::BitCast(DHF(), entry));
+        const auto bits = hn::And(hn::ShiftRight<10>(entry), hn::Set(DHI(), static_cast<std::int32_t>(kConeDepths)));
         const VD apex = hn::Add(hn::Set(d, top_), hn::Mul(hn::PromoteTo(d, bits), hn::Set(d, unit_)));
         const auto beyond = [&](VD high, VD fast, VD cell) {
             return hn::Sub(hn::Add(high, hn::Mul(lambda, fast)), hn::Add(cell, one));
@@ -134,11 +134,11 @@ class BeamWalk {
         return !hn::AllFalse(d, on);
     }
 
-    hn::Vec<DHI> wordAt(MD who, VD cellX, VD cellY) const {
+    hn::Vec<DHI> entryAt(MD who, VD cellX, VD cellY) const {
         const DD d;
         const VD x = addressed(scene_.grid.x, mirroredX_, cellX), y = addressed(scene_.grid.y, mirroredY_, cellY);
         const VD index = hn::Add(hn::Mul(y, hn::Set(d, stride_)), x);
-        return hn::GatherIndex(DHI(), words_, hn::DemoteTo(DHI(), hn::IfThenElseZero(who, index)));
+        return hn::GatherIndex(DHI(), entries_, hn::DemoteTo(DHI(), hn::IfThenElseZero(who, index)));
     }
     VD addressed(const GridAxis& axis, bool mirrored, VD cell) const {
         const DD d;
@@ -150,7 +150,7 @@ class BeamWalk {
     }
 
     const FloatScene& scene_;
-    const std::int32_t* words_;
+    const std::int32_t* entries_;
     double stride_, unit_, top_;
     bool mirroredX_, mirroredY_;
 };

@@ -10,9 +10,9 @@
 
 #include <memory>
 
+#include "relief/simd/candidates-inl.h"
 #include "relief/simd/cone_beams-inl.h"
 #include "relief/simd/cone_walk-inl.h"
-#include "relief/simd/lane_settle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
@@ -34,7 +34,7 @@ void goOnIn(const FloatScene& scene, const PackedCones& cones, const double* con
     }
     hn::StoreU(hn::Zero(DI()), DI(), rays.within.data() + rays.count);
     ConeKernel<kAddress, kSurface, Arithmetic>(scene, WalkMap(cones, true), given, rays, true, columnsOfThread()).run();
-    settleLanes<kAddress, kSurface>(scene, given, rays, hits, 0);
+    resolveCandidates<kAddress, kSurface>(scene, given, rays, hits, 0);
 }
 
 template <Address kAddress, Surface kSurface, class Arithmetic>
@@ -53,7 +53,7 @@ void traceConesIn(const FloatScene& scene, const PackedCones& cones, const doubl
         }
     }
     ConeKernel<kAddress, kSurface, Arithmetic>(scene, WalkMap(cones, scattered), given, scratch, false, walk).run();
-    settleLanes<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
+    resolveCandidates<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
 }
 
 template <Surface kSurface, class Arithmetic = FastArithmetic>

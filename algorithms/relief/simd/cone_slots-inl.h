@@ -60,27 +60,27 @@ inline constexpr auto kApexBits = std::bit_cast<std::int32_t>(kApexMore);
 
 // What is the same for all rays.
 struct WalkMap {
-    const std::int32_t* words = nullptr;                    // quadrant after quadrant
-    std::int32_t quadrant = 0;                              // words of one
-    std::int32_t stride = 0;                                // words of a row
-    float unit = 0, top = 0;                                // depth d is at lambda top + d unit
-    float topOfApex = 0;                                    // the same of kApexBits' number, which is more by kApexMore
-    bool prefetchesNodes = false, prefetchesWords = false;  // before they are needed
-    bool wide = false;                                      // ways are found by rows of units of 2^kRowShift words
+    const std::int32_t* entries = nullptr;  // quadrant after quadrant
+    std::int32_t quadrant = 0;              // words of one
+    std::int32_t stride = 0;                // words of a row
+    float unit = 0, top = 0;                // depth d is at lambda top + d unit
+    float topOfApex = 0;                    // the same of kApexBits' number, which is more by kApexMore
+    bool prefetchesNodes = false, prefetchesEntries = false;  // before they are needed
+    bool wide = false;                                        // ways are found by rows of units of 2^kRowShift words
 
     WalkMap() = default;
     // scattered: the rays are not those of neighbouring pixels, which find words that others of them have read.
     WalkMap(const PackedCones& cones, bool scattered) {
-        const std::size_t size = cones.quadrantWords();
-        words = reinterpret_cast<const std::int32_t*>(cones.words.data());
+        const std::size_t size = cones.quadrantEntries();
+        entries = reinterpret_cast<const std::int32_t*>(cones.entries.data());
         quadrant = static_cast<std::int32_t>(size);
         stride = cones.stride;
         unit = static_cast<float>(cones.unit);
         top = static_cast<float>(1 - cones.highest);
         topOfApex = static_cast<float>(1 - cones.highest - static_cast<double>(kApexMore * unit));
         prefetchesNodes = size >= kLargeMap;
-        prefetchesWords = size >= (scattered ? kLargeMap : kVeryLargeMap);
-        wide = size >= kWideWords;
+        prefetchesEntries = size >= (scattered ? kLargeMap : kVeryLargeMap);
+        wide = size >= kWideEntries;
     }
 };
 
@@ -166,7 +166,7 @@ class WalkSlots {
     }
     // The number of the word of the cell (nx, ny).
     template <bool kWide>
-    HWY_INLINE static VI wordOf(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
+    HWY_INLINE static VI entryIndexOf(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
         return hn::Add(hn::Load(DI(), columns.first.data() + i), wayTo<kWide>(columns, i, nx, ny));
     }
 
@@ -196,15 +196,15 @@ class WalkSlots {
             hn::Add(takeAxis(frameX_, x, start, from, to, 1, columns_.x, rays_.x, rim),
                     takeAxis(frameY_, y, start, from, to, map_.wide ? map_.stride >> kRowShift : map_.stride,
                              columns_.y, rays_.y, rim));
-        const auto ofQuadrant = [&](MF back, std::int32_t words) {
-            return hn::IfThenElseZero(asInt(back), hn::Set(di_, words));
+        const auto ofQuadrant = [&](MF back, std::int32_t entries) {
+            return hn::IfThenElseZero(asInt(back), hn::Set(di_, entries));
         };
         const VI quadrant = hn::Add(ofQuadrant(x.back, map_.quadrant), ofQuadrant(y.back, 2 * map_.quadrant));
         const VI index = hn::Add(hn::Add(hn::Mul(y.cell, hn::Set(di_, map_.stride)), x.cell), quadrant);
         const VF nx = hn::LoadU(df_, columns_.x.n.data() + to), ny = hn::LoadU(df_, columns_.y.n.data() + to);
         const VI way = map_.wide ? wayTo<true>(columns_, to, nx, ny) : wayTo<false>(columns_, to, nx, ny);
         hn::StoreU(hn::Sub(index, way), di_, columns_.first.data() + to);
-        if (map_.prefetchesWords) prefetch<1>(map_.words, index);
+        if (map_.prefetchesEntries) prefetch<1>(map_.entries, index);
         hn::StoreU(hn::Mul(hn::Max(x.run, y.run), hn::Set(df_, kSteeper)), df_, columns_.steep.data() + to);
         hn::StoreU(rim, df_, columns_.rim.data() + to);
         hn::StoreU(hn::Add(margins, margins), df_, columns_.tie.data() + to);
@@ -346,8 +346,8 @@ class WalkSlots {
         // base is of the line ahead.
         const VF shorter = Arithmetic::mulAdd(in.run, hn::Set(df_, kShorterJump), hn::Set(df_, kShorterJump - 0.5F));
         hn::StoreU(Arithmetic::mulAdd(base, in.run, shorter), df_, out.place.data() + to);
-        const VF words = hn::Set(df_, static_cast<float>(stride));
-        hn::StoreU(hn::IfThenElse(in.back, hn::Neg(words), words), df_, out.stride.data() + to);
+        const VF entries = hn::Set(df_, static_cast<float>(stride));
+        hn::StoreU(hn::IfThenElse(in.back, hn::Neg(entries), entries), df_, out.stride.data() + to);
         return margin;
     }
 

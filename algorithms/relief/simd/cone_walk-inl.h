@@ -54,7 +54,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         VF n;
         VF cross;  // lambda at which the cell is left
     };
-    struct Stay {
+    struct CellExit {
         Axis x, y;
         VF tie, rim, first, out;
     };
@@ -87,7 +87,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
             const VI within = hn::GatherIndex(di_, rays_.within.data(), hn::Load(di_, columns_.slot.data() + i));
             const MI walking = hn::Eq(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kWalking));
             const MF who = asFloat(hn::And(walking, hn::Eq(within, hn::Zero(di_))));
-            const Stay at = stay(columns_, i);
+            const CellExit at = cellExit(columns_, i);
             moveOn<kWide>(map_, columns_, i, at.x, at.y, who, at.out);
         }
     }
@@ -104,9 +104,9 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         }
         return out;
     }
-    HWY_INLINE static Stay stay(const WalkColumns& columns, std::size_t i) {
+    HWY_INLINE static CellExit cellExit(const WalkColumns& columns, std::size_t i) {
         const DF df;
-        Stay out;
+        CellExit out;
         out.x = load(columns.x, i);
         out.y = load(columns.y, i);
         out.tie = hn::Load(df, columns.tie.data() + i);
@@ -117,16 +117,16 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     }
 
     // lambda at which the ray is as high as the word's cell, and as its apex.
-    HWY_INLINE static VF ownOf(const WalkMap& map, VI word) {
+    HWY_INLINE static VF ownOf(const WalkMap& map, VI entry) {
         const DF df;
-        const VI bits = hn::And(word, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths)));
+        const VI bits = hn::And(entry, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths)));
         return Arithmetic::mulAdd(hn::ConvertTo(df, bits), hn::Set(df, map.unit), hn::Set(df, map.top));
     }
-    HWY_INLINE static VF apexOf(const WalkMap& map, VI word) {
+    HWY_INLINE static VF apexOf(const WalkMap& map, VI entry) {
         const DF df;
         const DI di;
         const VI bits =
-            hn::OrAnd(hn::Set(di, kApexBits), word, hn::Set(di, static_cast<std::int32_t>(kConeDepths << 10)));
+            hn::OrAnd(hn::Set(di, kApexBits), entry, hn::Set(di, static_cast<std::int32_t>(kConeDepths << 10)));
         return Arithmetic::mulAdd(hn::BitCast(df, bits), hn::Set(df, map.unit), hn::Set(df, map.topOfApex));
     }
 
@@ -134,14 +134,15 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     struct Fetched {
         Axis x, y;
         VF out;  // lambda at which the cell is left, or the map or the slab before
-        VI word;
+        VI entry;
     };
     template <bool kWide>
     HWY_INLINE static Fetched fetch(const WalkMap& map, const WalkColumns& columns, std::size_t i) {
         Fetched out;
         out.x = load(columns.x, i), out.y = load(columns.y, i);
         // Ended rays are within the map still, and behind the last vector is word 0: their words may be read.
-        out.word = hn::GatherIndex(DI(), map.words, Slots::template wordOf<kWide>(columns, i, out.x.n, out.y.n));
+        out.entry =
+            hn::GatherIndex(DI(), map.entries, Slots::template entryIndexOf<kWide>(columns, i, out.x.n, out.y.n));
         out.out = hn::Min(out.x.cross, out.y.cross);
         return out;
     }
@@ -182,15 +183,15 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         const DI di;
         const VI state = hn::Load(di, columns.state.data() + i);
         const MF walking = asFloat(hn::Eq(state, hn::Set(di, kWalking)));
-        if constexpr (Arithmetic::kRecords) Arithmetic::visit(columns, i, at.x.n, at.y.n, at.word, walking);
-        const MF above = hn::Lt(at.out, ownOf(map, at.word));
+        if constexpr (Arithmetic::kRecords) Arithmetic::visit(columns, i, at.x.n, at.y.n, at.entry, walking);
+        const MF above = hn::Lt(at.out, ownOf(map, at.entry));
         const MF leaf = hn::AndNot(above, walking);
         hn::Store(hn::IfThenElse(asInt(leaf), hn::Set(di, kAtLeaf), state), di, columns.state.data() + i);
         waiting += hn::CountTrue(df, leaf);
         // The ray meets the cone.
-        const VF apex = apexOf(map, at.word);
-        const VF steepness =
-            Arithmetic::mulAdd(hn::BitCast(df, at.word), hn::Load(df, columns.steep.data() + i), hn::Set(df, kSteeper));
+        const VF apex = apexOf(map, at.entry);
+        const VF steepness = Arithmetic::mulAdd(hn::BitCast(df, at.entry), hn::Load(df, columns.steep.data() + i),
+                                                hn::Set(df, kSteeper));
         const VF free = hn::Max(hn::Sub(apex, at.out), hn::Zero(df));
         Planned out;
         out.x = at.x, out.y = at.y;
@@ -228,7 +229,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         }
         if (HWY_UNLIKELY(!hn::AllFalse(df, hn::And(who, rare)))) {
             moveWithCare<kWide>(i, who, jump);
-        } else if (!map.prefetchesWords) {
+        } else if (!map.prefetchesEntries) {
             storeWhere(who, nextX, x.n, columns.x.n.data() + i);
             storeWhere(who, nextY, y.n, columns.y.n.data() + i);
         } else {
@@ -236,7 +237,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
             const VF nx = hn::IfThenElse(who, nextX, x.n), ny = hn::IfThenElse(who, nextY, y.n);
             hn::Store(nx, df, columns.x.n.data() + i);
             hn::Store(ny, df, columns.y.n.data() + i);
-            Slots::template prefetch<1>(map.words, Slots::template wordOf<kWide>(columns, i, nx, ny));
+            Slots::template prefetch<1>(map.entries, Slots::template entryIndexOf<kWide>(columns, i, nx, ny));
         }
     }
     // before: what is there.
@@ -253,7 +254,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     // The same where a ray is near a corner or the rim, or leaves the map.
     template <bool kWide>
     HWY_NOINLINE void moveWithCare(std::size_t i, MF who, VF jump) {
-        const Stay at = stay(columns_, i);
+        const CellExit at = cellExit(columns_, i);
         const MF near = hn::And(hn::Lt(hn::Abs(hn::Sub(at.x.cross, at.y.cross)), at.tie),
                                 hn::Lt(jump, hn::Add(hn::Max(at.x.cross, at.y.cross), at.tie)));
         const MF atRim = hn::Ge(hn::Add(at.first, at.tie), at.rim);
@@ -322,21 +323,21 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
 
     // Whether the neighbour along one axis alone is surely above the surface until the corner is passed.
     template <bool kWide>
-    HWY_INLINE MF sideClear(std::size_t i, const Stay& at, MF who, bool alongX) const {
+    HWY_INLINE MF sideClear(std::size_t i, const CellExit& at, MF who, bool alongX) const {
         const EntryFrame& frame = alongX ? frameX_ : frameY_;
         const WalkAxis& column = alongX ? columns_.x : columns_.y;
         const MF beyond = hn::Eq((alongX ? at.x : at.y).n, lastOf(i, frame, column, alongX ? rays_.x : rays_.y));
         const MI backwards = asInt(hn::Lt(hn::Load(df_, column.stride.data() + i), hn::Zero(df_)));
-        const VI words = hn::Set(di_, alongX ? 1 : map_.stride);
-        const VI stride = hn::IfThenElse(backwards, hn::Neg(words), words);
+        const VI entries = hn::Set(di_, alongX ? 1 : map_.stride);
+        const VI stride = hn::IfThenElse(backwards, hn::Neg(entries), entries);
         VI step = stride;  // from the last cell there is none, or to the first one
         if constexpr (kAddress == Address::Repeat) {
             const VI back = hn::Mul(stride, hn::Set(di_, 1 - frame.axis.cells));
             step = hn::IfThenElse(asInt(beyond), back, stride);
         }
         const MI there = asInt(kAddress == Address::Repeat ? who : hn::AndNot(beyond, who));
-        const VI index = hn::Add(Slots::template wordOf<kWide>(columns_, i, at.x.n, at.y.n), step);
-        const VF own = ownOf(map_, hn::GatherIndex(di_, map_.words, hn::IfThenElseZero(there, index)));
+        const VI index = hn::Add(Slots::template entryIndexOf<kWide>(columns_, i, at.x.n, at.y.n), step);
+        const VF own = ownOf(map_, hn::GatherIndex(di_, map_.entries, hn::IfThenElseZero(there, index)));
         const MF clear = hn::Lt(hn::Add(at.out, hn::Add(at.tie, at.tie)), own);
         if constexpr (kAddress == Address::Clamp) return hn::Or(clear, beyond);
         if constexpr (kAddress == Address::Border) return hn::AndNot(beyond, clear);
@@ -370,13 +371,13 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     HWY_INLINE static VI cellNumber(const WalkMap& map, const WalkColumns& columns, std::size_t i) {
         const DF df;
         const DI di;
-        const auto ofQuadrant = [&](const WalkAxis& axis, std::int32_t words) {
+        const auto ofQuadrant = [&](const WalkAxis& axis, std::int32_t entries) {
             const MF back = hn::Lt(hn::Load(df, axis.stride.data() + i), hn::Zero(df));
-            return hn::IfThenElseZero(asInt(back), hn::Set(di, words));
+            return hn::IfThenElseZero(asInt(back), hn::Set(di, entries));
         };
         const VI first = hn::Add(ofQuadrant(columns.x, map.quadrant), ofQuadrant(columns.y, 2 * map.quadrant));
         const VF nx = hn::Load(df, columns.x.n.data() + i), ny = hn::Load(df, columns.y.n.data() + i);
-        return hn::Sub(Slots::template wordOf<kWide>(columns, i, nx, ny), first);
+        return hn::Sub(Slots::template entryIndexOf<kWide>(columns, i, nx, ny), first);
     }
 
     // Returns how many walk on.
@@ -387,7 +388,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         const VI state = hn::Load(di, columns.state.data() + i);
         const MI whoI = hn::Eq(state, hn::Set(di, kAtLeaf));
         const MF who = asFloat(whoI);
-        const Stay at = stay(columns, i);
+        const CellExit at = cellExit(columns, i);
         MF below;
         if constexpr (kSurface == Surface::Columns) {
             below = columnBelow(scene_, hn::Load(di, cells), at.out);

@@ -106,7 +106,7 @@ struct ExactShare {
 HWY_INLINE ExactShare exactShare(const ExactGaps& gaps, VD in, VD out) {
     const DD d;
     const VD zero = hn::Zero(d), c = gaps.bend;
-    const MD stays = hn::Lt(in, out);
+    const MD crosses = hn::Lt(in, out);
     const MD atEntry = hn::Not(hn::Lt(gaps.in, zero));
     // leaf_detail::firstRoot
     const VD b = hn::Sub(hn::Sub(gaps.out, gaps.in), c);
@@ -119,7 +119,7 @@ HWY_INLINE ExactShare exactShare(const ExactGaps& gaps, VD in, VD out) {
     const VD above = hn::IfThenElse(rising, hn::Mul(hn::Set(d, -2.0), gaps.in), hn::Sub(root, b));
     const VD below = hn::IfThenElse(rising, hn::Add(b, root), hn::Mul(hn::Set(d, 2.0), c));
     return {hn::IfThenZeroElse(atEntry, above), hn::IfThenElse(atEntry, hn::Set(d, 1.0), below),
-            hn::And(stays, hn::Or(atEntry, hn::Not(none)))};
+            hn::And(crosses, hn::Or(atEntry, hn::Not(none)))};
 }
 HWY_INLINE VD exactMeeting(VD above, VD below, VD in, VD out) {
     const VD w = hn::Div(above, below);

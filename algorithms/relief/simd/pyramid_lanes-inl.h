@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "relief/methods/depth_walk.h"
-#include "relief/simd/lane_settle-inl.h"
+#include "relief/simd/candidates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
@@ -360,7 +360,7 @@ void tracePyramidIn(const FloatScene& scene, const DepthPyramid& pyramid, const 
     PyramidKernel<kAddress, kSurface, Arithmetic>(scene, pyramid, scratch).run();
     periodsOfHits<kAddress>(scene, scratch.count, scratch.x);
     periodsOfHits<kAddress>(scene, scratch.count, scratch.y);
-    settleLanes<kAddress, kSurface>(scene, given, scratch, hits, first);
+    resolveCandidates<kAddress, kSurface>(scene, given, scratch, hits, first);
 }
 
 // Of the scene's surface and addressing.

@@ -25,18 +25,18 @@ class AnyHitQuery {
     virtual double stepBound(const AnyRay& ray) const = 0;
 
     // sights is resized; the same answers whatever the sink and the number of threads. Throws Cancelled.
-    virtual void look(const AnyRayBlock& rays, SightBlock& sights, NullSink& sink, Work& work) const = 0;
-    virtual void look(const AnyRayBlock& rays, SightBlock& sights, BlockCounts& sink, Work& work) const = 0;
-    virtual void look(const AnyRayBlock& rays, SightBlock& sights, StepLog& sink, Work& work) const = 0;
+    virtual void query(const AnyRayBlock& rays, VisibilityBlock& results, NullSink& sink, Work& work) const = 0;
+    virtual void query(const AnyRayBlock& rays, VisibilityBlock& results, BlockCounts& sink, Work& work) const = 0;
+    virtual void query(const AnyRayBlock& rays, VisibilityBlock& results, StepLog& sink, Work& work) const = 0;
 };
 
 // Every query there is. Only maps that are valid for any ray can serve one; others do not compile.
 const std::vector<MethodDescription>& anyHitList();
 
 // The fastest for many segments: in lanes by packed cones, or the max pyramid where those would be large (16 bytes a
-// texel, above kPackedSight texels).
-inline constexpr std::size_t kPackedSight = std::size_t{1} << 22;
-MethodChoice sightChoice(const HeightField& field);
+// texel, above kMaxPackedTexels texels).
+inline constexpr std::size_t kMaxPackedTexels = std::size_t{1} << 22;
+MethodChoice visibilityChoice(const HeightField& field);
 
 // Builds the maps it needs (from the cache if they are there). Throws InputError for unknown names, options, and
 // methods whose maps hold for view rays only.

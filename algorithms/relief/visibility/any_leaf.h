@@ -31,18 +31,18 @@ inline double highestGap(const Patch& patch, double zIn, double zOut) {
     return std::max(atEnds, fIn - b * b / (4 * c));
 }
 
-// Whether the surface within the cell rises above the segment, up to mu = end, by more than kSightClearance.
+// Whether the surface within the cell rises above the segment, up to mu = end, by more than kVisibilityClearance.
 inline bool cellBlocks(const HeightField& field, const CellGrid& grid, const AnyRay& ray, const GridRay& course,
                        AxisCell cx, AxisCell cy, double end) {
-    const Stay whole = cellStay(grid, course, cx, cy);
-    const Stay stay{whole.in, std::min(whole.out, end)};
-    if (!(stay.in < stay.out)) return false;
-    const double zIn = ray.heightAt(stay.in);
-    const double zOut = ray.heightAt(stay.out);
+    const CellInterval whole = cellInterval(grid, course, cx, cy);
+    const CellInterval interval{whole.in, std::min(whole.out, end)};
+    if (!(interval.in < interval.out)) return false;
+    const double zIn = ray.heightAt(interval.in);
+    const double zOut = ray.heightAt(interval.out);
     if (field.surface() == Surface::Columns) {
-        return field.heights()(cx.index, cy.index) - std::min(zIn, zOut) > kSightClearance;
+        return field.heights()(cx.index, cy.index) - std::min(zIn, zOut) > kVisibilityClearance;
     }
-    return highestGap(Patch(field.heights(), grid, course, cx, cy, stay), zIn, zOut) > kSightClearance;
+    return highestGap(Patch(field.heights(), grid, course, cx, cy, interval), zIn, zOut) > kVisibilityClearance;
 }
 
 }  // namespace relief

@@ -33,11 +33,11 @@ struct AnyRay {
 };
 
 // Clear: nothing in the way (also under border, outside the picture). Limit: the segment was too long to be followed.
-enum class Sight : std::uint8_t { Clear, Blocked, Limit };
+enum class Visibility : std::uint8_t { Clear, Blocked, Limit };
 
 // By how much, in heights, the surface must rise above the segment to block it: so that the surface point from which a
 // segment starts, and a plateau along which it runs, do not.
-inline constexpr double kSightClearance = 0x1p-30;
+inline constexpr double kVisibilityClearance = 0x1p-30;
 
 // Segments as a structure of arrays, all of one length.
 struct AnyRayBlock {
@@ -65,13 +65,13 @@ struct AnyRayBlock {
 };
 
 // Answers in the order of the segments. steps: decision records; reads: stored values fetched.
-struct SightBlock {
-    std::vector<Sight> sight;
+struct VisibilityBlock {
+    std::vector<Visibility> visibility;
     std::vector<std::uint32_t> steps, reads;
 
-    std::size_t size() const { return sight.size(); }
+    std::size_t size() const { return visibility.size(); }
     void resize(std::size_t count) {
-        sight.resize(count, Sight::Clear);
+        visibility.resize(count, Visibility::Clear);
         steps.resize(count, 0);
         reads.resize(count, 0);
     }

@@ -18,7 +18,7 @@ struct BlockingCell {
     AnyRay segment;
     double above;  // mu from which the segment is above all there is
 
-    static constexpr double kMargin = 0;  // kSightClearance is above the rounding of the leaf
+    static constexpr double kMargin = 0;  // kVisibilityClearance is above the rounding of the leaf
     ViewRay course() const { return segment.course(); }
     double heightAt(double mu) const { return segment.heightAt(mu); }
     double rise() const { return segment.dz; }
@@ -63,9 +63,9 @@ class PackedConeAnyHit {
         : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
 
     template <class Sink>
-    Sight look(const AnyRay& ray, Sink& sink) const;
+    Visibility query(const AnyRay& ray, Sink& sink) const;
     // The same answers in lanes (packed_cone_any_lanes-inl.h): segments first to last - 1.
-    void lookLanes(const AnyRayBlock& rays, std::size_t first, std::size_t last, SightBlock& sights) const;
+    void querySimd(const AnyRayBlock& rays, std::size_t first, std::size_t last, VisibilityBlock& results) const;
 
     const HeightField& field() const { return field_; }
     const CellGrid& grid() const { return grid_; }
@@ -79,8 +79,8 @@ class PackedConeAnyHit {
 };
 
 template <class Sink>
-Sight PackedConeAnyHit::look(const AnyRay& ray, Sink& sink) const {
-    if (!ray.finite()) return Sight::Clear;
+Visibility PackedConeAnyHit::query(const AnyRay& ray, Sink& sink) const {
+    if (!ray.finite()) return Visibility::Clear;
     const ConeGround ground{field_, grid_, *map_};
     const double end = endBelow(ray, map_->highest);
     PackedConeWalk<BlockingCell> walk(ground, {ray, end}, 0, 0, std::numeric_limits<double>::infinity());
@@ -91,14 +91,14 @@ Sight PackedConeAnyHit::look(const AnyRay& ray, Sink& sink) const {
     note(Decision::Start, 0);
     if (!(end > 0) || runsOutside(grid_, walk.ray())) {
         note(Decision::Miss, 0);
-        return Sight::Clear;
+        return Visibility::Clear;
     }
     while (walk.step(ground, sink)) {
     }
-    if (walk.outcome() == Outcome::Hit) return Sight::Blocked;
+    if (walk.outcome() == Outcome::Hit) return Visibility::Blocked;
     const bool clear = walk.outcome() == Outcome::Miss;
     note(clear ? Decision::Miss : Decision::Limit, std::min(walk.lambda(), end));
-    return clear ? Sight::Clear : Sight::Limit;
+    return clear ? Visibility::Clear : Visibility::Limit;
 }
 
 }  // namespace relief

@@ -95,7 +95,7 @@ struct SegmentQueue {
     std::size_t quadrant;  // the only one that is looked at
     std::size_t next;
     std::size_t last;
-    Sight* sights;
+    Visibility* results;
 };
 
 // A vector of segments in memory.
@@ -115,17 +115,17 @@ inline bool Segments::fill(std::size_t lane, SegmentQueue& queue) {
         const std::size_t i = queue.next++;
         const AnyRay ray = queue.rays[i];
         if (!ray.finite()) {
-            queue.sights[i] = Sight::Clear;
+            queue.results[i] = Visibility::Clear;
             continue;
         }
         const GridRay course(grid, ray.course());
         if (quadrantOf(course) != queue.quadrant) continue;
-        queue.sights[i] = Sight::Clear;
+        queue.results[i] = Visibility::Clear;
         const double until = std::min(endBelow(ray, queue.query.map().highest), HUGE_VAL);
         if (!(until > 0) || runsOutside(grid, course)) continue;
         if (!course.inDomain()) {
             NullSink sink;
-            queue.sights[i] = queue.query.look(ray, sink);
+            queue.results[i] = queue.query.query(ray, sink);
             continue;
         }
         x.set(lane, grid.x, course.x);
@@ -149,7 +149,7 @@ class SegmentWalk {
         : queue_(queue),
           field_(queue.query.field()),
           grid_(queue.query.grid()),
-          words_(queue.query.map().quadrant(queue.quadrant)),
+          entries_(queue.query.map().quadrant(queue.quadrant)),
           nx_(queue.query.map().nx),
           ny_(queue.query.map().ny) {}
 
@@ -162,9 +162,9 @@ class SegmentWalk {
         V z, dz;
         HWY_INLINE V heightAt(V mu) const { return hn::Add(z, hn::Mul(mu, dz)); }
     };
-    HWY_INLINE void resolve(std::uint32_t lanes, Sight sight) {
+    HWY_INLINE void resolve(std::uint32_t lanes, Visibility visibility) {
         segments_.active &= ~lanes;
-        overLanes(lanes, [&](std::size_t lane) { queue_.sights[segments_.number[lane]] = sight; });
+        overLanes(lanes, [&](std::size_t lane) { queue_.results[segments_.number[lane]] = visibility; });
     }
     HWY_INLINE M blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const;
     void step();
@@ -172,7 +172,7 @@ class SegmentWalk {
     SegmentQueue& queue_;
     const HeightField& field_;
     const CellGrid& grid_;
-    const std::uint32_t* words_;
+    const std::uint32_t* entries_;
     int nx_;
     int ny_;
     Segments segments_;
@@ -181,19 +181,19 @@ class SegmentWalk {
 // cellBlocks() of the lanes' cells.
 template <class Visits>
 M SegmentWalk<Visits>::blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const {
-    const V zero = hn::Zero(D()), one = constant(1), clearance = constant(kSightClearance);
+    const V zero = hn::Zero(D()), one = constant(1), clearance = constant(kVisibilityClearance);
     const V in = hn::Max(hn::Max(lanes.x.enter(), lanes.y.enter()), zero);
     const V out = hn::Min(hn::Min(exits, one), end);
-    const M stays = hn::Lt(in, out);
+    const M crosses = hn::Lt(in, out);
     const V zIn = lanes.heightAt(in), zOut = lanes.heightAt(out);
     if (field_.surface() == Surface::Columns) {
         const V height = heightsAt(field_.heights(), cx, cy);
-        return hn::And(stays, hn::Gt(hn::Sub(height, hn::Min(zIn, zOut)), clearance));
+        return hn::And(crosses, hn::Gt(hn::Sub(height, hn::Min(zIn, zOut)), clearance));
     }
     const ExactPlaces places{
         lanes.x.within(in), lanes.y.within(in), lanes.x.within(out), lanes.y.within(out), zIn, zOut};
     const ExactGaps gaps = exactGaps(cornersAt(field_.heights(), grid_, cx, cy), places);
-    return hn::And(stays, hn::Gt(highestGap(gaps), clearance));
+    return hn::And(crosses, hn::Gt(highestGap(gaps), clearance));
 }
 
 template <class Visits>
@@ -203,7 +203,7 @@ void SegmentWalk<Visits>::step() {
     const V mu = load(segments_.mu), end = load(segments_.end), run = load(segments_.run);
     const VI cx = hn::DemoteTo(DI(), lanes.x.index(nx_)), cy = hn::DemoteTo(DI(), lanes.y.index(ny_));
     const hn::Rebind<std::uint32_t, D> du;
-    const auto word = hn::GatherIndex(du, words_, hn::Add(hn::Mul(cy, whole(queue_.query.map().stride)), cx));
+    const auto entry = hn::GatherIndex(du, entries_, hn::Add(hn::Mul(cy, whole(queue_.query.map().stride)), cx));
     const V exitX = lanes.x.leave(), exitY = lanes.y.leave();
     const V exits = hn::Min(exitX, exitY);
     const V out = hn::Max(hn::Min(exits, end), mu);
@@ -213,14 +213,14 @@ void SegmentWalk<Visits>::step() {
         const V steps = hn::PromoteTo(d, hn::BitCast(DI(), hn::And(depth, hn::Set(du, kConeDepths))));
         return hn::Sub(constant(queue_.query.map().highest), hn::Mul(steps, constant(queue_.query.map().unit)));
     };
-    const M above = hn::Gt(lowest, heightOf(word));
+    const M above = hn::Gt(lowest, heightOf(entry));
     // Cells are looked at for several lanes at once: till then those lanes wait.
     constexpr int kTogether = kLanes > 2 ? static_cast<int>(kLanes / 2) : 1;
     const std::uint32_t all = (1U << kLanes) - 1;
     const std::uint32_t walking = segments_.active;
     std::uint32_t waiting = ~bitsOf(above) & walking;
     if (waiting != 0 && (waiting == walking || __builtin_popcount(waiting) >= kTogether)) {
-        resolve(bitsOf(blocks(lanes, exits, end, cx, cy)) & waiting, Sight::Blocked);
+        resolve(bitsOf(blocks(lanes, exits, end, cx, cy)) & waiting, Visibility::Blocked);
         waiting = 0;
     }
     if constexpr (Visits::kRecords) {
@@ -229,8 +229,8 @@ void SegmentWalk<Visits>::step() {
         Visits::visit(segments_.number, walking & ~waiting & ~behind, lanes.x.index(nx_), lanes.y.index(ny_));
     }
     // On to the next cell, or beyond by the cone.
-    const V room = hn::Sub(zOut, heightOf(hn::ShiftRight<10>(word)));
-    const V slope = hn::PromoteTo(d, hn::BitCast(DF(), word));
+    const V room = hn::Sub(zOut, heightOf(hn::ShiftRight<10>(entry)));
+    const V slope = hn::PromoteTo(d, hn::BitCast(DF(), entry));
     const V closing = hn::Sub(hn::Mul(slope, run), lanes.dz);
     const V zero = hn::Zero(d);
     // From a cell that lies behind (its number was taken too low) no cone is followed: it counts from the way out.
@@ -251,7 +251,7 @@ void SegmentWalk<Visits>::step() {
     const V nextX = next(lanes.x, exitX, exitY), nextY = next(lanes.y, exitY, exitX);
     const M leaves = hn::Or(hn::Gt(nextX, lanes.x.lastCell), hn::Gt(nextY, lanes.y.lastCell));
     const M done = hn::Or(hn::Or(forEver, leaves), hn::Not(hn::Lt(after, end)));
-    resolve(bitsOf(done) & segments_.active & ~waiting, Sight::Clear);
+    resolve(bitsOf(done) & segments_.active & ~waiting, Visibility::Clear);
     // Waiting and idle lanes stay where they are.
     const std::uint8_t bits[8] = {static_cast<std::uint8_t>(segments_.active & ~waiting & all)};
     const M moves = hn::LoadMaskBits(d, bits);
@@ -272,8 +272,8 @@ bool SegmentWalk<Visits>::go() {
 }
 
 template <class Visits = NoVisits>
-void lookOn(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t first, std::size_t last,
-            Sight* sights) {
+void runQueries(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t first, std::size_t last,
+                Visibility* results) {
     // Shadow rays of one light, or visibility queries of one pixel, fall into one or a few quadrants.
     std::uint32_t quadrants = 0;
     for (std::size_t i = first; i < last; ++i) {
@@ -282,7 +282,7 @@ void lookOn(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t 
     }
     for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
         if ((quadrants >> quadrant & 1) == 0) continue;
-        SegmentQueue queue{query, rays, quadrant, first, last, sights};
+        SegmentQueue queue{query, rays, quadrant, first, last, results};
         goInTurn<SegmentWalk<Visits>>(queue);
     }
 }

@@ -94,11 +94,11 @@ void partsOf(const HeightField& field) {
             continue;
         }
         const GridRay ray(grid, rays[part.ray]);
-        const Stay stay = cellStay(grid, ray, part.x, part.y);
-        EXPECT_LT(stay.in, stay.out);
-        EXPECT_GT(stay.out, part.until);
+        const CellInterval interval = cellInterval(grid, ray, part.x, part.y);
+        EXPECT_LT(interval.in, interval.out);
+        EXPECT_GT(interval.out, part.until);
         if (exact.outcome[part.ray] == Outcome::Hit) {
-            EXPECT_LE(stay.in, exact.lambda[part.ray]);
+            EXPECT_LE(interval.in, exact.lambda[part.ray]);
         }
     }
     EXPECT_GT(ended, 0U);

@@ -73,7 +73,7 @@ TEST(Lanes, haveTheBitsOfTheReferenceOnMapsOfManyWords) {
         const HeightField field(heights, Surface::Bilinear, address, 0.1);
         Work work(2);
         const auto cones = packedCones(field, cache, work);
-        ASSERT_GE(cones->quadrantWords(), kWideWords);
+        ASSERT_GE(cones->quadrantEntries(), kWideEntries);
         ASSERT_GT(cones->stride, cones->nx + 1);
         expectSameBits(field, {"cone", {}}, awkwardRays(field, kSeed + 9, rayCount()), cache);
     }

@@ -1,11 +1,11 @@
 // The hits of the candidates that a walk has found, by the leaf in lanes of double. Shared by the kernels, compiled for
 // each target.
 
-#if defined(RELIEF_LANE_SETTLE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef RELIEF_LANE_SETTLE_INL_H
-#undef RELIEF_LANE_SETTLE_INL_H
+#if defined(RELIEF_CANDIDATES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RELIEF_CANDIDATES_INL_H
+#undef RELIEF_CANDIDATES_INL_H
 #else
-#define RELIEF_LANE_SETTLE_INL_H
+#define RELIEF_CANDIDATES_INL_H
 #endif
 
 #include "relief/simd/exact_leaf-inl.h"
@@ -76,7 +76,7 @@ HWY_INLINE ExactAxis plainAxis(const GridAxis& axis, const double* origins, cons
     out.still = hn::MaskFromVec(out.base);
     return out;
 }
-HWY_INLINE void plainStay(const ExactAxis& ray, VD& in, VD& out) {
+HWY_INLINE void plainInterval(const ExactAxis& ray, VD& in, VD& out) {
     const VD upper = hn::Add(ray.index, hn::Set(DD(), 1.0));
     const VD atLower = hn::Mul(hn::Sub(ray.index, ray.start), ray.inverse);
     const VD atUpper = hn::Mul(hn::Sub(upper, ray.start), ray.inverse);
@@ -86,7 +86,7 @@ HWY_INLINE void plainStay(const ExactAxis& ray, VD& in, VD& out) {
 
 // RayAxis::enter and leave, to the bit.
 template <Address kAddress>
-HWY_INLINE void exactStay(const GridAxis& axis, const ExactAxis& ray, VD& in, VD& out) {
+HWY_INLINE void exactInterval(const GridAxis& axis, const ExactAxis& ray, VD& in, VD& out) {
     const DD d;
     const VD lower = exactEdge<kAddress>(axis, ray, ray.index);
     const VD upper = exactEdge<kAddress>(axis, ray, hn::Add(ray.index, hn::Set(d, 1.0)));
@@ -127,16 +127,16 @@ HWY_INLINE VD within(const ExactAxis& axis, VD lambda) {
 }
 
 // Where candidates come into their cells and leave them, before either is cut to [0, 1].
-struct ExactStay {
+struct ExactInterval {
     VD inX, outX, inY, outY;
 };
 
 // std::max and std::min of the stay's, cut to [0, 1].
-HWY_INLINE VD entryOf(const ExactStay& stay) {
-    return stdMax(stdMax(stay.inX, stay.inY), hn::Zero(DD()));
+HWY_INLINE VD entryOf(const ExactInterval& interval) {
+    return stdMax(stdMax(interval.inX, interval.inY), hn::Zero(DD()));
 }
-HWY_INLINE VD exitOf(const ExactStay& stay) {
-    return stdMin(stdMin(stay.outX, stay.outY), hn::Set(DD(), 1.0));
+HWY_INLINE VD exitOf(const ExactInterval& interval) {
+    return stdMin(stdMin(interval.outX, interval.outY), hn::Set(DD(), 1.0));
 }
 
 HWY_INLINE VD exactHeight(const FloatScene& scene, VD i, VD j) {
@@ -183,9 +183,9 @@ HWY_INLINE ExactNodes exactNodes(const FloatScene& scene, VD cellX, VD cellY, co
 // leafHit() for the candidates of a chunk, in four parts, each some rays behind the part before it: the parts are long
 // chains, of roots and quotients, and those of different rays then overlap.
 template <Address kAddress, Surface kSurface>
-class Settling {
+class CandidateResolver {
   public:
-    Settling(const FloatScene& scene, const double* const* given, std::size_t count, LaneRays& rays)
+    CandidateResolver(const FloatScene& scene, const double* const* given, std::size_t count, LaneRays& rays)
         : scene_(scene), given_(given), count_(count), rays_(rays) {
         const std::size_t rest = count % kHalfLanes;
         for (std::size_t c = 0; c < rest_.size() && rest > 0; ++c) {
@@ -209,7 +209,7 @@ class Settling {
             const auto due = [&](std::size_t parts) { return i >= parts * kApart && from(parts) < end; };
             if (due(0)) {
                 prefetchHits(i + kPrefetched, hits, firstHit);
-                stays(i);
+                intervals(i);
             }
             if (due(1)) gaps(from(1));
             if (due(2)) shares(from(2));
@@ -255,19 +255,19 @@ class Settling {
             y = exactAxis<kAddress>(gridY, originY, runY, rays_.y, i);
         }
     }
-    HWY_INLINE ExactStay stayOf(std::size_t i, ExactAxis& x, ExactAxis& y) const {
+    HWY_INLINE ExactInterval intervalOf(std::size_t i, ExactAxis& x, ExactAxis& y) const {
         const bool isPlain = plain(i);
         axes(i, isPlain, x, y);
         invert(x), invert(y);
-        ExactStay stay;
+        ExactInterval interval;
         if (HWY_LIKELY(isPlain)) {
-            plainStay(x, stay.inX, stay.outX);
-            plainStay(y, stay.inY, stay.outY);
+            plainInterval(x, interval.inX, interval.outX);
+            plainInterval(y, interval.inY, interval.outY);
         } else {
-            exactStay<kAddress>(scene_.grid.x, x, stay.inX, stay.outX);
-            exactStay<kAddress>(scene_.grid.y, y, stay.inY, stay.outY);
+            exactInterval<kAddress>(scene_.grid.x, x, interval.inX, interval.outX);
+            exactInterval<kAddress>(scene_.grid.y, y, interval.inY, interval.outY);
         }
-        return stay;
+        return interval;
     }
 
     // An axis as the gaps need it.
@@ -290,11 +290,11 @@ class Settling {
         return axis;
     }
 
-    HWY_INLINE void stays(std::size_t i) {
+    HWY_INLINE void intervals(std::size_t i) {
         ExactAxis x, y;
-        const ExactStay stay = stayOf(i, x, y);
-        keep(entryOf(stay), i, in_);
-        keep(exitOf(stay), i, out_);
+        const ExactInterval interval = intervalOf(i, x, y);
+        keep(entryOf(interval), i, in_);
+        keep(exitOf(interval), i, out_);
         if constexpr (kSurface == Surface::Bilinear) keepAxis(x, i, x_), keepAxis(y, i, y_);
     }
 
@@ -380,9 +380,9 @@ class Settling {
 // The hits of the candidates among the chunk's rays, to `hits` from firstHit on; a candidate that the leaf refuses is
 // LaneEnd::Refused. Rays that are no hits are added to rays.others.
 template <Address kAddress, Surface kSurface>
-HWY_NOINLINE void settleLanes(const FloatScene& scene, const double* const* given, LaneRays& rays, HitBlock& hits,
-                              std::size_t firstHit) {
-    Settling<kAddress, kSurface>(scene, given, rays.count, rays).run(hits, firstHit);
+HWY_NOINLINE void resolveCandidates(const FloatScene& scene, const double* const* given, LaneRays& rays, HitBlock& hits,
+                                    std::size_t firstHit) {
+    CandidateResolver<kAddress, kSurface>(scene, given, rays.count, rays).run(hits, firstHit);
 }
 
 }  // namespace relief::HWY_NAMESPACE
