@@ -21,7 +21,7 @@ namespace {
 using MapTracers = std::tuple<DistanceTracer, DistanceConservativeTracer, DistanceRefinedSampledTracer,
                               DistanceRefinedTracer, ConeTracer, ConeDummerTracer, RelaxedConeTracer>;
 
-// Each parameter as the option's text, and what it is where the kind does not use it.
+// A map parameter as an option's text, and its text in maps of kinds that do not use it.
 struct ParameterText {
     std::string name;
     std::string text;
@@ -44,7 +44,7 @@ std::vector<ParameterText> parameterTexts(const DistanceMap& map) {
 std::vector<ParameterText> parameterTexts(const ConeMap& map) {
     const ConeParameters& p = map.parameters;
     const ConeParameters unused;
-    // The packed layout is no file.
+    // Maps of the packed layout are not stored in files.
     return {{std::string(kLayoutOption), std::string(kStoredLayout), std::string(kStoredLayout)},
             {"sectors", std::to_string(p.sectors), std::to_string(unused.sectors)},
             {"radius", std::to_string(p.radius), std::to_string(unused.radius)},
@@ -60,7 +60,8 @@ bool contains(const std::vector<std::string>& all, const std::string& wanted) {
     return std::find(all.begin(), all.end(), wanted) != all.end();
 }
 
-// The method, or the one inside it, that walks such maps: the prefix of its options.
+// The option prefix of the method that walks such maps: empty for the method itself, kInnerPrefix for the one inside
+// it; std::nullopt if neither does. Adds the kinds that they walk to `wanted`.
 std::optional<std::string> prefixOfWalker(const MethodChoice& choice, const std::string& kind, std::string& wanted) {
     const MethodDescription& method = findTracer(choice.name);
     if (contains(method.maps, kind) || contains(method.otherMaps, kind)) return "";
@@ -163,7 +164,7 @@ StoredMap buildMap(const std::string& kind, const OptionValues& options, const H
 
 namespace {
 
-// Whether the parameters are ones that the map's tracer can ask for.
+// Returns true if the map's tracer has options that build a map with these parameters.
 bool buildable(const StoredMap& map) {
     const MethodDescription& method = findTracer(methodOfMap(mapKindName(map)));
     for (const ParameterText& parameter : parameterTexts(map)) {

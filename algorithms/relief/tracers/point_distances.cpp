@@ -33,7 +33,7 @@ PointDistances distancesAt(const HeightField& field, double s, double t, double 
     makeTracer({"max-pyramid", {}}, field, cache, work)->trace(rays, hits, sink, work);
     out.rays = static_cast<int>(rays.size());
     out.refined = (z + 1) * slab;
-    // Texels along the direction towards the nearest point.
+    // Component of a ray's direction towards the nearest point, in texels.
     const auto towardsNearest = [&](const SampledDirection& way) {
         return (way.a * (out.s - s) + way.b * (out.t - t) + slab * slab * (z - out.z)) / way.length;
     };

@@ -12,7 +12,7 @@ namespace relief {
 
 namespace {
 
-// Methods that work inside segments have traceSegment.
+// Methods that can trace within segments.
 template <class T>
 concept SegmentTracer = requires(const T& tracer, NullSink& sink) {
     tracer.traceSegment(ViewRay{}, Segment{}, sink);
@@ -27,7 +27,7 @@ concept SimdTracer = requires(const T& tracer, const RayBlock& rays, HitBlock& h
     tracer.traceLanes(rays, std::size_t{}, std::size_t{}, hits);
 };
 
-// The form with these options, if the caller leaves the choice to the method.
+// The form that runs with these options if the caller leaves the choice to the method.
 template <class T>
 Form formWith(const typename T::Options& options) {
     if constexpr (!SimdTracer<T>) return Form::Scalar;
@@ -39,7 +39,7 @@ template <class T>
 class TracerOf final : public Tracer {
   public:
     TracerOf(T tracer, Form form) : tracer_(std::move(tracer)), form_(form) {
-        // Maps of the SIMD version may be missing: a map from a file, or a picture too large for them.
+        // The SIMD version's map may be missing: for a map from a file, or a picture too large for it.
         if constexpr (requires { tracer_.hasSimdMap(); }) {
             if (!tracer_.hasSimdMap()) form_ = Form::Scalar;
         }
@@ -167,7 +167,7 @@ bool supports(const MethodChoice& choice, Surface surface, Address address) {
         return std::find(all.begin(), all.end(), wanted) != all.end();
     };
     if (!has(method.surfaces, surface) || !has(method.addresses, address)) return false;
-    // Another map serves where the tracer that it is made for does.
+    // With another map the method serves the addressing modes of the tracer that the map is made for.
     const auto map = choice.options.find(std::string(kMapOption));
     if (map != choice.options.end() && has(method.otherMaps, map->second)) {
         for (const MethodDescription& other : tracerList()) {

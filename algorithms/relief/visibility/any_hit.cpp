@@ -11,7 +11,7 @@ namespace relief {
 
 namespace {
 
-// The explicit list: one line a query.
+// The explicit list of queries, one per line.
 using QueryTypes = std::tuple<MaxPyramidAnyHit, PackedConeAnyHit>;
 
 template <class T>

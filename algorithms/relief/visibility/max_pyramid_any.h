@@ -1,12 +1,13 @@
-// max-pyramid-any: is anything in the way of a segment? Hierarchical skip on the pyramid of maxima, with early exit.
-// [MIP18] turned to any direction; used for shadows and back-tracing.
+// max-pyramid-any: visibility query by hierarchical skips on the max pyramid, with early exit. [MIP18] generalised to
+// any direction; used for shadows and for footprints traced back.
 //
 // Frame and units: any_ray.h. Surfaces: bilinear, columns; any addressing; segments in any direction.
-// Model: blocked if somewhere along the segment the surface is higher than it by more than kVisibilityClearance. The
-// walk begins in the cell of the start, climbs when it leaves a parent, and skips a node whose maximum is not above the
-// lowest point of the segment's stay; the first cell that blocks ends it. The segment ends where it is above all.
-// Guarantee: exact. Failure mode: long level segments among needles. Cost: O(log) steps on even surfaces.
-// Log: lambda stands for 1 - z of the segment, so it falls where the segment rises.
+// Model: the segment is blocked if the surface is higher than it by more than kVisibilityClearance anywhere. The walk
+// begins in the cell of the start, climbs when it leaves a parent, and skips a node whose maximum is not above the
+// lowest point of the segment in it. The walk ends at the first cell that blocks, or where the segment is above the
+// highest point.
+// Guarantee: exact. Failure mode: long level segments among needles. Cost: O(log) steps on smooth surfaces.
+// Log: lambda stands for 1 - z of the segment, so it decreases where the segment rises.
 #pragma once
 
 #include "relief/describe.h"
